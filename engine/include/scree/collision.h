@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Contact manifolds: what the narrow phase computes for two touching shapes, in Box2D 2.4's form.
+
+#pragma once
+
+#include "scree/math.h"
+#include "scree/shape.h"
+
+namespace scree {
+
+/// Names the two features (vertex or face) whose crossing made a contact point.
+struct ContactFeature {
+    enum Type : uint8_t { e_vertex = 0, e_face = 1 };
+
+    uint8_t indexA, indexB;  ///< index of the vertex or face on each shape
+    uint8_t typeA, typeB;
+};
+
+/// The feature as fields or as one key to match points across steps.
+union ContactID {
+    ContactFeature cf;
+    uint32_t key;
+};
+
+/// A point of a manifold, in local coordinates so that it can be re-evaluated as the bodies move:
+/// e_circles: centre of circle B in B; e_faceA: clip point or circle centre in B; e_faceB: clip point in A.
+struct ManifoldPoint {
+    Vec2 localPoint;
+    float normalImpulse;   ///< N·s, from the last solve; warm-starts the next
+    float tangentImpulse;  ///< N·s
+    ContactID id;
+};
+
+/// Up to two points sharing a normal. localNormal and localPoint: e_circles: unused and centre of A; e_faceA: normal
+/// and mid point of the face of A, in A; e_faceB: the same of B, in B.
+struct Manifold {
+    enum Type : uint8_t { e_circles, e_faceA, e_faceB };
+
+    ManifoldPoint points[maxManifoldPoints];
+    Vec2 localNormal;
+    Vec2 localPoint;
+    Type type;
+    int8_t pointCount = 0;
+};
+
+/// A manifold in world coordinates.
+struct WorldManifold {
+    Vec2 normal;                            ///< from A to B
+    Vec2 points[maxManifoldPoints];         ///< midway between the two surfaces
+    float separations[maxManifoldPoints];   ///< m, negative is overlap (radii included)
+
+    /// Evaluates `manifold` for shapes with radii radiusA and radiusB placed at xfA and xfB.
+    void Initialize(const Manifold* manifold, const Transform& xfA, float radiusA, const Transform& xfB, float radiusB);
+};
+
+/// Manifold of two shapes; pointCount 0 when they are apart. Impulses are not set.
+void CollideCircles(Manifold* manifold, const CircleShape* circleA, const Transform& xfA, const CircleShape* circleB,
+                    const Transform& xfB);
+void CollidePolygonAndCircle(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA,
+                             const CircleShape* circleB, const Transform& xfB);
+void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA, const PolygonShape* polygonB,
+                     const Transform& xfB);
+void CollideEdgeAndCircle(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA, const CircleShape* circleB,
+                          const Transform& xfB);
+void CollideEdgeAndPolygon(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA, const PolygonShape* polygonB,
+                           const Transform& xfB);
+
+}  // namespace scree

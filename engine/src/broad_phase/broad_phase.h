@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The one interface of all broad-phase algorithms: boxes of fixtures in, overlapping pairs out.
+// A PAIR is two fixtures of different bodies, at least one of them dynamic, whose closed boxes overlap. Tight algorithms
+// report exactly the pairs of the boxes given; the fattened tree reports a superset. Every call of FindPairs reports the
+// COMPLETE set of current pairs, each once, in an order that depends only on the calls made before.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scree/broad_phase_kind.h"
+#include "scree/math.h"
+#include "scree/shape.h"
+
+namespace scree {
+
+/// What a body's motion type means to the broad phase.
+enum class Motion : uint8_t { isStatic = 0, kinematic = 1, dynamic = 2 };
+
+/// A pair of fixtures, by the caller's fixture index; a < b.
+struct Pair {
+    uint32_t a, b;
+    friend bool operator==(const Pair&, const Pair&) = default;
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+/// One node of a tree as the inspectors see it. A production leaf may hold many boxes; for inspection it is continued
+/// with the same splits down to one box per leaf, so n proxies always make n − 1 internal nodes.
+struct BvhNode {
+    AABB box;
+    int32_t parent = -1;          ///< index of the parent, −1 for the root
+    int32_t child1 = -1, child2 = -1;  ///< −1 for leaves
+    int32_t fixture = -1;         ///< the fixture of a leaf, −1 for internal nodes
+    int32_t level = 0;            ///< root 0
+};
+
+/// What FindPairs did in its last call, for reports and scaling tests; counts, never clocks.
+struct BroadPhaseStats {
+    uint64_t boxTests = 0;     ///< box–box comparisons
+    uint32_t rebuiltProxies = 0;  ///< proxies that went through a build (or a reinsertion)
+    bool staticTreeSeparate = false;
+};
+
+/// Knobs shared by the algorithms.
+struct BroadPhaseConfig {
+    /// Static fixtures get a tree of their own above this share of all fixtures.
+    float staticShareThreshold = 1.0f / 8.0f;
+    /// Most boxes in a leaf where the algorithm allows more than one; 0: the algorithm's own best.
+    int leafSize = 0;
+};
+
+class BroadPhase {
+public:
+    virtual ~BroadPhase() = default;
+
+    /// Adds the box of a fixture. `fixture` is any index that is not in use here (dense small numbers are fastest);
+    /// `body` tells fixtures of one body, which never pair. O(1): structures are rebuilt lazily. Preconditions, checked
+    /// by the caller: box valid, fixture not present.
+    virtual void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) = 0;
+    /// Gives the fixture a new box; `displacement` is its body's motion since the last update (the fattened tree looks
+    /// ahead along it). O(1) except in the fattened tree (O(log n) when the box leaves its margin).
+    virtual void Update(uint32_t fixture, const AABB& box, Vec2 displacement) = 0;
+    /// O(1).
+    virtual void Remove(uint32_t fixture) = 0;
+    /// Writes the complete pair set into `pairs` (cleared first).
+    virtual void FindPairs(std::vector<Pair>& pairs) = 0;
+
+    /// Calls `visit(fixture)` for every fixture whose stored box overlaps `box`, until it returns false.
+    /// Rebuilds lazily after edits.
+    virtual void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) = 0;
+    /// Visits fixtures whose stored box the ray may hit. `visit(input, fixture)` returns the new maxFraction: 0 ends the
+    /// cast, a negative value ignores the fixture and leaves the ray as it is.
+    virtual void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) = 0;
+
+    /// The stored box (tight, or fattened in `fat-tree`).
+    [[nodiscard]] virtual AABB GetBox(uint32_t fixture) const = 0;
+    [[nodiscard]] virtual int GetProxyCount() const = 0;
+    /// The tree(s) as one, children after parents, static and moving part joined under a virtual root; empty for
+    /// algorithms without a tree. Rebuilds lazily after edits.
+    virtual void GetNodes(std::vector<BvhNode>& nodes) = 0;
+    /// Boxes per leaf in use, 0 without a tree.
+    [[nodiscard]] virtual int GetLeafSize() const = 0;
+    [[nodiscard]] virtual size_t GetMemoryBytes() const = 0;
+    [[nodiscard]] virtual BroadPhaseStats GetStats() const = 0;
+};
+
+/// Makes an algorithm; BroadPhaseKind::automatic gives the fastest one that keeps a tree.
+std::unique_ptr<BroadPhase> CreateBroadPhase(BroadPhaseKind kind, const BroadPhaseConfig& config = {});
+
+}  // namespace scree
