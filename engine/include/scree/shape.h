@@ -113,8 +113,8 @@ public:
     void ComputeMass(MassData* massData, float density) const override;
 
     Vec2 m_centroid;
-    Vec2 m_vertices[maxPolygonVertices];
-    Vec2 m_normals[maxPolygonVertices];
+    Vec2 m_vertices[maxPolygonVertices]{};
+    Vec2 m_normals[maxPolygonVertices]{};
     int m_count = 0;
 };
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scree/broad_phase_kind.h"
+#include "scree/bvh_node.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
@@ -28,16 +29,6 @@ struct Pair {
     uint32_t a, b;
     friend bool operator==(const Pair&, const Pair&) = default;
     friend auto operator<=>(const Pair&, const Pair&) = default;
-};
-
-/// One node of a tree as the inspectors see it. A production leaf may hold many boxes; for inspection it is continued
-/// with the same splits down to one box per leaf, so n proxies always make n − 1 internal nodes.
-struct BvhNode {
-    AABB box;
-    int32_t parent = -1;          ///< index of the parent, −1 for the root
-    int32_t child1 = -1, child2 = -1;  ///< −1 for leaves
-    int32_t fixture = -1;         ///< the fixture of a leaf, −1 for internal nodes
-    int32_t level = 0;            ///< root 0
 };
 
 /// What FindPairs did in its last call, for reports and scaling tests; counts, never clocks.

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Rigid bodies.
+
+#pragma once
+
+#include <cstdint>
+
+#include "scree/errors.h"
+#include "scree/fixture.h"
+#include "scree/math.h"
+#include "scree/shape.h"
+
+namespace scree {
+
+class Joint;
+class World;
+
+/// static: never moves by itself; kinematic: moves by its velocity, infinite mass; dynamic: moved by forces.
+enum BodyType : uint8_t { staticBody = 0, kinematicBody, dynamicBody };
+
+/// Application data of a body.
+struct BodyUserData {
+    uintptr_t pointer = 0;
+};
+
+/// Input of World::CreateBody. Every number must be finite.
+struct BodyDef {
+    BodyType type = staticBody;
+    Vec2 position{0.0f, 0.0f};        ///< of the body's origin, m
+    float angle = 0.0f;               ///< rad
+    Vec2 linearVelocity{0.0f, 0.0f};  ///< of the origin, m/s
+    float angularVelocity = 0.0f;     ///< rad/s
+    float linearDamping = 0.0f;       ///< ≥ 0, 1/s
+    float angularDamping = 0.0f;      ///< ≥ 0, 1/s
+    bool allowSleep = true;
+    bool awake = true;
+    bool fixedRotation = false;
+    bool bullet = false;
+    bool enabled = true;
+    BodyUserData userData;
+    float gravityScale = 1.0f;
+};
+
+/// A thin, stable handle on a body; made by World::CreateBody, dead after World::DestroyBody.
+class Body {
+public:
+    /// Attaches a fixture and updates the mass if its density is not 0. Returns null (and changes nothing) for a null
+    /// shape, a degenerate shape, a number out of range, or while the world is locked.
+    Fixture* CreateFixture(const FixtureDef* def);
+    /// Short form with default material.
+    Fixture* CreateFixture(const Shape* shape, float density);
+    /// Detaches and destroys a fixture with its contacts and updates the mass.
+    ErrorCode DestroyFixture(Fixture* fixture);
+
+    /// Moves the body at once, contacts follow in the next step. Refused while the world is locked.
+    ErrorCode SetTransform(Vec2 position, float angle);
+    [[nodiscard]] const Transform& GetTransform() const;
+    [[nodiscard]] Vec2 GetPosition() const;
+    [[nodiscard]] float GetAngle() const;
+    [[nodiscard]] Vec2 GetWorldCenter() const;
+    [[nodiscard]] Vec2 GetLocalCenter() const;
+
+    /// Velocity of the centre of mass, m/s. Static bodies ignore it; a non-zero one wakes the body.
+    ErrorCode SetLinearVelocity(Vec2 v);
+    [[nodiscard]] Vec2 GetLinearVelocity() const;
+    ErrorCode SetAngularVelocity(float omega);
+    [[nodiscard]] float GetAngularVelocity() const;
+
+    /// Force in N at a world point, for the next step. Dynamic bodies only; `wake` wakes a sleeping one.
+    ErrorCode ApplyForce(Vec2 force, Vec2 point, bool wake);
+    ErrorCode ApplyForceToCenter(Vec2 force, bool wake);
+    /// Torque in N·m.
+    ErrorCode ApplyTorque(float torque, bool wake);
+    /// Impulse in N·s at a world point, at once.
+    ErrorCode ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake);
+    ErrorCode ApplyLinearImpulseToCenter(Vec2 impulse, bool wake);
+    /// Impulse in N·m·s.
+    ErrorCode ApplyAngularImpulse(float impulse, bool wake);
+
+    [[nodiscard]] float GetMass() const;
+    /// About the body's origin, kg·m².
+    [[nodiscard]] float GetInertia() const;
+    void GetMassData(MassData* data) const;
+    /// Overrides what the fixtures give (until the next ResetMassData). Dynamic bodies only.
+    ErrorCode SetMassData(const MassData* data);
+    /// Recomputes mass, centre and inertia from the fixtures.
+    void ResetMassData();
+
+    [[nodiscard]] Vec2 GetWorldPoint(Vec2 localPoint) const;
+    [[nodiscard]] Vec2 GetWorldVector(Vec2 localVector) const;
+    [[nodiscard]] Vec2 GetLocalPoint(Vec2 worldPoint) const;
+    [[nodiscard]] Vec2 GetLocalVector(Vec2 worldVector) const;
+    [[nodiscard]] Vec2 GetLinearVelocityFromWorldPoint(Vec2 worldPoint) const;
+    [[nodiscard]] Vec2 GetLinearVelocityFromLocalPoint(Vec2 localPoint) const;
+
+    [[nodiscard]] float GetLinearDamping() const;
+    ErrorCode SetLinearDamping(float damping);
+    [[nodiscard]] float GetAngularDamping() const;
+    ErrorCode SetAngularDamping(float damping);
+    [[nodiscard]] float GetGravityScale() const;
+    ErrorCode SetGravityScale(float scale);
+
+    [[nodiscard]] BodyType GetType() const;
+    ErrorCode SetBullet(bool flag);
+    [[nodiscard]] bool IsBullet() const;
+    /// Forbidding sleep wakes the body.
+    ErrorCode SetSleepingAllowed(bool flag);
+    [[nodiscard]] bool IsSleepingAllowed() const;
+    /// Putting to sleep clears velocity and forces.
+    ErrorCode SetAwake(bool flag);
+    [[nodiscard]] bool IsAwake() const;
+    /// A disabled body keeps its state but neither moves nor collides. Refused while the world is locked.
+    ErrorCode SetEnabled(bool flag);
+    [[nodiscard]] bool IsEnabled() const;
+    ErrorCode SetFixedRotation(bool flag);
+    [[nodiscard]] bool IsFixedRotation() const;
+
+    /// Fixtures, newest first.
+    [[nodiscard]] Fixture* GetFixtureList();
+    [[nodiscard]] const Fixture* GetFixtureList() const;
+    /// The next body of the world: movers first, then static bodies, newest first in each group; null at the end.
+    [[nodiscard]] Body* GetNext();
+    [[nodiscard]] const Body* GetNext() const;
+    [[nodiscard]] BodyUserData& GetUserData();
+    [[nodiscard]] World* GetWorld();
+    /// Dense number of this body in its world; reused after destruction.
+    [[nodiscard]] int GetIndex() const { return m_index; }
+
+    Body(WorldState* state, int index) : m_state(state), m_index(index) {}
+    Body(const Body&) = delete;
+    Body& operator=(const Body&) = delete;
+
+private:
+    WorldState* m_state;
+    int m_index;
+};
+
+}  // namespace scree

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A contact is a persistent pair of fixtures whose tight AABBs overlap; it may or may not be touching.
+
+#pragma once
+
+#include "scree/collision.h"
+#include "scree/errors.h"
+#include "scree/fixture.h"
+
+namespace scree {
+
+/// A thin handle on a contact, valid until the pair's boxes part (EndContact is the last call for a touching one).
+class Contact {
+public:
+    /// In local coordinates; pointCount 0 when not touching.
+    [[nodiscard]] Manifold* GetManifold();
+    [[nodiscard]] const Manifold* GetManifold() const;
+    void GetWorldManifold(WorldManifold* worldManifold) const;
+    [[nodiscard]] bool IsTouching() const;
+    /// Disabling lasts for the current step only: meant for PreSolve.
+    void SetEnabled(bool flag);
+    [[nodiscard]] bool IsEnabled() const;
+    /// The next contact of the world; null at the end.
+    [[nodiscard]] Contact* GetNext();
+    [[nodiscard]] const Contact* GetNext() const;
+    [[nodiscard]] Fixture* GetFixtureA();
+    [[nodiscard]] const Fixture* GetFixtureA() const;
+    [[nodiscard]] Fixture* GetFixtureB();
+    [[nodiscard]] const Fixture* GetFixtureB() const;
+    /// Overrides the mixed friction until ResetFriction. Refused: negative or not finite.
+    ErrorCode SetFriction(float friction);
+    [[nodiscard]] float GetFriction() const;
+    void ResetFriction();
+    ErrorCode SetRestitution(float restitution);
+    [[nodiscard]] float GetRestitution() const;
+    void ResetRestitution();
+    ErrorCode SetRestitutionThreshold(float threshold);
+    [[nodiscard]] float GetRestitutionThreshold() const;
+    void ResetRestitutionThreshold();
+    /// Conveyor-belt speed along the tangent, m/s.
+    ErrorCode SetTangentSpeed(float speed);
+    [[nodiscard]] float GetTangentSpeed() const;
+    /// Number of this contact in its world; reused.
+    [[nodiscard]] int GetIndex() const { return m_index; }
+
+    Contact(WorldState* state, int index) : m_state(state), m_index(index) {}
+    Contact(const Contact&) = delete;
+    Contact& operator=(const Contact&) = delete;
+
+private:
+    WorldState* m_state;
+    int m_index;
+};
+
+/// Mixing rules for two materials: geometric mean, the larger, the smaller.
+inline float MixFriction(float a, float b) { return std::sqrt(a * b); }
+inline float MixRestitution(float a, float b) { return a > b ? a : b; }
+inline float MixRestitutionThreshold(float a, float b) { return a < b ? a : b; }
+
+}  // namespace scree

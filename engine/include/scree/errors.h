@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What bad input gets. Every public entry point checks its arguments in every build; a refused call changes nothing,
+// tells the world's error handler what was wrong with which field, and returns a code (or a null handle).
+
+#pragma once
+
+#include <cstdint>
+
+namespace scree {
+
+enum class ErrorCode : uint8_t {
+    ok,
+    nullArgument,   ///< a required pointer is null
+    nonFinite,      ///< NaN or infinity
+    outOfRange,     ///< a finite value outside the documented range
+    badShape,       ///< a degenerate shape
+    foreignHandle,  ///< the object belongs to another world, or to nothing
+    locked,         ///< the world is inside Step: create and destroy are refused
+};
+
+constexpr const char* GetName(ErrorCode code) {
+    switch (code) {
+        case ErrorCode::ok: return "ok";
+        case ErrorCode::nullArgument: return "null argument";
+        case ErrorCode::nonFinite: return "not finite";
+        case ErrorCode::outOfRange: return "out of range";
+        case ErrorCode::badShape: return "bad shape";
+        case ErrorCode::foreignHandle: return "foreign handle";
+        case ErrorCode::locked: return "world is locked";
+    }
+    return "unknown";
+}
+
+/// One refused call.
+struct Error {
+    ErrorCode code;
+    const char* function;  ///< the entry point, e.g. "World::CreateBody"
+    const char* field;     ///< the argument or field, e.g. "BodyDef::position"
+    const char* cure;      ///< what to do
+};
+
+/// Receives every refused call. Must not call back into the world.
+using ErrorHandler = void (*)(const Error& error, void* context);
+
+}  // namespace scree

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Read-only views of a world's insides, for testbeds, debuggers and reports. Nothing here changes what a step computes.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "scree/bvh_node.h"
+#include "scree/world.h"
+
+namespace scree::inspect {
+
+/// The broad-phase tree of the poses at the end of the last step: static and moving part joined under a virtual root,
+/// one fixture per leaf. Empty for algorithms that keep no tree.
+void GetNodes(const World& world, std::vector<BvhNode>& nodes);
+/// Boxes per leaf of the production tree; 0 without a tree.
+int GetLeafSize(const World& world);
+/// True while static fixtures have a tree of their own.
+bool IsStaticTreeSeparate(const World& world);
+/// The algorithm in use (`automatic` resolved).
+BroadPhaseKind GetBroadPhase(const World& world);
+/// Box–box comparisons of the last pair finding.
+uint64_t GetBoxTests(const World& world);
+
+/// Bytes in use by each table.
+struct MemoryUse {
+    size_t bodies = 0, fixtures = 0, contacts = 0, joints = 0, broadPhase = 0, solverScratch = 0;
+    size_t bytesPerBody = 0, bytesPerFixture = 0, bytesPerContact = 0;  ///< of one record, solver scratch excluded
+};
+MemoryUse GetMemoryUse(const World& world);
+
+/// 64 bits over the whole state of the engine (poses, velocities, contacts with impulses, flags, counters): equal hashes
+/// mean equal futures. −0 counts as 0.
+uint64_t GetStateHash(const World& world);
+
+}  // namespace scree::inspect

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What a step did and how long its stages took. One word per stage, the same in files, reports and pictures.
+
+#pragma once
+
+#include <cstdint>
+
+namespace scree {
+
+/// Wall times of the last step, ms.
+struct Profile {
+    float step = 0.0f;         ///< everything
+    float broadPhase = 0.0f;   ///< AABBs + build + detection + matching + contact creation and removal
+    float narrowPhase = 0.0f;  ///< manifolds and begin/end events
+    float islands = 0.0f;      ///< finding islands
+    float solver = 0.0f;       ///< constraints, integration, sleeping
+};
+
+/// Returned by every step. Counts are of the end of the step.
+struct StepReport {
+    Profile profile;
+    int bodyCount = 0;
+    int awakeBodyCount = 0;     ///< dynamic and kinematic bodies that were simulated
+    int isolatedBodyCount = 0;  ///< of these, bodies without contacts and joints: they took the ballistic path
+    int islandCount = 0;        ///< islands of two or more bodies, or with a constraint
+    int contactCount = 0;
+    int touchingCount = 0;      ///< as found by this step's narrow phase
+    int64_t pairCount = 0;      ///< pairs reported by the broad phase
+    int cappedCount = 0;        ///< bodies slowed by WorldDef::maxTranslation or maxRotation
+    int nonFiniteCount = 0;     ///< bodies stopped because their velocity or pose became NaN or infinite
+};
+
+}  // namespace scree

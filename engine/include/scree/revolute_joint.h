@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A hinge: two bodies share a point and turn freely about it, with an optional limit and motor.
+
+#pragma once
+
+#include "scree/joint.h"
+
+namespace scree {
+
+/// Input for a revolute joint.
+struct RevoluteJointDef : JointDef {
+    RevoluteJointDef() : JointDef(e_revoluteJoint) {}
+
+    /// Sets bodies, local anchors and the reference angle from a world point and the present poses.
+    void Initialize(Body* a, Body* b, Vec2 anchor);
+
+    Vec2 localAnchorA{0.0f, 0.0f};  ///< in A, m
+    Vec2 localAnchorB{0.0f, 0.0f};  ///< in B, m
+    float referenceAngle = 0.0f;    ///< angleB − angleA at joint angle 0, rad
+    bool enableLimit = false;
+    float lowerAngle = 0.0f;        ///< rad, ≤ upperAngle
+    float upperAngle = 0.0f;        ///< rad
+    bool enableMotor = false;
+    float motorSpeed = 0.0f;        ///< rad/s
+    float maxMotorTorque = 0.0f;    ///< N·m, ≥ 0
+};
+
+/// A hinge joint.
+class RevoluteJoint final : public Joint {
+public:
+    [[nodiscard]] Vec2 GetAnchorA() const override;
+    [[nodiscard]] Vec2 GetAnchorB() const override;
+    [[nodiscard]] Vec2 GetReactionForce(float inverseDt) const override;
+    [[nodiscard]] float GetReactionTorque(float inverseDt) const override;
+    [[nodiscard]] Vec2 GetLocalAnchorA() const;
+    [[nodiscard]] Vec2 GetLocalAnchorB() const;
+    [[nodiscard]] float GetReferenceAngle() const;
+    /// rad, not wrapped
+    [[nodiscard]] float GetJointAngle() const;
+    [[nodiscard]] float GetJointSpeed() const;
+    [[nodiscard]] bool IsLimitEnabled() const;
+    ErrorCode EnableLimit(bool flag);
+    [[nodiscard]] float GetLowerLimit() const;
+    [[nodiscard]] float GetUpperLimit() const;
+    ErrorCode SetLimits(float lower, float upper);
+    [[nodiscard]] bool IsMotorEnabled() const;
+    ErrorCode EnableMotor(bool flag);
+    ErrorCode SetMotorSpeed(float speed);
+    [[nodiscard]] float GetMotorSpeed() const;
+    ErrorCode SetMaxMotorTorque(float torque);
+    [[nodiscard]] float GetMaxMotorTorque() const;
+    [[nodiscard]] float GetMotorTorque(float inverseDt) const;
+
+    RevoluteJoint(WorldState* state, int index) : Joint(state, index) {}
+};
+
+}  // namespace scree

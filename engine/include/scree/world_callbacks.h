@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Classes to derive from to hear of contacts. Callbacks come on the thread that calls Step, in a deterministic order;
+// creating and destroying objects inside them is refused (World::IsLocked).
+
+#pragma once
+
+#include "scree/collision.h"
+#include "scree/settings.h"
+
+namespace scree {
+
+class Contact;
+class Fixture;
+
+/// Impulses of one step, N·s.
+struct ContactImpulse {
+    float normalImpulses[maxManifoldPoints];
+    float tangentImpulses[maxManifoldPoints];
+    int count;
+};
+
+/// Decides which pairs get a contact at all.
+class ContactFilter {
+public:
+    virtual ~ContactFilter() = default;
+    /// The default looks at Filter: group first, then category and mask.
+    virtual bool ShouldCollide(Fixture* fixtureA, Fixture* fixtureB);
+};
+
+/// Hears of contacts.
+class ContactListener {
+public:
+    virtual ~ContactListener() = default;
+    /// Two fixtures begin to touch (sensors too).
+    virtual void BeginContact(Contact*) {}
+    /// Two fixtures cease to touch; also outside of Step when something is destroyed.
+    virtual void EndContact(Contact*) {}
+    /// After the manifold is known and before it is solved; not for sensors.
+    virtual void PreSolve(Contact*, const Manifold* /*oldManifold*/) {}
+    /// After solving.
+    virtual void PostSolve(Contact*, const ContactImpulse*) {}
+};
+
+}  // namespace scree

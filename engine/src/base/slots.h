@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Numbers for objects: hands out dense indices, the most recently freed first, and remembers which are alive.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace scree {
+
+class Slots {
+public:
+    /// A free index; Size() grows by one when none was free.
+    int Allocate() {
+        ++m_count;
+        if (!m_free.empty()) {
+            const int index = m_free.back();
+            m_free.pop_back();
+            m_alive[static_cast<size_t>(index)] = 1;
+            return index;
+        }
+        m_alive.push_back(1);
+        return static_cast<int>(m_alive.size()) - 1;
+    }
+    void Free(int index) {
+        m_alive[static_cast<size_t>(index)] = 0;
+        m_free.push_back(index);
+        --m_count;
+    }
+    [[nodiscard]] bool IsAlive(int index) const {
+        return index >= 0 && index < Size() && m_alive[static_cast<size_t>(index)] != 0;
+    }
+    /// One more than the largest index ever handed out.
+    [[nodiscard]] int Size() const { return static_cast<int>(m_alive.size()); }
+    /// Objects alive.
+    [[nodiscard]] int Count() const { return m_count; }
+
+private:
+    std::vector<uint8_t> m_alive;
+    std::vector<int> m_free;
+    int m_count = 0;
+};
+
+/// Grows a column so that `index` exists.
+template <typename T>
+void EnsureRow(std::vector<T>& column, int index, const T& fill = T()) {
+    if (static_cast<size_t>(index) >= column.size()) column.resize(static_cast<size_t>(index) + 1, fill);
+}
+
+}  // namespace scree

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A dynamic tree by Box2D 2.4's rules (b2DynamicTree, described in Catto 2019, Dynamic Bounding Volume Hierarchies):
+// boxes are inserted one by one where they enlarge the perimeter least, rotations keep heights balanced. Boxes in, node
+// links out; pairs and fattening are the business of its user.
+
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/lanes.h"
+#include "broad_phase/pair_sink.h"
+#include "broad_phase/small_stack.h"
+
+namespace scree::broadphase {
+
+inline constexpr uint32_t noNode = 0xFFFFFFFFu;
+
+struct FatNode {
+    Bounds box;
+    ItemId id;                ///< of a leaf
+    uint32_t parent = noNode;  ///< or the next free node
+    uint32_t child1 = noNode, child2 = noNode;
+    int32_t height = 0;  ///< leaf 0, free −1
+
+    [[nodiscard]] bool IsLeaf() const { return child1 == noNode; }
+};
+
+class FatTree {
+public:
+    [[nodiscard]] uint32_t Root() const { return m_root; }
+    [[nodiscard]] const FatNode& Node(uint32_t index) const { return m_nodes[index]; }
+    /// One more than the largest node index ever used.
+    [[nodiscard]] size_t NodeLimit() const { return m_nodes.size(); }
+    [[nodiscard]] bool IsLiveLeaf(uint32_t index) const { return m_nodes[index].height == 0; }
+
+    /// Adds a leaf and returns its node. O(log n).
+    uint32_t CreateLeaf(const Bounds& box, ItemId id);
+    void DestroyLeaf(uint32_t leaf);
+    /// Gives a leaf a new box and a new place; its node index stays.
+    void Reinsert(uint32_t leaf, const Bounds& box);
+
+    /// Calls `visit(leaf)` for each leaf that overlaps, until it returns false.
+    template <class Visit>
+    void Query(const Bounds& box, uint64_t& boxTests, Visit&& visit) const {
+        if (m_root == noNode) return;
+        const F4 probe = ProbeOf(Load(box));
+        SmallStack stack;
+        stack.Push(m_root);
+        while (!stack.Empty()) {
+            const uint32_t index = stack.Pop();
+            const FatNode& node = m_nodes[index];
+            ++boxTests;
+            if (!Overlaps(Load(node.box), probe)) continue;
+            if (node.IsLeaf()) {
+                if (!visit(index)) return;
+            } else {
+                stack.Push(node.child1);
+                stack.Push(node.child2);
+            }
+        }
+    }
+
+    [[nodiscard]] size_t GetMemoryBytes() const { return m_nodes.capacity() * sizeof(FatNode); }
+
+private:
+    uint32_t Allocate();
+    void Free(uint32_t index);
+    void Link(uint32_t leaf);
+    void Unlink(uint32_t leaf);
+    [[nodiscard]] uint32_t BestSibling(const Bounds& box) const;
+    void ReplaceChild(uint32_t parent, uint32_t oldChild, uint32_t newChild);
+    void RefitUpwards(uint32_t index);
+    void Refit(uint32_t index);
+    uint32_t Balance(uint32_t index);
+    uint32_t LiftChild(uint32_t index, uint32_t heavy);
+
+    std::vector<FatNode> m_nodes;
+    uint32_t m_root = noNode;
+    uint32_t m_free = noNode;
+};
+
+}  // namespace scree::broadphase

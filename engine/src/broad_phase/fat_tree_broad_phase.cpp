@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Box2D 2.4's broad phase strategy (b2BroadPhase and the fattening rule of b2DynamicTree): boxes get a margin and are
+// stretched ahead along their motion, only boxes that leave their fat box are reinserted and buffered, and only those
+// are queried for new pairs. The pairs of all others stay as they were, since neither of their fat boxes changed.
+// Reports all pairs of overlapping FAT boxes, a superset of the tight pairs.
+
+#include <algorithm>
+
+#include "broad_phase/algorithms.h"
+#include "broad_phase/fat_tree.h"
+#include "broad_phase/fixture_table.h"
+#include "broad_phase/ray_probe.h"
+#include "scree/settings.h"
+
+namespace scree::broadphase {
+namespace {
+
+AABB Fatten(const AABB& box, float margin) {
+    return {{box.lowerBound.x - margin, box.lowerBound.y - margin}, {box.upperBound.x + margin, box.upperBound.y + margin}};
+}
+
+AABB Stretch(AABB box, Vec2 d) {
+    (d.x < 0.0f ? box.lowerBound.x : box.upperBound.x) += d.x;
+    (d.y < 0.0f ? box.lowerBound.y : box.upperBound.y) += d.y;
+    return box;
+}
+
+class FatTreeBroadPhase final : public BroadPhase {
+public:
+    void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
+        const uint32_t leaf = m_tree.CreateLeaf(ToBounds(Fatten(box, aabbExtension)), {fixture, GroupOf(body, motion)});
+        m_leaves.Set(fixture, leaf);
+        Buffer(leaf);
+        ++m_count;
+    }
+
+    void Update(uint32_t fixture, const AABB& box, Vec2 displacement) override {
+        const uint32_t leaf = m_leaves.Find(fixture);
+        const AABB fat = Stretch(Fatten(box, aabbExtension), aabbMultiplier * displacement);
+        const AABB stored = ToAabb(m_tree.Node(leaf).box);
+        if (stored.Contains(box)) {
+            // A box that was stretched for a motion which is over would go on catching pairs: shrink it.
+            constexpr float tooLarge = 4.0f * aabbExtension;
+            if (Fatten(fat, tooLarge).Contains(stored)) return;
+        }
+        m_tree.Reinsert(leaf, ToBounds(fat));
+        Buffer(leaf);
+    }
+
+    void Remove(uint32_t fixture) override {
+        const uint32_t leaf = m_leaves.Find(fixture);
+        // The mark outlives the node, so its pairs are dropped even if the node is used again before FindPairs.
+        Buffer(leaf);
+        m_tree.DestroyLeaf(leaf);
+        m_leaves.Erase(fixture);
+        --m_count;
+    }
+
+    void FindPairs(std::vector<Pair>& pairs) override {
+        m_stats = {};
+        if (m_buffered.size() < m_tree.NodeLimit()) m_buffered.resize(m_tree.NodeLimit(), 0);
+        std::erase_if(m_pairs, [this](Pair pair) { return m_buffered[pair.a] != 0 || m_buffered[pair.b] != 0; });
+        for (const uint32_t leaf : m_buffer) {
+            if (m_tree.IsLiveLeaf(leaf)) FindPairsOf(leaf);
+        }
+        for (const uint32_t leaf : m_buffer) m_buffered[leaf] = 0;
+        m_buffer.clear();
+        pairs.clear();
+        for (const Pair pair : m_pairs) {
+            const auto [a, b] = std::minmax(m_tree.Node(pair.a).id.fixture, m_tree.Node(pair.b).id.fixture);
+            pairs.push_back({a, b});
+        }
+    }
+
+    void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) override {
+        m_tree.Query(ToBounds(box), m_stats.boxTests, [&](uint32_t leaf) { return visit(m_tree.Node(leaf).id.fixture); });
+    }
+
+    void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) override {
+        if (m_tree.Root() == noNode) return;
+        RayProbe ray(input);
+        SmallStack stack;
+        stack.Push(m_tree.Root());
+        while (!stack.Empty()) {
+            const FatNode& node = m_tree.Node(stack.Pop());
+            ++m_stats.boxTests;
+            const AABB box = ToAabb(node.box);
+            if (node.IsLeaf()) {
+                if (ray.MayHitLeaf(box) && ray.Visit(visit, node.id.fixture) == RayStep::stop) return;
+            } else if (ray.MayHitNode(box)) {
+                stack.Push(node.child1);
+                stack.Push(node.child2);
+            }
+        }
+    }
+
+    [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return ToAabb(m_tree.Node(m_leaves.Find(fixture)).box); }
+    [[nodiscard]] int GetProxyCount() const override { return m_count; }
+    [[nodiscard]] int GetLeafSize() const override { return 1; }
+    [[nodiscard]] BroadPhaseStats GetStats() const override { return m_stats; }
+    [[nodiscard]] size_t GetMemoryBytes() const override {
+        return m_tree.GetMemoryBytes() + m_leaves.GetMemoryBytes() + m_buffered.capacity() +
+               m_buffer.capacity() * sizeof(uint32_t) + m_pairs.capacity() * sizeof(Pair);
+    }
+
+    void GetNodes(std::vector<BvhNode>& nodes) override {
+        nodes.clear();
+        if (m_tree.Root() == noNode) return;
+        struct Task {
+            uint32_t node;
+            int32_t parent;
+        };
+        std::vector<Task> tasks{{m_tree.Root(), -1}};
+        while (!tasks.empty()) {
+            const Task task = tasks.back();
+            tasks.pop_back();
+            const FatNode& node = m_tree.Node(task.node);
+            const auto index = static_cast<int32_t>(nodes.size());
+            BvhNode out;
+            out.box = ToAabb(node.box);
+            out.parent = task.parent;
+            if (task.parent >= 0) {
+                BvhNode& parent = nodes[static_cast<size_t>(task.parent)];
+                (parent.child1 < 0 ? parent.child1 : parent.child2) = index;
+                out.level = parent.level + 1;
+            }
+            if (node.IsLeaf()) {
+                out.fixture = static_cast<int32_t>(node.id.fixture);
+            } else {
+                tasks.push_back({node.child2, index});
+                tasks.push_back({node.child1, index});
+            }
+            nodes.push_back(out);
+        }
+    }
+
+private:
+    void Buffer(uint32_t leaf) {
+        if (leaf >= m_buffered.size()) m_buffered.resize(std::max<size_t>(leaf + 1, 2 * m_buffered.size()), 0);
+        if (m_buffered[leaf] != 0) return;
+        m_buffered[leaf] = 1;
+        m_buffer.push_back(leaf);
+    }
+
+    void FindPairsOf(uint32_t leaf) {
+        const uint32_t group = m_tree.Node(leaf).id.group;
+        ++m_stats.rebuiltProxies;
+        m_tree.Query(m_tree.Node(leaf).box, m_stats.boxTests, [&](uint32_t other) {
+            // Of two buffered leaves the one with the larger index reports the pair.
+            const bool reportedByOther = m_buffered[other] != 0 && other >= leaf;
+            if (!reportedByOther && m_tree.Node(other).id.group != group) m_pairs.push_back({leaf, other});
+            return true;
+        });
+    }
+
+    FatTree m_tree;
+    FixtureTable m_leaves;
+    std::vector<uint8_t> m_buffered;  ///< per node: in m_buffer
+    std::vector<uint32_t> m_buffer;   ///< nodes whose leaf was inserted, moved or removed since the last FindPairs
+    std::vector<Pair> m_pairs;        ///< current pairs, by node
+    BroadPhaseStats m_stats;
+    int m_count = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<BroadPhase> MakeFatTree() { return std::make_unique<FatTreeBroadPhase>(); }
+
+}  // namespace scree::broadphase

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The tree all rebuilding algorithms make: a flat array of nodes, both children side by side behind their parent, and the
+// boxes in leaf order as separate arrays of coordinates. Every node owns a contiguous range of positions. Walks for
+// box queries and ray casts are here; builders and detection are in files of their own.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/lanes.h"
+#include "broad_phase/pair_sink.h"
+#include "broad_phase/ray_probe.h"
+#include "broad_phase/small_stack.h"
+
+namespace scree::broadphase {
+
+/// Never a child: the root.
+inline constexpr uint32_t noChild = 0;
+
+struct alignas(32) TreeNode {
+    Bounds box;
+    uint32_t first;            ///< first position
+    uint32_t count;            ///< positions below this node; a leaf's boxes, padding not counted
+    uint32_t child = noChild;  ///< the first of two neighbouring children
+
+    [[nodiscard]] bool IsLeaf() const { return child == noChild; }
+};
+
+/// Fixture of a position that only pads a leaf.
+inline constexpr uint32_t paddingFixture = 0xFFFFFFFFu;
+
+class FlatTree {
+public:
+    std::vector<TreeNode> nodes;  ///< root first; empty without boxes
+
+    /// Makes room for `positions` boxes and forgets the old ones. Allocates only when there are more than ever before.
+    void Reset(uint32_t positions);
+
+    [[nodiscard]] bool Empty() const { return nodes.empty(); }
+    /// Positions in use.
+    [[nodiscard]] uint32_t Size() const { return m_size; }
+    /// The coordinates of all positions: component 0…3 of Bounds. Three positions beyond the end can be read.
+    [[nodiscard]] const float* Lane(int component) const { return m_block.data() + static_cast<size_t>(component) * m_stride; }
+    [[nodiscard]] float* Lane(int component) { return m_block.data() + static_cast<size_t>(component) * m_stride; }
+    [[nodiscard]] const ItemId* Ids() const { return m_ids.data(); }
+
+    [[nodiscard]] Bounds Box(uint32_t position) const {
+        return {Lane(0)[position], Lane(1)[position], Lane(2)[position], Lane(3)[position]};
+    }
+    void SetItem(uint32_t position, const Bounds& box, ItemId id) {
+        Lane(0)[position] = box.lx;
+        Lane(1)[position] = box.ly;
+        Lane(2)[position] = box.nux;
+        Lane(3)[position] = box.nuy;
+        m_ids[position] = id;
+    }
+
+    /// Calls `visit(ItemId)` for each box that overlaps, until it returns false; false if it did. Adds to `boxTests`.
+    template <class Visit>
+    bool Query(const AABB& box, uint64_t& boxTests, Visit&& visit) const;
+    /// Calls `visit(ItemId)` for each box that the ray may hit, until it returns RayStep::stop.
+    template <class Visit>
+    RayStep RayCast(const RayProbe& ray, uint64_t& boxTests, Visit&& visit) const;
+
+    [[nodiscard]] size_t GetMemoryBytes() const;
+
+private:
+    std::vector<float> m_block;  ///< the four coordinate arrays
+    std::vector<ItemId> m_ids;
+    size_t m_stride = 0;  ///< floats from one coordinate array to the next
+    uint32_t m_size = 0;
+};
+
+template <class Visit>
+bool FlatTree::Query(const AABB& box, uint64_t& boxTests, Visit&& visit) const {
+    if (Empty()) return true;
+    const Bounds probeBox = ToBounds(box);
+    const F4 probe = ProbeOf(Load(probeBox));
+    SmallStack stack;
+    stack.Push(0);
+    while (!stack.Empty()) {
+        const TreeNode& node = nodes[stack.Pop()];
+        ++boxTests;
+        if (!Overlaps(Load(node.box), probe)) continue;
+        if (!node.IsLeaf()) {
+            stack.Push(node.child + 1);
+            stack.Push(node.child);
+            continue;
+        }
+        if (node.count > 1) boxTests += node.count;
+        for (uint32_t position = node.first; position < node.first + node.count; ++position) {
+            const Bounds item = Box(position);
+            if (Overlaps(Load(item), probe) && !visit(m_ids[position])) return false;
+        }
+    }
+    return true;
+}
+
+template <class Visit>
+RayStep FlatTree::RayCast(const RayProbe& ray, uint64_t& boxTests, Visit&& visit) const {
+    if (Empty()) return RayStep::goOn;
+    SmallStack stack;
+    stack.Push(0);
+    while (!stack.Empty()) {
+        const TreeNode& node = nodes[stack.Pop()];
+        ++boxTests;
+        if (!ray.MayHitNode(ToAabb(node.box))) continue;
+        if (!node.IsLeaf()) {
+            stack.Push(node.child + 1);
+            stack.Push(node.child);
+            continue;
+        }
+        boxTests += node.count;
+        for (uint32_t position = node.first; position < node.first + node.count; ++position) {
+            if (ray.MayHitLeaf(ToAabb(Box(position))) && visit(m_ids[position]) == RayStep::stop) return RayStep::stop;
+        }
+    }
+    return RayStep::goOn;
+}
+
+}  // namespace scree::broadphase

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The proxies of a broad phase as dense arrays: movers (kinematic and dynamic) in slots [0, moverCount), statics
+// behind them. Insert and Remove keep both parts dense by moving at most two proxies, so every algorithm can walk
+// either part, or both, as one range of slots.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "broad_phase/fixture_table.h"
+#include "broad_phase/pair_sink.h"
+
+namespace scree::broadphase {
+
+/// Marks a proxy whose box in the tree is up to date.
+inline constexpr uint32_t notPending = 0xFFFFFFFFu;
+
+class ProxyStore {
+public:
+    [[nodiscard]] uint32_t Size() const { return static_cast<uint32_t>(m_boxes.size()); }
+    [[nodiscard]] uint32_t MoverCount() const { return m_moverCount; }
+    [[nodiscard]] uint32_t StaticCount() const { return Size() - m_moverCount; }
+    [[nodiscard]] bool IsStatic(uint32_t slot) const { return slot >= m_moverCount; }
+
+    /// The slot of a fixture, noSlot if it is not here.
+    [[nodiscard]] uint32_t Find(uint32_t fixture) const { return m_table.Find(fixture); }
+    [[nodiscard]] const AABB* Boxes() const { return m_boxes.data(); }
+    [[nodiscard]] const ItemId* Ids() const { return m_ids.data(); }
+    [[nodiscard]] const AABB& Box(uint32_t slot) const { return m_boxes[slot]; }
+    [[nodiscard]] ItemId Id(uint32_t slot) const { return m_ids[slot]; }
+    /// A free field for the algorithm, moved along with the proxy; notPending at first.
+    [[nodiscard]] uint32_t& Pending(uint32_t slot) { return m_pending[slot]; }
+
+    /// Returns the slot.
+    uint32_t Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box);
+    void SetBox(uint32_t slot, const AABB& box) { m_boxes[slot] = box; }
+    void Remove(uint32_t slot);
+
+    [[nodiscard]] size_t GetMemoryBytes() const;
+
+private:
+    void Move(uint32_t from, uint32_t to);
+
+    std::vector<AABB> m_boxes;
+    std::vector<ItemId> m_ids;
+    std::vector<uint32_t> m_pending;
+    FixtureTable m_table;
+    uint32_t m_moverCount = 0;
+};
+
+}  // namespace scree::broadphase

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The position pass of contacts: pushes overlapping bodies apart by a share of the overlap, without touching velocities
+// (so no energy is added), re-evaluating the manifold at the corrected poses in every iteration.
+
+#include "constraints/contact_rows.h"
+
+namespace scree {
+
+namespace {
+
+struct ContactSample {
+    Vec2 normal, point;
+    float separation;
+};
+
+/// Normal, point and separation of one manifold point at the present poses.
+ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA, const Transform& xfB, int index) {
+    ContactSample out;
+    switch (row.type) {
+        case Manifold::e_circles: {
+            const Vec2 a = Mul(xfA, row.localPoint);
+            const Vec2 b = Mul(xfB, row.localPoints[0]);
+            out.normal = b - a;
+            out.normal.Normalize();
+            out.point = 0.5f * (a + b);
+            out.separation = Dot(b - a, out.normal) - row.radius;
+            return out;
+        }
+        case Manifold::e_faceA: {
+            out.normal = Mul(xfA.q, row.localNormal);
+            out.point = Mul(xfB, row.localPoints[index]);
+            out.separation = Dot(out.point - Mul(xfA, row.localPoint), out.normal) - row.radius;
+            return out;
+        }
+        default: {
+            const Vec2 faceNormal = Mul(xfB.q, row.localNormal);
+            out.point = Mul(xfA, row.localPoints[index]);
+            out.separation = Dot(out.point - Mul(xfB, row.localPoint), faceNormal) - row.radius;
+            out.normal = -faceNormal;  // from A to B
+            return out;
+        }
+    }
+}
+
+Transform PlaceBody(const Position& position, Vec2 localCenter) {
+    Transform xf;
+    xf.q.Set(position.a);
+    xf.p = position.c - Mul(xf.q, localCenter);
+    return xf;
+}
+
+}  // namespace
+
+float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position) {
+    float smallest = 0.0f;
+    for (const ContactPositionRow& row : rows.position) {
+        Position& stateA = position[static_cast<size_t>(row.bodyA)];
+        Position& stateB = position[static_cast<size_t>(row.bodyB)];
+        Position a = stateA;
+        Position b = stateB;
+        for (int i = 0; i < row.pointCount; ++i) {
+            const Transform xfA = PlaceBody(a, row.massA.localCenter);
+            const Transform xfB = PlaceBody(b, row.massB.localCenter);
+            const ContactSample s = Evaluate(row, xfA, xfB, i);
+            smallest = Min(smallest, s.separation);
+
+            // Leaves linearSlop of overlap, so that contacts persist.
+            const float correction = Clamp(baumgarte * (s.separation + linearSlop), -maxLinearCorrection, 0.0f);
+            const Vec2 rA = s.point - a.c;
+            const Vec2 rB = s.point - b.c;
+            const float crossA = Cross(rA, s.normal);
+            const float crossB = Cross(rB, s.normal);
+            const float k = row.massA.invMass + row.massB.invMass + row.massA.invI * crossA * crossA +
+                            row.massB.invI * crossB * crossB;
+            const float impulse = k > 0.0f ? -correction / k : 0.0f;
+            const Vec2 push = impulse * s.normal;
+            a.c -= row.massA.invMass * push;
+            a.a -= row.massA.invI * Cross(rA, push);
+            b.c += row.massB.invMass * push;
+            b.a += row.massB.invI * Cross(rB, push);
+        }
+        stateA = a;
+        stateB = b;
+    }
+    return smallest;
+}
+
+}  // namespace scree

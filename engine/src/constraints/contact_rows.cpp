@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Preparation, warm start and velocity iterations of contact constraints.
+
+#include "constraints/contact_rows.h"
+
+namespace scree {
+
+namespace {
+
+/// Above this condition number of the 2×2 effective mass the two points are as good as one, and the block solve would
+/// lose digits: solve one point only.
+constexpr float maxConditionNumber = 1000.0f;
+
+void ApplyImpulse(Velocity& a, Velocity& b, const ContactVelocityRow& row, const ContactPointRow& point, Vec2 impulse) {
+    a.v -= row.invMassA * impulse;
+    a.w -= row.invIA * Cross(point.rA, impulse);
+    b.v += row.invMassB * impulse;
+    b.w += row.invIB * Cross(point.rB, impulse);
+}
+
+Vec2 RelativeVelocity(const Velocity& a, const Velocity& b, const ContactPointRow& point) {
+    return b.v + Cross(b.w, point.rB) - a.v - Cross(a.w, point.rA);
+}
+
+/// Effective mass of one point along a direction.
+float EffectiveMass(const ContactVelocityRow& row, const ContactPointRow& point, Vec2 direction) {
+    const float crossA = Cross(point.rA, direction);
+    const float crossB = Cross(point.rB, direction);
+    const float k = row.invMassA + row.invMassB + row.invIA * crossA * crossA + row.invIB * crossB * crossB;
+    return k > 0.0f ? 1.0f / k : 0.0f;
+}
+
+void PrepareBlock(ContactVelocityRow& row) {
+    row.block = row.pointCount == 2;
+    if (!row.block) return;
+    const float a1 = Cross(row.points[0].rA, row.normal), b1 = Cross(row.points[0].rB, row.normal);
+    const float a2 = Cross(row.points[1].rA, row.normal), b2 = Cross(row.points[1].rB, row.normal);
+    const float invMass = row.invMassA + row.invMassB;
+    row.k11 = invMass + row.invIA * a1 * a1 + row.invIB * b1 * b1;
+    row.k22 = invMass + row.invIA * a2 * a2 + row.invIB * b2 * b2;
+    row.k12 = invMass + row.invIA * a1 * a2 + row.invIB * b1 * b2;
+    float det = row.k11 * row.k22 - row.k12 * row.k12;
+    if (row.k11 * row.k11 < maxConditionNumber * det) {
+        det = 1.0f / det;
+        row.inv11 = det * row.k22;
+        row.inv12 = -det * row.k12;
+        row.inv22 = det * row.k11;
+    } else {
+        row.block = false;
+        row.pointCount = 1;  // the points coincide for the solver
+    }
+}
+
+ContactPositionRow MakePositionRow(const ContactPrepareInput& in, int contact, float radius) {
+    const auto c = static_cast<size_t>(contact);
+    const ContactPair& pair = in.contacts.pair[c];
+    const Manifold& m = in.contacts.manifold[c];
+    ContactPositionRow row;
+    row.bodyA = pair.bodyA;
+    row.bodyB = pair.bodyB;
+    row.massA = in.bodies.mass[static_cast<size_t>(pair.bodyA)];
+    row.massB = in.bodies.mass[static_cast<size_t>(pair.bodyB)];
+    row.localNormal = m.localNormal;
+    row.localPoint = m.localPoint;
+    row.radius = radius;
+    row.pointCount = m.pointCount;
+    row.type = m.type;
+    for (int i = 0; i < m.pointCount; ++i) row.localPoints[i] = m.points[i].localPoint;
+    return row;
+}
+
+ContactVelocityRow MakeVelocityRow(const ContactPrepareInput& in, int contact, float radiusA, float radiusB) {
+    const auto c = static_cast<size_t>(contact);
+    const ContactPair& pair = in.contacts.pair[c];
+    const Manifold& m = in.contacts.manifold[c];
+    const ContactMaterial& material = in.contacts.material[c];
+    const auto a = static_cast<size_t>(pair.bodyA);
+    const auto b = static_cast<size_t>(pair.bodyB);
+    const MassRow& massA = in.bodies.mass[a];
+    const MassRow& massB = in.bodies.mass[b];
+    const Velocity& velocityA = in.bodies.velocity[a];
+    const Velocity& velocityB = in.bodies.velocity[b];
+
+    WorldManifold world;
+    world.Initialize(&m, in.bodies.transform[a], radiusA, in.bodies.transform[b], radiusB);
+
+    ContactVelocityRow row;
+    row.bodyA = pair.bodyA;
+    row.bodyB = pair.bodyB;
+    row.contact = contact;
+    row.pointCount = m.pointCount;
+    row.invMassA = massA.invMass;
+    row.invMassB = massB.invMass;
+    row.invIA = massA.invI;
+    row.invIB = massB.invI;
+    row.normal = world.normal;
+    row.friction = material.friction;
+    row.tangentSpeed = material.tangentSpeed;
+    const Vec2 tangent = Cross(row.normal, 1.0f);
+    for (int i = 0; i < m.pointCount; ++i) {
+        ContactPointRow& p = row.points[i];
+        p.normalImpulse = in.impulseScale * m.points[i].normalImpulse;
+        p.tangentImpulse = in.impulseScale * m.points[i].tangentImpulse;
+        p.rA = world.points[i] - in.bodies.position[a].c;
+        p.rB = world.points[i] - in.bodies.position[b].c;
+        p.normalMass = EffectiveMass(row, p, row.normal);
+        p.tangentMass = EffectiveMass(row, p, tangent);
+        const float closing = Dot(row.normal, RelativeVelocity(velocityA, velocityB, p));
+        p.velocityBias = closing < -material.restitutionThreshold ? -material.restitution * closing : 0.0f;
+    }
+    PrepareBlock(row);
+    return row;
+}
+
+void SolveFriction(ContactVelocityRow& row, Velocity& a, Velocity& b) {
+    const Vec2 tangent = Cross(row.normal, 1.0f);
+    for (int i = 0; i < row.pointCount; ++i) {
+        ContactPointRow& p = row.points[i];
+        const float speed = Dot(RelativeVelocity(a, b, p), tangent) - row.tangentSpeed;
+        const float limit = row.friction * p.normalImpulse;
+        const float total = Clamp(p.tangentImpulse - p.tangentMass * speed, -limit, limit);
+        const float change = total - p.tangentImpulse;
+        p.tangentImpulse = total;
+        ApplyImpulse(a, b, row, p, change * tangent);
+    }
+}
+
+void SolveNormal(ContactVelocityRow& row, ContactPointRow& p, Velocity& a, Velocity& b) {
+    const float speed = Dot(RelativeVelocity(a, b, p), row.normal);
+    const float total = Max(p.normalImpulse - p.normalMass * (speed - p.velocityBias), 0.0f);
+    const float change = total - p.normalImpulse;
+    p.normalImpulse = total;
+    ApplyImpulse(a, b, row, p, change * row.normal);
+}
+
+/// The total impulses x ≥ 0 with normal speeds K·x + q ≥ 0 and x·(K·x + q) = 0. The four cases (both push, only one,
+/// none) are tried in that order; with none found (rounding) the impulses stay as they are.
+bool SolveBlockProblem(const ContactVelocityRow& row, Vec2 q, Vec2& x) {
+    x = {-(row.inv11 * q.x + row.inv12 * q.y), -(row.inv12 * q.x + row.inv22 * q.y)};
+    if (x.x >= 0.0f && x.y >= 0.0f) return true;
+    x = {-row.points[0].normalMass * q.x, 0.0f};
+    if (x.x >= 0.0f && row.k12 * x.x + q.y >= 0.0f) return true;
+    x = {0.0f, -row.points[1].normalMass * q.y};
+    if (x.y >= 0.0f && row.k12 * x.y + q.x >= 0.0f) return true;
+    x = vec2Zero;
+    return q.x >= 0.0f && q.y >= 0.0f;
+}
+
+void SolveBlock(ContactVelocityRow& row, Velocity& a, Velocity& b) {
+    ContactPointRow& p1 = row.points[0];
+    ContactPointRow& p2 = row.points[1];
+    const Vec2 old{p1.normalImpulse, p2.normalImpulse};
+    Vec2 q{Dot(RelativeVelocity(a, b, p1), row.normal) - p1.velocityBias,
+           Dot(RelativeVelocity(a, b, p2), row.normal) - p2.velocityBias};
+    q -= {row.k11 * old.x + row.k12 * old.y, row.k12 * old.x + row.k22 * old.y};
+    Vec2 total;
+    if (!SolveBlockProblem(row, q, total)) return;
+    const Vec2 change = total - old;
+    p1.normalImpulse = total.x;
+    p2.normalImpulse = total.y;
+    const Vec2 push1 = change.x * row.normal;
+    const Vec2 push2 = change.y * row.normal;
+    a.v -= row.invMassA * (push1 + push2);
+    a.w -= row.invIA * (Cross(p1.rA, push1) + Cross(p2.rA, push2));
+    b.v += row.invMassB * (push1 + push2);
+    b.w += row.invIB * (Cross(p1.rB, push1) + Cross(p2.rB, push2));
+}
+
+}  // namespace
+
+void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
+    rows.velocity.clear();
+    rows.position.clear();
+    for (const int contact : input.island) {
+        const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
+        const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
+        const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
+        rows.velocity.push_back(MakeVelocityRow(input, contact, radiusA, radiusB));
+        rows.position.push_back(MakePositionRow(input, contact, radiusA + radiusB));
+    }
+}
+
+void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity) {
+    for (const ContactVelocityRow& row : rows.velocity) {
+        Velocity& a = velocity[static_cast<size_t>(row.bodyA)];
+        Velocity& b = velocity[static_cast<size_t>(row.bodyB)];
+        const Vec2 tangent = Cross(row.normal, 1.0f);
+        for (int i = 0; i < row.pointCount; ++i) {
+            const ContactPointRow& p = row.points[i];
+            ApplyImpulse(a, b, row, p, p.normalImpulse * row.normal + p.tangentImpulse * tangent);
+        }
+    }
+}
+
+void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity) {
+    for (ContactVelocityRow& row : rows.velocity) {
+        Velocity& stateA = velocity[static_cast<size_t>(row.bodyA)];
+        Velocity& stateB = velocity[static_cast<size_t>(row.bodyB)];
+        Velocity a = stateA;
+        Velocity b = stateB;
+        SolveFriction(row, a, b);
+        if (row.block) {
+            SolveBlock(row, a, b);
+        } else {
+            for (int i = 0; i < row.pointCount; ++i) SolveNormal(row, row.points[i], a, b);
+        }
+        stateA = a;
+        stateB = b;
+    }
+}
+
+void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold) {
+    for (const ContactVelocityRow& row : rows.velocity) {
+        Manifold& m = manifold[static_cast<size_t>(row.contact)];
+        for (int i = 0; i < row.pointCount; ++i) {
+            m.points[i].normalImpulse = row.points[i].normalImpulse;
+            m.points[i].tangentImpulse = row.points[i].tangentImpulse;
+        }
+    }
+}
+
+}  // namespace scree

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Contact constraints in the form the solver iterates over, for one island at a time: sequential impulses with warm
+// starting (Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005), two-point manifolds solved as one block
+// (the 2×2 linear complementarity problem by enumeration of its four cases), and a separate position pass
+// (non-linear projected Gauss-Seidel, as Box2D 2.4 does it).
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scree/collision.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/fixtures.h"
+
+namespace scree {
+
+/// One contact point of a velocity constraint.
+struct ContactPointRow {
+    Vec2 rA, rB;           ///< from the centres of mass
+    float normalImpulse, tangentImpulse;
+    float normalMass, tangentMass;
+    float velocityBias;    ///< restitution, m/s
+};
+
+/// One contact in the velocity pass.
+struct ContactVelocityRow {
+    int bodyA, bodyB;
+    int contact;
+    int pointCount;
+    float invMassA, invMassB, invIA, invIB;
+    Vec2 normal;
+    float friction, tangentSpeed;
+    /// Effective mass of the two normals together: K and its inverse; only if `block`.
+    float k11, k12, k22;
+    float inv11, inv12, inv22;
+    bool block;
+    ContactPointRow points[maxManifoldPoints];
+};
+
+/// One contact in the position pass, in local coordinates because the bodies move between iterations.
+struct ContactPositionRow {
+    int bodyA, bodyB;
+    MassRow massA, massB;
+    Vec2 localNormal, localPoint;
+    Vec2 localPoints[maxManifoldPoints];
+    float radius;  ///< of both shapes together
+    int pointCount;
+    Manifold::Type type;
+};
+
+/// Scratch of the contact solver, reused from island to island.
+struct ContactRows {
+    std::vector<ContactVelocityRow> velocity;
+    std::vector<ContactPositionRow> position;
+};
+
+struct ContactPrepareInput {
+    const BodyTable& bodies;
+    const FixtureTable& fixtures;
+    const ContactTable& contacts;
+    std::span<const int> island;  ///< contacts to prepare, in order
+    float impulseScale;           ///< dt / last dt; 0 without warm starting
+};
+
+/// Fills `rows` for the contacts of one island from the bodies' present positions and velocities.
+void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows);
+/// Applies the impulses of the last step.
+void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity);
+/// One iteration over all contacts: friction, then normals.
+void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity);
+/// Writes the impulses back into the manifolds.
+void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold);
+/// One iteration of position correction; returns the smallest separation seen, m.
+float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position);
+
+}  // namespace scree

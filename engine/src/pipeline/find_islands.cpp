@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Islands by depth-first search over an adjacency built anew from the touching contacts: a counting sort costs a few
+// nanoseconds a contact and spares every contact its four list links.
+
+#include "pipeline/find_islands.h"
+
+namespace scree {
+
+namespace {
+
+constexpr uint8_t solvedFlags = ContactFlag::alive | ContactFlag::touching | ContactFlag::enabled;
+
+/// Contacts that push: touching, enabled, no sensor.
+bool Pushes(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::sensor)) == solvedFlags; }
+
+/// Contacts of each mover, the newest row first.
+void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
+    s.first.assign(static_cast<size_t>(bodies.slots.Size()) + 1, 0);
+    const size_t count = contacts.flags.size();
+    const auto isMover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody; };
+    for (size_t c = 0; c < count; ++c) {
+        if (!Pushes(contacts.flags[c])) continue;
+        const ContactPair& pair = contacts.pair[c];
+        if (isMover(pair.bodyA)) ++s.first[static_cast<size_t>(pair.bodyA)];
+        if (isMover(pair.bodyB)) ++s.first[static_cast<size_t>(pair.bodyB)];
+    }
+    int total = 0;
+    for (int& first : s.first) {
+        total += first;
+        first = total;  // the end for now; filling turns it into the start
+    }
+    s.entries.resize(static_cast<size_t>(total));
+    for (size_t c = 0; c < count; ++c) {
+        if (!Pushes(contacts.flags[c])) continue;
+        const ContactPair& pair = contacts.pair[c];
+        if (isMover(pair.bodyA)) s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyA)])] = static_cast<int>(c);
+        if (isMover(pair.bodyB)) s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyB)])] = static_cast<int>(c);
+    }
+}
+
+class IslandSearch {
+public:
+    IslandSearch(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
+                 IslandTable& islands)
+        : m_contacts(contacts), m_joints(joints), m_bodies(bodies), m_scratch(scratch), m_islands(islands) {}
+
+    void Grow(int seed) {
+        Island island{};
+        island.bodyBegin = static_cast<int>(m_islands.bodies.size());
+        island.contactBegin = static_cast<int>(m_islands.contacts.size());
+        island.jointBegin = static_cast<int>(m_islands.joints.size());
+        Push(seed);
+        while (!m_scratch.stack.empty()) {
+            const int body = m_scratch.stack.back();
+            m_scratch.stack.pop_back();
+            m_islands.bodies.push_back(body);
+            // Reached bodies wake without a new sleep timer, so that a whole island can fall asleep together.
+            m_bodies.flags[static_cast<size_t>(body)] |= BodyFlag::awake;
+            VisitContacts(body);
+            VisitJoints(body);
+        }
+        island.bodyEnd = static_cast<int>(m_islands.bodies.size());
+        island.contactEnd = static_cast<int>(m_islands.contacts.size());
+        island.jointEnd = static_cast<int>(m_islands.joints.size());
+        m_islands.islands.push_back(island);
+    }
+
+private:
+    void Push(int body) {
+        m_scratch.bodySeen[static_cast<size_t>(body)] = 1;
+        m_scratch.stack.push_back(body);
+    }
+
+    void PushOther(int other) {
+        if (m_bodies.type[static_cast<size_t>(other)] != staticBody && !m_scratch.bodySeen[static_cast<size_t>(other)]) Push(other);
+    }
+
+    void VisitContacts(int body) {
+        const auto b = static_cast<size_t>(body);
+        for (int e = m_scratch.first[b]; e < m_scratch.first[b + 1]; ++e) {
+            const int contact = m_scratch.entries[static_cast<size_t>(e)];
+            if (m_scratch.contactSeen[static_cast<size_t>(contact)]) continue;
+            m_scratch.contactSeen[static_cast<size_t>(contact)] = 1;
+            m_islands.contacts.push_back(contact);
+            const ContactPair& pair = m_contacts.pair[static_cast<size_t>(contact)];
+            PushOther(pair.bodyA == body ? pair.bodyB : pair.bodyA);
+        }
+    }
+
+    void VisitJoints(int body) {
+        if (m_bodies.info[static_cast<size_t>(body)].jointCount == 0) return;
+        for (const int joint : m_joints.OfBody(body)) {
+            if (m_scratch.jointSeen[static_cast<size_t>(joint)]) continue;
+            const JointInfo& row = m_joints.info[static_cast<size_t>(joint)];
+            const int other = row.bodyA == body ? row.bodyB : row.bodyA;
+            if (!m_bodies.Has(other, BodyFlag::enabled)) continue;
+            m_scratch.jointSeen[static_cast<size_t>(joint)] = 1;
+            m_islands.joints.push_back(joint);
+            PushOther(other);
+        }
+    }
+
+    const ContactTable& m_contacts;
+    JointTable& m_joints;
+    BodyTable& m_bodies;
+    IslandScratch& m_scratch;
+    IslandTable& m_islands;
+};
+
+}  // namespace
+
+void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
+                 IslandTable& islands) {
+    islands.islands.clear();
+    islands.bodies.clear();
+    islands.contacts.clear();
+    islands.joints.clear();
+    islands.isolated.clear();
+    BuildAdjacency(contacts, bodies, scratch);
+    scratch.bodySeen.assign(static_cast<size_t>(bodies.slots.Size()), 0);
+    scratch.contactSeen.assign(contacts.flags.size(), 0);
+    scratch.jointSeen.assign(joints.info.size(), 0);
+
+    IslandSearch search(contacts, joints, bodies, scratch, islands);
+    for (const int body : bodies.movers) {
+        const auto b = static_cast<size_t>(body);
+        if (!bodies.IsActive(body) || scratch.bodySeen[b]) continue;
+        if (scratch.first[b] == scratch.first[b + 1] && bodies.info[b].jointCount == 0) {
+            scratch.bodySeen[b] = 1;
+            islands.isolated.push_back(body);
+        } else {
+            search.Grow(body);
+        }
+    }
+}
+
+}  // namespace scree

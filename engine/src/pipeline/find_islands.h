@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Stage: touching contacts and joints → islands of awake bodies.
+
+#pragma once
+
+#include <vector>
+
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/islands.h"
+#include "state/joints.h"
+
+namespace scree {
+
+/// Scratch of the search, kept between steps to save allocation.
+struct IslandScratch {
+    std::vector<int> first;      ///< per body: start of its contacts in `entries`; one more at the end
+    std::vector<int> entries;    ///< contacts by body
+    std::vector<uint8_t> bodySeen, contactSeen, jointSeen;
+    std::vector<int> stack;
+};
+
+/// Depth-first search from every awake body (as Box2D does it: static bodies do not connect islands; sleeping bodies
+/// that are reached wake up, their sleep timers keep running). Bodies without contacts and joints go to
+/// `islands.isolated`.
+void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
+                 IslandTable& islands);
+
+}  // namespace scree

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The table of bodies: one column per thing that a stage reads or writes together. A row is a body's index for life;
+// freed rows are used again.
+
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "base/slots.h"
+#include "scree/body.h"
+#include "scree/math.h"
+
+namespace scree {
+
+/// Of the centre of mass. 16 bytes, so that a row is one aligned load.
+struct alignas(16) Velocity {
+    Vec2 v;
+    float w;
+    float unused;
+};
+
+/// Centre of mass and angle. 16 bytes.
+struct alignas(16) Position {
+    Vec2 c;
+    float a;
+    float unused;
+};
+
+/// What the constraints need of a mass. 16 bytes; all zero for static and kinematic bodies but the centre.
+struct alignas(16) MassRow {
+    float invMass;  ///< 1/kg
+    float invI;     ///< about the centre of mass, 1/(kg·m²)
+    Vec2 localCenter;
+};
+
+struct ForceRow {
+    Vec2 force;  ///< N
+    float torque;
+};
+
+struct MotionRow {
+    float linearDamping, angularDamping, gravityScale;
+};
+
+struct BodyFlag {
+    static constexpr uint16_t awake = 1, autoSleep = 2, bullet = 4, fixedRotation = 8, enabled = 16;
+};
+
+/// Cold data of a body.
+struct BodyInfo {
+    float mass = 0.0f, inertia = 0.0f;  ///< inertia about the centre of mass
+    int fixtureHead = -1;               ///< first fixture, newest first
+    int fixtureCount = 0;
+    int jointCount = 0;
+    int listPrev = -1, listNext = -1;
+    int moverRow = -1;  ///< position in BodyTable::movers, −1 for static bodies
+    BodyUserData userData;
+};
+
+struct BodyTable {
+    Slots slots;
+    std::vector<Velocity> velocity;
+    std::vector<Position> position;       ///< at the end of the last step
+    std::vector<Position> startPosition;  ///< at its start
+    std::vector<Transform> transform;     ///< of the origin
+    std::vector<MassRow> mass;
+    std::vector<ForceRow> force;
+    std::vector<MotionRow> motion;
+    std::vector<float> sleepTime;  ///< s
+    std::vector<uint16_t> flags;   ///< BodyFlag
+    std::vector<BodyType> type;
+    std::vector<BodyInfo> info;
+    std::deque<Body> handles;
+
+    std::vector<int> movers;  ///< enabled or not: every body that is not static
+    int listHead = -1;        ///< movers first, then static bodies
+    int lastMover = -1;       ///< last mover in the list
+
+    [[nodiscard]] bool Has(int body, uint16_t flag) const { return (flags[static_cast<size_t>(body)] & flag) != 0; }
+    /// Simulated in a step: awake, enabled, not static.
+    [[nodiscard]] bool IsActive(int body) const {
+        constexpr uint16_t both = BodyFlag::awake | BodyFlag::enabled;
+        return (flags[static_cast<size_t>(body)] & both) == both && type[static_cast<size_t>(body)] != staticBody;
+    }
+    /// Adds a row with every column; the definition is valid.
+    int Add(WorldState* state, const BodyDef& def);
+    void Remove(int body);
+    /// Wakes and restarts the sleep timer; static bodies stay as they are.
+    void Wake(int body);
+    void PutToSleep(int body);
+    /// The transform that belongs to `position`.
+    void UpdateTransform(int body);
+    /// After a change of type: list and movers.
+    void Relist(int body);
+
+private:
+    void Link(int body);
+    void Unlink(int body);
+};
+
+}  // namespace scree

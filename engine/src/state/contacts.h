@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The table of contacts and the hash that finds a contact by its pair. One row is at most 128 bytes with its share of
+// the hash (GetBytesPerRow); handles are made only for programs that look at contacts.
+//
+// Persistence (the dissertation, §4.2): the broad phase reports all pairs of the present boxes; each reported pair
+// marks its contact or makes one; the contacts left unmarked are removed in one batch at the start of the next step.
+
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "scree/collision.h"
+#include "scree/contact.h"
+
+namespace scree {
+
+struct ContactFlag {
+    static constexpr uint8_t alive = 1;     ///< the row is in use
+    static constexpr uint8_t marked = 2;    ///< its pair was reported by the last pair finding
+    static constexpr uint8_t touching = 4;
+    static constexpr uint8_t enabled = 8;   ///< PreSolve may clear it for one step
+    static constexpr uint8_t sensor = 16;   ///< one of the fixtures is a sensor
+    static constexpr uint8_t refilter = 32; ///< filters must be asked again
+};
+
+/// Who takes part. A and B are ordered as the collision function of the two shapes wants them.
+struct ContactPair {
+    uint32_t fixtureA, fixtureB;
+    int bodyA, bodyB;
+};
+
+struct ContactMaterial {
+    float friction, restitution, restitutionThreshold, tangentSpeed;
+};
+
+struct ContactTable {
+    std::vector<uint8_t> flags;  ///< ContactFlag; its size is the number of rows
+    std::vector<ContactPair> pair;
+    std::vector<Manifold> manifold;
+    std::vector<ContactMaterial> material;
+
+    [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
+    [[nodiscard]] int Count() const { return m_count; }
+    [[nodiscard]] bool Has(int contact, uint8_t flag) const {
+        return (flags[static_cast<size_t>(contact)] & flag) != 0;
+    }
+    /// The contact of two fixtures, or −1.
+    [[nodiscard]] int Find(uint32_t fixture1, uint32_t fixture2) const;
+    /// A new row for a pair that has none; no flags but alive and marked.
+    int Add(const ContactPair& newPair);
+    /// Frees the row; Compact makes it usable again.
+    void Remove(int contact);
+    /// Frees trailing rows and orders the free ones, so that new contacts take the lowest. O(rows).
+    void Compact();
+    /// The handle of a row, made on first use.
+    Contact* Handle(WorldState* state, int contact);
+
+    [[nodiscard]] size_t GetMemoryBytes() const;
+    [[nodiscard]] static size_t GetBytesPerRow();
+
+private:
+    [[nodiscard]] size_t Home(uint32_t a, uint32_t b) const;
+    void Grow();
+    void InsertKey(int contact);
+    void EraseKey(int contact);
+
+    std::vector<int> m_hash;  ///< open addressing, linear probing, −1 empty; size a power of two, at most half full
+    int m_shift = 64;
+    std::vector<int> m_free;  ///< highest first
+    std::deque<Contact> m_handles;
+    int m_count = 0;
+};
+
+}  // namespace scree

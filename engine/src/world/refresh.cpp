@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Edits between steps. Boxes change at once; pairs are found again at the start of the next step.
+
+#include "world/refresh.h"
+
+#include "pipeline/match_contacts.h"
+
+namespace scree {
+
+namespace {
+
+MatchTables Tables(WorldState& s) { return {s.bodies, s.fixtures, s.joints, s.contacts}; }
+
+template <typename Predicate>
+void DestroyIf(WorldState& s, Predicate involves) {
+    DestroyContactsIf(involves, s.Events(), s.bodies, s.contacts);
+    s.contacts.Compact();
+}
+
+template <typename Predicate>
+void RefilterIf(WorldState& s, Predicate involves) {
+    s.pairsStale = true;  // pairs that were refused may be allowed now
+    DestroyIf(s, [&](const ContactPair& p) {
+        return involves(p) && !MayHaveContact(static_cast<int>(p.fixtureA), static_cast<int>(p.fixtureB), s.Events(), Tables(s));
+    });
+}
+
+}  // namespace
+
+void FindPairsAndMatch(WorldState& s) {
+    s.broadPhase->FindPairs(s.pairs);
+    MatchContacts(s.pairs, s.Events(), Tables(s));
+    s.pairsStale = false;
+}
+
+void AddProxy(WorldState& s, int fixture) {
+    const auto f = static_cast<size_t>(fixture);
+    const auto b = static_cast<size_t>(s.fixtures.body[f]);
+    AABB box;
+    s.fixtures.shape[f]->ComputeAABB(&box, s.bodies.transform[b]);
+    const Motion motion = s.bodies.type[b] == staticBody    ? Motion::isStatic
+                          : s.bodies.type[b] == dynamicBody ? Motion::dynamic
+                                                            : Motion::kinematic;
+    s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), motion, box);
+    s.fixtures.info[f].inBroadPhase = true;
+    s.pairsStale = true;
+}
+
+void RemoveProxy(WorldState& s, int fixture) {
+    FixtureInfo& info = s.fixtures.info[static_cast<size_t>(fixture)];
+    if (!info.inBroadPhase) return;
+    s.broadPhase->Remove(static_cast<uint32_t>(fixture));
+    info.inBroadPhase = false;
+    s.pairsStale = true;
+}
+
+void DestroyContactsOfFixture(WorldState& s, int fixture) {
+    const auto f = static_cast<uint32_t>(fixture);
+    DestroyIf(s, [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
+}
+
+void DestroyContactsOfBody(WorldState& s, int body) {
+    DestroyIf(s, [body](const ContactPair& p) { return p.bodyA == body || p.bodyB == body; });
+}
+
+void RefilterFixture(WorldState& s, int fixture) {
+    const auto f = static_cast<uint32_t>(fixture);
+    RefilterIf(s, [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
+}
+
+void RefilterBodies(WorldState& s, int bodyA, int bodyB) {
+    RefilterIf(s, [=](const ContactPair& p) {
+        return (p.bodyA == bodyA && p.bodyB == bodyB) || (p.bodyA == bodyB && p.bodyB == bodyA);
+    });
+}
+
+void ResetMass(WorldState& s, int body) {
+    const auto b = static_cast<size_t>(body);
+    BodyInfo& info = s.bodies.info[b];
+    MassRow& row = s.bodies.mass[b];
+    Position& position = s.bodies.position[b];
+    const Transform& xf = s.bodies.transform[b];
+    info.mass = 0.0f;
+    info.inertia = 0.0f;
+    row = {0.0f, 0.0f, vec2Zero};
+    if (s.bodies.type[b] != dynamicBody) {
+        position.c = xf.p;
+        s.bodies.startPosition[b] = position;
+        return;
+    }
+    Vec2 center = vec2Zero;
+    for (int f = info.fixtureHead; f >= 0; f = s.fixtures.info[static_cast<size_t>(f)].next) {
+        const auto fi = static_cast<size_t>(f);
+        const float density = s.fixtures.info[fi].density;
+        if (density == 0.0f) continue;
+        MassData part;
+        s.fixtures.shape[fi]->ComputeMass(&part, density);
+        info.mass += part.mass;
+        center += part.mass * part.center;
+        info.inertia += part.I;
+    }
+    if (info.mass > 0.0f) {
+        row.invMass = 1.0f / info.mass;
+        center *= row.invMass;
+    } else {
+        info.mass = 1.0f;  // Box2D's rule: a dynamic body has mass
+        row.invMass = 1.0f;
+    }
+    if (info.inertia > 0.0f && !s.bodies.Has(body, BodyFlag::fixedRotation)) {
+        info.inertia -= info.mass * Dot(center, center);
+        row.invI = info.inertia > 0.0f ? 1.0f / info.inertia : 0.0f;
+    } else {
+        info.inertia = 0.0f;
+    }
+    const Vec2 oldCenter = position.c;
+    row.localCenter = center;
+    position.c = Mul(xf, center);
+    s.bodies.startPosition[b] = position;
+    Velocity& velocity = s.bodies.velocity[b];
+    velocity.v += Cross(velocity.w, position.c - oldCenter);
+}
+
+}  // namespace scree

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What edits between steps must keep true: proxies of fixtures, pairs, filters of contacts.
+
+#pragma once
+
+#include "world/world_state.h"
+
+namespace scree {
+
+/// Finds all pairs of the stored boxes and marks or makes their contacts.
+void FindPairsAndMatch(WorldState& state);
+/// Gives a fixture its proxy, or takes it away (with its contacts).
+void AddProxy(WorldState& state, int fixture);
+void RemoveProxy(WorldState& state, int fixture);
+/// Destroys the contacts of a fixture, or of a body, at once.
+void DestroyContactsOfFixture(WorldState& state, int fixture);
+void DestroyContactsOfBody(WorldState& state, int body);
+/// Asks the filters again about the contacts for which `involves` holds and destroys those that are refused now.
+void RefilterFixture(WorldState& state, int fixture);
+void RefilterBodies(WorldState& state, int bodyA, int bodyB);
+/// Mass, centre and inertia of a body from its fixtures.
+void ResetMass(WorldState& state, int body);
+
+}  // namespace scree

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Checks of definitions and handles.
+
+#include "world/validate.h"
+
+namespace scree {
+
+namespace {
+
+Finding NotFinite(const char* field) { return {ErrorCode::nonFinite, field, "give a finite number"}; }
+Finding Negative(const char* field) { return {ErrorCode::outOfRange, field, "give a number of at least 0"}; }
+
+/// Finite and not negative.
+Finding CheckAmount(float value, const char* field) {
+    if (!std::isfinite(value)) return NotFinite(field);
+    if (value < 0.0f) return Negative(field);
+    return {};
+}
+
+/// The first finding of a list, or none.
+template <typename... Findings>
+Finding First(Findings... findings) {
+    Finding result;
+    ((result.code == ErrorCode::ok ? void(result = findings) : void()), ...);
+    return result;
+}
+
+Finding CheckFinite(bool finite, const char* field) { return finite ? Finding{} : NotFinite(field); }
+
+Finding CheckPolygon(const PolygonShape& polygon) {
+    if (polygon.m_count < 3 || polygon.m_count > maxPolygonVertices) {
+        return {ErrorCode::badShape, "PolygonShape::m_count", "call Set or SetAsBox first; 3 to 8 vertices"};
+    }
+    if (!polygon.Validate()) return {ErrorCode::badShape, "PolygonShape::m_vertices", "give a convex, counter-clockwise polygon"};
+    return {};
+}
+
+Finding CheckEdge(const EdgeShape& edge) {
+    const bool finite = edge.m_vertex1.IsValid() && edge.m_vertex2.IsValid() &&
+                        (!edge.m_oneSided || (edge.m_vertex0.IsValid() && edge.m_vertex3.IsValid()));
+    if (!finite) return NotFinite("EdgeShape::m_vertex");
+    if (DistanceSquared(edge.m_vertex1, edge.m_vertex2) == 0.0f) {
+        return {ErrorCode::badShape, "EdgeShape::m_vertex2", "give two different end points"};
+    }
+    return {};
+}
+
+}  // namespace
+
+Finding Check(const Shape& shape) {
+    if (const Finding radius = CheckAmount(shape.m_radius, "Shape::m_radius")) return radius;
+    switch (shape.GetType()) {
+        case Shape::e_circle: {
+            const auto& circle = static_cast<const CircleShape&>(shape);
+            if (!circle.m_p.IsValid()) return NotFinite("CircleShape::m_p");
+            if (circle.m_radius <= 0.0f) return {ErrorCode::badShape, "CircleShape::m_radius", "give a radius above 0"};
+            return {};
+        }
+        case Shape::e_edge: return CheckEdge(static_cast<const EdgeShape&>(shape));
+        case Shape::e_polygon: return CheckPolygon(static_cast<const PolygonShape&>(shape));
+        default: return {ErrorCode::badShape, "Shape::m_type", "use CircleShape, EdgeShape or PolygonShape"};
+    }
+}
+
+Finding Check(const BodyDef& def) {
+    if (def.type != staticBody && def.type != kinematicBody && def.type != dynamicBody) {
+        return {ErrorCode::outOfRange, "BodyDef::type", "use staticBody, kinematicBody or dynamicBody"};
+    }
+    return First(CheckFinite(def.position.IsValid(), "BodyDef::position"), CheckFinite(std::isfinite(def.angle), "BodyDef::angle"),
+                 CheckFinite(def.linearVelocity.IsValid(), "BodyDef::linearVelocity"),
+                 CheckFinite(std::isfinite(def.angularVelocity), "BodyDef::angularVelocity"),
+                 CheckAmount(def.linearDamping, "BodyDef::linearDamping"),
+                 CheckAmount(def.angularDamping, "BodyDef::angularDamping"),
+                 CheckFinite(std::isfinite(def.gravityScale), "BodyDef::gravityScale"));
+}
+
+Finding Check(const FixtureDef& def) {
+    if (def.shape == nullptr) return {ErrorCode::nullArgument, "FixtureDef::shape", "point it at a shape"};
+    return First(Check(*def.shape), CheckAmount(def.friction, "FixtureDef::friction"),
+                 CheckFinite(std::isfinite(def.restitution), "FixtureDef::restitution"),
+                 CheckAmount(def.restitutionThreshold, "FixtureDef::restitutionThreshold"),
+                 CheckAmount(def.density, "FixtureDef::density"));
+}
+
+Finding Check(const RevoluteJointDef& def, const WorldState& state) {
+    if (def.bodyA == nullptr) return {ErrorCode::nullArgument, "JointDef::bodyA", "set both bodies"};
+    if (def.bodyB == nullptr) return {ErrorCode::nullArgument, "JointDef::bodyB", "set both bodies"};
+    if (!Owns(state, def.bodyA)) return {ErrorCode::foreignHandle, "JointDef::bodyA", "use a living body of this world"};
+    if (!Owns(state, def.bodyB)) return {ErrorCode::foreignHandle, "JointDef::bodyB", "use a living body of this world"};
+    if (def.bodyA == def.bodyB) return {ErrorCode::outOfRange, "JointDef::bodyB", "join two different bodies"};
+    const Finding numbers = First(CheckFinite(def.localAnchorA.IsValid(), "RevoluteJointDef::localAnchorA"),
+                                  CheckFinite(def.localAnchorB.IsValid(), "RevoluteJointDef::localAnchorB"),
+                                  CheckFinite(std::isfinite(def.referenceAngle), "RevoluteJointDef::referenceAngle"),
+                                  CheckFinite(std::isfinite(def.lowerAngle), "RevoluteJointDef::lowerAngle"),
+                                  CheckFinite(std::isfinite(def.upperAngle), "RevoluteJointDef::upperAngle"),
+                                  CheckFinite(std::isfinite(def.motorSpeed), "RevoluteJointDef::motorSpeed"),
+                                  CheckAmount(def.maxMotorTorque, "RevoluteJointDef::maxMotorTorque"));
+    if (numbers) return numbers;
+    if (def.lowerAngle > def.upperAngle) return {ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle", "keep it at or below upperAngle"};
+    return {};
+}
+
+Finding Check(const WorldDef& def) {
+    if (!def.gravity.IsValid()) return NotFinite("WorldDef::gravity");
+    if (static_cast<size_t>(def.broadPhase) >= broadPhaseNames.size()) {
+        return {ErrorCode::outOfRange, "WorldDef::broadPhase", "use a BroadPhaseKind"};
+    }
+    if (!(def.staticShareThreshold >= 0.0f)) return {ErrorCode::outOfRange, "WorldDef::staticShareThreshold", "give a share from 0 to 1"};
+    if (!(def.maxTranslation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};
+    if (!(def.maxRotation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxRotation", "give an angle above 0"};
+    return {};
+}
+
+bool Owns(const WorldState& state, const Body* body) {
+    if (body == nullptr) return false;
+    const int index = body->GetIndex();
+    return state.bodies.slots.IsAlive(index) && &state.bodies.handles[static_cast<size_t>(index)] == body;
+}
+
+bool Owns(const WorldState& state, const Fixture* fixture) {
+    if (fixture == nullptr) return false;
+    const int index = fixture->GetIndex();
+    return state.fixtures.slots.IsAlive(index) && &state.fixtures.handles[static_cast<size_t>(index)] == fixture;
+}
+
+bool Owns(const WorldState& state, const Joint* joint) {
+    if (joint == nullptr) return false;
+    const int index = joint->GetIndex();
+    return state.joints.slots.IsAlive(index) && state.joints.handles[static_cast<size_t>(index)].get() == joint;
+}
+
+}  // namespace scree

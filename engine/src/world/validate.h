@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Checks of what users pass in. Each says which field is wrong; nothing is changed before all have passed.
+
+#pragma once
+
+#include "world/world_state.h"
+
+namespace scree {
+
+/// The first wrong field of an input, or ok.
+struct Finding {
+    ErrorCode code = ErrorCode::ok;
+    const char* field = "";
+    const char* cure = "";
+    explicit operator bool() const { return code != ErrorCode::ok; }
+};
+
+Finding Check(const BodyDef& def);
+Finding Check(const FixtureDef& def);
+Finding Check(const RevoluteJointDef& def, const WorldState& state);
+Finding Check(const WorldDef& def);
+Finding Check(const Shape& shape);
+
+/// True if the handle is alive and belongs to this world.
+bool Owns(const WorldState& state, const Body* body);
+bool Owns(const WorldState& state, const Fixture* fixture);
+bool Owns(const WorldState& state, const Joint* joint);
+
+}  // namespace scree

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The world object: creation and destruction, settings, lists, queries.
+
+#include "scree/world.h"
+
+#include <cstdio>
+
+#include "world/refresh.h"
+#include "world/validate.h"
+
+namespace scree {
+
+namespace {
+
+void WriteError(const Error& error, void*) {
+    std::fprintf(stderr, "scree: %s: %s: %s; %s\n", error.function, error.field, GetName(error.code), error.cure);
+}
+
+}  // namespace
+
+ErrorCode WorldState::Refuse(ErrorCode code, const char* function, const char* field, const char* cure) const {
+    const Error error{code, function, field, cure};
+    (errorHandler != nullptr ? errorHandler : WriteError)(error, errorContext);
+    return code;
+}
+
+World::World(Vec2 gravity) : World([&] {
+      WorldDef def;
+      def.gravity = gravity;
+      return def;
+  }()) {}
+
+World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
+    WorldState& s = *m_state;
+    s.world = this;
+    if (const Finding bad = Check(def)) {
+        // A constructor cannot refuse: the world is made with the defaults, and the handler (stderr) says so.
+        s.Refuse(bad.code, "World::World", bad.field, bad.cure);
+    } else {
+        s.def = def;
+    }
+    s.broadPhaseKind = s.def.broadPhase == BroadPhaseKind::automatic ? BroadPhaseKind::keys : s.def.broadPhase;
+    s.broadPhase = CreateBroadPhase(s.broadPhaseKind, {.staticShareThreshold = s.def.staticShareThreshold});
+}
+
+World::~World() = default;
+
+Body* World::CreateBody(const BodyDef* def) {
+    WorldState& s = *m_state;
+    const char* name = "World::CreateBody";
+    if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a BodyDef"), nullptr;
+    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create bodies outside of Step"), nullptr;
+    if (const Finding bad = Check(*def)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
+    return &s.bodies.handles[static_cast<size_t>(s.bodies.Add(&s, *def))];
+}
+
+ErrorCode World::DestroyBody(Body* body) {
+    WorldState& s = *m_state;
+    const char* name = "World::DestroyBody";
+    if (body == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "body", "pass a body");
+    if (!Owns(s, body)) return s.Refuse(ErrorCode::foreignHandle, name, "body", "pass a living body of this world");
+    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy bodies outside of Step");
+    const int index = body->GetIndex();
+    while (s.bodies.info[static_cast<size_t>(index)].jointCount > 0) {
+        DestroyJoint(s.joints.handles[static_cast<size_t>(s.joints.OfBody(index)[0])].get());
+    }
+    DestroyContactsOfBody(s, index);
+    for (int f = s.bodies.info[static_cast<size_t>(index)].fixtureHead; f >= 0;) {
+        const int next = s.fixtures.info[static_cast<size_t>(f)].next;
+        RemoveProxy(s, f);
+        s.fixtures.Remove(f);
+        f = next;
+    }
+    s.bodies.Remove(index);
+    return ErrorCode::ok;
+}
+
+Joint* World::CreateJoint(const JointDef* def) {
+    WorldState& s = *m_state;
+    const char* name = "World::CreateJoint";
+    if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a joint definition"), nullptr;
+    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create joints outside of Step"), nullptr;
+    if (def->type != e_revoluteJoint) {
+        return s.Refuse(ErrorCode::outOfRange, name, "JointDef::type", "use a joint definition of this library"), nullptr;
+    }
+    const auto& revolute = static_cast<const RevoluteJointDef&>(*def);
+    if (const Finding bad = Check(revolute, s)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
+    const int index = s.joints.AddRevolute(&s, revolute);
+    ++s.bodies.info[static_cast<size_t>(def->bodyA->GetIndex())].jointCount;
+    ++s.bodies.info[static_cast<size_t>(def->bodyB->GetIndex())].jointCount;
+    if (!def->collideConnected) RefilterBodies(s, def->bodyA->GetIndex(), def->bodyB->GetIndex());
+    return s.joints.handles[static_cast<size_t>(index)].get();
+}
+
+ErrorCode World::DestroyJoint(Joint* joint) {
+    WorldState& s = *m_state;
+    const char* name = "World::DestroyJoint";
+    if (joint == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "joint", "pass a joint");
+    if (!Owns(s, joint)) return s.Refuse(ErrorCode::foreignHandle, name, "joint", "pass a living joint of this world");
+    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
+    const JointInfo info = s.joints.info[static_cast<size_t>(joint->GetIndex())];
+    s.joints.Remove(joint->GetIndex());
+    for (const int body : {info.bodyA, info.bodyB}) {
+        --s.bodies.info[static_cast<size_t>(body)].jointCount;
+        s.bodies.Wake(body);
+    }
+    if (!info.collideConnected) s.pairsStale = true;  // their pairs may have contacts again
+    return ErrorCode::ok;
+}
+
+const StepReport& World::GetReport() const { return m_state->report; }
+
+void World::SetContactListener(ContactListener* listener) { m_state->listener = listener; }
+
+void World::SetContactFilter(ContactFilter* filter) {
+    m_state->filter = filter != nullptr ? filter : &m_state->defaultFilter;
+}
+
+void World::SetErrorHandler(ErrorHandler handler, void* context) {
+    m_state->errorHandler = handler;
+    m_state->errorContext = context;
+}
+
+void World::SetAutoClearForces(bool flag) { m_state->autoClearForces = flag; }
+bool World::GetAutoClearForces() const { return m_state->autoClearForces; }
+
+void World::ClearForces() {
+    for (const int body : m_state->bodies.movers) m_state->bodies.force[static_cast<size_t>(body)] = {vec2Zero, 0.0f};
+}
+
+ErrorCode World::SetGravity(Vec2 gravity) {
+    if (!gravity.IsValid()) return m_state->Refuse(ErrorCode::nonFinite, "World::SetGravity", "gravity", "give a finite vector");
+    m_state->def.gravity = gravity;
+    return ErrorCode::ok;
+}
+Vec2 World::GetGravity() const { return m_state->def.gravity; }
+
+void World::SetAllowSleeping(bool flag) {
+    if (m_state->def.allowSleep == flag) return;
+    m_state->def.allowSleep = flag;
+    if (flag) return;
+    for (const int body : m_state->bodies.movers) m_state->bodies.Wake(body);
+}
+bool World::GetAllowSleeping() const { return m_state->def.allowSleep; }
+
+void World::SetWarmStarting(bool flag) { m_state->def.warmStarting = flag; }
+bool World::GetWarmStarting() const { return m_state->def.warmStarting; }
+bool World::IsLocked() const { return m_state->locked; }
+
+Body* World::GetBodyList() {
+    const int head = m_state->bodies.listHead;
+    return head < 0 ? nullptr : &m_state->bodies.handles[static_cast<size_t>(head)];
+}
+const Body* World::GetBodyList() const { return const_cast<World*>(this)->GetBodyList(); }
+
+Joint* World::GetJointList() {
+    const int head = m_state->joints.listHead;
+    return head < 0 ? nullptr : m_state->joints.handles[static_cast<size_t>(head)].get();
+}
+
+Contact* World::GetContactList() {
+    ContactTable& contacts = m_state->contacts;
+    for (int c = 0; c < contacts.Size(); ++c) {
+        if (contacts.Has(c, ContactFlag::alive)) return contacts.Handle(m_state.get(), c);
+    }
+    return nullptr;
+}
+
+int World::GetBodyCount() const { return m_state->bodies.slots.Count(); }
+int World::GetJointCount() const { return m_state->joints.slots.Count(); }
+int World::GetContactCount() const { return m_state->contacts.Count(); }
+int World::GetFixtureCount() const { return m_state->fixtures.slots.Count(); }
+int World::GetProxyCount() const { return m_state->broadPhase->GetProxyCount(); }
+
+ErrorCode World::QueryAABB(const AABB& aabb, const std::function<bool(Fixture*)>& visit) {
+    WorldState& s = *m_state;
+    if (!aabb.IsValid()) return s.Refuse(ErrorCode::outOfRange, "World::QueryAABB", "aabb", "give finite bounds with lower ≤ upper");
+    s.broadPhase->Query(aabb, [&](uint32_t f) { return visit(&s.fixtures.handles[f]); });
+    return ErrorCode::ok;
+}
+
+ErrorCode World::RayCast(Vec2 p1, Vec2 p2, const std::function<float(Fixture*, Vec2, Vec2, float)>& visit) {
+    WorldState& s = *m_state;
+    if (!p1.IsValid() || !p2.IsValid()) return s.Refuse(ErrorCode::nonFinite, "World::RayCast", "p1, p2", "give finite points");
+    s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t f) {
+        RayCastOutput hit;
+        Fixture& fixture = s.fixtures.handles[f];
+        if (!fixture.RayCast(&hit, input)) return input.maxFraction;
+        const Vec2 point = (1.0f - hit.fraction) * input.p1 + hit.fraction * input.p2;
+        return visit(&fixture, point, hit.normal, hit.fraction);
+    });
+    return ErrorCode::ok;
+}
+
+bool ContactFilter::ShouldCollide(Fixture* fixtureA, Fixture* fixtureB) {
+    const Filter& a = fixtureA->GetFilterData();
+    const Filter& b = fixtureB->GetFilterData();
+    if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex > 0;
+    return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
+}
+
+}  // namespace scree

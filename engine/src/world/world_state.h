@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Everything a world owns. Only world/ sees it whole; the stages get the tables they need.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "broad_phase/broad_phase.h"
+#include "pipeline/find_islands.h"
+#include "pipeline/solve_islands.h"
+#include "scree/world.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/fixtures.h"
+#include "state/islands.h"
+#include "state/joints.h"
+
+namespace scree {
+
+struct WorldState {
+    World* world = nullptr;
+    WorldDef def;
+    BodyTable bodies;
+    FixtureTable fixtures;
+    ContactTable contacts;
+    JointTable joints;
+
+    std::unique_ptr<BroadPhase> broadPhase;
+    BroadPhaseKind broadPhaseKind = BroadPhaseKind::automatic;  ///< resolved
+    std::vector<Pair> pairs;     ///< of the last pair finding
+    bool pairsStale = false;     ///< boxes changed since then
+
+    IslandTable islands;
+    IslandScratch islandScratch;
+    SolverScratch solverScratch;
+
+    ContactListener* listener = nullptr;
+    ContactFilter defaultFilter;
+    ContactFilter* filter = &defaultFilter;
+    ErrorHandler errorHandler = nullptr;
+    void* errorContext = nullptr;
+
+    bool locked = false;
+    bool autoClearForces = true;
+    float lastInverseDt = 0.0f;
+    StepReport report;
+
+    [[nodiscard]] ContactEvents Events() { return {this, listener, filter}; }
+    /// Tells the error handler and gives the code back.
+    ErrorCode Refuse(ErrorCode code, const char* function, const char* field, const char* cure) const;
+};
+
+}  // namespace scree

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A scene's shape as a Box2D shape: shape in, value that owns no heap out.
+
+#pragma once
+
+#include <box2d/b2_circle_shape.h>
+#include <box2d/b2_edge_shape.h>
+#include <box2d/b2_polygon_shape.h>
+
+#include <variant>
+
+#include "scenes/scene.h"
+#include "testbed/adapters/snapshot.h"
+
+namespace testbed {
+
+using Box2dShape = std::variant<b2CircleShape, b2PolygonShape, b2EdgeShape>;
+
+[[nodiscard]] Box2dShape MakeBox2dShape(const scenes::Shape& shape);
+[[nodiscard]] const b2Shape& AsB2Shape(const Box2dShape& shape);
+
+inline b2Vec2 ToB2(scenes::Vec2 v) { return {v.x, v.y}; }
+inline scenes::Vec2 FromB2(b2Vec2 v) { return {v.x, v.y}; }
+inline Box FromB2(const b2AABB& box) { return {FromB2(box.lowerBound), FromB2(box.upperBound)}; }
+
+}  // namespace testbed

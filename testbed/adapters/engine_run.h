@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A scene running in one engine. The two adapters (run_scree.cpp, run_box2d.cpp) implement it; nothing else in the
+// testbed includes an engine's header.
+
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/scene.h"
+#include "testbed/adapters/snapshot.h"
+
+namespace testbed {
+
+/// What a capture must contain beyond bodies, counts, times and hash; leaving a part out saves its time.
+struct CaptureParts {
+    bool fixtures = true;
+    bool contacts = true;
+    bool joints = true;
+    bool nodes = true;
+};
+
+/// How a scene is to be run.
+struct RunOptions {
+    std::string broadPhase = "auto";  ///< ours only; a name of scree::broadPhaseNames
+    int threads = 1;
+    bool continuous = false;
+    bool boxTwoDCaps = true;  ///< ours: cap speed at 2 m and π/2 per step as Box2D does
+    /// Whose motion the broad phase sees: "own", or the engine ("scree", "box2d") whose run it follows. A following run
+    /// simulates nothing itself: bodies, contacts and hash are its source's; nodes, times, pairs and memory its own.
+    std::string poses = "own";
+};
+
+class EngineRun {
+public:
+    virtual ~EngineRun() = default;
+    /// One time step of the scene with its iterations, then the scene's spawns due after it.
+    virtual void Step() = 0;
+    [[nodiscard]] virtual int GetStep() const = 0;
+    /// Times of the last step.
+    [[nodiscard]] virtual StepTimes GetTimes() const = 0;
+    /// Contacts kept now, touching or not (cheap: no capture).
+    [[nodiscard]] virtual int GetContactCount() const = 0;
+    /// Replaces everything in `snapshot`. Box2D's reported pairs are counted from nodes and fixtures: 0 without them.
+    virtual void Capture(Snapshot& snapshot, const CaptureParts& parts = {}) = 0;
+
+    EngineRun() = default;
+    EngineRun(const EngineRun&) = delete;
+    EngineRun& operator=(const EngineRun&) = delete;
+};
+
+/// Loads a copy of a scene. Throws std::invalid_argument for an unknown broad phase, an option that the engine does not
+/// have, or a scene that it refuses.
+std::unique_ptr<EngineRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options);
+std::unique_ptr<EngineRun> MakeBox2dRun(const scenes::Scene& scene, const RunOptions& options);
+
+/// By name, "scree" or "box2d", following RunOptions::poses. Throws std::invalid_argument for another name.
+std::unique_ptr<EngineRun> MakeRun(std::string_view engine, const scenes::Scene& scene, const RunOptions& options);
+
+}  // namespace testbed

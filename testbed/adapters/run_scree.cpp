@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A scene running in our engine, through its public headers alone: loading, stepping, times by stage, capture. The
+// solver's time includes finding islands, as Box2D's does.
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "scree/inspect.h"
+#include "scree/world.h"
+#include "testbed/adapters/scene_run.h"
+#include "testbed/adapters/scree_shape.h"
+#include "testbed/adapters/stopwatch.h"
+
+namespace testbed {
+namespace {
+
+scree::BodyType MakeType(scenes::BodyType type) {
+    switch (type) {
+        case scenes::BodyType::isStatic:
+            return scree::staticBody;
+        case scenes::BodyType::kinematic:
+            return scree::kinematicBody;
+        case scenes::BodyType::dynamic:
+            return scree::dynamicBody;
+    }
+    return scree::staticBody;
+}
+
+scree::BodyDef MakeBodyDef(const scenes::Body& body) {
+    scree::BodyDef def;
+    def.type = MakeType(body.type);
+    def.bullet = body.bullet;
+    def.allowSleep = body.allowSleep;
+    def.awake = body.awake;
+    def.fixedRotation = body.fixedRotation;
+    def.position = ToScree(body.position);
+    def.angle = body.angle;
+    def.linearVelocity = ToScree(body.linearVelocity);
+    def.angularVelocity = body.angularVelocity;
+    def.linearDamping = body.linearDamping;
+    def.angularDamping = body.angularDamping;
+    def.gravityScale = body.gravityScale;
+    return def;
+}
+
+scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Shape& shape, size_t index) {
+    scree::FixtureDef def;
+    def.shape = &shape;
+    def.density = fixture.density;
+    def.friction = fixture.friction;
+    def.restitution = fixture.restitution;
+    def.isSensor = fixture.isSensor;
+    def.filter = {fixture.categoryBits, fixture.maskBits, fixture.groupIndex};
+    def.userData.pointer = index;
+    return def;
+}
+
+scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& options) {
+    const auto kind = scree::BroadPhaseFromName(options.broadPhase);
+    if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
+    if (options.threads != 1) throw std::invalid_argument("scree: only one thread is supported yet");
+    if (options.continuous) throw std::invalid_argument("scree: continuous collision is not supported yet");
+    scree::WorldDef def;
+    def.gravity = ToScree(scene.gravity);
+    def.broadPhase = *kind;
+    if (options.boxTwoDCaps) {
+        def.maxTranslation = scree::maxTranslation;
+        def.maxRotation = scree::maxRotation;
+    }
+    return def;
+}
+
+/// A refused call means a scene that cannot be loaded as described: nothing to go on with.
+void ThrowError(const scree::Error& error, void*) {
+    throw std::invalid_argument(std::string(error.function) + ": " + error.field + ": " + scree::GetName(error.code) +
+                                "; " + error.cure);
+}
+
+int IndexOf(scree::Body* body) { return static_cast<int>(body->GetUserData().pointer); }
+int IndexOf(scree::Fixture* fixture) { return static_cast<int>(fixture->GetUserData().pointer); }
+
+class ScreeRun final : public SceneRun {
+public:
+    ScreeRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene) {
+        const scree::WorldDef def = MakeWorldDef(scene, options);
+        m_bodies.reserve(scene.bodies.size());
+        m_fixtures.reserve(scene.fixtures.size());
+        m_indexOf.reserve(scene.fixtures.size());
+        Measure([&] {
+            m_world = std::make_unique<scree::World>(def);
+            m_world->SetErrorHandler(ThrowError, nullptr);
+            Load();
+        });
+    }
+
+    [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
+
+protected:
+    void CreateBody(const scenes::Body& body) override;
+    void CreateJoint(const scenes::Joint& joint) override;
+    StepTimes StepEngine(bool newFixtures) override;
+    void CaptureHeader(Snapshot& snapshot) override;
+    void CaptureBodies(std::vector<BodyState>& bodies) override;
+    void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) override;
+
+private:
+    /// A fixture and its index into the scene's fixtures.
+    struct Entry {
+        scree::Fixture* fixture;
+        int sceneIndex;
+    };
+
+    void CaptureFixtures(std::vector<FixtureState>& fixtures) const;
+    void CaptureContacts(std::vector<ContactState>& contacts) const;
+    void CaptureJoints(std::vector<JointState>& joints) const;
+    void CaptureNodes(Snapshot& snapshot) const;
+
+    std::unique_ptr<scree::World> m_world;
+    std::vector<scree::Body*> m_bodies;   ///< by body index
+    std::vector<Entry> m_fixtures;        ///< by index into Snapshot::fixtures
+    std::vector<int> m_indexOf;           ///< Fixture::GetIndex → index into Snapshot::fixtures
+    std::vector<scree::Joint*> m_joints;  ///< by joint index
+};
+
+void ScreeRun::CreateBody(const scenes::Body& body) {
+    scree::BodyDef bodyDef = MakeBodyDef(body);
+    bodyDef.userData.pointer = m_bodies.size();
+    scree::Body* made = m_world->CreateBody(&bodyDef);
+    m_bodies.push_back(made);
+    for (int i = body.firstFixture; i < body.firstFixture + body.fixtureCount; ++i) {
+        const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(i)];
+        const ScreeShape shape = MakeScreeShape(fixture.shape);
+        const scree::FixtureDef fixtureDef = MakeFixtureDef(fixture, AsShape(shape), m_fixtures.size());
+        scree::Fixture* attached = made->CreateFixture(&fixtureDef);
+        const auto slot = static_cast<size_t>(attached->GetIndex());
+        if (m_indexOf.size() <= slot) m_indexOf.resize(slot + 1, -1);
+        m_indexOf[slot] = static_cast<int>(m_fixtures.size());
+        m_fixtures.push_back({attached, i});
+    }
+    // A scene gives the velocity of the centre of mass, a body definition that of the origin; they differ in a spin.
+    if (body.angularVelocity != 0.0f) made->SetLinearVelocity(ToScree(body.linearVelocity));
+}
+
+void ScreeRun::CreateJoint(const scenes::Joint& joint) {
+    scree::RevoluteJointDef def;
+    def.bodyA = m_bodies[static_cast<size_t>(joint.bodyA)];
+    def.bodyB = m_bodies[static_cast<size_t>(joint.bodyB)];
+    def.collideConnected = joint.collideConnected;
+    def.localAnchorA = ToScree(joint.localAnchorA);
+    def.localAnchorB = ToScree(joint.localAnchorB);
+    def.referenceAngle = joint.referenceAngle;
+    def.enableLimit = joint.enableLimit;
+    def.lowerAngle = joint.lowerAngle;
+    def.upperAngle = joint.upperAngle;
+    def.enableMotor = joint.enableMotor;
+    def.motorSpeed = joint.motorSpeed;
+    def.maxMotorTorque = joint.maxMotorTorque;
+    m_joints.push_back(m_world->CreateJoint(&def));
+}
+
+StepTimes ScreeRun::StepEngine(bool) {
+    const scenes::Scene& scene = GetScene();
+    const Stopwatch watch;
+    const scree::StepReport report = m_world->Step(scene.timeStep, scene.velocityIterations, scene.positionIterations);
+    const scree::Profile& p = report.profile;
+    return {.broadPhase = double{p.broadPhase},
+            .narrowPhase = double{p.narrowPhase},
+            .solver = double{p.islands} + p.solver,
+            .step = watch.GetMilliseconds()};
+}
+
+void ScreeRun::CaptureHeader(Snapshot& snapshot) {
+    snapshot.engine = "scree";
+    snapshot.broadPhase = scree::GetName(scree::inspect::GetBroadPhase(*m_world));
+    snapshot.threads = 1;
+    snapshot.contactCount = m_world->GetContactCount();
+    snapshot.touchingCount = 0;
+    snapshot.pairsReported = m_world->GetReport().pairCount;
+    for (scree::Contact* c = m_world->GetContactList(); c; c = c->GetNext()) snapshot.touchingCount += c->IsTouching();
+}
+
+void ScreeRun::CaptureBodies(std::vector<BodyState>& bodies) {
+    for (size_t i = 0; i < m_bodies.size(); ++i) {
+        const scree::Body& b = *m_bodies[i];
+        const scenes::BodyType type = GetScene().bodies[i].type;
+        bodies.push_back({.index = static_cast<int>(i),
+                          .type = type,
+                          .position = FromScree(b.GetPosition()),
+                          .sin = b.GetTransform().q.s,
+                          .cos = b.GetTransform().q.c,
+                          .angle = b.GetAngle(),
+                          .linearVelocity = FromScree(b.GetLinearVelocity()),
+                          .angularVelocity = b.GetAngularVelocity(),
+                          .awake = type != scenes::BodyType::isStatic && b.IsAwake(),
+                          .bullet = b.IsBullet()});
+    }
+}
+
+void ScreeRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
+    fixtures.reserve(m_fixtures.size());
+    for (const Entry& entry : m_fixtures) {
+        scree::AABB tight;
+        scree::Body* body = entry.fixture->GetBody();
+        entry.fixture->GetShape()->ComputeAABB(&tight, body->GetTransform());
+        fixtures.push_back({.body = IndexOf(body),
+                            .fixture = entry.sceneIndex,
+                            .shape = GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
+                            .sensor = entry.fixture->IsSensor(),
+                            .tight = FromScree(tight)});
+    }
+}
+
+void ScreeRun::CaptureContacts(std::vector<ContactState>& contacts) const {
+    contacts.reserve(static_cast<size_t>(m_world->GetContactCount()));
+    for (scree::Contact* c = m_world->GetContactList(); c; c = c->GetNext()) {
+        ContactState state{};
+        state.fixtureA = IndexOf(c->GetFixtureA());
+        state.fixtureB = IndexOf(c->GetFixtureB());
+        state.touching = c->IsTouching();
+        const scree::Manifold& manifold = *c->GetManifold();
+        state.pointCount = manifold.pointCount;
+        if (state.pointCount > 0) {
+            scree::WorldManifold world;
+            c->GetWorldManifold(&world);
+            state.normal = FromScree(world.normal);
+            for (int k = 0; k < state.pointCount; ++k) {
+                state.points[k] = FromScree(world.points[k]);
+                state.separations[k] = world.separations[k];
+                state.normalImpulses[k] = manifold.points[k].normalImpulse;
+                state.tangentImpulses[k] = manifold.points[k].tangentImpulse;
+            }
+        }
+        contacts.push_back(state);
+    }
+}
+
+void ScreeRun::CaptureJoints(std::vector<JointState>& joints) const {
+    for (scree::Joint* j : m_joints) {
+        joints.push_back(
+            {IndexOf(j->GetBodyA()), IndexOf(j->GetBodyB()), FromScree(j->GetAnchorA()), FromScree(j->GetAnchorB())});
+    }
+}
+
+void ScreeRun::CaptureNodes(Snapshot& snapshot) const {
+    std::vector<scree::BvhNode> nodes;
+    scree::inspect::GetNodes(*m_world, nodes);
+    snapshot.leafSize = scree::inspect::GetLeafSize(*m_world);
+    snapshot.nodes.reserve(nodes.size());
+    for (const scree::BvhNode& n : nodes) {
+        const int fixture = n.fixture < 0 ? -1 : m_indexOf[static_cast<size_t>(n.fixture)];
+        snapshot.nodes.push_back({FromScree(n.box), n.parent, n.child1, n.child2, fixture, n.level});
+        snapshot.treeHeight = std::max(snapshot.treeHeight, n.level);
+    }
+}
+
+void ScreeRun::CaptureRest(Snapshot& snapshot, const CaptureParts& parts) {
+    if (parts.fixtures) CaptureFixtures(snapshot.fixtures);
+    if (parts.contacts) CaptureContacts(snapshot.contacts);
+    if (parts.joints) CaptureJoints(snapshot.joints);
+    if (parts.nodes) CaptureNodes(snapshot);
+}
+
+}  // namespace
+
+std::unique_ptr<EngineRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options) {
+    return std::make_unique<ScreeRun>(scene, options);
+}
+
+}  // namespace testbed

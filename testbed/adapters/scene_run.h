@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What the runs of all engines share: loading in the scene's order, counting steps, spawning, memory, and the common
+// part of a capture. An engine adds how to make a body and a joint, how to step, and how to describe itself.
+
+#pragma once
+
+#include "testbed/adapters/engine_run.h"
+#include "testbed/adapters/heap_meter.h"
+
+namespace testbed {
+
+class SceneRun : public EngineRun {
+public:
+    void Step() final;
+    [[nodiscard]] int GetStep() const final { return m_step; }
+    [[nodiscard]] StepTimes GetTimes() const final { return m_times; }
+    void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
+
+protected:
+    explicit SceneRun(const scenes::Scene& scene) : m_scene(scene) {}
+    /// Creates what exists before the first step; for the constructor of the engine's class, inside Measure.
+    void Load();
+    [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
+    /// Bodies created so far: indices 0 … count − 1.
+    [[nodiscard]] int GetBodyCount() const { return m_bodyCount; }
+    /// Heap growth inside `call` counts as held by the engine.
+    template <typename Call>
+    void Measure(Call&& call) {
+        m_heap.Measure(std::forward<Call>(call));
+    }
+
+    virtual void CreateBody(const scenes::Body& body) = 0;
+    virtual void CreateJoint(const scenes::Joint& joint) = 0;
+    /// One step; `newFixtures` tells that fixtures were created since the last one.
+    virtual StepTimes StepEngine(bool newFixtures) = 0;
+    /// Names, thread count, contact counts.
+    virtual void CaptureHeader(Snapshot& snapshot) = 0;
+    virtual void CaptureBodies(std::vector<BodyState>& bodies) = 0;
+    /// Fixtures, contacts, joints, nodes (with height, leaf size and reported pairs), as far as `parts` asks for them.
+    virtual void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) = 0;
+
+private:
+    void CreateBodiesUpTo(int count);
+
+    scenes::Scene m_scene;
+    HeapMeter m_heap;
+    StepTimes m_times;
+    int m_step = 0;
+    int m_bodyCount = 0;
+    size_t m_spawnCount = 0;
+    bool m_newFixtures = false;
+};
+
+}  // namespace testbed

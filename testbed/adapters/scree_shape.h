@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A scene's shape as a shape of ours: shape in, value that owns no heap out.
+
+#pragma once
+
+#include <variant>
+
+#include "scenes/scene.h"
+#include "scree/shape.h"
+#include "testbed/adapters/snapshot.h"
+
+namespace testbed {
+
+using ScreeShape = std::variant<scree::CircleShape, scree::PolygonShape, scree::EdgeShape>;
+
+/// Throws std::invalid_argument for a degenerate polygon.
+[[nodiscard]] ScreeShape MakeScreeShape(const scenes::Shape& shape);
+[[nodiscard]] const scree::Shape& AsShape(const ScreeShape& shape);
+
+inline scree::Vec2 ToScree(scenes::Vec2 v) { return {v.x, v.y}; }
+inline scenes::Vec2 FromScree(scree::Vec2 v) { return {v.x, v.y}; }
+inline Box FromScree(const scree::AABB& box) { return {FromScree(box.lowerBound), FromScree(box.upperBound)}; }
+
+}  // namespace testbed

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A Snapshot is what one engine's world looks like after a step, in one form for every engine: the only thing that the
+// views, the metrics and the reports know of an engine. Bodies and fixtures keep the indices of scenes::Scene.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace testbed {
+
+using scenes::Vec2;
+
+/// A closed axis-aligned box, m.
+struct Box {
+    Vec2 lower, upper;
+};
+
+/// State of one body; `index` is its index in scenes::Scene::bodies.
+struct BodyState {
+    int index;
+    scenes::BodyType type;
+    Vec2 position;   ///< origin of the body, world
+    float sin, cos;  ///< rotation
+    float angle;     ///< rad, not wrapped
+    Vec2 linearVelocity;
+    float angularVelocity;
+    bool awake;
+    bool bullet;
+};
+
+/// A fixture; its shape is in body coordinates.
+struct FixtureState {
+    int body;     ///< index into Snapshot::bodies
+    int fixture;  ///< index into scenes::Scene::fixtures
+    scenes::Shape shape;
+    bool sensor;
+    Box tight;  ///< tight AABB at the snapshot's pose, skin included
+};
+
+/// A contact (touching or not) with its manifold in world coordinates.
+struct ContactState {
+    int fixtureA, fixtureB;  ///< indices into Snapshot::fixtures
+    bool touching;
+    int pointCount;
+    Vec2 normal;  ///< from A to B
+    Vec2 points[2];
+    float separations[2];
+    float normalImpulses[2];  ///< N·s
+    float tangentImpulses[2];
+};
+
+struct JointState {
+    int bodyA, bodyB;  ///< indices into Snapshot::bodies
+    Vec2 anchorA, anchorB;
+};
+
+/// A node of the broad-phase tree; children come after parents, the root is 0.
+struct NodeState {
+    Box box;
+    int parent, child1, child2;  ///< −1: none
+    int fixture;                 ///< index into Snapshot::fixtures for a leaf, else −1
+    int level;                   ///< root 0
+};
+
+/// Wall times of one step by stage, ms.
+struct StepTimes {
+    double broadPhase = 0;  ///< AABB update + build + detection + matching + contact creation and removal
+    double narrowPhase = 0;
+    double solver = 0;
+    double step = 0;
+};
+
+struct Snapshot {
+    std::string engine;      ///< "scree" or "box2d"
+    std::string broadPhase;  ///< the algorithm's name
+    std::string scene;
+    int size = 0;
+    int step = 0;  ///< steps taken; 0: as loaded
+    int threads = 1;
+
+    std::vector<BodyState> bodies;
+    std::vector<FixtureState> fixtures;
+    std::vector<ContactState> contacts;
+    std::vector<JointState> joints;
+    std::vector<NodeState> nodes;  ///< empty: the algorithm keeps no tree
+    int leafSize = 0;              ///< boxes per leaf of the production tree
+    int treeHeight = 0;            ///< of the engine's own tree, as it reports it (ours: of `nodes`)
+
+    int contactCount = 0;  ///< all contacts the engine keeps
+    int touchingCount = 0;
+    int64_t pairsReported = 0;  ///< by the broad phase, before any tight test
+    StepTimes times;            ///< of the last step
+    uint64_t stateHash = 0;
+    int64_t memoryBytes = 0;  ///< heap held by the engine, scene data excluded
+};
+
+}  // namespace testbed

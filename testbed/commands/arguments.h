@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Command-line options that several subcommands share: text from the command line in, checked values out. Whatever
+// cannot be meant throws UsageError (or std::invalid_argument, std::out_of_range), which end in exit code 2.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/catalog.h"
+#include "testbed/commands/exit_code.h"
+#include "testbed/commands/side_by_side.h"
+#include "testbed/view/picture.h"
+
+namespace testbed {
+
+/// Steps first, first + stride, … last.
+struct StepRange {
+    int first = 1, last = 1, stride = 1;
+
+    [[nodiscard]] bool Contains(int step) const {
+        return step >= first && step <= last && (step - first) % stride == 0;
+    }
+    [[nodiscard]] int Count() const { return (last - first) / stride + 1; }
+};
+
+/// Steps beyond this are refused: at 1/60 s they are four and a half hours of simulated time.
+inline constexpr int maxStep = 1'000'000;
+
+/// "A:B" or "A:B:S" with 1 ≤ A ≤ B ≤ maxStep and S ≥ 1; when `countAllowed`, also "N" for 1:N. Throws UsageError.
+[[nodiscard]] StepRange ParseSteps(std::string_view text, bool countAllowed);
+
+/// The row of the catalogue; UsageError with the nearest name for an unknown scene.
+[[nodiscard]] const scenes::SceneInfo& FindScene(const std::string& name);
+
+/// `size`, or the scene's default; UsageError with the legal range.
+[[nodiscard]] int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size);
+
+/// How to run a scene, as typed.
+struct RunArguments {
+    std::optional<int> size;
+    std::string broadPhase = "auto";
+    std::string engines = "scree,box2d";
+    std::string poses = "own";
+    int threads = 1;
+    std::string output = "out";
+};
+void AddRunOptions(CLI::App& app, RunArguments& arguments);
+[[nodiscard]] RunSetup MakeRunSetup(const RunArguments& arguments);
+
+/// How pictures look, as typed.
+struct PictureArguments {
+    std::string nodes = "internal";
+    std::string style = "alpha";
+    double opacity = 0.04;
+    std::string scaleMax = "auto";
+    double querySize = 0;
+    std::string image = "1920x1080";
+    std::string camera = "fit";
+    std::string backend = "auto";
+    bool skipMissingBackend = false;
+};
+/// The options that decide what is counted and from where; `metrics` needs no others.
+void AddCountOptions(CLI::App& app, PictureArguments& arguments);
+/// The options that decide how it looks and who draws it.
+void AddLookOptions(CLI::App& app, PictureArguments& arguments);
+[[nodiscard]] PictureOptions MakePictureOptions(const PictureArguments& arguments);
+[[nodiscard]] Backend CheckedBackend(const PictureArguments& arguments);
+
+/// Which steps to show, as typed.
+struct StepArguments {
+    std::optional<int> step;
+    std::string steps;
+    std::optional<int> worst;
+    std::string worstBy = "time";
+};
+void AddStepOptions(CLI::App& app, StepArguments& arguments);
+
+/// The command line without program folder and -o DIR, for files that must not tell where they were made.
+[[nodiscard]] std::string DescribeCommand(const std::vector<std::string>& arguments);
+
+}  // namespace testbed

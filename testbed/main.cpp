@@ -1,0 +1,8 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Entry point of `scree`.
+
+#include "testbed/commands/command_line.h"
+
+int main(int argc, char** argv) { return testbed::RunCommandLine({argv + 1, argv + argc}); }

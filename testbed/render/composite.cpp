@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// out = (below · (255·k − Σa) + Σ c·a) / (255·k) over the k samples of a pixel, rounded once.
+
+#include "testbed/render/composite.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace testbed {
+
+namespace {
+
+struct Sums {
+    uint32_t r = 0, g = 0, b = 0, a = 0;
+    void Add(const Color& color) {
+        const uint32_t alpha = color.a;
+        r += color.r * alpha;
+        g += color.g * alpha;
+        b += color.b * alpha;
+        a += alpha;
+    }
+};
+
+template <uint32_t samplesPerPixel>
+Color Over(const Color& below, const Sums& sums) {
+    constexpr uint32_t whole = 255 * samplesPerPixel;
+    const uint32_t rest = whole - sums.a;
+    const auto mix = [rest](uint32_t under, uint32_t over) {
+        return static_cast<uint8_t>((under * rest + over + whole / 2) / whole);
+    };
+    return {mix(below.r, sums.r), mix(below.g, sums.g), mix(below.b, sums.b), 255};
+}
+
+template <int supersampling>
+void Composite(const Image& samples, Image& picture) {
+    for (int y = 0; y < picture.height; ++y) {
+        Color* out = &picture.At(0, y);
+        const Color* row = &samples.At(0, y * supersampling);
+        for (int x = 0; x < picture.width; ++x) {
+            Sums sums;
+            for (int j = 0; j < supersampling; ++j) {
+                const Color* sample = row + static_cast<std::ptrdiff_t>(j) * samples.width + x * supersampling;
+                for (int i = 0; i < supersampling; ++i) sums.Add(sample[i]);
+            }
+            if (sums.a != 0) out[x] = Over<supersampling * supersampling>(out[x], sums);
+        }
+    }
+}
+
+}  // namespace
+
+void CompositeSamples(const Image& samples, int supersampling, Image& picture) {
+    if (samples.width != picture.width * supersampling || samples.height != picture.height * supersampling) {
+        throw std::invalid_argument("a layer does not fit its picture");
+    }
+    switch (supersampling) {
+        case 1:
+            return Composite<1>(samples, picture);
+        case 2:
+            return Composite<2>(samples, picture);
+        case 4:
+            return Composite<4>(samples, picture);
+        default:
+            throw std::invalid_argument("supersampling is 1, 2 or 4");
+    }
+}
+
+void BlendRect(Image& picture, const PixelBox& box, Color color) {
+    Sums sums;
+    sums.Add(color);
+    for (int y = std::max(box.y0, 0); y < std::min(box.y1, picture.height); ++y) {
+        for (int x = std::max(box.x0, 0); x < std::min(box.x1, picture.width); ++x) {
+            picture.At(x, y) = Over<1>(picture.At(x, y), sums);
+        }
+    }
+}
+
+}  // namespace testbed

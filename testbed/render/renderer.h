@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The one interface behind which pixels are made: counts of rectangles, and layers of triangles. Every implementation
+// gives the same pixels; the tests hold them equal.
+
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+
+#include "testbed/context/context.h"
+#include "testbed/render/counts.h"
+#include "testbed/render/image.h"
+#include "testbed/view/draw_list.h"
+
+namespace testbed {
+
+class Renderer {
+public:
+    virtual ~Renderer() = default;
+    /// How many rectangles cover each pixel's centre. At most 2^24 rectangles.
+    [[nodiscard]] virtual CountImage Count(std::span<const PixelRect> rects, int width, int height) = 0;
+    /// Fills `samples` (its size is the target's, in samples) with transparent black and draws the triangles in order.
+    virtual void Draw(std::span<const Triangle> triangles, Image& samples) = 0;
+    [[nodiscard]] virtual Backend GetBackend() const = 0;
+    /// GL_RENDERER, or "built in".
+    [[nodiscard]] virtual std::string GetName() const = 0;
+    /// GL_VERSION, or empty.
+    [[nodiscard]] virtual std::string GetVersion() const = 0;
+};
+
+/// Throws BackendError when the backend, or for `automatic` any GL backend, does not work here.
+[[nodiscard]] std::unique_ptr<Renderer> MakeRenderer(Backend backend, const ContextOptions& options = {});
+
+}  // namespace testbed

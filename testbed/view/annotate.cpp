@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Strips and bars at whole pixels.
+
+#include "testbed/view/annotate.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "testbed/render/composite.h"
+#include "testbed/render/font.h"
+
+namespace testbed {
+
+namespace {
+
+constexpr int fullScaleWidth = 1280;
+
+}  // namespace
+
+int GetLabelScale(int width) { return width >= fullScaleWidth ? 2 : 1; }
+
+int GetStripHeight(int lines, int scale) { return (lines * lineHeight + 4) * scale; }
+
+int FitScale(const std::string& text, int scale, int width) {
+    while (scale > 1 && GetTextWidth(text, scale) > width) --scale;
+    return scale;
+}
+
+void DrawColorBar(Image& image, const ColorBar& bar, int scale) {
+    const PixelBox& box = bar.box;
+    const int width = box.x1 - box.x0;
+    BlendRect(image, {box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1}, faintTextColor);
+    for (int x = 0; x < width; ++x) {
+        BlendRect(image, {box.x0 + x, box.y0, box.x0 + x + 1, box.y1}, bar.color((x + 0.5) / width));
+    }
+    std::vector<std::pair<int, int>> taken;
+    for (const BarMark& mark : bar.marks) {
+        const int x = box.x0 + static_cast<int>(mark.position * (width - 1) + 0.5);
+        BlendRect(image, {x, box.y1 - 3 * scale, x + scale, box.y1 + 2 * scale}, Color{255, 255, 255, 255});
+        const int textWidth = GetTextWidth(mark.text, scale);
+        const int left = std::clamp(x - textWidth / 2, box.x0, std::max(box.x0, box.x1 - textWidth));
+        const bool overlaps = std::any_of(taken.begin(), taken.end(), [&](const auto& range) {
+            return left < range.second + glyphAdvance * scale && range.first < left + textWidth + glyphAdvance * scale;
+        });
+        if (overlaps) continue;
+        DrawText(image, left, box.y1 + 3 * scale, mark.text, scale, textColor);
+        taken.emplace_back(left, left + textWidth);
+    }
+}
+
+}  // namespace testbed

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Camera arithmetic.
+
+#include "testbed/view/camera.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace testbed {
+
+namespace {
+
+constexpr double emptyAcross = 10.0;  // m shown when there is nothing to fit
+
+bool IsFinite(const Box& box) {
+    return std::isfinite(box.lower.x) && std::isfinite(box.lower.y) && std::isfinite(box.upper.x) &&
+           std::isfinite(box.upper.y);
+}
+
+/// All of `text` as one finite number.
+bool ParseNumber(std::string_view text, double& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
+}
+
+}  // namespace
+
+std::optional<CameraRequest> ParseCamera(std::string_view text) {
+    if (text == "fit") return std::nullopt;
+    CameraRequest request;
+    const size_t first = text.find(',');
+    const size_t second = first == std::string_view::npos ? first : text.find(',', first + 1);
+    if (second == std::string_view::npos || !ParseNumber(text.substr(0, first), request.x) ||
+        !ParseNumber(text.substr(first + 1, second - first - 1), request.y) ||
+        !ParseNumber(text.substr(second + 1), request.across) || request.across <= 0) {
+        throw std::invalid_argument("bad camera '" + std::string(text) +
+                                    "': use fit, or X,Y,M: the centre and the metres across, for example 0,50,120");
+    }
+    return request;
+}
+
+Camera MakeCamera(const CameraRequest& request, int width, int height) {
+    return {request.x, request.y, width / request.across, width, height, 0, 0};
+}
+
+Camera FitCamera(std::span<const Box> boxes, int width, int height, const Margins& margins) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double lowerX = infinity, lowerY = infinity, upperX = -infinity, upperY = -infinity;
+    for (const Box& box : boxes) {
+        if (!IsFinite(box)) continue;
+        lowerX = std::min(lowerX, static_cast<double>(box.lower.x));
+        lowerY = std::min(lowerY, static_cast<double>(box.lower.y));
+        upperX = std::max(upperX, static_cast<double>(box.upper.x));
+        upperY = std::max(upperY, static_cast<double>(box.upper.y));
+    }
+    const double innerWidth = std::max(1, width - margins.left - margins.right);
+    const double innerHeight = std::max(1, height - margins.top - margins.bottom);
+    Camera camera;
+    camera.width = width;
+    camera.height = height;
+    camera.offsetX = (margins.left - margins.right) * 0.5;
+    camera.offsetY = (margins.top - margins.bottom) * 0.5;
+    if (!(lowerX <= upperX)) {
+        camera.pixelsPerMetre = innerWidth / emptyAcross;
+        return camera;
+    }
+    camera.x = (lowerX + upperX) * 0.5;
+    camera.y = (lowerY + upperY) * 0.5;
+    // A point, or a line, has no size along an axis; the other axis then decides, or a default for both.
+    const double scaleX = upperX > lowerX ? innerWidth / (upperX - lowerX) : infinity;
+    const double scaleY = upperY > lowerY ? innerHeight / (upperY - lowerY) : infinity;
+    const double scale = std::min(scaleX, scaleY);
+    camera.pixelsPerMetre = std::isfinite(scale) ? scale : innerWidth / emptyAcross;
+    return camera;
+}
+
+Camera ScaleCamera(const Camera& camera, int width, int height) {
+    const double scale = static_cast<double>(width) / camera.width;
+    return {camera.x,
+            camera.y,
+            camera.pixelsPerMetre * scale,
+            width,
+            height,
+            camera.offsetX * scale,
+            camera.offsetY * scale};
+}
+
+PixelRect ProjectBox(const Box& box, double inflate, const Camera& camera) {
+    return {camera.ToPixelX(box.lower.x - inflate), camera.ToPixelY(box.upper.y + inflate),
+            camera.ToPixelX(box.upper.x + inflate), camera.ToPixelY(box.lower.y - inflate)};
+}
+
+}  // namespace testbed

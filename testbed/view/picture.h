@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Snapshots in, finished pictures out: what `scree overlap`, `scree render` and `scree metrics` call. Overlap is
+// counted first (how many selected tree nodes cover each pixel) and coloured after, so that a picture and its numbers
+// come from one pass. Includes no GL; the renderers behind it are chosen by Backend and agree pixel for pixel.
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "testbed/adapters/snapshot.h"
+#include "testbed/context/context.h"
+#include "testbed/render/image.h"
+#include "testbed/render/palette.h"
+#include "testbed/view/camera.h"
+#include "testbed/view/layers.h"
+#include "testbed/view/nodes.h"
+
+namespace testbed {
+
+struct PictureOptions {
+    int width = 1920, height = 1080;  ///< of a pane picture, 64…8192 pixels
+    NodeSelection nodes;
+    Style style = Style::alpha;
+    double opacity = 0.04;                ///< of one layer in the alpha style, 0 < a ≤ 1
+    std::optional<uint32_t> scaleMax;     ///< count at the colour scale's end; none: the largest of all panes
+    double querySize = 0;                 ///< every node grows by half of it on each side, m, ≥ 0
+    std::optional<CameraRequest> camera;  ///< none: fit
+    Layers layers = Layers::Bodies();     ///< drawn over the counts
+    int supersampling = 2;                ///< samples along a pixel's edge for the layers: 1, 2 or 4
+    bool labels = true;                   ///< title, numbers and colour bar
+};
+
+/// Throws std::invalid_argument with the option's command-line name for a value outside its range.
+void CheckOptions(const PictureOptions& options);
+
+/// Numbers of one count picture, over all its pixels.
+struct OverlapStats {
+    uint32_t max = 0;
+    double mean = 0;
+    uint32_t p99 = 0;    ///< smallest count that at least 99 % of the pixels do not exceed
+    int nodesDrawn = 0;  ///< selected nodes, those outside the picture included
+};
+
+struct OverlapCount {
+    CountImage counts;
+    OverlapStats stats;
+};
+
+/// The camera of a picture of these snapshots: `options.camera`, else fitted to the union of all their fixtures' boxes,
+/// with room for the labels.
+[[nodiscard]] Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options);
+
+/// Counts on the CPU, no GL: O(nodes + pixels). The same counts as PictureMaker's.
+[[nodiscard]] OverlapCount CountOverlap(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options);
+
+/// A snapshot to draw and what its label adds to scene, size, step, engine, broad phase, node count and overlap.
+struct PaneInput {
+    const Snapshot* snapshot = nullptr;
+    std::string note;  ///< for example "sibling overlap 0.012"; ASCII
+};
+
+struct OverlapPane {
+    std::string engine;
+    OverlapCount count;
+    Image image;  ///< width × height of the options
+};
+
+/// Signed difference of two panes: first minus second.
+struct DifferenceStats {
+    int64_t min = 0, max = 0;
+    double mean = 0;
+};
+
+struct OverlapResult {
+    Camera camera;
+    uint32_t scaleMax = 0;           ///< count at the end of the one scale of all panes
+    std::vector<OverlapPane> panes;  ///< in the order of the input
+    Image compare;                   ///< panes side by side, as wide as one pane picture; empty with one engine
+    Image difference;                ///< pane 0 minus pane 1, blue negative, red positive; empty with one engine
+    DifferenceStats differenceStats;
+};
+
+/// Wall time of each stage of the calls so far, ms.
+struct PictureTimes {
+    double counts = 0, layers = 0, colours = 0;
+};
+
+/// Owns a context and its renderers. Make one per process and use it for all pictures.
+class PictureMaker {
+public:
+    /// Throws BackendError.
+    explicit PictureMaker(Backend backend, const ContextOptions& contextOptions = {});
+    ~PictureMaker();
+    PictureMaker(PictureMaker&&) noexcept;
+    PictureMaker& operator=(PictureMaker&&) noexcept;
+
+    /// Backend in use (never `automatic`) and its GL strings ("built in" and "" for cpu).
+    [[nodiscard]] Backend GetBackend() const;
+    [[nodiscard]] std::string GetRendererName() const;
+    [[nodiscard]] std::string GetVersion() const;
+
+    /// One or two engines at one step. The difference is inputs[0] − inputs[1]: pass scree first.
+    /// Throws std::invalid_argument for another number of inputs or bad options.
+    [[nodiscard]] OverlapResult MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options);
+
+    /// The scene itself, no counts: `options.layers` over the plain background. An optional camera overrides the fit
+    /// (for animations, whose frames must share one).
+    [[nodiscard]] Image MakeRender(const PaneInput& input, const PictureOptions& options,
+                                   const std::optional<Camera>& camera = std::nullopt);
+
+    [[nodiscard]] const PictureTimes& GetTimes() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> m_implementation;
+};
+
+}  // namespace testbed

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A random world of boxes that is edited step by step beside a broad phase, and the plain rule that tells its true pairs.
+// Everything follows from a few numbers and a seed, so that RapidCheck can vary and shrink them.
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "broad_phase/broad_phase.h"
+
+namespace scree::test {
+
+struct TestFixture {
+    uint32_t fixture, body;
+    Motion motion;
+    AABB box;
+};
+
+/// How boxes are laid out.
+enum class Layout : int { spread, clusters, onePoint, line, grid, outlier, count };
+
+struct WorldShape {
+    Layout layout = Layout::spread;
+    int count = 100;
+    float staticShare = 0.2f;
+    float kinematicShare = 0.1f;
+    int fixturesPerBody = 1;
+    bool sparseIndices = false;  ///< fixture indices scattered over the whole range
+    uint32_t seed = 1;
+};
+
+class TestWorld {
+public:
+    explicit TestWorld(const WorldShape& shape);
+
+    /// Inserts the first boxes.
+    void Fill(BroadPhase& broadPhase);
+    /// Random updates, removals and insertions: `edits` of them. Statics are updated rarely.
+    void Edit(BroadPhase& broadPhase, int edits);
+    /// Moves every mover by a small random step.
+    void Drift(BroadPhase& broadPhase, float step);
+    void InsertOne(BroadPhase& broadPhase);
+    void RemoveOne(BroadPhase& broadPhase);
+
+    [[nodiscard]] AABB RandomBox();
+    [[nodiscard]] float Uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
+    [[nodiscard]] int Index(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
+
+    [[nodiscard]] const std::vector<TestFixture>& Fixtures() const { return m_fixtures; }
+    /// The true pairs by the rule of broad_phase.h, sorted.
+    [[nodiscard]] std::vector<Pair> TruePairs() const;
+    /// Those pairs whose tight boxes overlap, sorted.
+    [[nodiscard]] std::vector<Pair> TightOnly(const std::vector<Pair>& pairs) const;
+
+private:
+    [[nodiscard]] uint32_t NewFixtureIndex();
+
+    WorldShape m_shape;
+    std::mt19937 m_random;
+    std::vector<TestFixture> m_fixtures;
+    std::vector<uint32_t> m_freeIndices;
+    uint32_t m_nextIndex = 0, m_nextBody = 0;
+    Motion m_bodyMotion = Motion::dynamic;
+    int m_bodyFixturesLeft = 0;
+};
+
+/// Kinds that report exactly the tight pairs and keep a tree.
+inline constexpr BroadPhaseKind rebuiltTreeKinds[] = {
+    BroadPhaseKind::bvhBarycentre, BroadPhaseKind::bvhSah, BroadPhaseKind::global1, BroadPhaseKind::global2,
+    BroadPhaseKind::global3,       BroadPhaseKind::unified, BroadPhaseKind::keys};
+
+inline constexpr BroadPhaseKind allKinds[] = {
+    BroadPhaseKind::bruteForce, BroadPhaseKind::sweepAndPrune, BroadPhaseKind::bvhBarycentre, BroadPhaseKind::bvhSah,
+    BroadPhaseKind::fatTree,    BroadPhaseKind::global1,       BroadPhaseKind::global2,       BroadPhaseKind::global3,
+    BroadPhaseKind::unified,    BroadPhaseKind::keys,          BroadPhaseKind::automatic};
+
+/// A random shape of a world with up to `maxCount` boxes (inside rc::check only).
+WorldShape AnyWorldShape(int maxCount);
+
+[[nodiscard]] bool HasDuplicates(std::vector<Pair> pairs);
+
+}  // namespace scree::test

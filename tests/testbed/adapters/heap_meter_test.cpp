@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The meter sees what is allocated inside its calls and nothing else.
+
+#include "testbed/adapters/heap_meter.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+using namespace testbed;
+
+TEST(HeapMeter, CountsOnlyInsideItsCalls) {
+    auto probe = std::make_unique<char[]>(1000);
+    if (HeapBytesInUse() == 0) GTEST_SKIP() << "the C library's allocator is replaced (sanitizer)";
+    // Small enough for the heap, large enough for a mapping of its own: both must count.
+    for (const size_t size : {size_t{50'000}, size_t{5'000'000}}) {
+        HeapMeter meter;
+        std::unique_ptr<char[]> inside;
+        meter.Measure([&] { inside = std::make_unique<char[]>(size); });
+        const auto outside = std::make_unique<char[]>(size);
+        EXPECT_GE(meter.GetBytes(), static_cast<int64_t>(size));
+        // A block costs a header and at most one page of rounding.
+        EXPECT_LE(meter.GetBytes(), static_cast<int64_t>(size) + 2 * 4096);
+        meter.Measure([&] { inside.reset(); });
+        EXPECT_EQ(meter.GetBytes(), 0);
+    }
+}
