@@ -10,7 +10,8 @@ readonly SCREE_BUILD_PACKAGES=(
     libbox2d-dev                                          # the engine to compare with
     libosmesa6-dev libegl-dev libgl1-mesa-dri             # OpenGL without a screen, in software
     python3-glad                                          # generates the OpenGL loader at build time
-    libstb-dev libcli11-dev nlohmann-json3-dev libfmt-dev # PNG, command line, JSON, text
+    zlib1g-dev libstb-dev                                 # PNG, written and read
+    libcli11-dev nlohmann-json3-dev libfmt-dev            # command line, JSON, text
     gnuplot-nox                                           # timing plots
 )
 readonly SCREE_TEST_PACKAGES=(libgtest-dev librapidcheck-dev clang-format-14)

@@ -38,6 +38,7 @@ public:
     Box2dFollower(const scenes::Scene& scene, std::unique_ptr<EngineRun> source)
         : FollowingRun(scene, std::move(source)) {
         m_proxies.reserve(scene.fixtures.size());
+        m_bodyBegin.reserve(scene.bodies.size());
         Load();
     }
 

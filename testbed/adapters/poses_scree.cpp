@@ -46,6 +46,7 @@ public:
     ScreeFollower(const scenes::Scene& scene, scree::BroadPhaseKind kind, std::unique_ptr<EngineRun> source)
         : FollowingRun(scene, std::move(source)), m_kind(kind), m_broadPhase(scree::CreateBroadPhase(kind)) {
         m_shapes.reserve(scene.fixtures.size());
+        m_bodyBegin.reserve(scene.bodies.size());
         Load();
     }
 

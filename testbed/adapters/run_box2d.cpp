@@ -71,6 +71,7 @@ public:
     Box2dRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene) {
         m_bodies.reserve(scene.bodies.size());
         m_fixtures.reserve(scene.fixtures.size());
+        m_joints.reserve(scene.joints.size());
         Measure([&] {
             m_world = std::make_unique<b2World>(ToB2(scene.gravity));
             m_world->SetContinuousPhysics(options.continuous);

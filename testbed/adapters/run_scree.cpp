@@ -60,8 +60,8 @@ scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Sh
 scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& options) {
     const auto kind = scree::BroadPhaseFromName(options.broadPhase);
     if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
-    if (options.threads != 1) throw std::invalid_argument("scree: only one thread is supported yet");
-    if (options.continuous) throw std::invalid_argument("scree: continuous collision is not supported yet");
+    if (options.threads != 1) throw std::invalid_argument("the engine scree runs on one thread: use --threads 1");
+    if (options.continuous) throw std::invalid_argument("the engine scree has no continuous collision: leave out --continuous");
     scree::WorldDef def;
     def.gravity = ToScree(scene.gravity);
     def.broadPhase = *kind;
@@ -88,6 +88,7 @@ public:
         m_bodies.reserve(scene.bodies.size());
         m_fixtures.reserve(scene.fixtures.size());
         m_indexOf.reserve(scene.fixtures.size());
+        m_joints.reserve(scene.joints.size());
         Measure([&] {
             m_world = std::make_unique<scree::World>(def);
             m_world->SetErrorHandler(ThrowError, nullptr);

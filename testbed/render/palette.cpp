@@ -8,7 +8,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -46,11 +46,11 @@ Color Interpolate(const std::array<Color, count>& stops, double position) {
     return Mix(stops[index], stops[index + 1], scaled - static_cast<double>(index));
 }
 
-/// log2 of n ≥ 1, linear between powers of two: near enough for colours, and exact arithmetic on every machine.
-double ApproximateLog2(uint64_t n) {
-    const int exponent = static_cast<int>(std::bit_width(n)) - 1;
-    const auto power = static_cast<double>(uint64_t{1} << exponent);
-    return exponent + (static_cast<double>(n) / power - 1.0);
+/// log2 of x ≥ 1, linear between powers of two: near enough for colours, and exact arithmetic on every machine.
+double ApproximateLog2(double x) {
+    int exponent = 0;
+    const double mantissa = std::frexp(x, &exponent);  // 0.5 … 1
+    return (exponent - 1) + (mantissa * 2 - 1);
 }
 
 Color GetBandColor(uint32_t count, uint32_t scaleMax) {
@@ -102,12 +102,18 @@ std::vector<Color> MakePalette(Style style, double opacity, uint32_t scaleMax) {
                 break;
             case Style::log:
                 palette.push_back(
-                    Interpolate(heatStops, ApproximateLog2(count + 1) / ApproximateLog2(uint64_t{scaleMax} + 1)));
+                    Interpolate(heatStops, GetScalePosition(style, static_cast<double>(count), scaleMax)));
                 break;
         }
         uncovered *= 1.0 - opacity;
     }
     return palette;
+}
+
+double GetScalePosition(Style style, double count, uint32_t scaleMax) {
+    const double end = std::max(scaleMax, 1u);
+    const double clamped = std::clamp(count, 0.0, end);
+    return style == Style::log ? ApproximateLog2(clamped + 1) / ApproximateLog2(end + 1) : clamped / end;
 }
 
 Color GetDifferenceColor(int64_t value, int64_t scaleMax) {

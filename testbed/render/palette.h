@@ -28,6 +28,10 @@ inline constexpr Color backgroundColor{51, 51, 51, 255};
 /// alpha: background·(1 − a)^n + red·(1 − (1 − a)^n).
 [[nodiscard]] std::vector<Color> MakePalette(Style style, double opacity, uint32_t scaleMax);
 
+/// Where a count lies on a colour bar of this style, 0…1: the count's share of scaleMax, for log that of the
+/// logarithms.
+[[nodiscard]] double GetScalePosition(Style style, double count, uint32_t scaleMax);
+
 /// Colour of a signed difference: blue below 0, background at 0, red above; |value| ≥ scaleMax takes the end colour.
 [[nodiscard]] Color GetDifferenceColor(int64_t value, int64_t scaleMax);
 

@@ -49,6 +49,9 @@ struct OverlapStats {
     int nodesDrawn = 0;  ///< selected nodes, those outside the picture included
 };
 
+/// Numbers of any counts; O(pixels + largest count).
+[[nodiscard]] OverlapStats MeasureCounts(const CountImage& counts, int nodesDrawn);
+
 struct OverlapCount {
     CountImage counts;
     OverlapStats stats;

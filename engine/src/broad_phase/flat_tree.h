@@ -39,6 +39,8 @@ public:
 
     /// Makes room for `positions` boxes and forgets the old ones. Allocates only when there are more than ever before.
     void Reset(uint32_t positions);
+    /// Says how many of the positions were used.
+    void Trim(uint32_t positions) { m_size = positions; }
 
     [[nodiscard]] bool Empty() const { return nodes.empty(); }
     /// Positions in use.

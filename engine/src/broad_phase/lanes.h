@@ -3,7 +3,7 @@
 //
 // Four float lanes and boxes shaped for them: a box is kept as {lx, ly, −ux, −uy}, so that a union is one lane-wise
 // minimum and an overlap test one lane-wise "less or equal". SSE2 where the target has it, plain loops elsewhere; only
-// minimum, subtraction and comparison are used, so both give the same bits.
+// minimum, maximum, sum, difference and comparison are used, so both give the same bits.
 
 #pragma once
 
@@ -26,6 +26,8 @@ inline F4 Load4(const float* p) { return _mm_loadu_ps(p); }
 inline void Store4(float* p, F4 v) { _mm_storeu_ps(p, v); }
 inline F4 Splat4(float v) { return _mm_set1_ps(v); }
 inline F4 Min4(F4 a, F4 b) { return _mm_min_ps(a, b); }
+inline F4 Max4(F4 a, F4 b) { return _mm_max_ps(a, b); }
+inline F4 Add4(F4 a, F4 b) { return _mm_add_ps(a, b); }
 inline F4 Sub4(F4 a, F4 b) { return _mm_sub_ps(a, b); }
 /// Lanes {2, 3, 0, 1}.
 inline F4 SwapHalves4(F4 v) { return _mm_shuffle_ps(v, v, _MM_SHUFFLE(1, 0, 3, 2)); }
@@ -37,6 +39,21 @@ inline uint32_t MaskAllLessEqual4(const F4 (&a)[4], const F4 (&b)[4]) {
     const F4 x = _mm_and_ps(_mm_cmple_ps(a[0], b[0]), _mm_cmple_ps(a[2], b[2]));
     const F4 y = _mm_and_ps(_mm_cmple_ps(a[1], b[1]), _mm_cmple_ps(a[3], b[3]));
     return static_cast<uint32_t>(_mm_movemask_ps(_mm_and_ps(x, y)));
+}
+
+/// The lanes set in a mask, first ones first, and how many they are.
+struct LaneList {
+    uint32_t lanes[4];
+    uint32_t count;
+};
+
+/// Writes `value` and `base + lane` for each lane set in `mask` without a branch; four places must be free in both
+/// arrays. Returns how many count.
+inline uint32_t EmitLanes(const LaneList& list, uint32_t value, uint32_t base, uint32_t* values, uint32_t* positions) {
+    const __m128i lanes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(list.lanes));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(positions), _mm_add_epi32(lanes, _mm_set1_epi32(static_cast<int>(base))));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(values), _mm_set1_epi32(static_cast<int>(value)));
+    return list.count;
 }
 
 #else
@@ -52,6 +69,14 @@ inline void Store4(float* p, F4 a) {
 inline F4 Splat4(float x) { return {{x, x, x, x}}; }
 inline F4 Min4(F4 a, F4 b) {
     for (int i = 0; i < 4; ++i) a.v[i] = a.v[i] < b.v[i] ? a.v[i] : b.v[i];
+    return a;
+}
+inline F4 Max4(F4 a, F4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
+    return a;
+}
+inline F4 Add4(F4 a, F4 b) {
+    for (int i = 0; i < 4; ++i) a.v[i] += b.v[i];
     return a;
 }
 inline F4 Sub4(F4 a, F4 b) {
@@ -70,7 +95,26 @@ inline uint32_t MaskAllLessEqual4(const F4 (&a)[4], const F4 (&b)[4]) {
            MaskLessEqual4(a[3], b[3]);
 }
 
+struct LaneList {
+    uint32_t lanes[4];
+    uint32_t count;
+};
+
+inline uint32_t EmitLanes(const LaneList& list, uint32_t value, uint32_t base, uint32_t* values, uint32_t* positions) {
+    for (uint32_t i = 0; i < 4; ++i) {
+        positions[i] = base + list.lanes[i];
+        values[i] = value;
+    }
+    return list.count;
+}
+
 #endif
+
+/// By mask.
+inline constexpr LaneList laneLists[16] = {
+    {{0, 0, 0, 0}, 0}, {{0, 0, 0, 0}, 1}, {{1, 0, 0, 0}, 1}, {{0, 1, 0, 0}, 2}, {{2, 0, 0, 0}, 1}, {{0, 2, 0, 0}, 2},
+    {{1, 2, 0, 0}, 2}, {{0, 1, 2, 0}, 3}, {{3, 0, 0, 0}, 1}, {{0, 3, 0, 0}, 2}, {{1, 3, 0, 0}, 2}, {{0, 1, 3, 0}, 3},
+    {{2, 3, 0, 0}, 2}, {{0, 2, 3, 0}, 3}, {{1, 2, 3, 0}, 3}, {{0, 1, 2, 3}, 4}};
 
 /// A box with its upper corner negated.
 struct Bounds {

@@ -16,7 +16,7 @@ struct ContactSample {
 };
 
 /// Normal, point and separation of one manifold point at the present poses.
-ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA, const Transform& xfB, int index) {
+[[gnu::always_inline]] inline ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA, const Transform& xfB, int index) {
     ContactSample out;
     switch (row.type) {
         case Manifold::e_circles: {
@@ -44,7 +44,7 @@ ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA, cons
     }
 }
 
-Transform PlaceBody(const Position& position, Vec2 localCenter) {
+inline Transform PlaceBody(const Position& position, Vec2 localCenter) {
     Transform xf;
     xf.q.Set(position.a);
     xf.p = position.c - Mul(xf.q, localCenter);

@@ -21,22 +21,38 @@ struct FaceQuery {
     float separation;
 };
 
+/// The largest of four, the first of several.
+FaceQuery Largest(Float4 values) {
+    const FaceQuery low = values[1] > values[0] ? FaceQuery{1, values[1]} : FaceQuery{0, values[0]};
+    const FaceQuery high = values[3] > values[2] ? FaceQuery{3, values[3]} : FaceQuery{2, values[2]};
+    return high.separation > low.separation ? high : low;
+}
+
+/// How deep the deepest of the vertices lies behind each of four faces (negative: behind).
+Float4 DeepestVertex(const PolygonShape& polygon, Vec2x4 faceNormals, Vec2x4 faceCorners) {
+    Float4 deepest = Splat(FLT_MAX);
+    for (int first = 0; first < polygon.m_count; first += 4) {
+        // Vertex 0 in the lanes beyond the count changes no minimum.
+        const int used = polygon.m_count - first;
+        const Vec2x4 v = FillFrom(LoadVec2x4(polygon.m_vertices + first), used, polygon.m_vertices[0]);
+        const Float4 d0 = Dot(faceNormals, Lane<0>(v) - faceCorners);
+        const Float4 d1 = Dot(faceNormals, Lane<1>(v) - faceCorners);
+        const Float4 d2 = Dot(faceNormals, Lane<2>(v) - faceCorners);
+        const Float4 d3 = Dot(faceNormals, Lane<3>(v) - faceCorners);
+        deepest = Min(deepest, Min(Min(d0, d1), Min(d2, d3)));
+    }
+    return deepest;
+}
+
 /// `toOther` maps the polygon's frame to the other's.
 FaceQuery FindMaxSeparation(const PolygonShape& polygon, const PolygonShape& other, const Transform& toOther) {
     FaceQuery best{0, -FLT_MAX};
     for (int first = 0; first < polygon.m_count; first += 4) {
-        // Lanes beyond the count hold unused array elements; they are computed and ignored.
         const Vec2x4 normals = Mul(toOther.q, LoadVec2x4(polygon.m_normals + first));
         const Vec2x4 corners = Mul(toOther, LoadVec2x4(polygon.m_vertices + first));
-        Float4 deepest = Splat(FLT_MAX);
-        for (int j = 0; j < other.m_count; ++j) {
-            const Vec2 v = other.m_vertices[j];
-            deepest = Min(Dot(normals, Vec2x4{v.x - corners.x, v.y - corners.y}), deepest);
-        }
-        const int used = polygon.m_count - first < 4 ? polygon.m_count - first : 4;
-        for (int lane = 0; lane < used; ++lane) {
-            if (deepest[lane] > best.separation) best = {first + lane, deepest[lane]};
-        }
+        const Float4 separations = DeepestVertex(other, normals, corners);
+        const FaceQuery found = Largest(FillFrom(separations, polygon.m_count - first, -FLT_MAX));
+        if (found.separation > best.separation) best = {first + found.face, found.separation};
     }
     return best;
 }

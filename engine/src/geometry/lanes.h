@@ -35,6 +35,23 @@ inline Vec2x4 Mul(const Transform& t, Vec2x4 v) {
     return {(t.q.c * v.x - t.q.s * v.y) + t.p.x, (t.q.s * v.x + t.q.c * v.y) + t.p.y};
 }
 inline Float4 Dot(Vec2x4 a, Vec2x4 b) { return a.x * b.x + a.y * b.y; }
+inline Vec2x4 operator-(Vec2x4 a, Vec2x4 b) { return {a.x - b.x, a.y - b.y}; }
 inline Float4 Min(Float4 a, Float4 b) { return a < b ? a : b; }
+
+/// Vector `I` of the four, in every lane.
+template <int I>
+Vec2x4 Lane(Vec2x4 v) {
+    return {__builtin_shufflevector(v.x, v.x, I, I, I, I), __builtin_shufflevector(v.y, v.y, I, I, I, I)};
+}
+
+/// The first `used` lanes of `values`, then `filler`; four or more used lanes pass unchanged.
+inline Float4 FillFrom(Float4 values, int used, float filler) {
+    if (used >= 4) return values;
+    for (int lane = 0; lane < 4; ++lane) values[lane] = lane < used ? values[lane] : filler;
+    return values;
+}
+inline Vec2x4 FillFrom(Vec2x4 v, int used, Vec2 filler) {
+    return {FillFrom(v.x, used, filler.x), FillFrom(v.y, used, filler.y)};
+}
 
 }  // namespace scree

@@ -79,7 +79,7 @@ SinCosResult SinCos(float angle) {
     const double r = reduced.remainder;
     const double z = r * r;
     const double z2 = z * z;
-    const auto sine = static_cast<float>(r + r * z * ((s0 + s1 * z) + z2 * (s2 + s3 * z)));
+    const auto sine = static_cast<float>(r * (1.0 + z * ((s0 + s1 * z) + z2 * (s2 + s3 * z))));
     const auto cosine = static_cast<float>((1.0 - 0.5 * z) + z2 * ((c0 + c1 * z) + z2 * c2));
     // Odd quadrants swap the two; the second and third negate the sine, the first and second the cosine.
     const uint32_t q = reduced.quadrant;

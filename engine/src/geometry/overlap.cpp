@@ -30,7 +30,8 @@ void FillCore(const Shape& shape, const Transform& xf, Core& core) {
             core.count = 1;
             break;
         case Shape::e_edge:
-            core.storage = {static_cast<const EdgeShape&>(shape).m_vertex1, static_cast<const EdgeShape&>(shape).m_vertex2};
+            core.storage = {static_cast<const EdgeShape&>(shape).m_vertex1,
+                            static_cast<const EdgeShape&>(shape).m_vertex2};
             core.count = 2;
             break;
         default:

@@ -8,31 +8,13 @@
 
 #include "testbed/adapters/pair_count.h"
 #include "tests/testbed/adapters/run_checks.h"
+#include "tests/testbed/adapters/scene_builder.h"
 
 using namespace testbed;
 
 namespace {
 
 std::unique_ptr<EngineRun> Make(const scenes::Scene& scene) { return MakeBox2dRun(scene, {}); }
-
-/// A box of 1 m on a wide ground, touching it.
-scenes::Scene RestingBox() {
-    scenes::Scene scene;
-    scene.name = "resting-box";
-    scenes::Body ground, box;
-    ground.fixtureCount = 1;
-    box.type = scenes::BodyType::dynamic;
-    box.position = {0.0f, 1.5f};
-    box.firstFixture = 1;
-    box.fixtureCount = 1;
-    scenes::Fixture groundFixture, boxFixture;
-    groundFixture.shape = {.type = scenes::ShapeType::box, .halfExtents = {20.0f, 1.0f}};
-    boxFixture.shape = {.type = scenes::ShapeType::box, .halfExtents = {0.5f, 0.5f}};
-    boxFixture.density = 1.0f;
-    scene.bodies = {ground, box};
-    scene.fixtures = {groundFixture, boxFixture};
-    return scene;
-}
 
 }  // namespace
 
@@ -54,7 +36,7 @@ TEST(Box2dRun, SpawnsEnterAfterTheirStep) {
 }
 
 TEST(Box2dRun, RestingBoxCarriesItsWeight) {
-    const auto run = Make(RestingBox());
+    const auto run = Make(checks::RestingBox());
     for (int i = 0; i < 60; ++i) run->Step();
     Snapshot s;
     run->Capture(s);
@@ -84,23 +66,7 @@ TEST(Box2dRun, ReportedPairsAreASupersetOfTheTrueOnes) {
 }
 
 TEST(Box2dRun, ContinuousCollisionFollowsTheOption) {
-    // A fast bullet against a thin wall: only the continuous run stops it.
-    scenes::Scene scene;
-    scene.gravity = {0.0f, 0.0f};
-    scenes::Body wall, bullet;
-    wall.fixtureCount = 1;
-    bullet.type = scenes::BodyType::dynamic;
-    bullet.bullet = true;
-    bullet.position = {-5.0f, 0.0f};
-    bullet.linearVelocity = {100.0f, 0.0f};
-    bullet.firstFixture = 1;
-    bullet.fixtureCount = 1;
-    scenes::Fixture wallFixture, bulletFixture;
-    wallFixture.shape = {.type = scenes::ShapeType::box, .halfExtents = {0.05f, 5.0f}};
-    bulletFixture.shape = {.type = scenes::ShapeType::circle, .radius = 0.1f};
-    bulletFixture.density = 1.0f;
-    scene.bodies = {wall, bullet};
-    scene.fixtures = {wallFixture, bulletFixture};
+    const scenes::Scene scene = checks::BulletAndWall();
     for (const bool continuous : {false, true}) {
         RunOptions options;
         options.continuous = continuous;
@@ -144,7 +110,7 @@ TEST(Box2dRun, PartsLeftOutAreEmpty) {
     run->Step();
     Snapshot full, bare;
     run->Capture(full);
-    run->Capture(bare);
+    run->Capture(bare);  // the next capture must clear these
     run->Capture(bare, {.fixtures = false, .contacts = false, .joints = false, .nodes = false});
     EXPECT_TRUE(bare.fixtures.empty() && bare.contacts.empty() && bare.joints.empty() && bare.nodes.empty());
     EXPECT_EQ(bare.bodies.size(), full.bodies.size());

@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The walk with candidate sets and its kernels: tree in, pairs out. The kernels are not inlined and keep their pointers
+// and counts in locals, which the compiler otherwise spills in the recursion around them.
+
+#include "broad_phase/keys_detect.h"
+
+#include <algorithm>
+
+#include "broad_phase/keys_build.h"
+
+namespace scree::broadphase {
+namespace {
+
+/// Candidates are tested against a leaf in blocks, so that the hits stay in the first-level cache.
+constexpr uint32_t hitBlock = 2048;
+/// A store of four lanes writes beyond the last hit.
+constexpr uint32_t hitSlack = 4;
+
+struct Hits {
+    uint32_t* first;
+    uint32_t* second;
+};
+
+struct Lanes {
+    const float* lane[4];
+
+    explicit Lanes(const FlatTree& tree) : lane{tree.Lane(0), tree.Lane(1), tree.Lane(2), tree.Lane(3)} {}
+
+    /// Which of the boxes at position … position + 3 overlap the box whose probe lanes are given.
+    [[nodiscard]] uint32_t RowMask(uint32_t position, const F4 (&probe)[4]) const {
+        const F4 row[4] = {Load4(lane[0] + position), Load4(lane[1] + position), Load4(lane[2] + position),
+                           Load4(lane[3] + position)};
+        return MaskAllLessEqual4(row, probe);
+    }
+};
+
+/// The probe of a box, each component in all four lanes of its own register.
+struct SplatProbe {
+    F4 lane[4];
+
+    explicit SplatProbe(const Bounds& b) : lane{Splat4(-b.nux), Splat4(-b.nuy), Splat4(-b.lx), Splat4(-b.ly)} {}
+};
+
+/// All pairs inside positions [first, end), rows of four; returns the number of hits.
+__attribute__((noinline)) uint32_t TestInside(const FlatTree& tree, uint32_t first, uint32_t count, Hits hits) {
+    // Lanes behind lane i of the row that holds box i itself.
+    constexpr uint32_t behind[4] = {14, 12, 8, 0};
+    const Lanes lanes(tree);
+    uint32_t* outFirst = hits.first;
+    uint32_t* outSecond = hits.second;
+    const uint32_t end = first + count;
+    uint32_t found = 0;
+    for (uint32_t i = first; i < end; ++i) {
+        const SplatProbe probe(tree.Box(i));
+        uint32_t row = i & ~(leafRow - 1);
+        uint32_t mask = lanes.RowMask(row, probe.lane) & behind[i & (leafRow - 1)];
+        found += EmitLanes(laneLists[mask], i, row, outFirst + found, outSecond + found);
+        for (row += leafRow; row < end; row += leafRow) {
+            mask = lanes.RowMask(row, probe.lane);
+            found += EmitLanes(laneLists[mask], i, row, outFirst + found, outSecond + found);
+        }
+    }
+    return found;
+}
+
+/// Pairs of `candidateCount` boxes and the positions [first, end); a hit's first is the index among the candidates.
+__attribute__((noinline)) uint32_t TestCandidates(const FlatTree& tree, const TreeNode& leaf, const Bounds* candidates,
+                                                  uint32_t candidateCount, Hits hits) {
+    const Lanes lanes(tree);
+    uint32_t* outFirst = hits.first;
+    uint32_t* outSecond = hits.second;
+    const uint32_t first = leaf.first, end = leaf.first + leaf.count;
+    uint32_t found = 0;
+    for (uint32_t c = 0; c < candidateCount; ++c) {
+        const SplatProbe probe(candidates[c]);
+        for (uint32_t row = first; row < end; row += leafRow) {
+            const uint32_t mask = lanes.RowMask(row, probe.lane);
+            found += EmitLanes(laneLists[mask], c, row, outFirst + found, outSecond + found);
+        }
+    }
+    return found;
+}
+
+/// Positions of the boxes in [first, first + count) that overlap `box`, written to `out`; returns how many.
+__attribute__((noinline)) uint32_t ScanRange(const FlatTree& tree, const TreeNode& range, const Bounds& box, Hits out) {
+    const Lanes lanes(tree);
+    const SplatProbe probe(box);
+    uint32_t* outFirst = out.first;
+    uint32_t* outSecond = out.second;
+    const uint32_t end = range.first + range.count;
+    uint32_t found = 0;
+    for (uint32_t row = range.first; row < end; row += leafRow) {
+        const uint32_t mask = lanes.RowMask(row, probe.lane);
+        found += EmitLanes(laneLists[mask], 0, row, outFirst, outSecond + found);
+    }
+    return found;
+}
+
+__attribute__((noinline)) void EmitPairs(const ItemId* firstIds, const ItemId* secondIds, Hits hits, uint32_t count,
+                                         PairSink& sink) {
+    const uint32_t* first = hits.first;
+    const uint32_t* second = hits.second;
+    Pair* out = sink.Reserve(count + 1);
+    size_t kept = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const ItemId a = firstIds[first[i]];
+        const ItemId b = secondIds[second[i]];
+        out[kept] = {std::min(a.fixture, b.fixture), std::max(a.fixture, b.fixture)};
+        kept += a.group != b.group ? 1 : 0;
+    }
+    sink.Commit(kept);
+}
+
+/// Two stacks of candidates side by side: where sets are read from and written to.
+struct CandidateArrays {
+    Bounds* boxes;
+    ItemId* ids;
+};
+
+/// Copies those of the candidates that overlap box 1 to `out1` and those that overlap box 2 to `out2`.
+__attribute__((noinline)) std::pair<uint32_t, uint32_t> FilterForBoth(CandidateArrays in, uint32_t count,
+                                                                      const TreeNode* children, CandidateArrays out1,
+                                                                      CandidateArrays out2) {
+    const F4 probe1 = ProbeOf(Load(children[0].box));
+    const F4 probe2 = ProbeOf(Load(children[1].box));
+    uint32_t kept1 = 0, kept2 = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+        const F4 box = Load(in.boxes[i]);
+        const ItemId id = in.ids[i];
+        Store(out1.boxes[kept1], box);
+        out1.ids[kept1] = id;
+        kept1 += Overlaps(box, probe1) ? 1 : 0;
+        Store(out2.boxes[kept2], box);
+        out2.ids[kept2] = id;
+        kept2 += Overlaps(box, probe2) ? 1 : 0;
+    }
+    return {kept1, kept2};
+}
+
+}  // namespace
+
+/// One walk. `self`: boxes of the tree pair with each other too, not only with the candidates.
+template <bool self>
+struct KeysWalk {
+    const FlatTree& tree;
+    KeysDetector& buffers;
+    PairSink& sink;
+    uint64_t boxTests = 0;
+
+    [[nodiscard]] CandidateArrays At(uint32_t index) const {
+        return {buffers.m_boxes.data() + index, buffers.m_ids.data() + index};
+    }
+    [[nodiscard]] Hits HitArrays() const { return {buffers.m_hitsFirst.data(), buffers.m_hitsSecond.data()}; }
+
+    void ReserveCandidates(size_t count) {
+        if (buffers.m_boxes.size() >= count) return;
+        buffers.m_boxes.resize(2 * count);
+        buffers.m_ids.resize(2 * count);
+    }
+    void ReserveHits(size_t count) {
+        if (buffers.m_hitsFirst.size() >= count) return;
+        buffers.m_hitsFirst.resize(2 * count);
+        // The odd part keeps both arrays from starting at the same page offset.
+        buffers.m_hitsSecond.resize(2 * count + 208);
+    }
+
+    void Recurse(const TreeNode& node, uint32_t firstCandidate, uint32_t count) {
+        if (node.IsLeaf()) {
+            FinishLeaf(node, firstCandidate, count);
+            return;
+        }
+        const TreeNode* children = &tree.nodes[node.child];
+        const uint32_t small = children[0].count <= children[1].count ? 0 : 1;
+        // The set of the smaller child lies below that of the larger one, which is used first and then given up.
+        const uint32_t top = firstCandidate + count;
+        const uint32_t largeTop = top + count + 1;
+        ReserveCandidates(largeTop + count + 1 + (self ? children[small].count : 0));
+        uint32_t smallCount = 0, largeCount = 0;
+        if (count > 0) {
+            const auto [kept0, kept1] = FilterForBoth(At(firstCandidate), count, children, At(small == 0 ? top : largeTop),
+                                                      At(small == 0 ? largeTop : top));
+            smallCount = small == 0 ? kept0 : kept1;
+            largeCount = small == 0 ? kept1 : kept0;
+            boxTests += 2 * count;
+        }
+        if constexpr (self) largeCount += HandOver(children[small], children[1 - small], largeTop + largeCount);
+        if (self || largeCount > 0) Recurse(children[1 - small], largeTop, largeCount);
+        if (self || smallCount > 0) Recurse(children[small], top, smallCount);
+    }
+
+    /// Puts the boxes of `from` that overlap the node `to` on the stack.
+    uint32_t HandOver(const TreeNode& from, const TreeNode& to, uint32_t top) {
+        ++boxTests;
+        if (!Overlaps(Load(from.box), ProbeOf(Load(to.box)))) return 0;
+        ReserveHits(from.count + hitSlack);
+        boxTests += from.count;
+        const Hits hits = HitArrays();
+        const uint32_t found = ScanRange(tree, from, to.box, hits);
+        const CandidateArrays out = At(top);
+        const ItemId* ids = tree.Ids();
+        for (uint32_t i = 0; i < found; ++i) {
+            out.boxes[i] = tree.Box(hits.second[i]);
+            out.ids[i] = ids[hits.second[i]];
+        }
+        return found;
+    }
+
+    void FinishLeaf(const TreeNode& leaf, uint32_t firstCandidate, uint32_t count) {
+        const uint32_t width = (leaf.count + leafRow - 1) / leafRow * leafRow;
+        ReserveHits(std::max<size_t>(static_cast<size_t>(leaf.count) * width, hitBlock) + hitSlack);
+        const Hits hits = HitArrays();
+        if constexpr (self) {
+            const uint32_t found = TestInside(tree, leaf.first, leaf.count, hits);
+            EmitPairs(tree.Ids(), tree.Ids(), hits, found, sink);
+            boxTests += leaf.count * width / 2;
+        }
+        const uint32_t block = std::max(1u, hitBlock / width);
+        boxTests += static_cast<uint64_t>(count) * width;
+        for (uint32_t done = 0; done < count; done += block) {
+            const CandidateArrays candidates = At(firstCandidate + done);
+            const uint32_t found = TestCandidates(tree, leaf, candidates.boxes, std::min(block, count - done), hits);
+            EmitPairs(candidates.ids, tree.Ids(), hits, found, sink);
+        }
+    }
+};
+
+uint64_t KeysDetector::DetectSelf(const FlatTree& tree, const ProxyStore& store, SlotRange outside, PairSink& sink) {
+    if (tree.Empty()) return 0;
+    KeysWalk<true> walk{tree, *this, sink};
+    walk.ReserveCandidates(outside.count);
+    for (uint32_t i = 0; i < outside.count; ++i) {
+        m_boxes[i] = ToBounds(store.Box(outside.first + i));
+        m_ids[i] = store.Id(outside.first + i);
+    }
+    walk.Recurse(tree.nodes[0], 0, outside.count);
+    return walk.boxTests;
+}
+
+uint64_t KeysDetector::DetectBetween(const FlatTree& batch, const FlatTree& tree, PairSink& sink) {
+    if (batch.Empty() || tree.Empty()) return 0;
+    KeysWalk<false> walk{tree, *this, sink};
+    walk.ReserveCandidates(batch.Size());
+    // All positions of the batch, in its leaf order; padding overlaps nothing and goes with the first filter.
+    for (uint32_t i = 0; i < batch.Size(); ++i) {
+        m_boxes[i] = batch.Box(i);
+        m_ids[i] = batch.Ids()[i];
+    }
+    walk.Recurse(tree.nodes[0], 0, batch.Size());
+    return walk.boxTests;
+}
+
+size_t KeysDetector::GetMemoryBytes() const {
+    return m_boxes.capacity() * sizeof(Bounds) + m_ids.capacity() * sizeof(ItemId) +
+           (m_hitsFirst.capacity() + m_hitsSecond.capacity()) * sizeof(uint32_t);
+}
+
+}  // namespace scree::broadphase

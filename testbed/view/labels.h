@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The words and numbers on overlap pictures, and where they stand: a strip above and one below a pane, captions and a
+// common colour bar under a comparison.
+
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "testbed/render/palette.h"
+#include "testbed/view/camera.h"
+#include "testbed/view/picture.h"
+
+namespace testbed {
+
+/// Space that the strips of a picture take, and a small margin around the bodies.
+[[nodiscard]] Margins GetPictureMargins(const PictureOptions& options);
+
+/// "tiles   size 200   step 90".
+[[nodiscard]] std::string MakeTitle(const Snapshot& snapshot);
+/// "scree   unified   22101 bodies".
+[[nodiscard]] std::string MakeEngineText(const Snapshot& snapshot);
+/// "22100 internal nodes".
+[[nodiscard]] std::string MakeNodesText(const OverlapStats& stats, const PictureOptions& options);
+/// "overlap max 12   mean 3.40   p99 9   sibling overlap 0.01".
+[[nodiscard]] std::string MakeStatsText(const OverlapStats& stats, const std::string& note);
+
+/// A strip along the picture's upper edge with one line: `left` at its left end, `right` at its right end.
+void DrawHeader(Image& image, const std::string& left, const std::string& right);
+
+/// The strip along the lower edge of an overlap pane: numbers and colour bar.
+void DrawPaneFooter(Image& image, const OverlapPane& pane, const std::string& note, uint32_t scaleMax,
+                    const PictureOptions& options);
+
+/// The strip along the lower edge of a difference picture.
+void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, const std::string& firstName,
+                          const std::string& secondName);
+
+/// Puts two pane pictures of one size side by side under a title, with captions and the common colour bar.
+[[nodiscard]] Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane> panes,
+                                std::span<const Image> pictures, uint32_t scaleMax, const PictureOptions& options);
+
+/// Pixels between the two panes of a comparison.
+inline constexpr int compareGap = 8;
+
+}  // namespace testbed

@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The order of the work: camera, counts, colours, layers, words.
+
+#include "testbed/view/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <stdexcept>
+
+#include "testbed/render/composite.h"
+#include "testbed/render/font.h"
+#include "testbed/render/renderer.h"
+#include "testbed/view/labels.h"
+#include "testbed/view/scene_layers.h"
+
+namespace testbed {
+
+namespace {
+
+constexpr int minSize = 64, maxSize = 8192;       // pixels
+constexpr int maxSamples = 16384;                 // the largest texture that Mesa's software rasteriser takes
+constexpr uint32_t maxScale = uint32_t{1} << 24;  // counts are exact up to here
+
+/// Adds the time from its birth to its end to a total, ms.
+class Timer {
+public:
+    explicit Timer(double& total) : m_total(total), m_start(std::chrono::steady_clock::now()) {}
+    ~Timer() {
+        m_total += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - m_start).count();
+    }
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+private:
+    double& m_total;
+    std::chrono::steady_clock::time_point m_start;
+};
+
+std::vector<PixelRect> ProjectNodes(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options) {
+    std::vector<PixelRect> rects;
+    for (const Box& box : SelectBoxes(snapshot, options.nodes)) {
+        rects.push_back(ProjectBox(box, options.querySize * 0.5, camera));
+    }
+    return rects;
+}
+
+DifferenceStats MeasureDifference(const CountImage& first, const CountImage& second) {
+    DifferenceStats stats;
+    int64_t sum = 0;
+    for (size_t i = 0; i < first.counts.size(); ++i) {
+        const int64_t value = static_cast<int64_t>(first.counts[i]) - static_cast<int64_t>(second.counts[i]);
+        stats.min = std::min(stats.min, value);
+        stats.max = std::max(stats.max, value);
+        sum += value;
+    }
+    if (!first.counts.empty()) stats.mean = static_cast<double>(sum) / static_cast<double>(first.counts.size());
+    return stats;
+}
+
+}  // namespace
+
+void CheckOptions(const PictureOptions& options) {
+    const auto check = [](bool isGood, const std::string& message) {
+        if (!isGood) throw std::invalid_argument(message);
+    };
+    check(
+        options.width >= minSize && options.width <= maxSize && options.height >= minSize && options.height <= maxSize,
+        fmt::format("--image {}x{}: each side is {} to {} pixels", options.width, options.height, minSize, maxSize));
+    check(options.opacity > 0 && options.opacity <= 1,
+          fmt::format("--opacity {}: more than 0, at most 1", options.opacity));
+    check(!options.scaleMax || (*options.scaleMax >= 1 && *options.scaleMax <= maxScale),
+          fmt::format("--scale-max {}: auto, or 1 to {}", options.scaleMax.value_or(0), maxScale));
+    check(std::isfinite(options.querySize) && options.querySize >= 0,
+          fmt::format("--query-size {}: metres, 0 or more", options.querySize));
+    check(!options.camera || (options.camera->across > 0 && std::isfinite(options.camera->across)),
+          "--camera X,Y,M: M, the metres across, is more than 0");
+    const int factor = options.supersampling;
+    check(factor == 1 || factor == 2 || factor == 4, fmt::format("supersampling {}: 1, 2 or 4", factor));
+    check(std::max(options.width, options.height) * factor <= maxSamples,
+          fmt::format("--image {}x{} with supersampling {}: at most {} samples on a side", options.width,
+                      options.height, factor, maxSamples));
+}
+
+OverlapStats MeasureCounts(const CountImage& counts, int nodesDrawn) {
+    OverlapStats stats;
+    stats.nodesDrawn = nodesDrawn;
+    if (counts.counts.empty()) return stats;
+    stats.max = *std::max_element(counts.counts.begin(), counts.counts.end());
+    std::vector<size_t> histogram(static_cast<size_t>(stats.max) + 1, 0);
+    uint64_t sum = 0;
+    for (const uint32_t count : counts.counts) {
+        ++histogram[count];
+        sum += count;
+    }
+    const size_t pixels = counts.counts.size();
+    stats.mean = static_cast<double>(sum) / static_cast<double>(pixels);
+    const size_t wanted = pixels - pixels / 100;  // at least 99 % of the pixels
+    size_t reached = 0;
+    while ((reached += histogram[stats.p99]) < wanted) ++stats.p99;
+    return stats;
+}
+
+Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options) {
+    if (options.camera) return MakeCamera(*options.camera, options.width, options.height);
+    std::vector<Box> boxes;
+    for (const Snapshot* snapshot : snapshots) {
+        for (const FixtureState& fixture : snapshot->fixtures) boxes.push_back(fixture.tight);
+    }
+    return FitCamera(boxes, options.width, options.height, GetPictureMargins(options));
+}
+
+OverlapCount CountOverlap(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options) {
+    const std::vector<PixelRect> rects = ProjectNodes(snapshot, camera, options);
+    OverlapCount result{CountRects(rects, camera.width, camera.height), {}};
+    result.stats = MeasureCounts(result.counts, static_cast<int>(rects.size()));
+    return result;
+}
+
+struct PictureMaker::Implementation {
+    std::unique_ptr<Renderer> renderer;
+    PictureTimes times;
+    Image samples;
+
+    CountImage Count(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options) {
+        const Timer timer(times.counts);
+        return renderer->Count(ProjectNodes(snapshot, camera, options), camera.width, camera.height);
+    }
+
+    void AddLayers(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options, Image& picture) {
+        const Timer timer(times.layers);
+        const DrawList list = BuildDrawList(snapshot, camera, options.layers, options.nodes, options.supersampling);
+        const int width = camera.width * list.supersampling, height = camera.height * list.supersampling;
+        if (samples.width != width || samples.height != height) samples = Image(width, height, Color{0, 0, 0, 0});
+        renderer->Draw(list.triangles, samples);
+        CompositeSamples(samples, list.supersampling, picture);
+        for (const TextItem& text : list.texts) DrawText(picture, text.x, text.y, text.text, text.scale, text.color);
+    }
+
+    Image ColorPane(const Snapshot& snapshot, const CountImage& counts, const std::vector<Color>& palette,
+                    const Camera& camera, const PictureOptions& options) {
+        Image image;
+        {
+            const Timer timer(times.colours);
+            image = ColorCounts(counts, palette);
+        }
+        AddLayers(snapshot, camera, options, image);
+        return image;
+    }
+
+    void AddComparison(std::span<const PaneInput> inputs, const std::vector<Color>& palette,
+                       const PictureOptions& options, OverlapResult& result);
+};
+
+void PictureMaker::Implementation::AddComparison(std::span<const PaneInput> inputs, const std::vector<Color>& palette,
+                                                 const PictureOptions& options, OverlapResult& result) {
+    const int paneWidth = (options.width - compareGap) / 2;
+    const int paneHeight = std::max(1, (options.height * paneWidth + options.width / 2) / options.width);
+    const Camera camera = ScaleCamera(result.camera, paneWidth, paneHeight);
+    std::vector<Image> pictures;
+    for (const PaneInput& input : inputs) {
+        const CountImage counts = Count(*input.snapshot, camera, options);
+        pictures.push_back(ColorPane(*input.snapshot, counts, palette, camera, options));
+    }
+    const Timer timer(times.colours);
+    result.compare = MakeCompare(inputs, result.panes, pictures, result.scaleMax, options);
+
+    const CountImage& first = result.panes[0].count.counts;
+    const CountImage& second = result.panes[1].count.counts;
+    result.differenceStats = MeasureDifference(first, second);
+    const DifferenceStats& stats = result.differenceStats;
+    result.difference = ColorDifference(first, second, std::max<int64_t>({-stats.min, stats.max, 1}));
+    if (!options.labels) return;
+    DrawHeader(result.difference, MakeTitle(*inputs[0].snapshot),
+               fmt::format("{} minus {}, {} nodes", result.panes[0].engine, result.panes[1].engine,
+                           GetNodeSelectionName(options.nodes)));
+    DrawDifferenceFooter(result.difference, stats, result.panes[0].engine, result.panes[1].engine);
+}
+
+PictureMaker::PictureMaker(Backend backend, const ContextOptions& contextOptions)
+    : m_implementation(std::make_unique<Implementation>()) {
+    m_implementation->renderer = MakeRenderer(backend, contextOptions);
+}
+
+PictureMaker::~PictureMaker() = default;
+PictureMaker::PictureMaker(PictureMaker&&) noexcept = default;
+PictureMaker& PictureMaker::operator=(PictureMaker&&) noexcept = default;
+
+Backend PictureMaker::GetBackend() const { return m_implementation->renderer->GetBackend(); }
+std::string PictureMaker::GetRendererName() const { return m_implementation->renderer->GetName(); }
+std::string PictureMaker::GetVersion() const { return m_implementation->renderer->GetVersion(); }
+const PictureTimes& PictureMaker::GetTimes() const { return m_implementation->times; }
+
+OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options) {
+    CheckOptions(options);
+    if (inputs.empty() || inputs.size() > 2) throw std::invalid_argument("an overlap picture shows one or two engines");
+    Implementation& implementation = *m_implementation;
+    OverlapResult result;
+    std::vector<const Snapshot*> snapshots;
+    for (const PaneInput& input : inputs) snapshots.push_back(input.snapshot);
+    result.camera = ChooseCamera(snapshots, options);
+    for (const PaneInput& input : inputs) {
+        OverlapPane pane;
+        pane.engine = input.snapshot->engine;
+        pane.count.counts = implementation.Count(*input.snapshot, result.camera, options);
+        const auto nodes = SelectBoxes(*input.snapshot, options.nodes).size();
+        pane.count.stats = MeasureCounts(pane.count.counts, static_cast<int>(nodes));
+        result.scaleMax = std::max(result.scaleMax, pane.count.stats.max);
+        result.panes.push_back(std::move(pane));
+    }
+    result.scaleMax = options.scaleMax.value_or(std::max(result.scaleMax, 1u));
+    const std::vector<Color> palette = MakePalette(options.style, options.opacity, result.scaleMax);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        OverlapPane& pane = result.panes[i];
+        const Snapshot& snapshot = *inputs[i].snapshot;
+        pane.image = implementation.ColorPane(snapshot, pane.count.counts, palette, result.camera, options);
+        if (!options.labels) continue;
+        DrawHeader(pane.image, MakeTitle(snapshot), MakeEngineText(snapshot));
+        DrawPaneFooter(pane.image, pane, inputs[i].note, result.scaleMax, options);
+    }
+    if (inputs.size() == 2) implementation.AddComparison(inputs, palette, options, result);
+    return result;
+}
+
+Image PictureMaker::MakeRender(const PaneInput& input, const PictureOptions& options,
+                               const std::optional<Camera>& camera) {
+    CheckOptions(options);
+    const Snapshot* const snapshot = input.snapshot;
+    const Camera chosen = camera ? *camera : ChooseCamera(std::span(&snapshot, 1), options);
+    Image image(chosen.width, chosen.height, backgroundColor);
+    m_implementation->AddLayers(*snapshot, chosen, options, image);
+    if (options.labels) {
+        const std::string note = input.note.empty() ? "" : "   " + input.note;
+        DrawHeader(image, MakeTitle(*snapshot), MakeEngineText(*snapshot) + note);
+    }
+    return image;
+}
+
+}  // namespace testbed

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Rules for single files: licence lines, an opening paragraph, include guards, length, and headers that compile alone.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "source_tree.h"
+
+namespace architecture {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Longer files are hard to read whole; a single one this long is a defect.
+constexpr std::size_t mostLines = 700;
+
+TEST(Files, BeginWithTheLicenceLinesAndAParagraph) {
+    ASSERT_FALSE(SourceFiles().empty());
+    for (const SourceFile& file : SourceFiles()) {
+        std::size_t line = 0;
+        const auto skip = [&](std::string_view start) {
+            if (line < file.lines.size() && file.lines[line].starts_with(start)) ++line;
+        };
+        skip("#!");
+        skip("#version");  // GLSL demands it first
+        ASSERT_GT(file.lines.size(), line + 3) << file.path;
+        EXPECT_TRUE(file.lines[line].ends_with("SPDX-FileCopyrightText: the Scree authors")) << file.path;
+        EXPECT_TRUE(file.lines[line + 1].ends_with("SPDX-License-Identifier: MIT")) << file.path;
+        EXPECT_LE(file.lines[line + 2].size(), 2u) << file.path << ": an empty comment line after the licence";
+        EXPECT_GT(file.lines[line + 3].size(), 4u) << file.path << ": what the file does";
+    }
+}
+
+TEST(Files, AreNotTooLong) {
+    for (const SourceFile& file : SourceFiles()) EXPECT_LE(file.lines.size(), mostLines) << file.path;
+}
+
+TEST(Files, HeadersAreGuarded) {
+    for (const SourceFile& file : SourceFiles()) {
+        if (!file.IsHeader()) continue;
+        EXPECT_NE(std::find(file.lines.begin(), file.lines.end(), "#pragma once"), file.lines.end()) << file.path;
+    }
+}
+
+std::vector<std::string> Headers() {
+    std::vector<std::string> headers;
+    for (const SourceFile& file : SourceFiles()) {
+        if (file.IsHeader()) headers.push_back(file.path);
+    }
+    return headers;
+}
+
+class Header : public testing::TestWithParam<std::string> {};
+
+TEST_P(Header, CompilesAlone) {
+    const fs::path folder = fs::path(testing::TempDir()) / "scree-header-alone";
+    fs::create_directories(folder);
+    std::string name = GetParam();
+    std::replace(name.begin(), name.end(), '/', '-');
+    const fs::path source = folder / (name + ".cpp"), log = folder / (name + ".log");
+    std::ofstream(source) << "#include \"" << (Root() / GetParam()).string() << "\"\n";
+
+    const std::string root = Root().string();
+    const std::string command = std::string(SCREE_COMPILER) + " -std=c++20 -fsyntax-only -Wall -Wextra -Werror -I'" +
+                                root + "' -I'" + root + "/engine/include' -I'" + root + "/engine/src' -isystem '" +
+                                SCREE_GENERATED_DIR + "' '" + source.string() + "' >'" + log.string() + "' 2>&1";
+    const int status = std::system(command.c_str());
+    std::ostringstream words;
+    words << std::ifstream(log).rdbuf();
+    fs::remove(source);
+    fs::remove(log);
+    EXPECT_EQ(status, 0) << words.str();
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Header, testing::ValuesIn(Headers()), [](const auto& tested) {
+    std::string name = tested.param;
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');
+    return name;
+});
+
+}  // namespace
+}  // namespace architecture

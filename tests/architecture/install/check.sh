@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: the Scree authors
+# SPDX-License-Identifier: MIT
+#
+# check.sh SOURCE WORK COMPILER: builds the engine alone, installs it below WORK, and builds and runs a program outside
+# the project against it, once found by find_package(scree) and once by pkg-config. Fails too if the engine's library
+# exports Box2D's names or needs anything but the C++ runtime.
+
+set -euo pipefail
+readonly source=$1 work=$2 compiler=$3
+readonly consumer=$source/tests/architecture/install
+
+rm -rf "$work"
+mkdir -p "$work"
+options=(-G Ninja -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_COMPILER=$compiler")
+if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
+
+echo "== the engine alone"
+# No optimisation: what is tested is that it builds, installs and links.
+cmake -S "$source" -B "$work/engine" "${options[@]}" -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
+    -DSCREE_BUILD_TESTBED=OFF -DSCREE_BUILD_TESTS=OFF -DBUILD_SHARED_LIBS=ON
+cmake --build "$work/engine"
+cmake --install "$work/engine" --prefix "$work/first"
+mv "$work/first" "$work/prefix"  # an installed tree can be moved
+library=$(find "$work/prefix" -name libscree.so)
+
+echo "== no Box2D names, no libraries but the runtime"
+if nm -DC --defined-only "$library" | grep -E '\bb2[A-Z]'; then exit 1; fi
+if objdump -p "$library" | awk '/NEEDED/ {print $2}' |
+    grep -vE '^(libstdc\+\+|libm|libgcc_s|libc|ld-linux[a-z0-9-]*)\.so'; then exit 1; fi
+
+echo "== find_package(scree)"
+cmake -S "$consumer" -B "$work/consumer" "${options[@]}" "-DCMAKE_PREFIX_PATH=$work/prefix"
+cmake --build "$work/consumer"
+"$work/consumer/consumer"
+
+echo "== pkg-config"
+PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name scree.pc)")
+export PKG_CONFIG_PATH
+read -ra flags <<<"$(pkg-config --cflags --libs scree)"
+"$compiler" -std=c++20 "$consumer/consumer.cpp" "${flags[@]}" "-Wl,-rpath,$(dirname "$library")" -o "$work/with-pkg-config"
+"$work/with-pkg-config"

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Short ways to put bodies into a test world.
+
+#pragma once
+
+#include "scree/inspect.h"
+#include "scree/scree.h"
+
+namespace scree::test {
+
+inline Body* AddBody(World& world, BodyType type, Vec2 position, float angle = 0.0f) {
+    BodyDef def;
+    def.type = type;
+    def.position = position;
+    def.angle = angle;
+    return world.CreateBody(&def);
+}
+
+inline Fixture* AddBox(Body* body, float hx, float hy, float density = 1.0f) {
+    PolygonShape shape;
+    shape.SetAsBox(hx, hy);
+    return body->CreateFixture(&shape, density);
+}
+
+inline Fixture* AddCircle(Body* body, float radius, float density = 1.0f) {
+    CircleShape shape;
+    shape.m_radius = radius;
+    return body->CreateFixture(&shape, density);
+}
+
+/// A static edge along y = 0.
+inline Body* AddGround(World& world, float halfWidth = 100.0f) {
+    Body* ground = AddBody(world, staticBody, {0.0f, 0.0f});
+    EdgeShape edge;
+    edge.SetTwoSided({-halfWidth, 0.0f}, {halfWidth, 0.0f});
+    ground->CreateFixture(&edge, 0.0f);
+    return ground;
+}
+
+/// Steps at 60 Hz with Box2D's usual iterations.
+inline StepReport StepFor(World& world, int steps) {
+    StepReport report;
+    for (int i = 0; i < steps; ++i) report = world.Step(1.0f / 60.0f, 8, 3);
+    return report;
+}
+
+/// Collects refused calls.
+struct ErrorLog {
+    int count = 0;
+    Error last{ErrorCode::ok, "", "", ""};
+
+    explicit ErrorLog(World& world) { world.SetErrorHandler(&ErrorLog::Receive, this); }
+    static void Receive(const Error& error, void* self) {
+        static_cast<ErrorLog*>(self)->last = error;
+        ++static_cast<ErrorLog*>(self)->count;
+    }
+};
+
+}  // namespace scree::test

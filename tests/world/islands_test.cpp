@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Islands against union-find, the ballistic path against the island path, and no allocation in a warm step.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <numeric>
+
+#include "pipeline/solve_islands.h"
+#include "tests/world/allocation_counter.h"
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree::test {
+namespace {
+
+int Root(std::vector<int>& parent, int i) {
+    while (parent[static_cast<size_t>(i)] != i) i = parent[static_cast<size_t>(i)];
+    return i;
+}
+
+TEST(Islands, EqualTheComponentsOfTheContactGraph) {
+    EXPECT_TRUE(rc::check("islands = connected components over dynamic bodies", [] {
+        World world({0.0f, -10.0f});
+        AddGround(world, 20.0f);
+        const int count = *rc::gen::inRange(1, 60);
+        for (int i = 0; i < count; ++i) {
+            Body* body = AddBody(world, dynamicBody, {static_cast<float>(*rc::gen::inRange(-100, 100)) * 0.1f,
+                                                      static_cast<float>(*rc::gen::inRange(2, 60)) * 0.1f});
+            *rc::gen::arbitrary<bool>() ? AddBox(body, 0.4f, 0.4f) : AddCircle(body, 0.4f);
+        }
+        world.SetAllowSleeping(false);
+        StepFor(world, *rc::gen::inRange(2, 40));
+        WorldState& s = world.GetState();
+        std::vector<int> contacts;
+        for (int c = 0; c < s.contacts.Size(); ++c) contacts.push_back(c);
+        FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
+
+        std::vector<int> parent(static_cast<size_t>(s.bodies.slots.Size()));
+        std::iota(parent.begin(), parent.end(), 0);
+        size_t pushing = 0;
+        for (const int c : contacts) {
+            if (!s.contacts.Has(c, ContactFlag::touching)) continue;
+            ++pushing;
+            const ContactPair& p = s.contacts.pair[static_cast<size_t>(c)];
+            if (s.bodies.type[static_cast<size_t>(p.bodyA)] == staticBody || s.bodies.type[static_cast<size_t>(p.bodyB)] == staticBody) continue;
+            parent[static_cast<size_t>(Root(parent, p.bodyA))] = Root(parent, p.bodyB);
+        }
+        RC_ASSERT(s.islands.contacts.size() == pushing);
+        RC_ASSERT(s.islands.bodies.size() + s.islands.isolated.size() == static_cast<size_t>(count));
+        std::vector<int> islandOf(parent.size(), -1);
+        for (size_t i = 0; i < s.islands.islands.size(); ++i) {
+            const Island& island = s.islands.islands[i];
+            const int root = Root(parent, s.islands.bodies[static_cast<size_t>(island.bodyBegin)]);
+            for (int b = island.bodyBegin; b < island.bodyEnd; ++b) {
+                const int body = s.islands.bodies[static_cast<size_t>(b)];
+                RC_ASSERT(Root(parent, body) == root);
+                islandOf[static_cast<size_t>(body)] = static_cast<int>(i);
+            }
+        }
+        for (size_t body = 0; body < parent.size(); ++body) {
+            if (islandOf[body] < 0) continue;
+            RC_ASSERT(islandOf[static_cast<size_t>(Root(parent, static_cast<int>(body)))] == islandOf[body]);
+        }
+    }));
+}
+
+TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
+    WorldDef def;
+    def.maxTranslation = maxTranslation;
+    World ballistic(def), island(def);
+    for (World* world : {&ballistic, &island}) {
+        for (int i = 0; i < 50; ++i) {
+            Body* body = AddBody(*world, i % 7 == 0 ? kinematicBody : dynamicBody, {3.0f * static_cast<float>(i), 1.0f / static_cast<float>(i + 1)});
+            AddBox(body, 0.3f, 0.4f);
+            body->SetLinearVelocity({0.1f * static_cast<float>(i), 7.0f - static_cast<float>(3 * i)});
+            body->SetAngularVelocity(0.37f * static_cast<float>(i));
+            body->SetLinearDamping(0.01f * static_cast<float>(i % 5));
+        }
+    }
+    StepFor(ballistic, 1);
+    EXPECT_EQ(ballistic.GetReport().isolatedBodyCount, 50);
+    StepFor(island, 1);
+    for (int step = 0; step < 30; ++step) {
+        // The same stage, once with the bodies listed as isolated, once as islands of one.
+        WorldState& a = ballistic.GetState();
+        WorldState& b = island.GetState();
+        const SolverSettings settings{1.0f / 60.0f, 1.0f, 8, 3, {0, -10}, maxTranslation, maxRotation, true};
+        IslandTable isolated, single;
+        for (const int body : a.bodies.movers) isolated.isolated.push_back(body);
+        for (const int body : b.bodies.movers) {
+            const int at = static_cast<int>(single.bodies.size());
+            single.bodies.push_back(body);
+            single.islands.push_back({at, at + 1, 0, 0, 0, 0});
+        }
+        SolveIslands(settings, a.fixtures, isolated, a.Events(), {a.bodies, a.contacts, a.joints}, a.solverScratch);
+        SolveIslands(settings, b.fixtures, single, b.Events(), {b.bodies, b.contacts, b.joints}, b.solverScratch);
+        ASSERT_EQ(inspect::GetStateHash(ballistic), inspect::GetStateHash(island));
+    }
+}
+
+TEST(Step, AWarmStepAllocatesNothing) {
+    World world({0.0f, -10.0f});
+    AddGround(world);
+    for (int i = 0; i < 15; ++i) {
+        for (int j = 0; j < 10; ++j) {
+            Body* body = AddBody(world, dynamicBody, {static_cast<float>(i) * 1.05f, 0.5f + static_cast<float>(j) * 1.05f});
+            AddBox(body, 0.5f, 0.5f);
+        }
+    }
+    world.SetAllowSleeping(false);
+    StepFor(world, 240);
+    const long before = AllocationCount();
+    StepFor(world, 60);
+    EXPECT_EQ(AllocationCount() - before, 0);
+}
+
+}  // namespace
+}  // namespace scree::test
