@@ -61,7 +61,8 @@ scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& optio
     const auto kind = scree::BroadPhaseFromName(options.broadPhase);
     if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
     if (options.threads != 1) throw std::invalid_argument("the engine scree runs on one thread: use --threads 1");
-    if (options.continuous) throw std::invalid_argument("the engine scree has no continuous collision: leave out --continuous");
+    if (options.continuous)
+        throw std::invalid_argument("the engine scree has no continuous collision: leave out --continuous");
     scree::WorldDef def;
     def.gravity = ToScree(scene.gravity);
     def.broadPhase = *kind;

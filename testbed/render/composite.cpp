@@ -6,6 +6,8 @@
 #include "testbed/render/composite.h"
 
 #include <algorithm>
+#include <array>
+#include <cstring>
 #include <stdexcept>
 
 namespace testbed {
@@ -33,18 +35,31 @@ Color Over(const Color& below, const Sums& sums) {
     return {mix(below.r, sums.r), mix(below.g, sums.g), mix(below.b, sums.b), 255};
 }
 
+/// Most of a layer is empty: whether all samples of a pixel are transparent black, without taking them apart.
+template <int supersampling>
+bool IsEmpty(const Color* samples, std::ptrdiff_t stride) {
+    std::array<uint32_t, supersampling> row{};
+    uint32_t bits = 0;
+    for (int j = 0; j < supersampling; ++j) {
+        std::memcpy(row.data(), samples + j * stride, sizeof row);
+        for (const uint32_t sample : row) bits |= sample;
+    }
+    return bits == 0;
+}
+
 template <int supersampling>
 void Composite(const Image& samples, Image& picture) {
+    const std::ptrdiff_t stride = samples.width;
     for (int y = 0; y < picture.height; ++y) {
         Color* out = &picture.At(0, y);
-        const Color* row = &samples.At(0, y * supersampling);
-        for (int x = 0; x < picture.width; ++x) {
+        const Color* sample = &samples.At(0, y * supersampling);
+        for (int x = 0; x < picture.width; ++x, sample += supersampling) {
+            if (IsEmpty<supersampling>(sample, stride)) continue;
             Sums sums;
             for (int j = 0; j < supersampling; ++j) {
-                const Color* sample = row + static_cast<std::ptrdiff_t>(j) * samples.width + x * supersampling;
-                for (int i = 0; i < supersampling; ++i) sums.Add(sample[i]);
+                for (int i = 0; i < supersampling; ++i) sums.Add(sample[j * stride + i]);
             }
-            if (sums.a != 0) out[x] = Over<supersampling * supersampling>(out[x], sums);
+            out[x] = Over<supersampling * supersampling>(out[x], sums);
         }
     }
 }

@@ -80,14 +80,20 @@ private:
 
 /// One index per pixel, a filter byte before each row; empty when there are too many colours.
 Bytes MakePaletteRows(const Image& image, ColorTable& table) {
-    Bytes rows;
-    rows.reserve(image.pixels.size() + static_cast<size_t>(image.height));
+    Bytes rows(image.pixels.size() + static_cast<size_t>(image.height));
+    unsigned char* out = rows.data();
+    Color last = image.pixels[0];  // runs of one colour are the rule
+    int index = table.Find(last);
+    const Color* pixel = image.pixels.data();
     for (int y = 0; y < image.height; ++y) {
-        rows.push_back(filterNone);
-        for (int x = 0; x < image.width; ++x) {
-            const int index = table.Find(image.At(x, y));
-            if (index < 0) return {};
-            rows.push_back(static_cast<unsigned char>(index));
+        *out++ = filterNone;
+        for (int x = 0; x < image.width; ++x, ++pixel) {
+            if (!(*pixel == last)) {
+                last = *pixel;
+                index = table.Find(last);
+                if (index < 0) return {};
+            }
+            *out++ = static_cast<unsigned char>(index);
         }
     }
     return rows;

@@ -25,9 +25,9 @@ struct Look {
     Color fill, border;
 };
 
-constexpr Look dynamicLook{{236, 184, 184, 92}, {250, 212, 212, 180}};
+constexpr Look dynamicLook{{240, 176, 176, 84}, {250, 200, 200, 140}};
 constexpr Look sleepingLook{{150, 150, 172, 80}, {170, 170, 196, 165}};
-constexpr Look staticLook{{126, 190, 96, 72}, {156, 214, 120, 150}};
+constexpr Look staticLook{{126, 190, 96, 72}, {156, 214, 120, 140}};
 constexpr Look kinematicLook{{128, 140, 236, 84}, {166, 176, 250, 180}};
 constexpr Look bulletLook{{255, 214, 92, 120}, {255, 232, 150, 220}};
 constexpr Look sensorLook{{84, 206, 220, 36}, {110, 222, 236, 160}};

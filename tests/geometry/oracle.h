@@ -183,7 +183,7 @@ void BringNearTouching(Source& source, Placement& placement, Count count) {
 inline bool SameBits(Vec2 a, b2Vec2 b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// How far two vectors differ, m or unitless.
-inline float Gap(Vec2 a, b2Vec2 b) { return Max(Abs(a.x - b.x), Abs(a.y - b.y)); }
+inline float Gap(Vec2 a, b2Vec2 b) { return std::fmax(std::fabs(a.x - b.x), std::fabs(a.y - b.y)); }
 
 /// Counts agreement over many configurations.
 class Tally {
@@ -212,7 +212,7 @@ public:
             sameBits = sameBits && SameBits(ours.points[i].localPoint, theirs.points[i].localPoint);
             gap = Max(gap, Gap(ours.points[i].localPoint, theirs.points[i].localPoint));
         }
-        if (!sameFeatures) {
+        if (!sameFeatures || !std::isfinite(gap)) {
             ++m_differing;
             return;
         }

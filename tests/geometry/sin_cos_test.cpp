@@ -118,7 +118,7 @@ TEST(SinCos, HasTheSameBitsEverywhere) {
         const SinCosResult r = SinCos(source.Between(-1.0f, 1.0f) * (i % 3 == 0 ? 3.2f : i % 3 == 1 ? 1.0e4f : 2.0e9f));
         for (const float f : {r.sin, r.cos}) hash = (hash ^ std::bit_cast<uint32_t>(f)) * 0x100000001b3u;
     }
-    EXPECT_EQ(hash, 0u) << std::hex << hash;
+    EXPECT_EQ(hash, 0x9d4cc602d218ac41u) << std::hex << hash;
 }
 
 }  // namespace

@@ -113,7 +113,10 @@ public:
             m_sparse.Set(fixture, slot);
             return;
         }
-        if (fixture >= m_direct.size()) m_direct.resize(std::max<size_t>(fixture + 1, 2 * m_direct.size()), noSlot);
+        if (fixture >= m_direct.size()) {
+            const size_t doubled = std::min<size_t>(directLimit, 2 * m_direct.size());
+            m_direct.resize(std::max<size_t>(fixture + 1, doubled), noSlot);
+        }
         m_direct[fixture] = slot;
     }
 

@@ -24,14 +24,12 @@ inline constexpr uint32_t noChild = 0;
 struct alignas(32) TreeNode {
     Bounds box;
     uint32_t first;            ///< first position
-    uint32_t count;            ///< positions below this node; a leaf's boxes, padding not counted
+    uint32_t count;            ///< positions below this node
     uint32_t child = noChild;  ///< the first of two neighbouring children
+    uint32_t buildState = 0;   ///< for the builder's own use while it works
 
     [[nodiscard]] bool IsLeaf() const { return child == noChild; }
 };
-
-/// Fixture of a position that only pads a leaf.
-inline constexpr uint32_t paddingFixture = 0xFFFFFFFFu;
 
 class FlatTree {
 public:
@@ -39,8 +37,6 @@ public:
 
     /// Makes room for `positions` boxes and forgets the old ones. Allocates only when there are more than ever before.
     void Reset(uint32_t positions);
-    /// Says how many of the positions were used.
-    void Trim(uint32_t positions) { m_size = positions; }
 
     [[nodiscard]] bool Empty() const { return nodes.empty(); }
     /// Positions in use.

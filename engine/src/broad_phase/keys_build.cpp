@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Building on 16-bit centre keys: slots in, flat tree with padded leaves out. Two item arrays take turns: a split reads
-// one and writes the other from both ends, without a branch per item.
+// Building on 16-bit centre keys: slots in, flat tree with wide leaves out. Two item arrays take turns: a split reads one
+// and writes the other from both ends, without a branch per item.
 
 #include "broad_phase/keys_build.h"
 
@@ -63,36 +63,60 @@ KeyBounds MeasureKeys(const KeyItem* items, uint32_t count) {
 
 /// Copies items with key[axis] <= limit to the front of `out` and the others to its back; returns the number of the
 /// former. Every item is written to both ends and the counts decide which copy stays: a branch would be mispredicted half
-/// of the time. Four at a time, because the keys then load and compare ahead of the counting (0.8 against 1.0 ns an item).
+/// of the time. Four at a time, all loaded before the first is stored, since the compiler must assume that they overlap.
 __attribute__((noinline)) uint32_t Partition(const KeyItem* in, uint32_t count, KeyItem* out, int axis, int limit) {
+    const auto goesLeft = [=](const KeyItem& item) { return static_cast<ptrdiff_t>(item.key[axis] <= limit ? 1 : 0); };
+    const auto put = [](KeyItem* place, uint64_t item) { std::memcpy(place, &item, sizeof item); };
     KeyItem* back = out + count - 1;
+    const KeyItem* const end = in + count;
     ptrdiff_t left = 0;
-    uint32_t i = 0;
-    for (; i + 4 <= count; i += 4, back -= 4) {
+    for (; end - in >= 4; in += 4, back -= 4) {
+        const ptrdiff_t left1 = goesLeft(in[0]), left2 = goesLeft(in[1]), left3 = goesLeft(in[2]), left4 = goesLeft(in[3]);
         uint64_t items[4];
-        std::memcpy(items, in + i, sizeof items);
-        for (int lane = 0; lane < 4; ++lane) {
-            const ptrdiff_t goesLeft = in[i + static_cast<uint32_t>(lane)].key[axis] <= limit ? 1 : 0;
-            std::memcpy(out + left, &items[lane], sizeof(KeyItem));
-            std::memcpy(back + left - lane, &items[lane], sizeof(KeyItem));
-            left += goesLeft;
-        }
+        std::memcpy(&items[0], in, 8);
+        std::memcpy(&items[1], in + 1, 8);
+        std::memcpy(&items[2], in + 2, 8);
+        std::memcpy(&items[3], in + 3, 8);
+        put(out + left, items[0]);
+        put(back + left, items[0]);
+        left += left1;
+        put(out + left, items[1]);
+        put(back + left - 1, items[1]);
+        left += left2;
+        put(out + left, items[2]);
+        put(back + left - 2, items[2]);
+        left += left3;
+        put(out + left, items[3]);
+        put(back + left - 3, items[3]);
+        left += left4;
     }
-    for (; i < count; ++i, --back) {
-        const ptrdiff_t goesLeft = in[i].key[axis] <= limit ? 1 : 0;
-        std::memcpy(out + left, in + i, sizeof(KeyItem));
-        std::memcpy(back + left, in + i, sizeof(KeyItem));
-        left += goesLeft;
+    for (; in != end; ++in, --back) {
+        const ptrdiff_t step = goesLeft(*in);
+        uint64_t item;
+        std::memcpy(&item, in, sizeof item);
+        put(out + left, item);
+        put(back + left, item);
+        left += step;
     }
     return static_cast<uint32_t>(left);
 }
+
+/// What a node knows while it waits to be split.
+struct BuildState {
+    uint32_t array = 0;  ///< which of the two arrays holds its items
+    uint32_t depth = 0;
+    bool halve = false;  ///< keys tell nothing more: split into equal counts
+
+    [[nodiscard]] uint32_t Pack() const { return array | (halve ? 2u : 0u) | depth << 2; }
+    static BuildState Unpack(uint32_t bits) { return {bits & 1u, bits >> 2, (bits & 2u) != 0}; }
+};
 
 struct KeysPass {
     const AABB* boxes;
     const ItemId* ids;
     uint32_t leafSize;
     FlatTree& tree;
-    uint32_t nextPosition = 0;
+    KeyItem* arrays[2];
 
     /// Gives the items keys from the bounds of their own centres; false if those are one point or beyond arithmetic.
     bool MakeKeys(KeyItem* items, uint32_t count) const {
@@ -125,73 +149,76 @@ struct KeysPass {
         return true;
     }
 
-    /// Fetches the boxes of a leaf and returns their union.
-    F4 FillLeaf(TreeNode& node, const KeyItem* items, uint32_t count) {
-        const uint32_t first = nextPosition;
+    /// Fetches the boxes of a leaf.
+    void FillLeaf(TreeNode& node, const KeyItem* items) {
         F4 sum = Load(emptyBounds);
-        for (uint32_t i = 0; i < count; ++i) {
+        for (uint32_t i = 0; i < node.count; ++i) {
             const uint32_t slot = items[i].slot;
             const Bounds box = ToBounds(boxes[slot]);
-            tree.SetItem(first + i, box, ids[slot]);
+            tree.SetItem(node.first + i, box, ids[slot]);
             sum = Min4(sum, Load(box));
         }
-        nextPosition = first + (count + leafRow - 1) / leafRow * leafRow;
-        for (uint32_t p = first + count; p < nextPosition; ++p) tree.SetItem(p, emptyBounds, {paddingFixture, fixedGroup});
-        node.first = first;
-        node.count = count;
         Store(node.box, sum);
-        return sum;
     }
 
-    /// Items of the range lie in `in`; `other` is the same range of the other array. `halve`: keys tell nothing.
-    void Recurse(uint32_t nodeIndex, KeyItem* in, KeyItem* other, uint32_t count, int depth, bool halve) {
-        if (count <= leafSize) {
-            FillLeaf(tree.nodes[nodeIndex], in, count);
+    /// Splits a node's items or fills its leaf.
+    void Process(uint32_t nodeIndex) {
+        TreeNode& node = tree.nodes[nodeIndex];
+        BuildState state = BuildState::Unpack(node.buildState);
+        KeyItem* const in = arrays[state.array] + node.first;
+        if (node.count <= leafSize) {
+            FillLeaf(node, in);
             return;
         }
-        uint32_t left = count / 2;
-        if (!halve) {
-            KeyBounds keys = MeasureKeys(in, count);
-            if (std::max(keys.Width(), keys.Height()) < coarseExtent) {
-                halve = !MakeKeys(in, count);
-                if (!halve) keys = MeasureKeys(in, count);
-            }
-            halve = halve || depth >= maxRuleDepth;
-            if (!halve) {
-                const bool alongX = keys.Width() >= keys.Height();
-                const int limit = alongX ? (keys.lowX + keys.highX) >> 1 : (keys.lowY + keys.highY) >> 1;
-                left = Partition(in, count, other, alongX ? 0 : 1, limit);
-                std::swap(in, other);
-            }
+        uint32_t left = node.count / 2;
+        KeyBounds keys{};
+        if (!state.halve) keys = MeasureKeys(in, node.count);
+        if (!state.halve && std::max(keys.Width(), keys.Height()) < coarseExtent) {
+            state.halve = !MakeKeys(in, node.count);
+            keys = MeasureKeys(in, node.count);
         }
-        const uint32_t first = nextPosition;
-        const auto child = static_cast<uint32_t>(tree.nodes.size());
-        tree.nodes.resize(child + 2);
-        Recurse(child, in, other, left, depth + 1, halve);
-        Recurse(child + 1, in + left, other + left, count - left, depth + 1, halve);
-        TreeNode& node = tree.nodes[nodeIndex];
-        node.child = child;
-        node.first = first;
-        node.count = nextPosition - first;
-        Store(node.box, Min4(Load(tree.nodes[child].box), Load(tree.nodes[child + 1].box)));
+        state.halve |= state.depth >= maxRuleDepth;
+        if (!state.halve) {
+            const bool alongX = keys.Width() >= keys.Height();
+            const int limit = alongX ? (keys.lowX + keys.highX) >> 1 : (keys.lowY + keys.highY) >> 1;
+            state.array = 1 - state.array;
+            left = Partition(in, node.count, arrays[state.array] + node.first, alongX ? 0 : 1, limit);
+        }
+        ++state.depth;
+        const uint32_t first = node.first, count = node.count;
+        node.child = static_cast<uint32_t>(tree.nodes.size());
+        tree.nodes.push_back({emptyBounds, first, left, noChild, state.Pack()});
+        tree.nodes.push_back({emptyBounds, first + left, count - left, noChild, state.Pack()});
+    }
+
+    /// Joins the children's boxes, last nodes first: children stand behind their parents.
+    void Refit() {
+        for (size_t i = tree.nodes.size(); i-- > 0;) {
+            TreeNode& node = tree.nodes[i];
+            if (node.IsLeaf()) continue;
+            Store(node.box, Min4(Load(tree.nodes[node.child].box), Load(tree.nodes[node.child + 1].box)));
+        }
     }
 };
 
 }  // namespace
 
 void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, FlatTree& tree) {
-    // Leaves hold at least one box each, so this is the most that padding can need.
-    tree.Reset(0);
+    tree.Reset(slots.count);
     if (slots.count == 0) return;
-    m_items.resize(std::max<size_t>(m_items.size(), slots.count));
     // The odd part keeps both arrays from starting at the same page offset.
-    m_other.resize(m_items.size() + 200);
+    constexpr size_t odd = 200;
+    if (m_items.size() < slots.count) {
+        m_items.resize(slots.count + slots.count / 2);
+        m_other.resize(m_items.size() + odd);
+    }
     for (uint32_t i = 0; i < slots.count; ++i) m_items[i] = {{0, 0}, slots.first + i};
-    tree.Reset(leafRow * slots.count);
-    tree.nodes.resize(1);
-    KeysPass pass{store.Boxes(), store.Ids(), leafSize, tree};
-    pass.Recurse(0, m_items.data(), m_other.data() + 200, slots.count, 0, false);
-    tree.Trim(pass.nextPosition);
+    KeysPass pass{store.Boxes(), store.Ids(), leafSize, tree, {m_items.data(), m_other.data() + odd}};
+    tree.nodes.push_back({emptyBounds, 0, slots.count});
+    // Level by level: a range is read long after it was written. Depth first, the loads of small ranges would meet stores
+    // that have not reached the cache yet.
+    for (uint32_t node = 0; node < tree.nodes.size(); ++node) pass.Process(node);
+    pass.Refit();
 }
 
 }  // namespace scree::broadphase

@@ -17,9 +17,6 @@
 
 namespace scree::broadphase {
 
-/// Every leaf of the trees made here starts at a multiple of this and is padded to one with empty boxes.
-inline constexpr uint32_t leafRow = 4;
-
 /// A box while it is being sorted into a tree.
 struct KeyItem {
     int16_t key[2];  ///< centre along x and y, in units of the range that was last given keys
@@ -28,7 +25,7 @@ struct KeyItem {
 
 class KeysBuilder {
 public:
-    /// Builds the tree over a range of slots. The count of an inner node includes padding.
+    /// Builds the tree over a range of slots.
     void Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, FlatTree& tree);
     [[nodiscard]] size_t GetMemoryBytes() const { return (m_items.capacity() + m_other.capacity()) * sizeof(KeyItem); }
 

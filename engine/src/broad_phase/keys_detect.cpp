@@ -8,8 +8,6 @@
 
 #include <algorithm>
 
-#include "broad_phase/keys_build.h"
-
 namespace scree::broadphase {
 namespace {
 
@@ -34,6 +32,12 @@ struct Lanes {
                            Load4(lane[3] + position)};
         return MaskAllLessEqual4(row, probe);
     }
+    /// Which of four boxes, given by their probe lanes, overlap the box at one position.
+    [[nodiscard]] uint32_t OneMask(uint32_t position, const F4 (&probe)[4]) const {
+        const F4 one[4] = {Splat4(lane[0][position]), Splat4(lane[1][position]), Splat4(lane[2][position]),
+                           Splat4(lane[3][position])};
+        return MaskAllLessEqual4(one, probe);
+    }
 };
 
 /// The probe of a box, each component in all four lanes of its own register.
@@ -43,29 +47,35 @@ struct SplatProbe {
     explicit SplatProbe(const Bounds& b) : lane{Splat4(-b.nux), Splat4(-b.nuy), Splat4(-b.lx), Splat4(-b.ly)} {}
 };
 
-/// All pairs inside positions [first, end), rows of four; returns the number of hits.
-__attribute__((noinline)) uint32_t TestInside(const FlatTree& tree, uint32_t first, uint32_t count, Hits hits) {
-    // Lanes behind lane i of the row that holds box i itself.
-    constexpr uint32_t behind[4] = {14, 12, 8, 0};
+/// The lanes of a row that lie before `end`.
+constexpr uint32_t LanesBefore(uint32_t row, uint32_t end) { return end - row >= 4 ? 15u : (1u << (end - row)) - 1u; }
+
+/// All pairs inside a leaf; returns the number of hits. Each row of four boxes stays in registers and meets all boxes
+/// before it, then its own: the inner loop ends once per row and not once per box, and an end is a misprediction.
+__attribute__((noinline)) uint32_t TestInside(const FlatTree& tree, const TreeNode& leaf, Hits hits) {
+    constexpr uint32_t behind[3] = {14, 12, 8};
     const Lanes lanes(tree);
     uint32_t* outFirst = hits.first;
     uint32_t* outSecond = hits.second;
-    const uint32_t end = first + count;
+    const uint32_t first = leaf.first, end = leaf.first + leaf.count;
     uint32_t found = 0;
-    for (uint32_t i = first; i < end; ++i) {
-        const SplatProbe probe(tree.Box(i));
-        uint32_t row = i & ~(leafRow - 1);
-        uint32_t mask = lanes.RowMask(row, probe.lane) & behind[i & (leafRow - 1)];
-        found += EmitLanes(laneLists[mask], i, row, outFirst + found, outSecond + found);
-        for (row += leafRow; row < end; row += leafRow) {
-            mask = lanes.RowMask(row, probe.lane);
+    for (uint32_t row = first; row < end; row += 4) {
+        const F4 probe[4] = {Negate4(Load4(lanes.lane[2] + row)), Negate4(Load4(lanes.lane[3] + row)),
+                             Negate4(Load4(lanes.lane[0] + row)), Negate4(Load4(lanes.lane[1] + row))};
+        const uint32_t valid = LanesBefore(row, end);
+        for (uint32_t i = first; i < row; ++i) {
+            const uint32_t mask = lanes.OneMask(i, probe) & valid;
             found += EmitLanes(laneLists[mask], i, row, outFirst + found, outSecond + found);
+        }
+        for (uint32_t i = 0; i < 3; ++i) {
+            const uint32_t mask = lanes.OneMask(row + i, probe) & valid & behind[i];
+            found += EmitLanes(laneLists[mask], row + i, row, outFirst + found, outSecond + found);
         }
     }
     return found;
 }
 
-/// Pairs of `candidateCount` boxes and the positions [first, end); a hit's first is the index among the candidates.
+/// Pairs of candidates and the boxes of a leaf; a hit's first is the index among the candidates.
 __attribute__((noinline)) uint32_t TestCandidates(const FlatTree& tree, const TreeNode& leaf, const Bounds* candidates,
                                                   uint32_t candidateCount, Hits hits) {
     const Lanes lanes(tree);
@@ -75,25 +85,24 @@ __attribute__((noinline)) uint32_t TestCandidates(const FlatTree& tree, const Tr
     uint32_t found = 0;
     for (uint32_t c = 0; c < candidateCount; ++c) {
         const SplatProbe probe(candidates[c]);
-        for (uint32_t row = first; row < end; row += leafRow) {
-            const uint32_t mask = lanes.RowMask(row, probe.lane);
+        for (uint32_t row = first; row < end; row += 4) {
+            const uint32_t mask = lanes.RowMask(row, probe.lane) & LanesBefore(row, end);
             found += EmitLanes(laneLists[mask], c, row, outFirst + found, outSecond + found);
         }
     }
     return found;
 }
 
-/// Positions of the boxes in [first, first + count) that overlap `box`, written to `out`; returns how many.
+/// Positions of a node's boxes that overlap `box`, written to out.second; returns how many.
 __attribute__((noinline)) uint32_t ScanRange(const FlatTree& tree, const TreeNode& range, const Bounds& box, Hits out) {
     const Lanes lanes(tree);
     const SplatProbe probe(box);
-    uint32_t* outFirst = out.first;
     uint32_t* outSecond = out.second;
     const uint32_t end = range.first + range.count;
     uint32_t found = 0;
-    for (uint32_t row = range.first; row < end; row += leafRow) {
-        const uint32_t mask = lanes.RowMask(row, probe.lane);
-        found += EmitLanes(laneLists[mask], 0, row, outFirst, outSecond + found);
+    for (uint32_t row = range.first; row < end; row += 4) {
+        const uint32_t mask = lanes.RowMask(row, probe.lane) & LanesBefore(row, end);
+        found += EmitLanes(laneLists[mask], 0, row, out.first, outSecond + found);
     }
     return found;
 }
@@ -208,16 +217,15 @@ struct KeysWalk {
     }
 
     void FinishLeaf(const TreeNode& leaf, uint32_t firstCandidate, uint32_t count) {
-        const uint32_t width = (leaf.count + leafRow - 1) / leafRow * leafRow;
-        ReserveHits(std::max<size_t>(static_cast<size_t>(leaf.count) * width, hitBlock) + hitSlack);
+        ReserveHits(std::max<size_t>(static_cast<size_t>(leaf.count) * leaf.count, hitBlock) + hitSlack);
         const Hits hits = HitArrays();
         if constexpr (self) {
-            const uint32_t found = TestInside(tree, leaf.first, leaf.count, hits);
+            const uint32_t found = TestInside(tree, leaf, hits);
             EmitPairs(tree.Ids(), tree.Ids(), hits, found, sink);
-            boxTests += leaf.count * width / 2;
+            boxTests += static_cast<uint64_t>(leaf.count) * (leaf.count - 1) / 2;
         }
-        const uint32_t block = std::max(1u, hitBlock / width);
-        boxTests += static_cast<uint64_t>(count) * width;
+        const uint32_t block = std::max(1u, hitBlock / leaf.count);
+        boxTests += static_cast<uint64_t>(count) * leaf.count;
         for (uint32_t done = 0; done < count; done += block) {
             const CandidateArrays candidates = At(firstCandidate + done);
             const uint32_t found = TestCandidates(tree, leaf, candidates.boxes, std::min(block, count - done), hits);
@@ -242,7 +250,6 @@ uint64_t KeysDetector::DetectBetween(const FlatTree& batch, const FlatTree& tree
     if (batch.Empty() || tree.Empty()) return 0;
     KeysWalk<false> walk{tree, *this, sink};
     walk.ReserveCandidates(batch.Size());
-    // All positions of the batch, in its leaf order; padding overlaps nothing and goes with the first filter.
     for (uint32_t i = 0; i < batch.Size(); ++i) {
         m_boxes[i] = batch.Box(i);
         m_ids[i] = batch.Ids()[i];

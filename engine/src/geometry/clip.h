@@ -7,45 +7,55 @@
 
 #pragma once
 
+#include <bit>
+
 #include "scree/collision.h"
 
 namespace scree {
 
-/// A point of a segment being clipped, and the features that made it.
+/// A point of a segment being clipped, and the key (ContactID::key) of the features that made it. Plain integers
+/// instead of the union: the compiler keeps them in registers.
 struct ClipVertex {
     Vec2 v;
-    ContactID id;
+    uint32_t key;
 };
 
-/// The id of a contact made by feature `indexA` of the reference shape and `indexB` of the other.
-inline ContactID MakeContactID(int indexA, ContactFeature::Type typeA, int indexB, ContactFeature::Type typeB) {
-    ContactID id;
-    id.cf = {static_cast<uint8_t>(indexA), static_cast<uint8_t>(indexB), static_cast<uint8_t>(typeA),
-             static_cast<uint8_t>(typeB)};
-    return id;
+/// The key of a contact made by feature `indexA` of the reference shape and `indexB` of the other.
+inline uint32_t MakeContactKey(int indexA, ContactFeature::Type typeA, int indexB, ContactFeature::Type typeB) {
+    return std::bit_cast<uint32_t>(
+        ContactFeature{static_cast<uint8_t>(indexA), static_cast<uint8_t>(indexB), typeA, typeB});
 }
 
-/// The same contact named from the other shape's side.
-inline ContactID SwapContactID(ContactID id) {
-    ContactID out;
-    out.cf = {id.cf.indexB, id.cf.indexA, id.cf.typeB, id.cf.typeA};
-    return out;
+/// The key of a cut: the reference shape's corner `indexA` on the face or vertex `indexB` of `key`.
+inline uint32_t MakeCutKey(uint32_t key, int indexA) {
+    constexpr uint32_t keptBits = std::bit_cast<uint32_t>(ContactFeature{0, 0xff, 0, 0});
+    return (key & keptBits) | MakeContactKey(indexA, ContactFeature::e_vertex, 0, ContactFeature::e_face);
 }
 
-/// Keeps the part of the segment with dot(normal, v) <= offset. A cut end becomes the second point and takes the id of
+/// The same contact named from the other shape's side: indices and types are neighbouring bytes of the key.
+inline uint32_t SwapContactKey(uint32_t key) {
+    constexpr uint32_t everySecondByte = 0x00ff00ffu;
+    return ((key & everySecondByte) << 8) | ((key >> 8) & everySecondByte);
+}
+
+/// The segment being clipped. Two members and no array: they stay in registers.
+struct ClipSegment {
+    ClipVertex first, second;
+};
+
+/// Keeps the part of the segment with dot(normal, v) <= offset. A cut end becomes the second point and takes the key of
 /// the reference shape's corner `cornerIndex`. False, with the segment undefined, if fewer than two points remain.
-[[nodiscard]] inline bool ClipSegmentToLine(ClipVertex segment[2], Vec2 normal, float offset, int cornerIndex) {
-    const float distance0 = Dot(normal, segment[0].v) - offset;
-    const float distance1 = Dot(normal, segment[1].v) - offset;
-    if (distance0 <= 0.0f && distance1 <= 0.0f) return true;
-    if (!(distance0 * distance1 < 0.0f)) return false;
+[[nodiscard]] inline bool ClipSegmentToLine(ClipSegment& segment, Vec2 normal, float offset, int cornerIndex) {
+    const float distance1 = Dot(normal, segment.first.v) - offset;
+    const float distance2 = Dot(normal, segment.second.v) - offset;
+    if (distance1 <= 0.0f && distance2 <= 0.0f) return true;
+    if (!(distance1 * distance2 < 0.0f)) return false;
 
-    const float fraction = distance0 / (distance0 - distance1);
-    const Vec2 cut = segment[0].v + fraction * (segment[1].v - segment[0].v);
-    const ContactID id =
-        MakeContactID(cornerIndex, ContactFeature::e_vertex, segment[0].id.cf.indexB, ContactFeature::e_face);
-    if (distance0 > 0.0f) segment[0] = segment[1];
-    segment[1] = {cut, id};
+    const float fraction = distance1 / (distance1 - distance2);
+    const Vec2 cut = segment.first.v + fraction * (segment.second.v - segment.first.v);
+    const uint32_t key = MakeCutKey(segment.first.key, cornerIndex);
+    if (distance1 > 0.0f) segment.first = segment.second;
+    segment.second = {cut, key};
     return true;
 }
 

@@ -17,7 +17,7 @@ void CollideCorner(Manifold* manifold, Vec2 corner, int cornerIndex, Vec2 center
     manifold->localPoint = corner;
     manifold->pointCount = 1;
     manifold->points[0].localPoint = centerB;
-    manifold->points[0].id = MakeContactID(cornerIndex, ContactFeature::e_vertex, 0, ContactFeature::e_vertex);
+    manifold->points[0].id.key = MakeContactKey(cornerIndex, ContactFeature::e_vertex, 0, ContactFeature::e_vertex);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ void CollideEdgeAndCircle(Manifold* manifold, const EdgeShape* edgeA, const Tran
     manifold->localPoint = v1;
     manifold->pointCount = 1;
     manifold->points[0].localPoint = circleB->m_p;
-    manifold->points[0].id = MakeContactID(0, ContactFeature::e_face, 0, ContactFeature::e_vertex);
+    manifold->points[0].id.key = MakeContactKey(0, ContactFeature::e_face, 0, ContactFeature::e_vertex);
 }
 
 }  // namespace scree

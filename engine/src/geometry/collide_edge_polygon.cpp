@@ -88,7 +88,7 @@ struct ReferenceFace {
 
 /// Clips the incident face at both ends of the reference face; the ends here carry no skin, so that neighbouring edges
 /// of a chain do not both claim a contact.
-bool ClipToFace(ClipVertex segment[2], const ReferenceFace& face) {
+bool ClipToFace(ClipSegment& segment, const ReferenceFace& face) {
     const Vec2 backwards = -face.tangent;
     return ClipSegmentToLine(segment, backwards, Dot(backwards, face.v1), face.corner1) &&
            ClipSegmentToLine(segment, face.tangent, Dot(face.tangent, face.v2), face.corner2);
@@ -107,19 +107,21 @@ void ClipAgainstEdge(Manifold* manifold, const ReferenceFace& face, const LocalP
         }
     }
     const int next = incident + 1 < polygon.count ? incident + 1 : 0;
-    ClipVertex segment[2] = {
-        {polygon.vertices[incident], MakeContactID(0, ContactFeature::e_face, incident, ContactFeature::e_vertex)},
-        {polygon.vertices[next], MakeContactID(0, ContactFeature::e_face, next, ContactFeature::e_vertex)}};
+    ClipSegment segment{
+        {polygon.vertices[incident], MakeContactKey(0, ContactFeature::e_face, incident, ContactFeature::e_vertex)},
+        {polygon.vertices[next], MakeContactKey(0, ContactFeature::e_face, next, ContactFeature::e_vertex)}};
     if (!ClipToFace(segment, face)) return;
 
     manifold->localNormal = face.normal;
     manifold->localPoint = face.v1;
-    for (const ClipVertex& end : segment) {
-        if (!(Dot(face.normal, end.v - face.v1) <= radius)) continue;
+    const auto keep = [&](const ClipVertex& end) {
+        if (!(Dot(face.normal, end.v - face.v1) <= radius)) return;
         ManifoldPoint& point = manifold->points[manifold->pointCount++];
         point.localPoint = MulT(xf, end.v);
-        point.id = end.id;
-    }
+        point.id.key = end.key;
+    };
+    keep(segment.first);
+    keep(segment.second);
 }
 
 void ClipAgainstPolygon(Manifold* manifold, const EdgeShape& edge, const LocalPolygon& local,
@@ -132,20 +134,22 @@ void ClipAgainstPolygon(Manifold* manifold, const EdgeShape& edge, const LocalPo
     face.v2 = local.vertices[face.corner2];
     face.normal = local.normals[faceIndex];
     face.tangent = {-face.normal.y, face.normal.x};
-    ClipVertex segment[2] = {
-        {edge.m_vertex2, MakeContactID(1, ContactFeature::e_vertex, faceIndex, ContactFeature::e_face)},
-        {edge.m_vertex1, MakeContactID(0, ContactFeature::e_vertex, faceIndex, ContactFeature::e_face)}};
+    ClipSegment segment{
+        {edge.m_vertex2, MakeContactKey(1, ContactFeature::e_vertex, faceIndex, ContactFeature::e_face)},
+        {edge.m_vertex1, MakeContactKey(0, ContactFeature::e_vertex, faceIndex, ContactFeature::e_face)}};
     if (!ClipToFace(segment, face)) return;
 
     manifold->localNormal = polygon.m_normals[faceIndex];
     manifold->localPoint = polygon.m_vertices[faceIndex];
     const float radius = polygon.m_radius + edge.m_radius;
-    for (const ClipVertex& end : segment) {
-        if (!(Dot(face.normal, end.v - face.v1) <= radius)) continue;
+    const auto keep = [&](const ClipVertex& end) {
+        if (!(Dot(face.normal, end.v - face.v1) <= radius)) return;
         ManifoldPoint& point = manifold->points[manifold->pointCount++];
         point.localPoint = end.v;
-        point.id = SwapContactID(end.id);
-    }
+        point.id.key = SwapContactKey(end.key);
+    };
+    keep(segment.first);
+    keep(segment.second);
 }
 
 }  // namespace

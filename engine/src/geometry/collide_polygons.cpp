@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Two convex polygons → up to two contact points. Separating axis test over the faces of both, then the most opposed
-// face of the other polygon is clipped against the reference face (E. Catto, "Computing Distance", GDC 2010; E. Catto,
-// "Contact Manifolds", GDC 2007). Choices and rounding follow Box2D 2.4, so manifolds agree bit for bit; the search
-// differs: it tests four faces at a time against each vertex of the other polygon.
+// face of the other polygon is clipped against the reference face (E. Catto, "Contact Manifolds", GDC 2007). Choices
+// and rounding follow Box2D 2.4, so manifolds agree bit for bit; the search differs: it tests four faces at a time
+// against each vertex of the other polygon, without a branch.
 
 #include <cfloat>
 
@@ -21,40 +21,90 @@ struct FaceQuery {
     float separation;
 };
 
+/// Vertices and normals, four to a register. Lanes beyond the vertex count repeat vertex 0, which changes no minimum
+/// over vertices and, as the first of equals wins, no choice of a face.
+template <int Chunks>
+struct PolygonLanes {
+    Vec2x4 vertices[Chunks];
+    Vec2x4 normals[Chunks];
+};
+
+template <int Chunks>
+[[gnu::always_inline]] inline PolygonLanes<Chunks> LoadLanes(const PolygonShape& polygon) {
+    PolygonLanes<Chunks> out;
+    for (int k = 0; k < Chunks; ++k) {
+        out.vertices[k] = LoadVec2x4(polygon.m_vertices + 4 * k);
+        out.normals[k] = LoadVec2x4(polygon.m_normals + 4 * k);
+    }
+    const int used = polygon.m_count - 4 * (Chunks - 1);
+    if (used < 4) {
+        out.vertices[Chunks - 1] = FillFrom(out.vertices[Chunks - 1], used, polygon.m_vertices[0]);
+        out.normals[Chunks - 1] = FillFrom(out.normals[Chunks - 1], used, polygon.m_normals[0]);
+    }
+    return out;
+}
+
 /// The largest of four, the first of several.
-FaceQuery Largest(Float4 values) {
+[[gnu::always_inline]] inline FaceQuery Largest(Float4 values) {
     const FaceQuery low = values[1] > values[0] ? FaceQuery{1, values[1]} : FaceQuery{0, values[0]};
     const FaceQuery high = values[3] > values[2] ? FaceQuery{3, values[3]} : FaceQuery{2, values[2]};
     return high.separation > low.separation ? high : low;
 }
 
-/// How deep the deepest of the vertices lies behind each of four faces (negative: behind).
-Float4 DeepestVertex(const PolygonShape& polygon, Vec2x4 faceNormals, Vec2x4 faceCorners) {
-    Float4 deepest = Splat(FLT_MAX);
-    for (int first = 0; first < polygon.m_count; first += 4) {
-        // Vertex 0 in the lanes beyond the count changes no minimum.
-        const int used = polygon.m_count - first;
-        const Vec2x4 v = FillFrom(LoadVec2x4(polygon.m_vertices + first), used, polygon.m_vertices[0]);
-        const Float4 d0 = Dot(faceNormals, Lane<0>(v) - faceCorners);
-        const Float4 d1 = Dot(faceNormals, Lane<1>(v) - faceCorners);
-        const Float4 d2 = Dot(faceNormals, Lane<2>(v) - faceCorners);
-        const Float4 d3 = Dot(faceNormals, Lane<3>(v) - faceCorners);
-        deepest = Min(deepest, Min(Min(d0, d1), Min(d2, d3)));
-    }
-    return deepest;
+/// The vertices' signed distances from four faces, the smallest for each face.
+[[gnu::always_inline]] inline Float4 DeepestVertex(Vec2x4 vertices, Vec2x4 faceNormals, Vec2x4 faceCorners) {
+    const Float4 d0 = Dot(faceNormals, Lane<0>(vertices) - faceCorners);
+    const Float4 d1 = Dot(faceNormals, Lane<1>(vertices) - faceCorners);
+    const Float4 d2 = Dot(faceNormals, Lane<2>(vertices) - faceCorners);
+    const Float4 d3 = Dot(faceNormals, Lane<3>(vertices) - faceCorners);
+    return Min(Min(d0, d1), Min(d2, d3));
 }
 
 /// `toOther` maps the polygon's frame to the other's.
-FaceQuery FindMaxSeparation(const PolygonShape& polygon, const PolygonShape& other, const Transform& toOther) {
+template <int Chunks, int OtherChunks>
+[[gnu::always_inline]] inline FaceQuery FindMaxSeparation(const PolygonLanes<Chunks>& polygon,
+                                                          const PolygonLanes<OtherChunks>& other,
+                                                          const Transform& toOther) {
     FaceQuery best{0, -FLT_MAX};
-    for (int first = 0; first < polygon.m_count; first += 4) {
-        const Vec2x4 normals = Mul(toOther.q, LoadVec2x4(polygon.m_normals + first));
-        const Vec2x4 corners = Mul(toOther, LoadVec2x4(polygon.m_vertices + first));
-        const Float4 separations = DeepestVertex(other, normals, corners);
-        const FaceQuery found = Largest(FillFrom(separations, polygon.m_count - first, -FLT_MAX));
-        if (found.separation > best.separation) best = {first + found.face, found.separation};
+    for (int k = 0; k < Chunks; ++k) {
+        const Vec2x4 normals = Mul(toOther.q, polygon.normals[k]);
+        const Vec2x4 corners = Mul(toOther, polygon.vertices[k]);
+        Float4 deepest = DeepestVertex(other.vertices[0], normals, corners);
+        if constexpr (OtherChunks > 1) deepest = Min(deepest, DeepestVertex(other.vertices[1], normals, corners));
+        const FaceQuery found = Largest(deepest);
+        if (found.separation > best.separation) best = {4 * k + found.face, found.separation};
     }
     return best;
+}
+
+/// Both polygons' best faces; b is not computed, and `apart` true, if A's face already separates them.
+struct AxisSearch {
+    FaceQuery a, b;
+    bool apart;
+};
+
+template <int ChunksA, int ChunksB>
+AxisSearch SearchAxes(const PolygonShape& polygonA, const Transform& xfA, const PolygonShape& polygonB,
+                      const Transform& xfB) {
+    const PolygonLanes<ChunksA> lanesA = LoadLanes<ChunksA>(polygonA);
+    const PolygonLanes<ChunksB> lanesB = LoadLanes<ChunksB>(polygonB);
+    const float radius = polygonA.m_radius + polygonB.m_radius;
+    AxisSearch out{{}, {}, true};
+    out.a = FindMaxSeparation(lanesA, lanesB, MulT(xfB, xfA));
+    if (out.a.separation > radius) return out;
+    out.b = FindMaxSeparation(lanesB, lanesA, MulT(xfA, xfB));
+    out.apart = out.b.separation > radius;
+    return out;
+}
+
+AxisSearch SearchAxes(const PolygonShape& polygonA, const Transform& xfA, const PolygonShape& polygonB,
+                      const Transform& xfB) {
+    if (polygonA.m_count <= 4) {
+        return polygonB.m_count <= 4 ? SearchAxes<1, 1>(polygonA, xfA, polygonB, xfB)
+                                     : SearchAxes<1, 2>(polygonA, xfA, polygonB, xfB);
+    }
+    return polygonB.m_count <= 4 ? SearchAxes<2, 1>(polygonA, xfA, polygonB, xfB)
+                                 : SearchAxes<2, 2>(polygonA, xfA, polygonB, xfB);
 }
 
 /// A polygon, its placement and, for the reference one, the face in question.
@@ -67,7 +117,7 @@ struct Side {
 int NextVertex(const PolygonShape& polygon, int i) { return i + 1 < polygon.m_count ? i + 1 : 0; }
 
 /// The incident face: the one whose normal opposes the reference normal most, in world coordinates.
-void FindIncidentFace(ClipVertex segment[2], const Side& reference, const Side& incident) {
+ClipSegment FindIncidentFace(const Side& reference, const Side& incident) {
     const Vec2 normal = MulT(incident.xf.q, Mul(reference.xf.q, reference.polygon.m_normals[reference.face]));
     int best = 0;
     float smallest = FLT_MAX;
@@ -79,16 +129,15 @@ void FindIncidentFace(ClipVertex segment[2], const Side& reference, const Side& 
         }
     }
     const int next = NextVertex(incident.polygon, best);
-    segment[0] = {Mul(incident.xf, incident.polygon.m_vertices[best]),
-                  MakeContactID(reference.face, ContactFeature::e_face, best, ContactFeature::e_vertex)};
-    segment[1] = {Mul(incident.xf, incident.polygon.m_vertices[next]),
-                  MakeContactID(reference.face, ContactFeature::e_face, next, ContactFeature::e_vertex)};
+    return {{Mul(incident.xf, incident.polygon.m_vertices[best]),
+             MakeContactKey(reference.face, ContactFeature::e_face, best, ContactFeature::e_vertex)},
+            {Mul(incident.xf, incident.polygon.m_vertices[next]),
+             MakeContactKey(reference.face, ContactFeature::e_face, next, ContactFeature::e_vertex)}};
 }
 
 /// Clips the incident face against the reference face and keeps what lies within `radius` of it.
 void ClipFaces(Manifold* manifold, const Side& reference, const Side& incident, float radius) {
-    ClipVertex segment[2];
-    FindIncidentFace(segment, reference, incident);
+    ClipSegment segment = FindIncidentFace(reference, incident);
 
     const int corner1 = reference.face;
     const int corner2 = NextVertex(reference.polygon, corner1);
@@ -109,14 +158,14 @@ void ClipFaces(Manifold* manifold, const Side& reference, const Side& incident, 
     manifold->localPoint = 0.5f * (local1 + local2);
     const float frontOffset = Dot(normal, v1);
     const bool flipped = manifold->type == Manifold::e_faceB;
-    int count = 0;
-    for (const ClipVertex& end : segment) {
-        if (!(Dot(normal, end.v) - frontOffset <= radius)) continue;
-        ManifoldPoint& point = manifold->points[count++];
+    const auto keep = [&](const ClipVertex& end) {
+        if (!(Dot(normal, end.v) - frontOffset <= radius)) return;
+        ManifoldPoint& point = manifold->points[manifold->pointCount++];
         point.localPoint = MulT(incident.xf, end.v);
-        point.id = flipped ? SwapContactID(end.id) : end.id;
-    }
-    manifold->pointCount = static_cast<int8_t>(count);
+        point.id.key = flipped ? SwapContactKey(end.key) : end.key;
+    };
+    keep(segment.first);
+    keep(segment.second);
 }
 
 }  // namespace
@@ -125,22 +174,16 @@ void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Tra
                      const PolygonShape* polygonB, const Transform& xfB) {
     manifold->pointCount = 0;
     const float radius = polygonA->m_radius + polygonB->m_radius;
-    const FaceQuery a = FindMaxSeparation(*polygonA, *polygonB, MulT(xfB, xfA));
-    if (a.separation > radius) return;
-    const FaceQuery b = FindMaxSeparation(*polygonB, *polygonA, MulT(xfA, xfB));
-    if (b.separation > radius) return;
+    const AxisSearch search = SearchAxes(*polygonA, xfA, *polygonB, xfB);
+    if (search.apart) return;
 
     // A needs to be clearly worse to lose: two faces nearly in one plane would otherwise alternate as the reference.
     constexpr float preference = 0.1f * linearSlop;
-    const Side sideA{*polygonA, xfA, a.face};
-    const Side sideB{*polygonB, xfB, b.face};
-    if (b.separation > a.separation + preference) {
-        manifold->type = Manifold::e_faceB;
-        ClipFaces(manifold, sideB, sideA, radius);
-    } else {
-        manifold->type = Manifold::e_faceA;
-        ClipFaces(manifold, sideA, sideB, radius);
-    }
+    const Side sideA{*polygonA, xfA, search.a.face};
+    const Side sideB{*polygonB, xfB, search.b.face};
+    const bool flipped = search.b.separation > search.a.separation + preference;
+    manifold->type = flipped ? Manifold::e_faceB : Manifold::e_faceA;
+    ClipFaces(manifold, flipped ? sideB : sideA, flipped ? sideA : sideB, radius);
 }
 
 }  // namespace scree

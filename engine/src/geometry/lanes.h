@@ -44,9 +44,8 @@ Vec2x4 Lane(Vec2x4 v) {
     return {__builtin_shufflevector(v.x, v.x, I, I, I, I), __builtin_shufflevector(v.y, v.y, I, I, I, I)};
 }
 
-/// The first `used` lanes of `values`, then `filler`; four or more used lanes pass unchanged.
+/// The first `used` lanes of `values`, then `filler`.
 inline Float4 FillFrom(Float4 values, int used, float filler) {
-    if (used >= 4) return values;
     for (int lane = 0; lane < 4; ++lane) values[lane] = lane < used ? values[lane] : filler;
     return values;
 }

@@ -78,17 +78,13 @@ TEST(Box2dRun, ContinuousCollisionFollowsTheOption) {
     }
 }
 
-TEST(Box2dRun, TwoRunsOfASceneAreEqualAndStagesFitIntoTheStep) {
+TEST(Box2dRun, TwoRunsOfASceneAreEqual) {
     const scenes::Scene scene = scenes::Build("falling-squares", 10);
     const auto a = Make(scene), b = Make(scene);
     Snapshot sa, sb;
     for (int i = 0; i < 40; ++i) {
         a->Step();
         b->Step();
-        const StepTimes t = a->GetTimes();
-        EXPECT_GE(t.solver, 0.0);
-        // Box2D keeps its times in floats, and its own clock starts inside ours.
-        EXPECT_LE(t.broadPhase + t.narrowPhase + t.solver, t.step * 1.001 + 0.001);
     }
     a->Capture(sa);
     b->Capture(sb);

@@ -7,6 +7,7 @@
 #include "testbed/report/metrics.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -158,7 +159,7 @@ TEST(Metrics, AlgorithmsWithoutATreeHaveNoTreeFigures) {
 }
 
 TEST(Metrics, BothFilesAreWrittenWhole) {
-    const auto root = std::filesystem::temp_directory_path() / "scree-metrics-test";
+    const auto root = std::filesystem::temp_directory_path() / ("scree-metrics-test-" + std::to_string(getpid()));
     std::filesystem::remove_all(root);
     OutputFolder output(root);
     const std::vector<MetricsRow> rows{MakeRow()};

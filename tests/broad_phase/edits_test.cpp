@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Law: edits and queries may interleave as they like; n of each cost far less than n² box tests and rebuilt proxies
+// together. And a warm FindPairs allocates nothing. Both are counted, never timed.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "tests/broad_phase/test_world.h"
+
+namespace {
+
+std::atomic<size_t> allocations{0};
+
+}  // namespace
+
+// Every allocation of the test binary is counted; new[] forwards to these. Not inlined: the compiler would otherwise see
+// free() on what it knows to come from operator new and warn.
+[[gnu::noinline]] void* operator new(size_t size) {
+    ++allocations;
+    if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void* operator new(size_t size, std::align_val_t alignment) {
+    ++allocations;
+    const size_t unit = static_cast<size_t>(alignment);
+    if (void* p = std::aligned_alloc(unit, (size + unit - 1) / unit * unit)) return p;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, size_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p, size_t, std::align_val_t) noexcept { std::free(p); }
+
+namespace scree::test {
+namespace {
+
+class Edits : public testing::TestWithParam<BroadPhaseKind> {};
+
+INSTANTIATE_TEST_SUITE_P(BroadPhase, Edits, testing::ValuesIn(allKinds), [](const auto& param) {
+    std::string name(GetName(param.param));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+bool QueriesAreLinear(BroadPhaseKind kind) {
+    return kind == BroadPhaseKind::bruteForce || kind == BroadPhaseKind::sweepAndPrune;
+}
+
+AABB CellBox(uint32_t i) {
+    const Vec2 p{static_cast<float>(i % 97), static_cast<float>(i / 97)};
+    return {p, p + Vec2{0.5f, 0.5f}};
+}
+
+uint64_t CostSoFar(const BroadPhase& broadPhase) {
+    return broadPhase.GetStats().boxTests + broadPhase.GetStats().rebuiltProxies;
+}
+
+/// What n edits, each followed by a query, may cost: c · n^1.5. The rule itself costs about 25 n^1.5 in the worst mix
+/// (scan of 6√n edits, a rebuild of n each 6√n edits); n² would be 40 times more than 25 n^1.5 at n = 1e6 only, so the
+/// test asks for growth: doubling n may not come near quadrupling the cost.
+template <class Interleave>
+void ExpectFarBelowQuadratic(BroadPhaseKind kind, Interleave&& interleave) {
+    uint64_t costs[2];
+    for (int i = 0; i < 2; ++i) {
+        const auto broadPhase = CreateBroadPhase(kind);
+        interleave(*broadPhase, i == 0 ? 4000u : 16'000u);
+        costs[i] = CostSoFar(*broadPhase);
+    }
+    // Four times the size: 16 times the cost if quadratic, 8 times by the rule; 10 leaves room for logarithms.
+    EXPECT_LT(costs[1], 10 * costs[0]) << costs[0] << " -> " << costs[1];
+    // And an absolute bound: n²/8.
+    EXPECT_LT(costs[1], 16'000ull * 16'000ull / 8);
+}
+
+TEST_P(Edits, InsertAndQueryInTurnIsFarBelowQuadratic) {
+    if (QueriesAreLinear(GetParam())) GTEST_SKIP() << "linear queries by design";
+    for (const Motion motion : {Motion::dynamic, Motion::isStatic}) {
+        ExpectFarBelowQuadratic(GetParam(), [&](BroadPhase& broadPhase, uint32_t count) {
+            for (uint32_t i = 0; i < count; ++i) {
+                broadPhase.Insert(i, i, motion, CellBox(i));
+                int visits = 0;
+                broadPhase.Query(CellBox(i), [&](uint32_t) { return ++visits > 0; });
+                ASSERT_GE(visits, 1);
+            }
+        });
+    }
+}
+
+TEST_P(Edits, UpdateRemoveAndQueryInTurnIsFarBelowQuadratic) {
+    if (QueriesAreLinear(GetParam())) GTEST_SKIP() << "linear queries by design";
+    ExpectFarBelowQuadratic(GetParam(), [](BroadPhase& broadPhase, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) broadPhase.Insert(i, i, i % 3 == 0 ? Motion::isStatic : Motion::dynamic, CellBox(i));
+        std::vector<Pair> pairs;
+        broadPhase.FindPairs(pairs);
+        for (uint32_t i = 0; i < count; ++i) {
+            if (i % 2 == 0) {
+                broadPhase.Remove(i);
+            } else {
+                broadPhase.Update(i, CellBox(count - i), vec2Zero);
+            }
+            broadPhase.Query(CellBox(i), [](uint32_t) { return true; });
+        }
+    });
+}
+
+/// A world that goes back and forth over the threshold of the static tree between queries must not rebuild each time.
+TEST_P(Edits, CrossingTheStaticThresholdInTurnIsFarBelowQuadratic) {
+    if (QueriesAreLinear(GetParam())) GTEST_SKIP() << "linear queries by design";
+    ExpectFarBelowQuadratic(GetParam(), [](BroadPhase& broadPhase, uint32_t count) {
+        for (uint32_t i = 0; i < count; ++i) broadPhase.Insert(i, i, i % 8 == 0 ? Motion::isStatic : Motion::dynamic, CellBox(i));
+        std::vector<Pair> pairs;
+        broadPhase.FindPairs(pairs);
+        for (uint32_t i = 0; i < count; ++i) {
+            if (i % 2 == 0) {
+                broadPhase.Insert(count, count, Motion::isStatic, CellBox(i));
+            } else {
+                broadPhase.Remove(count);
+            }
+            broadPhase.Query(CellBox(i), [](uint32_t) { return true; });
+        }
+    });
+}
+
+TEST_P(Edits, WarmFindPairsAllocatesNothing) {
+    for (const float staticShare : {0.0f, 0.05f, 0.5f}) {
+        WorldShape shape;
+        shape.count = 600;
+        shape.staticShare = staticShare;
+        TestWorld world(shape);
+        const auto broadPhase = CreateBroadPhase(GetParam());
+        world.Fill(*broadPhase);
+        // The world breathes: two poses in turn, so every buffer reaches its full size.
+        std::vector<Pair> pairs;
+        const auto pose = [&](bool shifted) {
+            for (const TestFixture& fixture : world.Fixtures()) {
+                if (fixture.motion == Motion::isStatic) continue;
+                const Vec2 d{shifted ? 0.3f : 0.0f, 0.0f};
+                broadPhase->Update(fixture.fixture, {fixture.box.lowerBound + d, fixture.box.upperBound + d}, vec2Zero);
+            }
+        };
+        for (int step = 0; step < 4; ++step) {
+            pose(step % 2 == 1);
+            broadPhase->FindPairs(pairs);
+        }
+        for (int step = 0; step < 4; ++step) {
+            pose(step % 2 == 1);
+            const size_t before = allocations;
+            broadPhase->FindPairs(pairs);
+            EXPECT_EQ(allocations - before, 0u);
+        }
+        EXPECT_GT(pairs.size(), 100u);
+    }
+}
+
+TEST_P(Edits, MemoryIsTold) {
+    const auto broadPhase = CreateBroadPhase(GetParam());
+    for (uint32_t i = 0; i < 1000; ++i) broadPhase->Insert(i, i, Motion::dynamic, CellBox(i));
+    std::vector<Pair> pairs;
+    broadPhase->FindPairs(pairs);
+    // Box and identity of 1000 proxies at least; at most what any of the structures needs with room to grow.
+    EXPECT_GE(broadPhase->GetMemoryBytes(), 1000u * 24u);
+    EXPECT_LE(broadPhase->GetMemoryBytes(), 1000u * 400u);
+}
+
+}  // namespace
+}  // namespace scree::test

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Laws: a box query visits exactly the fixtures whose stored boxes overlap, each once; a ray cast visits exactly those that
+// a scan with the same box test finds, and finds the same closest one when hits clip the ray; at any moment between
+// edits, whatever has been rebuilt. Fattened boxes are compared with the boxes that GetBox tells.
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+
+#include "broad_phase/ray_probe.h"
+#include "tests/broad_phase/test_world.h"
+
+namespace scree::test {
+namespace {
+
+class Queries : public testing::TestWithParam<BroadPhaseKind> {};
+
+INSTANTIATE_TEST_SUITE_P(BroadPhase, Queries, testing::ValuesIn(allKinds), [](const auto& param) {
+    std::string name(GetName(param.param));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+});
+
+std::vector<uint32_t> Visited(BroadPhase& broadPhase, const AABB& box) {
+    std::vector<uint32_t> found;
+    broadPhase.Query(box, [&](uint32_t fixture) {
+        found.push_back(fixture);
+        return true;
+    });
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+void CheckQuery(const TestWorld& world, BroadPhase& broadPhase, const AABB& box) {
+    std::vector<uint32_t> expected;
+    for (const TestFixture& fixture : world.Fixtures()) {
+        if (TestOverlap(broadPhase.GetBox(fixture.fixture), box)) expected.push_back(fixture.fixture);
+    }
+    std::sort(expected.begin(), expected.end());
+    RC_ASSERT(Visited(broadPhase, box) == expected);
+}
+
+/// Enters a box as a solid: the fraction at which the ray gets in, or −1.
+float EntryFraction(const RayCastInput& input, const AABB& box) {
+    float low = 0.0f, high = input.maxFraction;
+    const float origin[2] = {input.p1.x, input.p1.y};
+    const float d[2] = {input.p2.x - input.p1.x, input.p2.y - input.p1.y};
+    const float from[2] = {box.lowerBound.x, box.lowerBound.y};
+    const float to[2] = {box.upperBound.x, box.upperBound.y};
+    for (int axis = 0; axis < 2; ++axis) {
+        if (d[axis] == 0.0f) {
+            if (origin[axis] < from[axis] || origin[axis] > to[axis]) return -1.0f;
+            continue;
+        }
+        const float t1 = (from[axis] - origin[axis]) / d[axis];
+        const float t2 = (to[axis] - origin[axis]) / d[axis];
+        low = std::max(low, std::min(t1, t2));
+        high = std::min(high, std::max(t1, t2));
+    }
+    return low <= high ? low : -1.0f;
+}
+
+void CheckRay(const TestWorld& world, BroadPhase& broadPhase, const RayCastInput& input) {
+    std::vector<uint32_t> expected, visited;
+    const broadphase::RayProbe probe(input);
+    float closest = 2.0f;
+    for (const TestFixture& fixture : world.Fixtures()) {
+        const AABB box = broadPhase.GetBox(fixture.fixture);
+        if (probe.MayHitLeaf(box)) expected.push_back(fixture.fixture);
+        const float entry = EntryFraction(input, box);
+        if (entry > 0.0f) closest = std::min(closest, entry);
+    }
+    std::sort(expected.begin(), expected.end());
+    broadPhase.RayCast(input, [&](const RayCastInput& now, uint32_t fixture) {
+        RC_ASSERT(now.maxFraction == input.maxFraction);
+        visited.push_back(fixture);
+        return -1.0f;
+    });
+    std::sort(visited.begin(), visited.end());
+    RC_ASSERT(visited == expected);
+
+    float found = 2.0f;
+    broadPhase.RayCast(input, [&](const RayCastInput& now, uint32_t fixture) {
+        const float entry = EntryFraction(now, broadPhase.GetBox(fixture));
+        if (entry <= 0.0f) return -1.0f;
+        found = std::min(found, entry);
+        return found;
+    });
+    RC_ASSERT(found == closest);
+}
+
+TEST_P(Queries, EqualALinearScanBetweenEdits) {
+    EXPECT_TRUE(rc::check("queries equal a scan", [] {
+        const WorldShape shape = AnyWorldShape(150);
+        BroadPhaseConfig config;
+        config.leafSize = *rc::gen::element(0, 0, 1, 5);
+        TestWorld world(shape);
+        const auto broadPhase = CreateBroadPhase(GetParam(), config);
+        world.Fill(*broadPhase);
+        std::vector<Pair> pairs;
+        const int rounds = *rc::gen::inRange(1, 12);
+        for (int round = 0; round < rounds; ++round) {
+            if (*rc::gen::inRange(0, 3) == 0) broadPhase->FindPairs(pairs);
+            // Few edits leave a tree in use beside them, many make it stale.
+            world.Edit(*broadPhase, *rc::gen::element(0, 1, 5, 40, 200));
+            CheckQuery(world, *broadPhase, world.RandomBox());
+            const AABB from = world.RandomBox(), to = world.RandomBox();
+            CheckRay(world, *broadPhase, {from.lowerBound, to.lowerBound, 1.0f});
+            CheckRay(world, *broadPhase, {from.lowerBound, {to.lowerBound.x, from.lowerBound.y}, world.Uniform(0.1f, 1.0f)});
+            CheckRay(world, *broadPhase, {from.lowerBound, from.lowerBound, 1.0f});
+        }
+    }));
+}
+
+TEST_P(Queries, StopWhenToldTo) {
+    const auto broadPhase = CreateBroadPhase(GetParam());
+    for (uint32_t i = 0; i < 50; ++i) broadPhase->Insert(i, i, Motion::dynamic, {{0.0f, 0.0f}, {1.0f, 1.0f}});
+    for (int round = 0; round < 2; ++round) {
+        int visits = 0;
+        broadPhase->Query({{0.0f, 0.0f}, {1.0f, 1.0f}}, [&](uint32_t) { return ++visits < 3; });
+        EXPECT_EQ(visits, 3);
+        visits = 0;
+        broadPhase->RayCast({{-1.0f, 0.5f}, {2.0f, 0.5f}, 1.0f},
+                            [&](const RayCastInput&, uint32_t) { return ++visits < 3 ? -1.0f : 0.0f; });
+        EXPECT_EQ(visits, 3);
+        // The second round asks while one proxy is on the list of edits.
+        broadPhase->Update(7, {{0.0f, 0.0f}, {1.0f, 2.0f}}, vec2Zero);
+    }
+}
+
+/// A fixture that leaves one part of the proxies for the other must not be met in both.
+TEST_P(Queries, ChangeOfMotionTypeIsSeenOnce) {
+    const auto broadPhase = CreateBroadPhase(GetParam());
+    const AABB box{{0.0f, 0.0f}, {1.0f, 1.0f}};
+    const AABB far{{50.0f, 0.0f}, {51.0f, 1.0f}};
+    broadPhase->Insert(0, 0, Motion::dynamic, box);
+    for (uint32_t i = 1; i < 400; ++i) broadPhase->Insert(i, i, i % 2 == 0 ? Motion::dynamic : Motion::isStatic, far);
+    std::vector<Pair> pairs;
+    broadPhase->FindPairs(pairs);
+    for (int round = 0; round < 6; ++round) {
+        broadPhase->Remove(0);
+        EXPECT_TRUE(Visited(*broadPhase, box).empty());
+        broadPhase->Insert(0, 0, round % 2 == 0 ? Motion::isStatic : Motion::dynamic, box);
+        EXPECT_EQ(Visited(*broadPhase, box), std::vector<uint32_t>{0});
+        // Enough edits of statics alone to make only their tree stale.
+        for (int i = 0; i < 300; ++i) {
+            broadPhase->Remove(1 + 2 * static_cast<uint32_t>(i % 150));
+            broadPhase->Insert(1 + 2 * static_cast<uint32_t>(i % 150), 1, Motion::isStatic, far);
+        }
+        EXPECT_EQ(Visited(*broadPhase, box), std::vector<uint32_t>{0});
+    }
+}
+
+}  // namespace
+}  // namespace scree::test
