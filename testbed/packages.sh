@@ -13,8 +13,9 @@ readonly SCREE_BUILD_PACKAGES=(
     zlib1g-dev libstb-dev                                 # PNG, written and read
     libcli11-dev nlohmann-json3-dev libfmt-dev            # command line, JSON, text
     gnuplot-nox                                           # timing plots
+    libgtest-dev librapidcheck-dev                        # small; the presets configure the tests along
 )
-readonly SCREE_TEST_PACKAGES=(libgtest-dev librapidcheck-dev clang-format-14)
+readonly SCREE_TEST_PACKAGES=(clang-format-14)
 
 # Die CODE MESSAGE
 Die() {

@@ -91,7 +91,7 @@ int RunEnv(const Request& request) {
     PrintLine("compiler", "GCC " __VERSION__);
 #endif
     PrintLine("build", BuildKind());
-    PrintLine("box2d", GetBox2dVersion() + " (what the library says of itself; release 2.4.1 says 2.4.0)");
+    PrintLine("box2d", GetBox2dVersion() + " (what the library says of itself; Debian's 2.4.1 still says 2.4.0)");
     PrintLine("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100));
     PrintLine("CLI11", CLI11_VERSION);
     PrintLine("nlohmann json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,

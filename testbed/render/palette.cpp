@@ -18,7 +18,7 @@ namespace {
 
 constexpr Color layerColor{255, 0, 0, 255};
 
-constexpr std::array<Color, 7> heatStops{backgroundColor,          Color{70, 38, 110, 255},  Color{136, 34, 106, 255},
+constexpr std::array<Color, 7> heatStops{backgroundColor,          Color{84, 56, 148, 255},  Color{152, 46, 128, 255},
                                          Color{203, 48, 66, 255},  Color{240, 105, 28, 255}, Color{250, 178, 44, 255},
                                          Color{252, 255, 190, 255}};
 

@@ -53,7 +53,7 @@ set grid linecolor '#cccccc' linetype 1
 set key top right opaque box width 1
 set xlabel 'step'
 set ylabel 'broad phase [ms]'
-set offsets 0, 0, graph 0.08, 0
+set offsets 0, 0, graph 0.14, 0
 set yrange [0:*]
 )";
 

@@ -40,9 +40,11 @@ void DrawColorBar(Image& image, const ColorBar& bar, int scale) {
         const int x = box.x0 + static_cast<int>(mark.position * (width - 1) + 0.5);
         BlendRect(image, {x, box.y1 - 3 * scale, x + scale, box.y1 + 2 * scale}, Color{255, 255, 255, 255});
         const int textWidth = GetTextWidth(mark.text, scale);
-        const int room = glyphAdvance * scale;
-        // Under its tick if possible, else to the right of it, else to the left, else not at all.
-        for (const int wanted : {x - textWidth / 2, x, x - textWidth}) {
+        const int room = 2 * glyphAdvance * scale;
+        // Under its tick if possible, else to the right of it, else to the left, else after another mark's text.
+        std::vector<int> places{x - textWidth / 2, x, x - textWidth};
+        for (const auto& range : taken) places.push_back(range.second + room);
+        for (const int wanted : places) {
             const int left = std::clamp(wanted, box.x0, std::max(box.x0, box.x1 - textWidth));
             const bool overlaps = std::any_of(taken.begin(), taken.end(), [&](const auto& range) {
                 return left < range.second + room && range.first < left + textWidth + room;

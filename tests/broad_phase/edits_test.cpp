@@ -19,8 +19,8 @@ std::atomic<size_t> allocations{0};
 
 }  // namespace
 
-// Every allocation of the test binary is counted; new[] forwards to these. Not inlined: the compiler would otherwise see
-// free() on what it knows to come from operator new and warn.
+// Every allocation of the test binary is counted; new[] forwards to these. Not inlined: the compiler would otherwise
+// see free() on what it knows to come from operator new and warn.
 [[gnu::noinline]] void* operator new(size_t size) {
     ++allocations;
     if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
@@ -61,9 +61,8 @@ uint64_t CostSoFar(const BroadPhase& broadPhase) {
     return broadPhase.GetStats().boxTests + broadPhase.GetStats().rebuiltProxies;
 }
 
-/// What n edits, each followed by a query, may cost: c · n^1.5. The rule itself costs about 25 n^1.5 in the worst mix
-/// (scan of 6√n edits, a rebuild of n each 6√n edits); n² would be 40 times more than 25 n^1.5 at n = 1e6 only, so the
-/// test asks for growth: doubling n may not come near quadrupling the cost.
+/// What n edits, each followed by a query, may cost. By the rule (a list of up to 6√n edits beside the tree, a rebuild
+/// when it is full) that is a small multiple of n^1.5.
 template <class Interleave>
 void ExpectFarBelowQuadratic(BroadPhaseKind kind, Interleave&& interleave) {
     uint64_t costs[2];
@@ -95,7 +94,8 @@ TEST_P(Edits, InsertAndQueryInTurnIsFarBelowQuadratic) {
 TEST_P(Edits, UpdateRemoveAndQueryInTurnIsFarBelowQuadratic) {
     if (QueriesAreLinear(GetParam())) GTEST_SKIP() << "linear queries by design";
     ExpectFarBelowQuadratic(GetParam(), [](BroadPhase& broadPhase, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) broadPhase.Insert(i, i, i % 3 == 0 ? Motion::isStatic : Motion::dynamic, CellBox(i));
+        for (uint32_t i = 0; i < count; ++i)
+            broadPhase.Insert(i, i, i % 3 == 0 ? Motion::isStatic : Motion::dynamic, CellBox(i));
         std::vector<Pair> pairs;
         broadPhase.FindPairs(pairs);
         for (uint32_t i = 0; i < count; ++i) {
@@ -113,7 +113,8 @@ TEST_P(Edits, UpdateRemoveAndQueryInTurnIsFarBelowQuadratic) {
 TEST_P(Edits, CrossingTheStaticThresholdInTurnIsFarBelowQuadratic) {
     if (QueriesAreLinear(GetParam())) GTEST_SKIP() << "linear queries by design";
     ExpectFarBelowQuadratic(GetParam(), [](BroadPhase& broadPhase, uint32_t count) {
-        for (uint32_t i = 0; i < count; ++i) broadPhase.Insert(i, i, i % 8 == 0 ? Motion::isStatic : Motion::dynamic, CellBox(i));
+        for (uint32_t i = 0; i < count; ++i)
+            broadPhase.Insert(i, i, i % 8 == 0 ? Motion::isStatic : Motion::dynamic, CellBox(i));
         std::vector<Pair> pairs;
         broadPhase.FindPairs(pairs);
         for (uint32_t i = 0; i < count; ++i) {

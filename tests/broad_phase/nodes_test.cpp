@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Laws of the inspection tree: children behind their parents, parents contain children and are their exact union, every
-// fixture in exactly one leaf with its stored box, n − 1 inner nodes, levels count from the root; the static tree is apart
-// above the threshold and not below; algorithms without a tree have no nodes.
+// fixture in exactly one leaf with its stored box, n − 1 inner nodes, levels count from the root; the static tree is
+// apart above the threshold and not below; algorithms without a tree have no nodes.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -28,7 +28,6 @@ bool KeepsTree(BroadPhaseKind kind) {
     return kind != BroadPhaseKind::bruteForce && kind != BroadPhaseKind::sweepAndPrune;
 }
 
-/// `exactUnion`: rebuilt trees; rotations of the fattened tree keep exact unions too.
 void CheckNodes(const TestWorld& world, BroadPhase& broadPhase) {
     std::vector<BvhNode> nodes;
     broadPhase.GetNodes(nodes);
@@ -56,7 +55,8 @@ void CheckNodes(const TestWorld& world, BroadPhase& broadPhase) {
             RC_ASSERT(box.lowerBound == node.box.lowerBound && box.upperBound == node.box.upperBound);
         } else {
             RC_ASSERT(node.fixture == -1);
-            const AABB united = Union(nodes[static_cast<size_t>(node.child1)].box, nodes[static_cast<size_t>(node.child2)].box);
+            const AABB united =
+                Union(nodes[static_cast<size_t>(node.child1)].box, nodes[static_cast<size_t>(node.child2)].box);
             RC_ASSERT(united.lowerBound == node.box.lowerBound && united.upperBound == node.box.upperBound);
         }
     }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Laws: a box query visits exactly the fixtures whose stored boxes overlap, each once; a ray cast visits exactly those that
-// a scan with the same box test finds, and finds the same closest one when hits clip the ray; at any moment between
-// edits, whatever has been rebuilt. Fattened boxes are compared with the boxes that GetBox tells.
+// Laws: a box query visits exactly the fixtures whose stored boxes overlap, each once; a ray cast visits exactly those
+// that a scan with the same box test finds, and finds the same closest one when hits clip the ray; at any moment
+// between edits, whatever has been rebuilt. Fattened boxes are compared with the boxes that GetBox tells.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -109,7 +109,8 @@ TEST_P(Queries, EqualALinearScanBetweenEdits) {
             CheckQuery(world, *broadPhase, world.RandomBox());
             const AABB from = world.RandomBox(), to = world.RandomBox();
             CheckRay(world, *broadPhase, {from.lowerBound, to.lowerBound, 1.0f});
-            CheckRay(world, *broadPhase, {from.lowerBound, {to.lowerBound.x, from.lowerBound.y}, world.Uniform(0.1f, 1.0f)});
+            CheckRay(world, *broadPhase,
+                     {from.lowerBound, {to.lowerBound.x, from.lowerBound.y}, world.Uniform(0.1f, 1.0f)});
             CheckRay(world, *broadPhase, {from.lowerBound, from.lowerBound, 1.0f});
         }
     }));

@@ -21,7 +21,8 @@ AABB TestWorld::RandomBox() {
     Vec2 centre{Uniform(-world, world), Uniform(-world, world)};
     Vec2 half{0.5f * size(), 0.5f * size()};
     switch (m_shape.layout) {
-        case Layout::spread: break;
+        case Layout::spread:
+            break;
         case Layout::clusters: {
             const float pitch = 0.5f * world;
             centre = {pitch * static_cast<float>(Index(3)) + Uniform(0.0f, 0.01f),
@@ -33,7 +34,9 @@ AABB TestWorld::RandomBox() {
             centre = {3.0f, -2.0f};
             half = {0.5f, 0.5f};
             break;
-        case Layout::line: centre.y = 1.0f; break;
+        case Layout::line:
+            centre.y = 1.0f;
+            break;
         case Layout::grid:
             // Borders coincide exactly: a closed-box test must see the touch.
             centre = {static_cast<float>(Index(20)), static_cast<float>(Index(20))};
@@ -42,7 +45,8 @@ AABB TestWorld::RandomBox() {
         case Layout::outlier:
             if (Index(50) == 0) centre = {1.0e7f, -1.0e7f};
             break;
-        case Layout::count: break;
+        case Layout::count:
+            break;
     }
     return {centre - half, centre + half};
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A random world of boxes that is edited step by step beside a broad phase, and the plain rule that tells its true pairs.
-// Everything follows from a few numbers and a seed, so that RapidCheck can vary and shrink them.
+// A random world of boxes that is edited step by step beside a broad phase, and the plain rule that tells its true
+// pairs. Everything follows from a few numbers and a seed, so that RapidCheck can vary and shrink them.
 
 #pragma once
 
@@ -48,7 +48,9 @@ public:
     void RemoveOne(BroadPhase& broadPhase);
 
     [[nodiscard]] AABB RandomBox();
-    [[nodiscard]] float Uniform(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
+    [[nodiscard]] float Uniform(float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(m_random);
+    }
     [[nodiscard]] int Index(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_random); }
 
     [[nodiscard]] const std::vector<TestFixture>& Fixtures() const { return m_fixtures; }
@@ -71,7 +73,7 @@ private:
 
 /// Kinds that report exactly the tight pairs and keep a tree.
 inline constexpr BroadPhaseKind rebuiltTreeKinds[] = {
-    BroadPhaseKind::bvhBarycentre, BroadPhaseKind::bvhSah, BroadPhaseKind::global1, BroadPhaseKind::global2,
+    BroadPhaseKind::bvhBarycentre, BroadPhaseKind::bvhSah,  BroadPhaseKind::global1, BroadPhaseKind::global2,
     BroadPhaseKind::global3,       BroadPhaseKind::unified, BroadPhaseKind::keys};
 
 inline constexpr BroadPhaseKind allKinds[] = {

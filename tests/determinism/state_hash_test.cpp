@@ -34,10 +34,10 @@ uint64_t HashAfter(const char* name, int size, int steps, const std::string& bro
 }
 
 constexpr Case golden[] = {
-    {"tiles", 30, 60, 0},          {"falling-squares", 16, 200, 0}, {"falling-circles", 16, 200, 0},
-    {"tumbler", 100, 150, 0},      {"add-pair-400", 400, 40, 0},    {"mild-n2", 10, 60, 0},
-    {"n2", 40, 60, 0},             {"multi-fixture", 5, 60, 0},     {"mostly-static-single", 20, 60, 0},
-    {"big-mobile", 5, 120, 0},     {"mixed", 300, 100, 0},          {"slow-explosion", 300, 100, 0},
+    {"tiles", 30, 60, 0},      {"falling-squares", 16, 200, 0}, {"falling-circles", 16, 200, 0},
+    {"tumbler", 100, 150, 0},  {"add-pair-400", 400, 40, 0},    {"mild-n2", 10, 60, 0},
+    {"n2", 40, 60, 0},         {"multi-fixture", 5, 60, 0},     {"mostly-static-single", 20, 60, 0},
+    {"big-mobile", 5, 120, 0}, {"mixed", 300, 100, 0},          {"slow-explosion", 300, 100, 0},
 };
 
 TEST(StateHash, RepeatsAndEqualsItsGoldenValue) {

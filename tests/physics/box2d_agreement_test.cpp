@@ -79,14 +79,18 @@ private:
 
 TEST(Box2dAgreement, FreeFallIsTheSameBitForBit) {
     Twin twin;
-    for (int i = 0; i < 20; ++i) twin.Add(3.0f * static_cast<float>(i) - 30.0f, 40.0f + static_cast<float>(i), 0.1f * static_cast<float>(i), i % 2 == 0, 0.5f);
+    for (int i = 0; i < 20; ++i)
+        twin.Add(3.0f * static_cast<float>(i) - 30.0f, 40.0f + static_cast<float>(i), 0.1f * static_cast<float>(i),
+                 i % 2 == 0, 0.5f);
     twin.Step(100);
     EXPECT_EQ(twin.WorstDistance(), 0.0f);
 }
 
 TEST(Box2dAgreement, SingleBodiesRestWithinAMillimetre) {
     Twin twin;
-    for (int i = 0; i < 9; ++i) twin.Add(4.0f * static_cast<float>(i) - 16.0f, 1.0f + 0.3f * static_cast<float>(i), 0.0f, i % 2 == 0, 0.3f + 0.05f * static_cast<float>(i));
+    for (int i = 0; i < 9; ++i)
+        twin.Add(4.0f * static_cast<float>(i) - 16.0f, 1.0f + 0.3f * static_cast<float>(i), 0.0f, i % 2 == 0,
+                 0.3f + 0.05f * static_cast<float>(i));
     twin.Step(300);
     EXPECT_LT(twin.WorstDistance(), 1e-3f);
     for (size_t i = 0; i < twin.ours.size(); ++i) EXPECT_EQ(twin.ours[i]->IsAwake(), twin.theirs[i]->IsAwake()) << i;
@@ -94,16 +98,20 @@ TEST(Box2dAgreement, SingleBodiesRestWithinAMillimetre) {
 
 TEST(Box2dAgreement, TippedBoxesComeToRestOnTheSameFace) {
     Twin twin;
-    for (int i = 0; i < 8; ++i) twin.Add(5.0f * static_cast<float>(i) - 18.0f, 1.5f, 0.3f + 0.05f * static_cast<float>(i), false, 0.5f);
+    for (int i = 0; i < 8; ++i)
+        twin.Add(5.0f * static_cast<float>(i) - 18.0f, 1.5f, 0.3f + 0.05f * static_cast<float>(i), false, 0.5f);
     twin.Step(400);
     EXPECT_LT(twin.WorstDistance(), 2e-3f);  // the tumble amplifies the last bits of the manifolds
-    for (size_t i = 0; i < twin.ours.size(); ++i) EXPECT_NEAR(twin.ours[i]->GetAngle(), twin.theirs[i]->GetAngle(), 2e-3f);
+    for (size_t i = 0; i < twin.ours.size(); ++i)
+        EXPECT_NEAR(twin.ours[i]->GetAngle(), twin.theirs[i]->GetAngle(), 2e-3f);
 }
 
 TEST(Box2dAgreement, StacksStandAtTheSameHeights) {
     Twin twin;
     for (int column = 0; column < 4; ++column) {
-        for (int i = 0; i <= 2 * column; ++i) twin.Add(5.0f * static_cast<float>(column) - 8.0f, 0.51f + 1.02f * static_cast<float>(i), 0.0f, false, 0.5f);
+        for (int i = 0; i <= 2 * column; ++i)
+            twin.Add(5.0f * static_cast<float>(column) - 8.0f, 0.51f + 1.02f * static_cast<float>(i), 0.0f, false,
+                     0.5f);
     }
     twin.Step(600);
     EXPECT_LT(twin.WorstDistance(), 5e-3f);  // one linearSlop: the solvers' orders differ inside a stack

@@ -73,7 +73,8 @@ TEST(Laws, ABoxOnAnInclineSticksOrSlidesByItsFriction) {
         Fixture* surface = AddBox(ramp, 50.0f, 0.5f, 0.0f);
         const auto mu = static_cast<float>(0.5 * factor);
         surface->SetFriction(mu);
-        Body* box = AddBody(world, dynamicBody, {static_cast<float>(-std::sin(alpha) * 1.01), static_cast<float>(std::cos(alpha) * 1.01)},
+        Body* box = AddBody(world, dynamicBody,
+                            {static_cast<float>(-std::sin(alpha) * 1.01), static_cast<float>(std::cos(alpha) * 1.01)},
                             static_cast<float>(alpha));
         AddBox(box, 0.5f, 0.5f)->SetFriction(mu);
         world.SetAllowSleeping(false);
@@ -138,9 +139,11 @@ TEST(Laws, AColumnOfTenCarriesItsWeight) {
         StepFor(world, 1);
         for (Contact* c = world.GetContactList(); c; c = c->GetNext()) {
             // The upper body of the contact tells the interface.
-            const float yA = c->GetFixtureA()->GetBody()->GetPosition().y, yB = c->GetFixtureB()->GetBody()->GetPosition().y;
+            const float yA = c->GetFixtureA()->GetBody()->GetPosition().y,
+                        yB = c->GetFixtureB()->GetBody()->GetPosition().y;
             const auto level = static_cast<size_t>(std::lround(Max(yA, yB) - 0.5f));
-            for (int p = 0; p < c->GetManifold()->pointCount; ++p) force[level] += c->GetManifold()->points[p].normalImpulse / h;
+            for (int p = 0; p < c->GetManifold()->pointCount; ++p)
+                force[level] += c->GetManifold()->points[p].normalImpulse / h;
         }
     }
     for (size_t level = 0; level < 10; ++level) {

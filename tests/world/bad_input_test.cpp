@@ -61,14 +61,23 @@ TEST_F(BadInput, BodyDef) {
         EXPECT_EQ(world.CreateBody(&def), nullptr);
     };
     ExpectRefused(ErrorCode::nullArgument, "def", [&] { EXPECT_EQ(world.CreateBody(nullptr), nullptr); });
-    ExpectRefused(ErrorCode::nonFinite, "BodyDef::position", [&] { create([](BodyDef& d) { d.position = {nan, 0}; }); });
+    ExpectRefused(ErrorCode::nonFinite, "BodyDef::position", [&] {
+        create([](BodyDef& d) { d.position = {nan, 0}; });
+    });
     ExpectRefused(ErrorCode::nonFinite, "BodyDef::angle", [&] { create([](BodyDef& d) { d.angle = infinity; }); });
-    ExpectRefused(ErrorCode::nonFinite, "BodyDef::linearVelocity", [&] { create([](BodyDef& d) { d.linearVelocity = {0, -infinity}; }); });
-    ExpectRefused(ErrorCode::nonFinite, "BodyDef::angularVelocity", [&] { create([](BodyDef& d) { d.angularVelocity = nan; }); });
-    ExpectRefused(ErrorCode::outOfRange, "BodyDef::linearDamping", [&] { create([](BodyDef& d) { d.linearDamping = -1; }); });
-    ExpectRefused(ErrorCode::outOfRange, "BodyDef::angularDamping", [&] { create([](BodyDef& d) { d.angularDamping = -1; }); });
-    ExpectRefused(ErrorCode::nonFinite, "BodyDef::gravityScale", [&] { create([](BodyDef& d) { d.gravityScale = nan; }); });
-    ExpectRefused(ErrorCode::outOfRange, "BodyDef::type", [&] { create([](BodyDef& d) { d.type = static_cast<BodyType>(7); }); });
+    ExpectRefused(ErrorCode::nonFinite, "BodyDef::linearVelocity", [&] {
+        create([](BodyDef& d) { d.linearVelocity = {0, -infinity}; });
+    });
+    ExpectRefused(ErrorCode::nonFinite, "BodyDef::angularVelocity",
+                  [&] { create([](BodyDef& d) { d.angularVelocity = nan; }); });
+    ExpectRefused(ErrorCode::outOfRange, "BodyDef::linearDamping",
+                  [&] { create([](BodyDef& d) { d.linearDamping = -1; }); });
+    ExpectRefused(ErrorCode::outOfRange, "BodyDef::angularDamping",
+                  [&] { create([](BodyDef& d) { d.angularDamping = -1; }); });
+    ExpectRefused(ErrorCode::nonFinite, "BodyDef::gravityScale",
+                  [&] { create([](BodyDef& d) { d.gravityScale = nan; }); });
+    ExpectRefused(ErrorCode::outOfRange, "BodyDef::type",
+                  [&] { create([](BodyDef& d) { d.type = static_cast<BodyType>(7); }); });
 }
 
 TEST_F(BadInput, FixtureDef) {
@@ -81,30 +90,40 @@ TEST_F(BadInput, FixtureDef) {
         EXPECT_EQ(box->CreateFixture(&def), nullptr);
     };
     ExpectRefused(ErrorCode::nullArgument, "def", [&] { EXPECT_EQ(box->CreateFixture(nullptr), nullptr); });
-    ExpectRefused(ErrorCode::nullArgument, "FixtureDef::shape", [&] { create([](FixtureDef& d) { d.shape = nullptr; }); });
-    ExpectRefused(ErrorCode::outOfRange, "FixtureDef::friction", [&] { create([](FixtureDef& d) { d.friction = -0.1f; }); });
-    ExpectRefused(ErrorCode::nonFinite, "FixtureDef::friction", [&] { create([](FixtureDef& d) { d.friction = nan; }); });
-    ExpectRefused(ErrorCode::nonFinite, "FixtureDef::restitution", [&] { create([](FixtureDef& d) { d.restitution = infinity; }); });
-    ExpectRefused(ErrorCode::outOfRange, "FixtureDef::restitutionThreshold", [&] { create([](FixtureDef& d) { d.restitutionThreshold = -1; }); });
+    ExpectRefused(ErrorCode::nullArgument, "FixtureDef::shape",
+                  [&] { create([](FixtureDef& d) { d.shape = nullptr; }); });
+    ExpectRefused(ErrorCode::outOfRange, "FixtureDef::friction",
+                  [&] { create([](FixtureDef& d) { d.friction = -0.1f; }); });
+    ExpectRefused(ErrorCode::nonFinite, "FixtureDef::friction",
+                  [&] { create([](FixtureDef& d) { d.friction = nan; }); });
+    ExpectRefused(ErrorCode::nonFinite, "FixtureDef::restitution",
+                  [&] { create([](FixtureDef& d) { d.restitution = infinity; }); });
+    ExpectRefused(ErrorCode::outOfRange, "FixtureDef::restitutionThreshold",
+                  [&] { create([](FixtureDef& d) { d.restitutionThreshold = -1; }); });
     ExpectRefused(ErrorCode::outOfRange, "FixtureDef::density", [&] { create([](FixtureDef& d) { d.density = -2; }); });
 }
 
 TEST_F(BadInput, Shapes) {
     CircleShape circle;
-    ExpectRefused(ErrorCode::badShape, "CircleShape::m_radius", [&] { EXPECT_EQ(box->CreateFixture(&circle, 1), nullptr); });
+    ExpectRefused(ErrorCode::badShape, "CircleShape::m_radius",
+                  [&] { EXPECT_EQ(box->CreateFixture(&circle, 1), nullptr); });
     circle.m_radius = nan;
     ExpectRefused(ErrorCode::nonFinite, "Shape::m_radius", [&] { EXPECT_EQ(box->CreateFixture(&circle, 1), nullptr); });
     circle.m_radius = 1.0f;
     circle.m_p = {infinity, 0};
-    ExpectRefused(ErrorCode::nonFinite, "CircleShape::m_p", [&] { EXPECT_EQ(box->CreateFixture(&circle, 1), nullptr); });
+    ExpectRefused(ErrorCode::nonFinite, "CircleShape::m_p",
+                  [&] { EXPECT_EQ(box->CreateFixture(&circle, 1), nullptr); });
     EdgeShape edge;
     edge.SetTwoSided({1, 1}, {1, 1});
-    ExpectRefused(ErrorCode::badShape, "EdgeShape::m_vertex2", [&] { EXPECT_EQ(box->CreateFixture(&edge, 0), nullptr); });
+    ExpectRefused(ErrorCode::badShape, "EdgeShape::m_vertex2",
+                  [&] { EXPECT_EQ(box->CreateFixture(&edge, 0), nullptr); });
     PolygonShape polygon;
-    ExpectRefused(ErrorCode::badShape, "PolygonShape::m_count", [&] { EXPECT_EQ(box->CreateFixture(&polygon, 1), nullptr); });
+    ExpectRefused(ErrorCode::badShape, "PolygonShape::m_count",
+                  [&] { EXPECT_EQ(box->CreateFixture(&polygon, 1), nullptr); });
     polygon.SetAsBox(1, 1);
     polygon.m_vertices[2] = {nan, 0};
-    ExpectRefused(ErrorCode::badShape, "PolygonShape::m_vertices", [&] { EXPECT_EQ(box->CreateFixture(&polygon, 1), nullptr); });
+    ExpectRefused(ErrorCode::badShape, "PolygonShape::m_vertices",
+                  [&] { EXPECT_EQ(box->CreateFixture(&polygon, 1), nullptr); });
 }
 
 TEST_F(BadInput, BodySetters) {
@@ -137,7 +156,8 @@ TEST_F(BadInput, JointsAndHandles) {
     ExpectRefused(ErrorCode::outOfRange, "JointDef::bodyB", [&] { EXPECT_EQ(world.CreateJoint(&def), nullptr); });
     def.bodyB = other;
     def.lowerAngle = 1.0f;
-    ExpectRefused(ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle", [&] { EXPECT_EQ(world.CreateJoint(&def), nullptr); });
+    ExpectRefused(ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle",
+                  [&] { EXPECT_EQ(world.CreateJoint(&def), nullptr); });
     ExpectRefused(ErrorCode::foreignHandle, "body", [&] { world.DestroyBody(foreign); });
     ExpectRefused(ErrorCode::foreignHandle, "fixture", [&] { box->DestroyFixture(other->GetFixtureList()); });
     ExpectRefused(ErrorCode::nonFinite, "lower", [&] { joint->SetLimits(nan, 0); });
@@ -150,8 +170,12 @@ TEST_F(BadInput, WorldCalls) {
     ExpectRefused(ErrorCode::outOfRange, "velocityIterations", [&] { world.Step(0.1f, -1, 3); });
     ExpectRefused(ErrorCode::outOfRange, "positionIterations", [&] { world.Step(0.1f, 8, -3); });
     ExpectRefused(ErrorCode::nonFinite, "gravity", [&] { world.SetGravity({0, nan}); });
-    ExpectRefused(ErrorCode::outOfRange, "aabb", [&] { world.QueryAABB({{1, 1}, {0, 0}}, [](Fixture*) { return true; }); });
-    ExpectRefused(ErrorCode::nonFinite, "p1, p2", [&] { world.RayCast({nan, 0}, {1, 1}, [](Fixture*, Vec2, Vec2, float) { return 1.0f; }); });
+    ExpectRefused(ErrorCode::outOfRange, "aabb", [&] {
+        world.QueryAABB({{1, 1}, {0, 0}}, [](Fixture*) { return true; });
+    });
+    ExpectRefused(ErrorCode::nonFinite, "p1, p2", [&] {
+        world.RayCast({nan, 0}, {1, 1}, [](Fixture*, Vec2, Vec2, float) { return 1.0f; });
+    });
 }
 
 TEST_F(BadInput, ABodyThatBlowsUpIsStoppedAndCounted) {

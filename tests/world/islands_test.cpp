@@ -27,8 +27,9 @@ TEST(Islands, EqualTheComponentsOfTheContactGraph) {
         AddGround(world, 20.0f);
         const int count = *rc::gen::inRange(1, 60);
         for (int i = 0; i < count; ++i) {
-            Body* body = AddBody(world, dynamicBody, {static_cast<float>(*rc::gen::inRange(-100, 100)) * 0.1f,
-                                                      static_cast<float>(*rc::gen::inRange(2, 60)) * 0.1f});
+            Body* body = AddBody(world, dynamicBody,
+                                 {static_cast<float>(*rc::gen::inRange(-100, 100)) * 0.1f,
+                                  static_cast<float>(*rc::gen::inRange(2, 60)) * 0.1f});
             *rc::gen::arbitrary<bool>() ? AddBox(body, 0.4f, 0.4f) : AddCircle(body, 0.4f);
         }
         world.SetAllowSleeping(false);
@@ -45,7 +46,9 @@ TEST(Islands, EqualTheComponentsOfTheContactGraph) {
             if (!s.contacts.Has(c, ContactFlag::touching)) continue;
             ++pushing;
             const ContactPair& p = s.contacts.pair[static_cast<size_t>(c)];
-            if (s.bodies.type[static_cast<size_t>(p.bodyA)] == staticBody || s.bodies.type[static_cast<size_t>(p.bodyB)] == staticBody) continue;
+            if (s.bodies.type[static_cast<size_t>(p.bodyA)] == staticBody ||
+                s.bodies.type[static_cast<size_t>(p.bodyB)] == staticBody)
+                continue;
             parent[static_cast<size_t>(Root(parent, p.bodyA))] = Root(parent, p.bodyB);
         }
         RC_ASSERT(s.islands.contacts.size() == pushing);
@@ -73,7 +76,8 @@ TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
     World ballistic(def), island(def);
     for (World* world : {&ballistic, &island}) {
         for (int i = 0; i < 50; ++i) {
-            Body* body = AddBody(*world, i % 7 == 0 ? kinematicBody : dynamicBody, {3.0f * static_cast<float>(i), 1.0f / static_cast<float>(i + 1)});
+            Body* body = AddBody(*world, i % 7 == 0 ? kinematicBody : dynamicBody,
+                                 {3.0f * static_cast<float>(i), 1.0f / static_cast<float>(i + 1)});
             AddBox(body, 0.3f, 0.4f);
             body->SetLinearVelocity({0.1f * static_cast<float>(i), 7.0f - static_cast<float>(3 * i)});
             body->SetAngularVelocity(0.37f * static_cast<float>(i));
@@ -106,7 +110,8 @@ TEST(Step, AWarmStepAllocatesNothing) {
     AddGround(world);
     for (int i = 0; i < 15; ++i) {
         for (int j = 0; j < 10; ++j) {
-            Body* body = AddBody(world, dynamicBody, {static_cast<float>(i) * 1.05f, 0.5f + static_cast<float>(j) * 1.05f});
+            Body* body =
+                AddBody(world, dynamicBody, {static_cast<float>(i) * 1.05f, 0.5f + static_cast<float>(j) * 1.05f});
             AddBox(body, 0.5f, 0.5f);
         }
     }

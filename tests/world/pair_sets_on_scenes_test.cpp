@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // On every scene of the catalogue, every broad-phase algorithm, fed the boxes of one and the same motion, reports brute
-// force's pair set at 20 steps spread over the run up to the scene's most telling step (the fattened tree after the tight test).
+// force's pair set at 20 steps spread over the run up to the scene's most telling step (the fattened tree after the
+// tight test).
 
 #include <gtest/gtest.h>
 
@@ -32,7 +33,7 @@ public:
             const scree::Vec2 position{body.position.x, body.position.y};
             const auto [known, isNew] = m_positions.try_emplace(id, position);
             if (isNew) {
-                const scree::Motion motion = body.type == scenes::BodyType::isStatic    ? scree::Motion::isStatic
+                const scree::Motion motion = body.type == scenes::BodyType::isStatic  ? scree::Motion::isStatic
                                              : body.type == scenes::BodyType::dynamic ? scree::Motion::dynamic
                                                                                       : scree::Motion::kinematic;
                 m_algorithm->Insert(id, static_cast<uint32_t>(body.index), motion, ToBox(f.tight));
@@ -62,10 +63,20 @@ private:
 
 /// A size at which brute force takes little time but the scene keeps its character.
 int SmallSize(const scenes::SceneInfo& info) {
-    const std::map<std::string_view, int> sizes = {{"add-pair", 300},  {"n2", 60},     {"mild-n2", 20}, {"multi-fixture", 12},
-                                                   {"mixed", 600},     {"tiles", 145},  {"big-mobile", 6}, {"slow-explosion", 2000},
-                                                   {"tumbler", 60},    {"diagonal", 10}, {"falling-squares", 24}, {"falling-circles", 24},
-                                                   {"mostly-static-single", 24}, {"mostly-static-multi", 24}};
+    const std::map<std::string_view, int> sizes = {{"add-pair", 300},
+                                                   {"n2", 60},
+                                                   {"mild-n2", 20},
+                                                   {"multi-fixture", 12},
+                                                   {"mixed", 600},
+                                                   {"tiles", 145},
+                                                   {"big-mobile", 6},
+                                                   {"slow-explosion", 2000},
+                                                   {"tumbler", 60},
+                                                   {"diagonal", 10},
+                                                   {"falling-squares", 24},
+                                                   {"falling-circles", 24},
+                                                   {"mostly-static-single", 24},
+                                                   {"mostly-static-multi", 24}};
     const auto found = sizes.find(info.name);
     return found == sizes.end() ? info.defaultSize : found->second;
 }
@@ -78,7 +89,8 @@ TEST_P(PairSetsOnScenes, EqualBruteForce) {
     const scenes::Scene scene = scenes::Build(info->name, SmallSize(*info));
     auto run = testbed::MakeScreeRun(scene, {});
     std::vector<Follower> followers;
-    for (size_t kind = 1; kind < scree::broadPhaseNames.size(); ++kind) followers.emplace_back(static_cast<BroadPhaseKind>(kind));
+    for (size_t kind = 1; kind < scree::broadPhaseNames.size(); ++kind)
+        followers.emplace_back(static_cast<BroadPhaseKind>(kind));
 
     testbed::Snapshot snapshot;
     size_t seen = 0;
@@ -88,7 +100,8 @@ TEST_P(PairSetsOnScenes, EqualBruteForce) {
         if (step % stride != stride - 1) continue;
         run->Capture(snapshot, {.fixtures = true, .contacts = false, .joints = false, .nodes = false});
         std::map<uint32_t, scree::AABB> tight;
-        for (const testbed::FixtureState& f : snapshot.fixtures) tight[static_cast<uint32_t>(f.fixture)] = ToBox(f.tight);
+        for (const testbed::FixtureState& f : snapshot.fixtures)
+            tight[static_cast<uint32_t>(f.fixture)] = ToBox(f.tight);
         std::vector<Pair> expected;
         for (size_t i = 0; i < followers.size(); ++i) {
             followers[i].Follow(snapshot);
@@ -99,8 +112,8 @@ TEST_P(PairSetsOnScenes, EqualBruteForce) {
                 expected = pairs;  // brute force
                 seen += pairs.size();
             }
-            ASSERT_TRUE(pairs == expected) << scree::broadPhaseNames[i + 1] << " in step " << step << ": " << pairs.size()
-                                           << " pairs, brute force " << expected.size();
+            ASSERT_TRUE(pairs == expected) << scree::broadPhaseNames[i + 1] << " in step " << step << ": "
+                                           << pairs.size() << " pairs, brute force " << expected.size();
         }
     }
     EXPECT_GT(seen, 0u) << "the scene made no pairs: the test would prove nothing";
@@ -112,8 +125,8 @@ std::vector<std::string> SceneNames() {
     return names;
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalog, PairSetsOnScenes, ::testing::ValuesIn(SceneNames()), [](const auto& info) {
-    std::string name = info.param;
+INSTANTIATE_TEST_SUITE_P(Catalog, PairSetsOnScenes, ::testing::ValuesIn(SceneNames()), [](const auto& param) {
+    std::string name = param.param;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 });

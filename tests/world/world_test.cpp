@@ -109,7 +109,9 @@ struct Recorder : ContactListener {
         EXPECT_GT(impulse->count, 0);
         if (events.empty() || events.back() != "post") events.push_back("post");
     }
-    [[nodiscard]] int Count(const std::string& name) const { return static_cast<int>(std::count(events.begin(), events.end(), name)); }
+    [[nodiscard]] int Count(const std::string& name) const {
+        return static_cast<int>(std::count(events.begin(), events.end(), name));
+    }
 };
 
 TEST(World, ReportsBeginPreSolvePostSolveAndEnd) {

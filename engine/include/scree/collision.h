@@ -47,9 +47,9 @@ struct Manifold {
 
 /// A manifold in world coordinates.
 struct WorldManifold {
-    Vec2 normal;                            ///< from A to B
-    Vec2 points[maxManifoldPoints];         ///< midway between the two surfaces
-    float separations[maxManifoldPoints];   ///< m, negative is overlap (radii included)
+    Vec2 normal;                           ///< from A to B
+    Vec2 points[maxManifoldPoints];        ///< midway between the two surfaces
+    float separations[maxManifoldPoints];  ///< m, negative is overlap (radii included)
 
     /// Evaluates `manifold` for shapes with radii radiusA and radiusB placed at xfA and xfB.
     void Initialize(const Manifold* manifold, const Transform& xfA, float radiusA, const Transform& xfB, float radiusB);
@@ -60,11 +60,11 @@ void CollideCircles(Manifold* manifold, const CircleShape* circleA, const Transf
                     const Transform& xfB);
 void CollidePolygonAndCircle(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA,
                              const CircleShape* circleB, const Transform& xfB);
-void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA, const PolygonShape* polygonB,
-                     const Transform& xfB);
+void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA,
+                     const PolygonShape* polygonB, const Transform& xfB);
 void CollideEdgeAndCircle(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA, const CircleShape* circleB,
                           const Transform& xfB);
-void CollideEdgeAndPolygon(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA, const PolygonShape* polygonB,
-                           const Transform& xfB);
+void CollideEdgeAndPolygon(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA,
+                           const PolygonShape* polygonB, const Transform& xfB);
 
 }  // namespace scree

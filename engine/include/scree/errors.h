@@ -22,13 +22,20 @@ enum class ErrorCode : uint8_t {
 
 constexpr const char* GetName(ErrorCode code) {
     switch (code) {
-        case ErrorCode::ok: return "ok";
-        case ErrorCode::nullArgument: return "null argument";
-        case ErrorCode::nonFinite: return "not finite";
-        case ErrorCode::outOfRange: return "out of range";
-        case ErrorCode::badShape: return "bad shape";
-        case ErrorCode::foreignHandle: return "foreign handle";
-        case ErrorCode::locked: return "world is locked";
+        case ErrorCode::ok:
+            return "ok";
+        case ErrorCode::nullArgument:
+            return "null argument";
+        case ErrorCode::nonFinite:
+            return "not finite";
+        case ErrorCode::outOfRange:
+            return "out of range";
+        case ErrorCode::badShape:
+            return "bad shape";
+        case ErrorCode::foreignHandle:
+            return "foreign handle";
+        case ErrorCode::locked:
+            return "world is locked";
     }
     return "unknown";
 }

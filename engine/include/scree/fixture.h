@@ -29,7 +29,7 @@ struct Filter {
 
 /// Input of Body::CreateFixture.
 struct FixtureDef {
-    const Shape* shape = nullptr;       ///< required; copied
+    const Shape* shape = nullptr;  ///< required; copied
     FixtureUserData userData;
     float friction = 0.2f;              ///< Coulomb coefficient, ≥ 0
     float restitution = 0.0f;           ///< usually 0…1

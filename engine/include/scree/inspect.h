@@ -33,8 +33,8 @@ struct MemoryUse {
 };
 MemoryUse GetMemoryUse(const World& world);
 
-/// 64 bits over the whole state of the engine (poses, velocities, contacts with impulses, flags, counters): equal hashes
-/// mean equal futures. −0 counts as 0.
+/// 64 bits over the whole state of the engine (poses, velocities, contacts with impulses, flags, counters): equal
+/// hashes mean equal futures. −0 counts as 0.
 uint64_t GetStateHash(const World& world);
 
 }  // namespace scree::inspect

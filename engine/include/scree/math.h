@@ -166,7 +166,8 @@ struct AABB {
     Vec2 lowerBound, upperBound;
 
     [[nodiscard]] bool IsValid() const {
-        return lowerBound.IsValid() && upperBound.IsValid() && lowerBound.x <= upperBound.x && lowerBound.y <= upperBound.y;
+        return lowerBound.IsValid() && upperBound.IsValid() && lowerBound.x <= upperBound.x &&
+               lowerBound.y <= upperBound.y;
     }
     [[nodiscard]] constexpr Vec2 GetCenter() const { return 0.5f * (lowerBound + upperBound); }
     /// Half widths.
@@ -189,7 +190,9 @@ constexpr bool TestOverlap(const AABB& a, const AABB& b) {
     return a.lowerBound.x <= b.upperBound.x && b.lowerBound.x <= a.upperBound.x && a.lowerBound.y <= b.upperBound.y &&
            b.lowerBound.y <= a.upperBound.y;
 }
-constexpr AABB Union(const AABB& a, const AABB& b) { return {Min(a.lowerBound, b.lowerBound), Max(a.upperBound, b.upperBound)}; }
+constexpr AABB Union(const AABB& a, const AABB& b) {
+    return {Min(a.lowerBound, b.lowerBound), Max(a.upperBound, b.upperBound)};
+}
 
 /// The motion of a body's centre of mass over one step, and where that centre lies in the body.
 struct Sweep {

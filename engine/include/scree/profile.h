@@ -26,10 +26,10 @@ struct StepReport {
     int isolatedBodyCount = 0;  ///< of these, bodies without contacts and joints: they took the ballistic path
     int islandCount = 0;        ///< islands of two or more bodies, or with a constraint
     int contactCount = 0;
-    int touchingCount = 0;      ///< as found by this step's narrow phase
-    int64_t pairCount = 0;      ///< pairs reported by the broad phase
-    int cappedCount = 0;        ///< bodies slowed by WorldDef::maxTranslation or maxRotation
-    int nonFiniteCount = 0;     ///< bodies stopped because their velocity or pose became NaN or infinite
+    int touchingCount = 0;   ///< as found by this step's narrow phase
+    int64_t pairCount = 0;   ///< pairs reported by the broad phase
+    int cappedCount = 0;     ///< bodies slowed by WorldDef::maxTranslation or maxRotation
+    int nonFiniteCount = 0;  ///< bodies stopped because their velocity or pose became NaN or infinite
 };
 
 }  // namespace scree

@@ -20,11 +20,11 @@ struct RevoluteJointDef : JointDef {
     Vec2 localAnchorB{0.0f, 0.0f};  ///< in B, m
     float referenceAngle = 0.0f;    ///< angleB − angleA at joint angle 0, rad
     bool enableLimit = false;
-    float lowerAngle = 0.0f;        ///< rad, ≤ upperAngle
-    float upperAngle = 0.0f;        ///< rad
+    float lowerAngle = 0.0f;  ///< rad, ≤ upperAngle
+    float upperAngle = 0.0f;  ///< rad
     bool enableMotor = false;
-    float motorSpeed = 0.0f;        ///< rad/s
-    float maxMotorTorque = 0.0f;    ///< N·m, ≥ 0
+    float motorSpeed = 0.0f;      ///< rad/s
+    float maxMotorTorque = 0.0f;  ///< N·m, ≥ 0
 };
 
 /// A hinge joint.

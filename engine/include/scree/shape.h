@@ -14,9 +14,9 @@ namespace scree {
 
 /// Mass, centre and rotational inertia of a shape.
 struct MassData {
-    float mass = 0.0f;      ///< kg
+    float mass = 0.0f;        ///< kg
     Vec2 center{0.0f, 0.0f};  ///< centre of mass in body coordinates, m
-    float I = 0.0f;         ///< inertia about the body's ORIGIN, kg·m²
+    float I = 0.0f;           ///< inertia about the body's ORIGIN, kg·m²
 };
 
 /// A ray from p1 towards p2; only the part up to p1 + maxFraction·(p2 − p1) is tested.
@@ -98,7 +98,8 @@ public:
     PolygonShape() : Shape(e_polygon, polygonRadius), m_centroid(0.0f, 0.0f) {}
 
     /// Makes the convex hull of `count` points (3…8). Points nearer than half of linearSlop are merged.
-    /// Returns false and leaves the shape unchanged if the points are not finite, too few, too many or nearly collinear.
+    /// Returns false and leaves the shape unchanged if the points are not finite, too few, too many or nearly
+    /// collinear.
     [[nodiscard]] bool Set(const Vec2* points, int count);
     /// An axis-aligned box with half extents hx, hy (> 0).
     void SetAsBox(float hx, float hy);

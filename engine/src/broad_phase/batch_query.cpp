@@ -48,7 +48,8 @@ struct BatchWalk {
             const F4 probe = ProbeOf(Load(box));
             for (uint32_t i = 0; i < front; ++i) {
                 if (self && batch[i].position <= position) continue;
-                if (Overlaps(Load(batch[i].box), probe)) sink.Emit(queries.Ids()[batch[i].position], tree.Ids()[position]);
+                if (Overlaps(Load(batch[i].box), probe))
+                    sink.Emit(queries.Ids()[batch[i].position], tree.Ids()[position]);
             }
         }
     }

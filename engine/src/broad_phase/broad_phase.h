@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The one interface of all broad-phase algorithms: boxes of fixtures in, overlapping pairs out.
-// A PAIR is two fixtures of different bodies, at least one of them dynamic, whose closed boxes overlap. Tight algorithms
-// report exactly the pairs of the boxes given; the fattened tree reports a superset. Every call of FindPairs reports the
-// COMPLETE set of current pairs, each once, in an order that depends only on the calls made before.
+// A PAIR is two fixtures of different bodies, at least one of them dynamic, whose closed boxes overlap. Tight
+// algorithms report exactly the pairs of the boxes given; the fattened tree reports a superset. Every call of FindPairs
+// reports the COMPLETE set of current pairs, each once, in an order that depends only on the calls made before.
 
 #pragma once
 
@@ -31,9 +31,10 @@ struct Pair {
     friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-/// What FindPairs did in its last call, for reports and scaling tests; counts, never clocks.
+/// What FindPairs did in its last call, and lazy rebuilds and queries since then, for reports and scaling tests;
+/// counts, never clocks.
 struct BroadPhaseStats {
-    uint64_t boxTests = 0;     ///< box–box comparisons
+    uint64_t boxTests = 0;        ///< box–box comparisons
     uint32_t rebuiltProxies = 0;  ///< proxies that went through a build (or a reinsertion)
     bool staticTreeSeparate = false;
 };
@@ -65,9 +66,10 @@ public:
     /// Calls `visit(fixture)` for every fixture whose stored box overlaps `box`, until it returns false.
     /// Rebuilds lazily after edits.
     virtual void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) = 0;
-    /// Visits fixtures whose stored box the ray may hit. `visit(input, fixture)` returns the new maxFraction: 0 ends the
-    /// cast, a negative value ignores the fixture and leaves the ray as it is.
-    virtual void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) = 0;
+    /// Visits fixtures whose stored box the ray may hit. `visit(input, fixture)` returns the new maxFraction: 0 ends
+    /// the cast, a negative value ignores the fixture and leaves the ray as it is.
+    virtual void RayCast(const RayCastInput& input,
+                         const std::function<float(const RayCastInput&, uint32_t)>& visit) = 0;
 
     /// The stored box (tight, or fattened in `fat-tree`).
     [[nodiscard]] virtual AABB GetBox(uint32_t fixture) const = 0;

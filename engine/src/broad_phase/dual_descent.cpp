@@ -15,7 +15,8 @@ struct Descent {
 
     void Self(const TreeNode& node) {
         if (node.IsLeaf()) {
-            for (uint32_t i = node.first; i < node.first + node.count; ++i) OneAgainst(i, i + 1, node.first + node.count);
+            for (uint32_t i = node.first; i < node.first + node.count; ++i)
+                OneAgainst(i, i + 1, node.first + node.count);
             return;
         }
         const TreeNode& child1 = tree.nodes[node.child];

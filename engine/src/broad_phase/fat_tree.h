@@ -20,7 +20,7 @@ inline constexpr uint32_t noNode = 0xFFFFFFFFu;
 
 struct FatNode {
     Bounds box;
-    ItemId id;                ///< of a leaf
+    ItemId id;                 ///< of a leaf
     uint32_t parent = noNode;  ///< or the next free node
     uint32_t child1 = noNode, child2 = noNode;
     int32_t height = 0;  ///< leaf 0, free −1

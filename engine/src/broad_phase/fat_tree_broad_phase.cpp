@@ -18,7 +18,8 @@ namespace scree::broadphase {
 namespace {
 
 AABB Fatten(const AABB& box, float margin) {
-    return {{box.lowerBound.x - margin, box.lowerBound.y - margin}, {box.upperBound.x + margin, box.upperBound.y + margin}};
+    return {{box.lowerBound.x - margin, box.lowerBound.y - margin},
+            {box.upperBound.x + margin, box.upperBound.y + margin}};
 }
 
 AABB Stretch(AABB box, Vec2 d) {
@@ -75,7 +76,8 @@ public:
     }
 
     void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) override {
-        m_tree.Query(ToBounds(box), m_stats.boxTests, [&](uint32_t leaf) { return visit(m_tree.Node(leaf).id.fixture); });
+        m_tree.Query(ToBounds(box), m_stats.boxTests,
+                     [&](uint32_t leaf) { return visit(m_tree.Node(leaf).id.fixture); });
     }
 
     void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) override {
@@ -96,7 +98,9 @@ public:
         }
     }
 
-    [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return ToAabb(m_tree.Node(m_leaves.Find(fixture)).box); }
+    [[nodiscard]] AABB GetBox(uint32_t fixture) const override {
+        return ToAabb(m_tree.Node(m_leaves.Find(fixture)).box);
+    }
     [[nodiscard]] int GetProxyCount() const override { return m_count; }
     [[nodiscard]] int GetLeafSize() const override { return 1; }
     [[nodiscard]] BroadPhaseStats GetStats() const override { return m_stats; }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The tree all rebuilding algorithms make: a flat array of nodes, both children side by side behind their parent, and the
-// boxes in leaf order as separate arrays of coordinates. Every node owns a contiguous range of positions. Walks for
+// The tree all rebuilding algorithms make: a flat array of nodes, both children side by side behind their parent, and
+// the boxes in leaf order as separate arrays of coordinates. Every node owns a contiguous range of positions. Walks for
 // box queries and ray casts are here; builders and detection are in files of their own.
 
 #pragma once
@@ -42,9 +42,12 @@ public:
     /// Positions in use.
     [[nodiscard]] uint32_t Size() const { return m_size; }
     /// The coordinates of all positions: component 0…3 of Bounds. Three positions beyond the end can be read.
-    [[nodiscard]] const float* Lane(int component) const { return m_block.data() + static_cast<size_t>(component) * m_stride; }
+    [[nodiscard]] const float* Lane(int component) const {
+        return m_block.data() + static_cast<size_t>(component) * m_stride;
+    }
     [[nodiscard]] float* Lane(int component) { return m_block.data() + static_cast<size_t>(component) * m_stride; }
     [[nodiscard]] const ItemId* Ids() const { return m_ids.data(); }
+    [[nodiscard]] ItemId* Ids() { return m_ids.data(); }
 
     [[nodiscard]] Bounds Box(uint32_t position) const {
         return {Lane(0)[position], Lane(1)[position], Lane(2)[position], Lane(3)[position]};

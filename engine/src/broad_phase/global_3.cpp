@@ -57,7 +57,8 @@ struct CandidateWalk {
                 if (Overlaps(Load(other), probe)) sink.Emit(tree.Ids()[i], tree.Ids()[j]);
             }
             for (uint32_t c = first; c < first + count; ++c) {
-                if (Overlaps(Load(candidates[c].box), probe)) sink.Emit(tree.Ids()[i], tree.Ids()[candidates[c].position]);
+                if (Overlaps(Load(candidates[c].box), probe))
+                    sink.Emit(tree.Ids()[i], tree.Ids()[candidates[c].position]);
             }
         }
         boxTests += static_cast<uint64_t>(node.count) * (count + (node.count - 1) / 2);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Building on 16-bit centre keys: slots in, flat tree with wide leaves out. Two item arrays take turns: a split reads one
-// and writes the other from both ends, without a branch per item.
+// Building on 16-bit centre keys: slots in, flat tree with wide leaves out. Two item arrays take turns: a split reads
+// one and writes the other from both ends, without a branch per item.
 
 #include "broad_phase/keys_build.h"
 
@@ -62,8 +62,9 @@ KeyBounds MeasureKeys(const KeyItem* items, uint32_t count) {
 #endif
 
 /// Copies items with key[axis] <= limit to the front of `out` and the others to its back; returns the number of the
-/// former. Every item is written to both ends and the counts decide which copy stays: a branch would be mispredicted half
-/// of the time. Four at a time, all loaded before the first is stored, since the compiler must assume that they overlap.
+/// former. Every item is written to both ends and the counts decide which copy stays: a branch would be mispredicted
+/// half of the time. Four at a time, all loaded before the first is stored, since the compiler must assume that they
+/// overlap.
 __attribute__((noinline)) uint32_t Partition(const KeyItem* in, uint32_t count, KeyItem* out, int axis, int limit) {
     const auto goesLeft = [=](const KeyItem& item) { return static_cast<ptrdiff_t>(item.key[axis] <= limit ? 1 : 0); };
     const auto put = [](KeyItem* place, uint64_t item) { std::memcpy(place, &item, sizeof item); };
@@ -71,7 +72,8 @@ __attribute__((noinline)) uint32_t Partition(const KeyItem* in, uint32_t count, 
     const KeyItem* const end = in + count;
     ptrdiff_t left = 0;
     for (; end - in >= 4; in += 4, back -= 4) {
-        const ptrdiff_t left1 = goesLeft(in[0]), left2 = goesLeft(in[1]), left3 = goesLeft(in[2]), left4 = goesLeft(in[3]);
+        const ptrdiff_t left1 = goesLeft(in[0]), left2 = goesLeft(in[1]), left3 = goesLeft(in[2]),
+                        left4 = goesLeft(in[3]);
         uint64_t items[4];
         std::memcpy(&items[0], in, 8);
         std::memcpy(&items[1], in + 1, 8);
@@ -149,14 +151,35 @@ struct KeysPass {
         return true;
     }
 
-    /// Fetches the boxes of a leaf.
+    /// Fetches the boxes of a leaf, four at a time.
     void FillLeaf(TreeNode& node, const KeyItem* items) {
         F4 sum = Load(emptyBounds);
-        for (uint32_t i = 0; i < node.count; ++i) {
-            const uint32_t slot = items[i].slot;
-            const Bounds box = ToBounds(boxes[slot]);
-            tree.SetItem(node.first + i, box, ids[slot]);
-            sum = Min4(sum, Load(box));
+        float* const lanes[4] = {tree.Lane(0) + node.first, tree.Lane(1) + node.first, tree.Lane(2) + node.first,
+                                 tree.Lane(3) + node.first};
+        ItemId* const outIds = tree.Ids() + node.first;
+        uint32_t i = 0;
+        const auto fetch = [&](uint32_t index) {
+            const uint32_t slot = items[index].slot;
+            outIds[index] = ids[slot];
+            const F4 box = Load(boxes[slot]);
+            sum = Min4(sum, box);
+            return box;
+        };
+        for (; i + 4 <= node.count; i += 4) {
+            F4 a = fetch(i), b = fetch(i + 1), c = fetch(i + 2), d = fetch(i + 3);
+            Transpose4(a, b, c, d);
+            Store4(lanes[0] + i, a);
+            Store4(lanes[1] + i, b);
+            Store4(lanes[2] + i, c);
+            Store4(lanes[3] + i, d);
+        }
+        for (; i < node.count; ++i) {
+            Bounds box;
+            Store(box, fetch(i));
+            lanes[0][i] = box.lx;
+            lanes[1][i] = box.ly;
+            lanes[2][i] = box.nux;
+            lanes[3][i] = box.nuy;
         }
         Store(node.box, sum);
     }
@@ -215,8 +238,8 @@ void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafS
     for (uint32_t i = 0; i < slots.count; ++i) m_items[i] = {{0, 0}, slots.first + i};
     KeysPass pass{store.Boxes(), store.Ids(), leafSize, tree, {m_items.data(), m_other.data() + odd}};
     tree.nodes.push_back({emptyBounds, 0, slots.count});
-    // Level by level: a range is read long after it was written. Depth first, the loads of small ranges would meet stores
-    // that have not reached the cache yet.
+    // Level by level: a range is read long after it was written. Depth first, the loads of small ranges would meet
+    // stores that have not reached the cache yet.
     for (uint32_t node = 0; node < tree.nodes.size(); ++node) pass.Process(node);
     pass.Refit();
 }

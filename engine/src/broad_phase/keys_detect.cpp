@@ -28,17 +28,27 @@ struct Lanes {
 
     /// Which of the boxes at position … position + 3 overlap the box whose probe lanes are given.
     [[nodiscard]] uint32_t RowMask(uint32_t position, const F4 (&probe)[4]) const {
-        const F4 row[4] = {Load4(lane[0] + position), Load4(lane[1] + position), Load4(lane[2] + position),
-                           Load4(lane[3] + position)};
+        F4 row[4];
+        LoadRow(position, row);
         return MaskAllLessEqual4(row, probe);
     }
-    /// Which of four boxes, given by their probe lanes, overlap the box at one position.
-    [[nodiscard]] uint32_t OneMask(uint32_t position, const F4 (&probe)[4]) const {
-        const F4 one[4] = {Splat4(lane[0][position]), Splat4(lane[1][position]), Splat4(lane[2][position]),
-                           Splat4(lane[3][position])};
-        return MaskAllLessEqual4(one, probe);
+    /// Reads the four boxes at position … position + 3.
+    void LoadRow(uint32_t position, F4 (&row)[4]) const {
+        // Written out: a loop over registers is compiled as a loop over memory.
+        row[0] = Load4(lane[0] + position);
+        row[1] = Load4(lane[1] + position);
+        row[2] = Load4(lane[2] + position);
+        row[3] = Load4(lane[3] + position);
     }
 };
+
+/// Which of the four probes overlap one of four boxes.
+template <int one>
+uint32_t MaskOfOne(const F4 (&row)[4], const F4 (&probe)[4]) {
+    const F4 box[4] = {SplatLane4<one>(row[0]), SplatLane4<one>(row[1]), SplatLane4<one>(row[2]),
+                       SplatLane4<one>(row[3])};
+    return MaskAllLessEqual4(box, probe);
+}
 
 /// The probe of a box, each component in all four lanes of its own register.
 struct SplatProbe {
@@ -50,27 +60,34 @@ struct SplatProbe {
 /// The lanes of a row that lie before `end`.
 constexpr uint32_t LanesBefore(uint32_t row, uint32_t end) { return end - row >= 4 ? 15u : (1u << (end - row)) - 1u; }
 
-/// All pairs inside a leaf; returns the number of hits. Each row of four boxes stays in registers and meets all boxes
-/// before it, then its own: the inner loop ends once per row and not once per box, and an end is a misprediction.
+/// All pairs inside a leaf; returns the number of hits. Each row of four boxes stays in registers as probes and meets
+/// all rows before it, then itself: loops end once per row and not once per box, and every end is a misprediction.
 __attribute__((noinline)) uint32_t TestInside(const FlatTree& tree, const TreeNode& leaf, Hits hits) {
-    constexpr uint32_t behind[3] = {14, 12, 8};
     const Lanes lanes(tree);
     uint32_t* outFirst = hits.first;
     uint32_t* outSecond = hits.second;
     const uint32_t first = leaf.first, end = leaf.first + leaf.count;
     uint32_t found = 0;
+    const auto emit = [&](uint32_t mask, uint32_t one, uint32_t row) {
+        found += EmitLanes(laneLists[mask], one, row, outFirst + found, outSecond + found);
+    };
     for (uint32_t row = first; row < end; row += 4) {
-        const F4 probe[4] = {Negate4(Load4(lanes.lane[2] + row)), Negate4(Load4(lanes.lane[3] + row)),
-                             Negate4(Load4(lanes.lane[0] + row)), Negate4(Load4(lanes.lane[1] + row))};
+        F4 own[4];
+        lanes.LoadRow(row, own);
+        const F4 probe[4] = {Negate4(own[2]), Negate4(own[3]), Negate4(own[0]), Negate4(own[1])};
         const uint32_t valid = LanesBefore(row, end);
-        for (uint32_t i = first; i < row; ++i) {
-            const uint32_t mask = lanes.OneMask(i, probe) & valid;
-            found += EmitLanes(laneLists[mask], i, row, outFirst + found, outSecond + found);
+        for (uint32_t i = first; i < row; i += 4) {
+            F4 boxes[4];
+            lanes.LoadRow(i, boxes);
+            emit(MaskOfOne<0>(boxes, probe) & valid, i, row);
+            emit(MaskOfOne<1>(boxes, probe) & valid, i + 1, row);
+            emit(MaskOfOne<2>(boxes, probe) & valid, i + 2, row);
+            emit(MaskOfOne<3>(boxes, probe) & valid, i + 3, row);
         }
-        for (uint32_t i = 0; i < 3; ++i) {
-            const uint32_t mask = lanes.OneMask(row + i, probe) & valid & behind[i];
-            found += EmitLanes(laneLists[mask], row + i, row, outFirst + found, outSecond + found);
-        }
+        // In its own row a box meets the lanes behind its own.
+        emit(MaskOfOne<0>(own, probe) & valid & 14u, row, row);
+        emit(MaskOfOne<1>(own, probe) & valid & 12u, row + 1, row);
+        emit(MaskOfOne<2>(own, probe) & valid & 8u, row + 2, row);
     }
     return found;
 }
@@ -188,8 +205,8 @@ struct KeysWalk {
         ReserveCandidates(largeTop + count + 1 + (self ? children[small].count : 0));
         uint32_t smallCount = 0, largeCount = 0;
         if (count > 0) {
-            const auto [kept0, kept1] = FilterForBoth(At(firstCandidate), count, children, At(small == 0 ? top : largeTop),
-                                                      At(small == 0 ? largeTop : top));
+            const auto [kept0, kept1] = FilterForBoth(At(firstCandidate), count, children,
+                                                      At(small == 0 ? top : largeTop), At(small == 0 ? largeTop : top));
             smallCount = small == 0 ? kept0 : kept1;
             largeCount = small == 0 ? kept1 : kept0;
             boxTests += 2 * count;

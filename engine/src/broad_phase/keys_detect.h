@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Detection of the production algorithm: candidate sets go down a tree with wide leaves. Every node receives the outside
-// boxes that overlap its box; both children take over those that overlap them, and the larger child also the boxes of its
-// smaller sibling that do. In a leaf, rows of four boxes are compared at a time and hits are written without a branch.
+// Detection of the production algorithm: candidate sets go down a tree with wide leaves. Every node receives the
+// outside boxes that overlap its box; both children take over those that overlap them, and the larger child also the
+// boxes of its smaller sibling that do. In a leaf, rows of four boxes are compared at a time and hits are written
+// without a branch.
 
 #pragma once
 
@@ -28,9 +29,9 @@ private:
     template <bool self>
     friend struct KeysWalk;
 
-    std::vector<Bounds> m_boxes;                       ///< the stack of candidate sets
-    std::vector<ItemId> m_ids;                         ///< likewise
-    std::vector<uint32_t> m_hitsFirst, m_hitsSecond;   ///< hits of one kernel call
+    std::vector<Bounds> m_boxes;                      ///< the stack of candidate sets
+    std::vector<ItemId> m_ids;                        ///< likewise
+    std::vector<uint32_t> m_hitsFirst, m_hitsSecond;  ///< hits of one kernel call
 };
 
 }  // namespace scree::broadphase

@@ -31,7 +31,16 @@ inline F4 Add4(F4 a, F4 b) { return _mm_add_ps(a, b); }
 inline F4 Sub4(F4 a, F4 b) { return _mm_sub_ps(a, b); }
 /// Lanes {2, 3, 0, 1}.
 inline F4 SwapHalves4(F4 v) { return _mm_shuffle_ps(v, v, _MM_SHUFFLE(1, 0, 3, 2)); }
+/// One lane in all four.
+template <int lane>
+F4 SplatLane4(F4 v) {
+    return _mm_castsi128_ps(_mm_shuffle_epi32(_mm_castps_si128(v), lane * 0x55));
+}
+/// Rows become columns.
+inline void Transpose4(F4& a, F4& b, F4& c, F4& d) { _MM_TRANSPOSE4_PS(a, b, c, d); }
 inline F4 Negate4(F4 v) { return _mm_xor_ps(v, _mm_set1_ps(-0.0f)); }
+/// Negates lanes 2 and 3: an AABB as it lies in memory takes the form of Bounds.
+inline F4 NegateUpper4(F4 v) { return _mm_xor_ps(v, _mm_setr_ps(0.0f, 0.0f, -0.0f, -0.0f)); }
 /// Bit i is set where a[i] <= b[i].
 inline uint32_t MaskLessEqual4(F4 a, F4 b) { return static_cast<uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a, b))); }
 /// Bit i is set where all four comparisons hold in lane i.
@@ -51,7 +60,8 @@ struct LaneList {
 /// arrays. Returns how many count.
 inline uint32_t EmitLanes(const LaneList& list, uint32_t value, uint32_t base, uint32_t* values, uint32_t* positions) {
     const __m128i lanes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(list.lanes));
-    _mm_storeu_si128(reinterpret_cast<__m128i*>(positions), _mm_add_epi32(lanes, _mm_set1_epi32(static_cast<int>(base))));
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(positions),
+                     _mm_add_epi32(lanes, _mm_set1_epi32(static_cast<int>(base))));
     _mm_storeu_si128(reinterpret_cast<__m128i*>(values), _mm_set1_epi32(static_cast<int>(value)));
     return list.count;
 }
@@ -84,7 +94,19 @@ inline F4 Sub4(F4 a, F4 b) {
     return a;
 }
 inline F4 SwapHalves4(F4 a) { return {{a.v[2], a.v[3], a.v[0], a.v[1]}}; }
+template <int lane>
+F4 SplatLane4(F4 a) {
+    return Splat4(a.v[lane]);
+}
+inline void Transpose4(F4& a, F4& b, F4& c, F4& d) {
+    const F4 in[4] = {a, b, c, d};
+    a = {{in[0].v[0], in[1].v[0], in[2].v[0], in[3].v[0]}};
+    b = {{in[0].v[1], in[1].v[1], in[2].v[1], in[3].v[1]}};
+    c = {{in[0].v[2], in[1].v[2], in[2].v[2], in[3].v[2]}};
+    d = {{in[0].v[3], in[1].v[3], in[2].v[3], in[3].v[3]}};
+}
 inline F4 Negate4(F4 a) { return {{-a.v[0], -a.v[1], -a.v[2], -a.v[3]}}; }
+inline F4 NegateUpper4(F4 a) { return {{a.v[0], a.v[1], -a.v[2], -a.v[3]}}; }
 inline uint32_t MaskLessEqual4(F4 a, F4 b) {
     uint32_t mask = 0;
     for (int i = 0; i < 4; ++i) mask |= static_cast<uint32_t>(a.v[i] <= b.v[i]) << i;
@@ -111,10 +133,10 @@ inline uint32_t EmitLanes(const LaneList& list, uint32_t value, uint32_t base, u
 #endif
 
 /// By mask.
-inline constexpr LaneList laneLists[16] = {
-    {{0, 0, 0, 0}, 0}, {{0, 0, 0, 0}, 1}, {{1, 0, 0, 0}, 1}, {{0, 1, 0, 0}, 2}, {{2, 0, 0, 0}, 1}, {{0, 2, 0, 0}, 2},
-    {{1, 2, 0, 0}, 2}, {{0, 1, 2, 0}, 3}, {{3, 0, 0, 0}, 1}, {{0, 3, 0, 0}, 2}, {{1, 3, 0, 0}, 2}, {{0, 1, 3, 0}, 3},
-    {{2, 3, 0, 0}, 2}, {{0, 2, 3, 0}, 3}, {{1, 2, 3, 0}, 3}, {{0, 1, 2, 3}, 4}};
+inline constexpr LaneList laneLists[16] = {{{0, 0, 0, 0}, 0}, {{0, 0, 0, 0}, 1}, {{1, 0, 0, 0}, 1}, {{0, 1, 0, 0}, 2},
+                                           {{2, 0, 0, 0}, 1}, {{0, 2, 0, 0}, 2}, {{1, 2, 0, 0}, 2}, {{0, 1, 2, 0}, 3},
+                                           {{3, 0, 0, 0}, 1}, {{0, 3, 0, 0}, 2}, {{1, 3, 0, 0}, 2}, {{0, 1, 3, 0}, 3},
+                                           {{2, 3, 0, 0}, 2}, {{0, 2, 3, 0}, 3}, {{1, 2, 3, 0}, 3}, {{0, 1, 2, 3}, 4}};
 
 /// A box with its upper corner negated.
 struct Bounds {
@@ -130,10 +152,7 @@ constexpr AABB ToAabb(const Bounds& b) { return {{b.lx, b.ly}, {-b.nux, -b.nuy}}
 
 inline F4 Load(const Bounds& b) { return Load4(&b.lx); }
 inline void Store(Bounds& b, F4 v) { Store4(&b.lx, v); }
-inline F4 Load(const AABB& b) {
-    const Bounds bounds = ToBounds(b);
-    return Load(bounds);
-}
+inline F4 Load(const AABB& b) { return NegateUpper4(Load4(&b.lowerBound.x)); }
 
 /// The other side of an overlap test: {ux, uy, −lx, −ly}.
 inline F4 ProbeOf(F4 bounds) { return Negate4(SwapHalves4(bounds)); }

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Sweep and prune (Baraff 1992; Tsamis 2020, §3.2): the boxes stay sorted by their lower bound along one axis, and each
-// is tested against those that start before it ends. Between steps the order changes little, so an insertion sort repairs
-// it; when too many boxes changed places a full sort takes over. The axis is the one along which the centres vary more.
+// is tested against those that start before it ends. Between steps the order changes little, so an insertion sort
+// repairs it; when too many boxes changed places a full sort takes over. The axis is the one along which the centres
+// vary more.
 
 #include <algorithm>
 
@@ -47,7 +48,8 @@ public:
         m_stats = {};
         const bool axisChanged = Refresh();
         if (axisChanged || !InsertionSort()) {
-            std::sort(m_entries.begin(), m_entries.end(), [this](const Entry& a, const Entry& b) { return Before(a, b); });
+            std::sort(m_entries.begin(), m_entries.end(),
+                      [this](const Entry& a, const Entry& b) { return Before(a, b); });
             m_stats.rebuiltProxies = static_cast<uint32_t>(m_entries.size());
         }
         Sweep(pairs);
@@ -67,14 +69,13 @@ private:
 
     /// Drops removed proxies, takes over new boxes and new proxies, chooses the axis; true if it changed.
     bool Refresh() {
-        // The store's free field tells which slots have been met in this pass: a fixture that was removed and inserted
-        // again must not be entered twice.
+        // The store's free field tells which slots have been met in this pass; what is left over is new.
         m_pass = m_pass + 1 == notPending ? 0 : m_pass + 1;
         Spread spread;
         size_t kept = 0;
         for (const Entry& entry : m_entries) {
             const uint32_t slot = m_store.Find(entry.id.fixture);
-            if (slot == noSlot || m_store.Pending(slot) == m_pass) continue;
+            if (slot == noSlot) continue;
             m_store.Pending(slot) = m_pass;
             m_entries[kept++] = {ToBounds(m_store.Box(slot)), m_store.Id(slot)};
             spread.Add(m_entries[kept - 1].box);

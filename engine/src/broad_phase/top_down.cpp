@@ -200,7 +200,8 @@ struct NodeWriter {
     void Write(const TreeNode& node, int32_t index, int depth) {
         if (node.IsLeaf()) {
             items.clear();
-            for (uint32_t p = node.first; p < node.first + node.count; ++p) items.push_back({tree.Box(p), tree.Ids()[p]});
+            for (uint32_t p = node.first; p < node.first + node.count; ++p)
+                items.push_back({tree.Box(p), tree.Ids()[p]});
             WriteItems(0, node.count, index, depth);
             return;
         }
@@ -218,8 +219,8 @@ struct NodeWriter {
         }
         const Bounds centre = Measure(&items[first], count).centre;
         const uint32_t left = SplitOrHalve(rule, &items[first], count, centre, depth);
-        const auto [index1, index2] = AppendChildren(index, Measure(&items[first], left).box,
-                                                     Measure(&items[first + left], count - left).box);
+        const auto [index1, index2] =
+            AppendChildren(index, Measure(&items[first], left).box, Measure(&items[first + left], count - left).box);
         WriteItems(first, left, index1, depth + 1);
         WriteItems(first + left, count - left, index2, depth + 1);
     }

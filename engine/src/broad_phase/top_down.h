@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Top-down building: a range of boxes is measured, split in two by a rule and so on down to the leaves. The two rules of
-// Tsamis 2020, §3.2 (list 4) and §3.6 are here: the barycentre rule (middle of the bounds of the centres) and the
+// Top-down building: a range of boxes is measured, split in two by a rule and so on down to the leaves. The two rules
+// of Tsamis 2020, §3.2 (list 4) and §3.6 are here: the barycentre rule (middle of the bounds of the centres) and the
 // surface area heuristic over bins (Wald 2007, On fast construction of SAH-based bounding volume hierarchies).
 
 #pragma once

@@ -141,7 +141,9 @@ void TreeBroadPhase::Query(const AABB& box, const std::function<bool(uint32_t)>&
     const bool edited = m_moverEdits.count + m_staticEdits.count > 0;
     for (const FlatTree* tree : {&m_main, &m_statics}) {
         const bool isStaticTree = tree == &m_statics;
-        const auto check = [&](ItemId id) { return (edited && !IsCurrent(id.fixture, isStaticTree)) || visit(id.fixture); };
+        const auto check = [&](ItemId id) {
+            return (edited && !IsCurrent(id.fixture, isStaticTree)) || visit(id.fixture);
+        };
         if (!tree->Query(box, m_stats.boxTests, check)) return;
     }
     for (const Edits* edits : {&m_moverEdits, &m_staticEdits}) {

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // What the rebuilding tree algorithms share: the proxy store, one main tree rebuilt by every FindPairs, a static tree
-// kept apart while the share of statics is above the threshold (Tsamis 2020, §3.7.1) and rebuilt only after statics were
-// edited, and lazy answers to queries between edits (§3.7.2). An algorithm supplies the building and the detection.
+// kept apart while the share of statics is above the threshold (Tsamis 2020, §3.7.1) and rebuilt only after statics
+// were edited, and lazy answers to queries between edits (§3.7.2). An algorithm supplies the building and the
+// detection.
 //
-// Edits after a build do not touch the tree. The edited proxies go to a short list that queries scan beside the tree, and
-// what the tree still says about them is ignored. When the list exceeds a few √n the tree counts as stale and the next
-// query rebuilds it: n edits interleaved with n queries cost O(n^1.5), not O(n²).
+// Edits after a build do not touch the tree. The edited proxies go to a short list that queries scan beside the tree,
+// and what the tree still says about them is ignored. When the list exceeds a few √n the tree counts as stale and the
+// next query rebuilds it: n edits interleaved with n queries cost O(n^1.5), not O(n²).
 
 #pragma once
 
@@ -67,7 +68,7 @@ private:
         std::vector<uint32_t> pending;  ///< fixtures whose boxes must be scanned beside the tree
         uint32_t count = 0;             ///< proxies edited or removed
         uint32_t limit = 0;
-        bool stale = true;              ///< the tree is of no use any more; `pending` is then empty
+        bool stale = true;  ///< the tree is of no use any more; `pending` is then empty
     };
 
     void NoteEdit(Edits& edits);
@@ -89,8 +90,8 @@ private:
     Edits m_moverEdits, m_staticEdits;
     SlotRange m_rootCandidates;
     bool m_separate = false;
-    std::vector<BuildItem> m_items;     ///< of the default Build
-    std::vector<BatchItem> m_batch;     ///< of the default DetectBetween
+    std::vector<BuildItem> m_items;  ///< of the default Build
+    std::vector<BatchItem> m_batch;  ///< of the default DetectBetween
 };
 
 }  // namespace scree::broadphase

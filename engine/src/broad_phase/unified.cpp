@@ -47,7 +47,8 @@ struct UnifiedPass {
         boxTests += static_cast<uint64_t>(node.count) * (candidateCount + (node.count - 1) / 2);
     }
 
-    void Recurse(uint32_t nodeIndex, const Bounds& centre, uint32_t firstCandidate, uint32_t candidateCount, int depth) {
+    void Recurse(uint32_t nodeIndex, const Bounds& centre, uint32_t firstCandidate, uint32_t candidateCount,
+                 int depth) {
         const TreeNode node = tree.nodes[nodeIndex];
         if (node.count <= leafSize) {
             FinishLeaf(node, firstCandidate, candidateCount);

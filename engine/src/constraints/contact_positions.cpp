@@ -16,7 +16,8 @@ struct ContactSample {
 };
 
 /// Normal, point and separation of one manifold point at the present poses.
-[[gnu::always_inline]] inline ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA, const Transform& xfB, int index) {
+[[gnu::always_inline]] inline ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA,
+                                                     const Transform& xfB, int index) {
     ContactSample out;
     switch (row.type) {
         case Manifold::e_circles: {

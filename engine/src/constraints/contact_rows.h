@@ -20,10 +20,10 @@ namespace scree {
 
 /// One contact point of a velocity constraint.
 struct ContactPointRow {
-    Vec2 rA, rB;           ///< from the centres of mass
+    Vec2 rA, rB;  ///< from the centres of mass
     float normalImpulse, tangentImpulse;
     float normalMass, tangentMass;
-    float velocityBias;    ///< restitution, m/s
+    float velocityBias;  ///< restitution, m/s
 };
 
 /// One contact in the velocity pass.

@@ -42,7 +42,8 @@ float SolveLimit(float& accumulated, float speed, float gap, float dt, float mas
 
 }  // namespace
 
-RevoluteConstraint PrepareRevolute(const BodyTable& bodies, const JointInfo& joint, RevoluteRow& state, float impulseScale) {
+RevoluteConstraint PrepareRevolute(const BodyTable& bodies, const JointInfo& joint, RevoluteRow& state,
+                                   float impulseScale) {
     const auto a = static_cast<size_t>(joint.bodyA);
     const auto b = static_cast<size_t>(joint.bodyB);
     RevoluteConstraint c;

@@ -35,8 +35,10 @@ void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, Islan
     for (size_t c = 0; c < count; ++c) {
         if (!Pushes(contacts.flags[c])) continue;
         const ContactPair& pair = contacts.pair[c];
-        if (isMover(pair.bodyA)) s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyA)])] = static_cast<int>(c);
-        if (isMover(pair.bodyB)) s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyB)])] = static_cast<int>(c);
+        if (isMover(pair.bodyA))
+            s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyA)])] = static_cast<int>(c);
+        if (isMover(pair.bodyB))
+            s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyB)])] = static_cast<int>(c);
     }
 }
 
@@ -74,7 +76,8 @@ private:
     }
 
     void PushOther(int other) {
-        if (m_bodies.type[static_cast<size_t>(other)] != staticBody && !m_scratch.bodySeen[static_cast<size_t>(other)]) Push(other);
+        if (m_bodies.type[static_cast<size_t>(other)] != staticBody && !m_scratch.bodySeen[static_cast<size_t>(other)])
+            Push(other);
     }
 
     void VisitContacts(int body) {

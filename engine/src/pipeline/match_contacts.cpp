@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Mark, match, sweep (the dissertation, §4.2.2), with the sweep deferred to the next step.
+// Mark, match, sweep (the dissertation, §4.2.2). Contacts that were not touching are swept at once; those that were
+// wait for the next step, in which their EndContact is due.
 
 #include "pipeline/match_contacts.h"
 
@@ -21,7 +22,8 @@ void CreateContact(int fixtureA, int fixtureB, MatchTables t) {
     if (entry.swap) std::swap(fixtureA, fixtureB);
     const auto a = static_cast<size_t>(fixtureA);
     const auto b = static_cast<size_t>(fixtureB);
-    const int contact = t.contacts.Add({static_cast<uint32_t>(fixtureA), static_cast<uint32_t>(fixtureB), t.fixtures.body[a], t.fixtures.body[b]});
+    const int contact = t.contacts.Add(
+        {static_cast<uint32_t>(fixtureA), static_cast<uint32_t>(fixtureB), t.fixtures.body[a], t.fixtures.body[b]});
     const auto c = static_cast<size_t>(contact);
     if (t.fixtures.isSensor[a] || t.fixtures.isSensor[b]) t.contacts.flags[c] |= ContactFlag::sensor;
     t.contacts.flags[c] |= ContactFlag::enabled;
@@ -51,6 +53,11 @@ void MatchContacts(std::span<const Pair> pairs, const ContactEvents& events, Mat
             CreateContact(static_cast<int>(pair.a), static_cast<int>(pair.b), t);
         }
     }
+    for (int c = 0; c < t.contacts.Size(); ++c) {
+        constexpr uint8_t kept = ContactFlag::marked | ContactFlag::touching;
+        if (t.contacts.Has(c, ContactFlag::alive) && !t.contacts.Has(c, kept)) t.contacts.Remove(c);
+    }
+    t.contacts.Compact();
 }
 
 void DestroyContact(int contact, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts) {
@@ -71,7 +78,6 @@ void RemoveContacts(const ContactEvents& events, MatchTables t) {
             DestroyContact(c, events, t.bodies, t.contacts);
         }
     }
-    t.contacts.Compact();
 }
 
 }  // namespace scree

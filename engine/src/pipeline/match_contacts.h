@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Stage: pairs → contacts. Marks the contact of every reported pair or makes one; contacts left unmarked have parted
-// and are removed as a batch at the start of the next step (RemoveContacts), where Box2D would remove them too.
+// Stage: pairs → contacts. Marks the contact of every reported pair or makes one. Contacts left unmarked have parted:
+// those that did not touch go at once, those that did are removed at the start of the next step (RemoveContacts), so
+// that EndContact comes in the step in which Box2D reports it.
 
 #pragma once
 
@@ -24,11 +25,11 @@ struct MatchTables {
     ContactTable& contacts;
 };
 
-/// Marks and creates. Contacts of bodies that joints or filters keep apart are not made.
+/// Marks, creates, sweeps. Contacts of bodies that joints or filters keep apart are not made.
 void MatchContacts(std::span<const Pair> pairs, const ContactEvents& events, MatchTables tables);
-/// Destroys every unmarked contact: EndContact for touching ones, and their bodies wake.
+/// Destroys the parted contacts that were touching: EndContact, and their bodies wake.
 void RemoveContacts(const ContactEvents& events, MatchTables tables);
-/// Destroys one contact at once (its fixture goes). The row is usable again after the next RemoveContacts.
+/// Destroys one contact at once (its fixture goes). The row is usable again after the next Compact.
 void DestroyContact(int contact, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts);
 /// Destroys every contact for which `involves(pair)` holds.
 template <typename Predicate>

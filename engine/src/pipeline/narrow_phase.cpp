@@ -64,7 +64,8 @@ ContactUpdate UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodi
 
 }  // namespace
 
-int UpdateManifolds(const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts) {
+int UpdateManifolds(const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
+                    ContactTable& contacts) {
     int touchingCount = 0;
     for (int contact = 0; contact < contacts.Size(); ++contact) {
         if (!contacts.Has(contact, ContactFlag::alive)) continue;
@@ -81,8 +82,10 @@ int UpdateManifolds(const FixtureTable& fixtures, const ContactEvents& events, B
             bodies.Wake(pair.bodyB);
         }
         if (events.listener == nullptr) continue;
-        if (!update.wasTouching && update.isTouching) events.listener->BeginContact(contacts.Handle(events.state, contact));
-        if (update.wasTouching && !update.isTouching) events.listener->EndContact(contacts.Handle(events.state, contact));
+        if (!update.wasTouching && update.isTouching)
+            events.listener->BeginContact(contacts.Handle(events.state, contact));
+        if (update.wasTouching && !update.isTouching)
+            events.listener->EndContact(contacts.Handle(events.state, contact));
         if (!update.isSensor && update.isTouching) {
             events.listener->PreSolve(contacts.Handle(events.state, contact), &old);
         }

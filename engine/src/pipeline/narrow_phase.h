@@ -14,6 +14,7 @@ namespace scree {
 
 /// Recomputes the manifold of every contact with an awake body, carries impulses over by feature id, reports changes,
 /// wakes the bodies of contacts that began or ended. Returns the number of touching contacts.
-int UpdateManifolds(const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts);
+int UpdateManifolds(const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
+                    ContactTable& contacts);
 
 }  // namespace scree

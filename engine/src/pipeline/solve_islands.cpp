@@ -97,12 +97,15 @@ public:
           m_tables(tables),
           m_scratch(scratch),
           m_bodies(islands.bodies.data() + island.bodyBegin, static_cast<size_t>(island.bodyEnd - island.bodyBegin)),
-          m_contacts(islands.contacts.data() + island.contactBegin, static_cast<size_t>(island.contactEnd - island.contactBegin)),
-          m_joints(islands.joints.data() + island.jointBegin, static_cast<size_t>(island.jointEnd - island.jointBegin)) {}
+          m_contacts(islands.contacts.data() + island.contactBegin,
+                     static_cast<size_t>(island.contactEnd - island.contactBegin)),
+          m_joints(islands.joints.data() + island.jointBegin,
+                   static_cast<size_t>(island.jointEnd - island.jointBegin)) {}
 
     void Prepare(const FixtureTable& fixtures) {
         for (const int b : m_bodies) IntegrateVelocity(m_settings, m_tables.bodies, static_cast<size_t>(b));
-        PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale}, m_scratch.contacts);
+        PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale},
+                        m_scratch.contacts);
         m_scratch.joints.clear();
         if (m_settings.impulseScale > 0.0f) WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
         for (const int j : m_joints) {
@@ -116,7 +119,8 @@ public:
     void SolveVelocities() {
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
             for (const RevoluteConstraint& c : m_scratch.joints) {
-                SolveRevoluteVelocity(c, m_tables.joints.revolute[static_cast<size_t>(c.row)], m_settings.dt, m_tables.bodies.velocity);
+                SolveRevoluteVelocity(c, m_tables.joints.revolute[static_cast<size_t>(c.row)], m_settings.dt,
+                                      m_tables.bodies.velocity);
             }
             SolveContactVelocities(m_scratch.contacts, m_tables.bodies.velocity);
         }
@@ -125,7 +129,8 @@ public:
 
     int IntegratePositions() {
         int capped = 0;
-        for (const int b : m_bodies) capped += IntegratePosition(m_settings, m_tables.bodies, static_cast<size_t>(b)) ? 1 : 0;
+        for (const int b : m_bodies)
+            capped += IntegratePosition(m_settings, m_tables.bodies, static_cast<size_t>(b)) ? 1 : 0;
         return capped;
     }
 
@@ -153,7 +158,8 @@ public:
     void Sleep(bool positionsSolved) {
         if (!m_settings.allowSleep) return;
         float shortest = std::numeric_limits<float>::max();
-        for (const int b : m_bodies) shortest = Min(shortest, UpdateSleepTimer(m_tables.bodies, static_cast<size_t>(b), m_settings.dt));
+        for (const int b : m_bodies)
+            shortest = Min(shortest, UpdateSleepTimer(m_tables.bodies, static_cast<size_t>(b), m_settings.dt));
         if (shortest < timeToSleep || !positionsSolved) return;
         for (const int b : m_bodies) m_tables.bodies.PutToSleep(b);
     }
@@ -166,7 +172,8 @@ private:
 };
 
 /// The ballistic path: the same arithmetic without constraints, hence the same bits.
-void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, BodyTable& bodies, SolverCounts& counts) {
+void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, BodyTable& bodies,
+                   SolverCounts& counts) {
     for (const int body : islands.isolated) {
         const auto b = static_cast<size_t>(body);
         IntegrateVelocity(settings, bodies, b);

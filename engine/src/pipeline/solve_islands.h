@@ -17,8 +17,8 @@
 namespace scree {
 
 struct SolverSettings {
-    float dt;                ///< s, > 0
-    float impulseScale;      ///< of warm starting: dt / last dt, 0 without
+    float dt;            ///< s, > 0
+    float impulseScale;  ///< of warm starting: dt / last dt, 0 without
     int velocityIterations, positionIterations;
     Vec2 gravity;
     float maxTranslation, maxRotation;  ///< per step

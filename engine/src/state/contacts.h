@@ -5,7 +5,7 @@
 // the hash (GetBytesPerRow); handles are made only for programs that look at contacts.
 //
 // Persistence (the dissertation, §4.2): the broad phase reports all pairs of the present boxes; each reported pair
-// marks its contact or makes one; the contacts left unmarked are removed in one batch at the start of the next step.
+// marks its contact or makes one; the contacts left unmarked are removed in one batch.
 
 #pragma once
 
@@ -18,12 +18,12 @@
 namespace scree {
 
 struct ContactFlag {
-    static constexpr uint8_t alive = 1;     ///< the row is in use
-    static constexpr uint8_t marked = 2;    ///< its pair was reported by the last pair finding
+    static constexpr uint8_t alive = 1;   ///< the row is in use
+    static constexpr uint8_t marked = 2;  ///< its pair was reported by the last pair finding
     static constexpr uint8_t touching = 4;
-    static constexpr uint8_t enabled = 8;   ///< PreSolve may clear it for one step
-    static constexpr uint8_t sensor = 16;   ///< one of the fixtures is a sensor
-    static constexpr uint8_t refilter = 32; ///< filters must be asked again
+    static constexpr uint8_t enabled = 8;    ///< PreSolve may clear it for one step
+    static constexpr uint8_t sensor = 16;    ///< one of the fixtures is a sensor
+    static constexpr uint8_t refilter = 32;  ///< filters must be asked again
 };
 
 /// Who takes part. A and B are ordered as the collision function of the two shapes wants them.

@@ -22,9 +22,15 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     body[i] = bodyIndex;
     type[i] = def.shape->GetType();
     switch (type[i]) {
-        case Shape::e_circle: shape[i] = m_circles.Add(static_cast<const CircleShape&>(*def.shape)); break;
-        case Shape::e_edge: shape[i] = m_edges.Add(static_cast<const EdgeShape&>(*def.shape)); break;
-        default: shape[i] = m_polygons.Add(static_cast<const PolygonShape&>(*def.shape)); break;
+        case Shape::e_circle:
+            shape[i] = m_circles.Add(static_cast<const CircleShape&>(*def.shape));
+            break;
+        case Shape::e_edge:
+            shape[i] = m_edges.Add(static_cast<const EdgeShape&>(*def.shape));
+            break;
+        default:
+            shape[i] = m_polygons.Add(static_cast<const PolygonShape&>(*def.shape));
+            break;
     }
     isSensor[i] = def.isSensor ? 1 : 0;
     filter[i] = def.filter;
@@ -38,9 +44,15 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
 void FixtureTable::Remove(int fixture) {
     const auto i = static_cast<size_t>(fixture);
     switch (type[i]) {
-        case Shape::e_circle: m_circles.free.push_back(static_cast<CircleShape*>(shape[i])); break;
-        case Shape::e_edge: m_edges.free.push_back(static_cast<EdgeShape*>(shape[i])); break;
-        default: m_polygons.free.push_back(static_cast<PolygonShape*>(shape[i])); break;
+        case Shape::e_circle:
+            m_circles.free.push_back(static_cast<CircleShape*>(shape[i]));
+            break;
+        case Shape::e_edge:
+            m_edges.free.push_back(static_cast<EdgeShape*>(shape[i]));
+            break;
+        default:
+            m_polygons.free.push_back(static_cast<PolygonShape*>(shape[i]));
+            break;
     }
     shape[i] = nullptr;
     slots.Free(fixture);

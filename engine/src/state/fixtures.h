@@ -21,7 +21,7 @@ struct Material {
 /// Cold data of a fixture.
 struct FixtureInfo {
     float density = 0.0f;
-    int next = -1;       ///< next fixture of the body
+    int next = -1;  ///< next fixture of the body
     bool inBroadPhase = false;
     FixtureUserData userData;
 };

@@ -30,7 +30,8 @@ int JointTable::AddRevolute(WorldState* state, const RevoluteJointDef& def) {
     r.impulse = vec2Zero;
     revolute[static_cast<size_t>(row)] = r;
 
-    info[i] = {def.type, def.collideConnected, def.bodyA->GetIndex(), def.bodyB->GetIndex(), row, -1, listHead, def.userData};
+    info[i] = {def.type, def.collideConnected, def.bodyA->GetIndex(), def.bodyB->GetIndex(), row, -1,
+               listHead, def.userData};
     if (listHead >= 0) info[static_cast<size_t>(listHead)].listPrev = index;
     listHead = index;
     handles[i] = std::make_unique<RevoluteJoint>(state, index);

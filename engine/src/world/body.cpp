@@ -20,7 +20,8 @@ ErrorCode CheckVector(const WorldState& s, Vec2 v, const char* function, const c
 }
 
 ErrorCode CheckNumber(const WorldState& s, float value, const char* function, const char* field) {
-    return std::isfinite(value) ? ErrorCode::ok : s.Refuse(ErrorCode::nonFinite, function, field, "give a finite number");
+    return std::isfinite(value) ? ErrorCode::ok
+                                : s.Refuse(ErrorCode::nonFinite, function, field, "give a finite number");
 }
 
 ErrorCode CheckAmount(const WorldState& s, float value, const char* function, const char* field) {
@@ -109,7 +110,8 @@ Vec2 Body::GetWorldCenter() const { return m_state->bodies.position[Row(m_index)
 Vec2 Body::GetLocalCenter() const { return m_state->bodies.mass[Row(m_index)].localCenter; }
 
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
-    if (const ErrorCode code = CheckVector(*m_state, v, "Body::SetLinearVelocity", "v"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckVector(*m_state, v, "Body::SetLinearVelocity", "v"); code != ErrorCode::ok)
+        return code;
     if (GetType() == staticBody) return ErrorCode::ok;
     if (Dot(v, v) > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[Row(m_index)].v = v;
@@ -118,7 +120,8 @@ ErrorCode Body::SetLinearVelocity(Vec2 v) {
 Vec2 Body::GetLinearVelocity() const { return m_state->bodies.velocity[Row(m_index)].v; }
 
 ErrorCode Body::SetAngularVelocity(float omega) {
-    if (const ErrorCode code = CheckNumber(*m_state, omega, "Body::SetAngularVelocity", "omega"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckNumber(*m_state, omega, "Body::SetAngularVelocity", "omega"); code != ErrorCode::ok)
+        return code;
     if (GetType() == staticBody) return ErrorCode::ok;
     if (omega * omega > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[Row(m_index)].w = omega;
@@ -127,8 +130,10 @@ ErrorCode Body::SetAngularVelocity(float omega) {
 float Body::GetAngularVelocity() const { return m_state->bodies.velocity[Row(m_index)].w; }
 
 ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, force, "Body::ApplyForce", "force"); code != ErrorCode::ok) return code;
-    if (const ErrorCode code = CheckVector(*m_state, point, "Body::ApplyForce", "point"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckVector(*m_state, force, "Body::ApplyForce", "force"); code != ErrorCode::ok)
+        return code;
+    if (const ErrorCode code = CheckVector(*m_state, point, "Body::ApplyForce", "point"); code != ErrorCode::ok)
+        return code;
     if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
     ForceRow& row = m_state->bodies.force[Row(m_index)];
     row.force += force;
@@ -137,20 +142,25 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
 }
 
 ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, force, "Body::ApplyForceToCenter", "force"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckVector(*m_state, force, "Body::ApplyForceToCenter", "force"); code != ErrorCode::ok)
+        return code;
     if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].force += force;
     return ErrorCode::ok;
 }
 
 ErrorCode Body::ApplyTorque(float torque, bool wake) {
-    if (const ErrorCode code = CheckNumber(*m_state, torque, "Body::ApplyTorque", "torque"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckNumber(*m_state, torque, "Body::ApplyTorque", "torque"); code != ErrorCode::ok)
+        return code;
     if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].torque += torque;
     return ErrorCode::ok;
 }
 
 ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, impulse, "Body::ApplyLinearImpulse", "impulse"); code != ErrorCode::ok) return code;
-    if (const ErrorCode code = CheckVector(*m_state, point, "Body::ApplyLinearImpulse", "point"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckVector(*m_state, impulse, "Body::ApplyLinearImpulse", "impulse");
+        code != ErrorCode::ok)
+        return code;
+    if (const ErrorCode code = CheckVector(*m_state, point, "Body::ApplyLinearImpulse", "point"); code != ErrorCode::ok)
+        return code;
     if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
     Velocity& velocity = m_state->bodies.velocity[Row(m_index)];
     const MassRow& mass = m_state->bodies.mass[Row(m_index)];
@@ -160,7 +170,9 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
 }
 
 ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, impulse, "Body::ApplyLinearImpulseToCenter", "impulse"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckVector(*m_state, impulse, "Body::ApplyLinearImpulseToCenter", "impulse");
+        code != ErrorCode::ok)
+        return code;
     if (TakesPush(m_state->bodies, m_index, wake)) {
         m_state->bodies.velocity[Row(m_index)].v += m_state->bodies.mass[Row(m_index)].invMass * impulse;
     }
@@ -168,7 +180,9 @@ ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
 }
 
 ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
-    if (const ErrorCode code = CheckNumber(*m_state, impulse, "Body::ApplyAngularImpulse", "impulse"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckNumber(*m_state, impulse, "Body::ApplyAngularImpulse", "impulse");
+        code != ErrorCode::ok)
+        return code;
     if (TakesPush(m_state->bodies, m_index, wake)) {
         m_state->bodies.velocity[Row(m_index)].w += m_state->bodies.mass[Row(m_index)].invI * impulse;
     }
@@ -194,13 +208,15 @@ ErrorCode Body::SetMassData(const MassData* data) {
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "change masses outside of Step");
     if (const ErrorCode code = CheckNumber(s, data->mass, name, "MassData::mass"); code != ErrorCode::ok) return code;
     if (const ErrorCode code = CheckNumber(s, data->I, name, "MassData::I"); code != ErrorCode::ok) return code;
-    if (const ErrorCode code = CheckVector(s, data->center, name, "MassData::center"); code != ErrorCode::ok) return code;
+    if (const ErrorCode code = CheckVector(s, data->center, name, "MassData::center"); code != ErrorCode::ok)
+        return code;
     if (GetType() != dynamicBody) return ErrorCode::ok;
     const float mass = data->mass > 0.0f ? data->mass : 1.0f;
     const bool rotates = data->I > 0.0f && !IsFixedRotation();
     const float inertia = rotates ? data->I - mass * Dot(data->center, data->center) : 0.0f;
     if (rotates && inertia <= 0.0f) {
-        return s.Refuse(ErrorCode::outOfRange, name, "MassData::I", "it is about the origin: give more than mass·|center|²");
+        return s.Refuse(ErrorCode::outOfRange, name, "MassData::I",
+                        "it is about the origin: give more than mass·|center|²");
     }
     const size_t b = Row(m_index);
     s.bodies.info[b].mass = mass;

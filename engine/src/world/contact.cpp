@@ -14,7 +14,8 @@ namespace {
 size_t Row(int index) { return static_cast<size_t>(index); }
 
 ErrorCode CheckFinite(const WorldState& s, float value, const char* function) {
-    return std::isfinite(value) ? ErrorCode::ok : s.Refuse(ErrorCode::nonFinite, function, "value", "give a finite number");
+    return std::isfinite(value) ? ErrorCode::ok
+                                : s.Refuse(ErrorCode::nonFinite, function, "value", "give a finite number");
 }
 
 }  // namespace
@@ -24,8 +25,9 @@ const Manifold* Contact::GetManifold() const { return &m_state->contacts.manifol
 
 void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
     const ContactPair& p = m_state->contacts.pair[Row(m_index)];
-    worldManifold->Initialize(GetManifold(), m_state->bodies.transform[Row(p.bodyA)], m_state->fixtures.shape[p.fixtureA]->m_radius,
-                              m_state->bodies.transform[Row(p.bodyB)], m_state->fixtures.shape[p.fixtureB]->m_radius);
+    worldManifold->Initialize(GetManifold(), m_state->bodies.transform[Row(p.bodyA)],
+                              m_state->fixtures.shape[p.fixtureA]->m_radius, m_state->bodies.transform[Row(p.bodyB)],
+                              m_state->fixtures.shape[p.fixtureB]->m_radius);
 }
 
 bool Contact::IsTouching() const { return m_state->contacts.Has(m_index, ContactFlag::touching); }
@@ -51,14 +53,16 @@ Fixture* Contact::GetFixtureB() { return &m_state->fixtures.handles[m_state->con
 const Fixture* Contact::GetFixtureB() const { return const_cast<Contact*>(this)->GetFixtureB(); }
 
 ErrorCode Contact::SetFriction(float friction) {
-    if (friction < 0.0f) return m_state->Refuse(ErrorCode::outOfRange, "Contact::SetFriction", "friction", "give at least 0");
+    if (friction < 0.0f)
+        return m_state->Refuse(ErrorCode::outOfRange, "Contact::SetFriction", "friction", "give at least 0");
     const ErrorCode code = CheckFinite(*m_state, friction, "Contact::SetFriction");
     if (code == ErrorCode::ok) m_state->contacts.material[Row(m_index)].friction = friction;
     return code;
 }
 float Contact::GetFriction() const { return m_state->contacts.material[Row(m_index)].friction; }
 void Contact::ResetFriction() {
-    m_state->contacts.material[Row(m_index)].friction = MixFriction(GetFixtureA()->GetFriction(), GetFixtureB()->GetFriction());
+    m_state->contacts.material[Row(m_index)].friction =
+        MixFriction(GetFixtureA()->GetFriction(), GetFixtureB()->GetFriction());
 }
 
 ErrorCode Contact::SetRestitution(float restitution) {
@@ -68,7 +72,8 @@ ErrorCode Contact::SetRestitution(float restitution) {
 }
 float Contact::GetRestitution() const { return m_state->contacts.material[Row(m_index)].restitution; }
 void Contact::ResetRestitution() {
-    m_state->contacts.material[Row(m_index)].restitution = MixRestitution(GetFixtureA()->GetRestitution(), GetFixtureB()->GetRestitution());
+    m_state->contacts.material[Row(m_index)].restitution =
+        MixRestitution(GetFixtureA()->GetRestitution(), GetFixtureB()->GetRestitution());
 }
 
 ErrorCode Contact::SetRestitutionThreshold(float threshold) {

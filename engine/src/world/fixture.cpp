@@ -17,7 +17,8 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 
 ErrorCode CheckMaterial(const WorldState& s, float value, bool mayBeNegative, const char* function) {
     if (!std::isfinite(value)) return s.Refuse(ErrorCode::nonFinite, function, "value", "give a finite number");
-    if (value < 0.0f && !mayBeNegative) return s.Refuse(ErrorCode::outOfRange, function, "value", "give a number of at least 0");
+    if (value < 0.0f && !mayBeNegative)
+        return s.Refuse(ErrorCode::outOfRange, function, "value", "give a number of at least 0");
     return ErrorCode::ok;
 }
 
@@ -37,7 +38,8 @@ ErrorCode Fixture::SetSensor(bool sensor) {
         const auto self = static_cast<uint32_t>(m_index);
         if (!contacts.Has(c, ContactFlag::alive) || (p.fixtureA != self && p.fixtureB != self)) continue;
         const bool any = m_state->fixtures.isSensor[p.fixtureA] || m_state->fixtures.isSensor[p.fixtureB];
-        contacts.flags[Row(c)] = static_cast<uint8_t>((contacts.flags[Row(c)] & ~ContactFlag::sensor) | (any ? ContactFlag::sensor : 0));
+        contacts.flags[Row(c)] =
+            static_cast<uint8_t>((contacts.flags[Row(c)] & ~ContactFlag::sensor) | (any ? ContactFlag::sensor : 0));
     }
     m_state->bodies.Wake(m_state->fixtures.body[Row(m_index)]);
     return ErrorCode::ok;
@@ -45,7 +47,8 @@ ErrorCode Fixture::SetSensor(bool sensor) {
 bool Fixture::IsSensor() const { return m_state->fixtures.isSensor[Row(m_index)] != 0; }
 
 ErrorCode Fixture::SetFilterData(const Filter& filter) {
-    if (m_state->locked) return m_state->Refuse(ErrorCode::locked, "Fixture::SetFilterData", "world", "set filters outside of Step");
+    if (m_state->locked)
+        return m_state->Refuse(ErrorCode::locked, "Fixture::SetFilterData", "world", "set filters outside of Step");
     m_state->fixtures.filter[Row(m_index)] = filter;
     Refilter();
     return ErrorCode::ok;
@@ -103,7 +106,8 @@ ErrorCode Fixture::SetRestitutionThreshold(float threshold) {
 float Fixture::GetRestitutionThreshold() const { return m_state->fixtures.material[Row(m_index)].restitutionThreshold; }
 
 AABB Fixture::GetAABB() const {
-    if (m_state->fixtures.info[Row(m_index)].inBroadPhase) return m_state->broadPhase->GetBox(static_cast<uint32_t>(m_index));
+    if (m_state->fixtures.info[Row(m_index)].inBroadPhase)
+        return m_state->broadPhase->GetBox(static_cast<uint32_t>(m_index));
     AABB box;
     GetShape()->ComputeAABB(&box, GetBody()->GetTransform());
     return box;

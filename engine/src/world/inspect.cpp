@@ -101,8 +101,9 @@ uint64_t GetBoxTests(const World& world) { return world.GetState().broadPhase->G
 MemoryUse GetMemoryUse(const World& world) {
     const WorldState& s = world.GetState();
     MemoryUse use;
-    use.bytesPerBody = sizeof(Velocity) + 2 * sizeof(Position) + sizeof(Transform) + sizeof(MassRow) + sizeof(ForceRow) +
-                       sizeof(MotionRow) + sizeof(float) + sizeof(uint16_t) + sizeof(BodyType) + sizeof(BodyInfo) + sizeof(Body);
+    use.bytesPerBody = sizeof(Velocity) + 2 * sizeof(Position) + sizeof(Transform) + sizeof(MassRow) +
+                       sizeof(ForceRow) + sizeof(MotionRow) + sizeof(float) + sizeof(uint16_t) + sizeof(BodyType) +
+                       sizeof(BodyInfo) + sizeof(Body);
     use.bytesPerFixture = FixtureTable::GetBytesPerRow();
     use.bytesPerContact = ContactTable::GetBytesPerRow();
     use.bodies = static_cast<size_t>(s.bodies.slots.Size()) * use.bytesPerBody;

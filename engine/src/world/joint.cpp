@@ -14,7 +14,9 @@ namespace scree {
 namespace {
 
 JointInfo& InfoOf(WorldState* s, int joint) { return s->joints.info[static_cast<size_t>(joint)]; }
-RevoluteRow& RevoluteOf(WorldState* s, int joint) { return s->joints.revolute[static_cast<size_t>(InfoOf(s, joint).row)]; }
+RevoluteRow& RevoluteOf(WorldState* s, int joint) {
+    return s->joints.revolute[static_cast<size_t>(InfoOf(s, joint).row)];
+}
 Body* BodyOf(WorldState* s, int body) { return &s->bodies.handles[static_cast<size_t>(body)]; }
 
 void WakeBodies(WorldState* s, int joint) {
@@ -99,7 +101,8 @@ ErrorCode RevoluteJoint::EnableMotor(bool flag) {
     return ErrorCode::ok;
 }
 ErrorCode RevoluteJoint::SetMotorSpeed(float speed) {
-    if (!std::isfinite(speed)) return m_state->Refuse(ErrorCode::nonFinite, "RevoluteJoint::SetMotorSpeed", "speed", "give a finite speed");
+    if (!std::isfinite(speed))
+        return m_state->Refuse(ErrorCode::nonFinite, "RevoluteJoint::SetMotorSpeed", "speed", "give a finite speed");
     RevoluteRow& row = RevoluteOf(m_state, m_index);
     if (row.motorSpeed == speed) return ErrorCode::ok;
     WakeBodies(m_state, m_index);
@@ -118,6 +121,8 @@ ErrorCode RevoluteJoint::SetMaxMotorTorque(float torque) {
     return ErrorCode::ok;
 }
 float RevoluteJoint::GetMaxMotorTorque() const { return RevoluteOf(m_state, m_index).maxMotorTorque; }
-float RevoluteJoint::GetMotorTorque(float inverseDt) const { return inverseDt * RevoluteOf(m_state, m_index).motorImpulse; }
+float RevoluteJoint::GetMotorTorque(float inverseDt) const {
+    return inverseDt * RevoluteOf(m_state, m_index).motorImpulse;
+}
 
 }  // namespace scree

@@ -23,7 +23,8 @@ template <typename Predicate>
 void RefilterIf(WorldState& s, Predicate involves) {
     s.pairsStale = true;  // pairs that were refused may be allowed now
     DestroyIf(s, [&](const ContactPair& p) {
-        return involves(p) && !MayHaveContact(static_cast<int>(p.fixtureA), static_cast<int>(p.fixtureB), s.Events(), Tables(s));
+        return involves(p) &&
+               !MayHaveContact(static_cast<int>(p.fixtureA), static_cast<int>(p.fixtureB), s.Events(), Tables(s));
     });
 }
 

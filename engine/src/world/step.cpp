@@ -23,7 +23,8 @@ void RunBroadPhase(WorldState& s) {
     for (const int body : s.bodies.movers) {
         const auto b = static_cast<size_t>(body);
         if (s.bodies.IsActive(body)) {
-            UpdateBodyBoxes(s.bodies, s.fixtures, body, s.bodies.position[b].c - s.bodies.startPosition[b].c, *s.broadPhase);
+            UpdateBodyBoxes(s.bodies, s.fixtures, body, s.bodies.position[b].c - s.bodies.startPosition[b].c,
+                            *s.broadPhase);
         }
     }
     FindPairsAndMatch(s);
@@ -43,7 +44,8 @@ SolverSettings MakeSettings(const WorldState& s, float dt, int velocityIteration
 void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
     FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     report.profile.islands = watch.Lap();
-    const SolverCounts counts = SolveIslands(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
+    const SolverCounts counts =
+        SolveIslands(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
     report.profile.solver = watch.Lap();
     RunBroadPhase(s);
     report.profile.broadPhase += watch.Lap();
@@ -64,10 +66,14 @@ StepReport World::Step(float timeStep, int velocityIterations, int positionItera
         s.Refuse(ErrorCode::locked, name, "world", "call Step outside of callbacks");
         return s.report;
     }
-    if (!std::isfinite(timeStep)) return s.Refuse(ErrorCode::nonFinite, name, "timeStep", "give a finite time"), s.report;
-    if (timeStep < 0.0f) return s.Refuse(ErrorCode::outOfRange, name, "timeStep", "give a time of at least 0"), s.report;
-    if (velocityIterations < 0) return s.Refuse(ErrorCode::outOfRange, name, "velocityIterations", "give at least 0"), s.report;
-    if (positionIterations < 0) return s.Refuse(ErrorCode::outOfRange, name, "positionIterations", "give at least 0"), s.report;
+    if (!std::isfinite(timeStep))
+        return s.Refuse(ErrorCode::nonFinite, name, "timeStep", "give a finite time"), s.report;
+    if (timeStep < 0.0f)
+        return s.Refuse(ErrorCode::outOfRange, name, "timeStep", "give a time of at least 0"), s.report;
+    if (velocityIterations < 0)
+        return s.Refuse(ErrorCode::outOfRange, name, "velocityIterations", "give at least 0"), s.report;
+    if (positionIterations < 0)
+        return s.Refuse(ErrorCode::outOfRange, name, "positionIterations", "give at least 0"), s.report;
 
     Stopwatch total;
     Stopwatch watch;

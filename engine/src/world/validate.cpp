@@ -33,7 +33,8 @@ Finding CheckPolygon(const PolygonShape& polygon) {
     if (polygon.m_count < 3 || polygon.m_count > maxPolygonVertices) {
         return {ErrorCode::badShape, "PolygonShape::m_count", "call Set or SetAsBox first; 3 to 8 vertices"};
     }
-    if (!polygon.Validate()) return {ErrorCode::badShape, "PolygonShape::m_vertices", "give a convex, counter-clockwise polygon"};
+    if (!polygon.Validate())
+        return {ErrorCode::badShape, "PolygonShape::m_vertices", "give a convex, counter-clockwise polygon"};
     return {};
 }
 
@@ -58,9 +59,12 @@ Finding Check(const Shape& shape) {
             if (circle.m_radius <= 0.0f) return {ErrorCode::badShape, "CircleShape::m_radius", "give a radius above 0"};
             return {};
         }
-        case Shape::e_edge: return CheckEdge(static_cast<const EdgeShape&>(shape));
-        case Shape::e_polygon: return CheckPolygon(static_cast<const PolygonShape&>(shape));
-        default: return {ErrorCode::badShape, "Shape::m_type", "use CircleShape, EdgeShape or PolygonShape"};
+        case Shape::e_edge:
+            return CheckEdge(static_cast<const EdgeShape&>(shape));
+        case Shape::e_polygon:
+            return CheckPolygon(static_cast<const PolygonShape&>(shape));
+        default:
+            return {ErrorCode::badShape, "Shape::m_type", "use CircleShape, EdgeShape or PolygonShape"};
     }
 }
 
@@ -68,7 +72,8 @@ Finding Check(const BodyDef& def) {
     if (def.type != staticBody && def.type != kinematicBody && def.type != dynamicBody) {
         return {ErrorCode::outOfRange, "BodyDef::type", "use staticBody, kinematicBody or dynamicBody"};
     }
-    return First(CheckFinite(def.position.IsValid(), "BodyDef::position"), CheckFinite(std::isfinite(def.angle), "BodyDef::angle"),
+    return First(CheckFinite(def.position.IsValid(), "BodyDef::position"),
+                 CheckFinite(std::isfinite(def.angle), "BodyDef::angle"),
                  CheckFinite(def.linearVelocity.IsValid(), "BodyDef::linearVelocity"),
                  CheckFinite(std::isfinite(def.angularVelocity), "BodyDef::angularVelocity"),
                  CheckAmount(def.linearDamping, "BodyDef::linearDamping"),
@@ -87,8 +92,10 @@ Finding Check(const FixtureDef& def) {
 Finding Check(const RevoluteJointDef& def, const WorldState& state) {
     if (def.bodyA == nullptr) return {ErrorCode::nullArgument, "JointDef::bodyA", "set both bodies"};
     if (def.bodyB == nullptr) return {ErrorCode::nullArgument, "JointDef::bodyB", "set both bodies"};
-    if (!Owns(state, def.bodyA)) return {ErrorCode::foreignHandle, "JointDef::bodyA", "use a living body of this world"};
-    if (!Owns(state, def.bodyB)) return {ErrorCode::foreignHandle, "JointDef::bodyB", "use a living body of this world"};
+    if (!Owns(state, def.bodyA))
+        return {ErrorCode::foreignHandle, "JointDef::bodyA", "use a living body of this world"};
+    if (!Owns(state, def.bodyB))
+        return {ErrorCode::foreignHandle, "JointDef::bodyB", "use a living body of this world"};
     if (def.bodyA == def.bodyB) return {ErrorCode::outOfRange, "JointDef::bodyB", "join two different bodies"};
     const Finding numbers = First(CheckFinite(def.localAnchorA.IsValid(), "RevoluteJointDef::localAnchorA"),
                                   CheckFinite(def.localAnchorB.IsValid(), "RevoluteJointDef::localAnchorB"),
@@ -98,7 +105,8 @@ Finding Check(const RevoluteJointDef& def, const WorldState& state) {
                                   CheckFinite(std::isfinite(def.motorSpeed), "RevoluteJointDef::motorSpeed"),
                                   CheckAmount(def.maxMotorTorque, "RevoluteJointDef::maxMotorTorque"));
     if (numbers) return numbers;
-    if (def.lowerAngle > def.upperAngle) return {ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle", "keep it at or below upperAngle"};
+    if (def.lowerAngle > def.upperAngle)
+        return {ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle", "keep it at or below upperAngle"};
     return {};
 }
 
@@ -107,8 +115,10 @@ Finding Check(const WorldDef& def) {
     if (static_cast<size_t>(def.broadPhase) >= broadPhaseNames.size()) {
         return {ErrorCode::outOfRange, "WorldDef::broadPhase", "use a BroadPhaseKind"};
     }
-    if (!(def.staticShareThreshold >= 0.0f)) return {ErrorCode::outOfRange, "WorldDef::staticShareThreshold", "give a share from 0 to 1"};
-    if (!(def.maxTranslation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};
+    if (!(def.staticShareThreshold >= 0.0f))
+        return {ErrorCode::outOfRange, "WorldDef::staticShareThreshold", "give a share from 0 to 1"};
+    if (!(def.maxTranslation > 0.0f))
+        return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};
     if (!(def.maxRotation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxRotation", "give an angle above 0"};
     return {};
 }

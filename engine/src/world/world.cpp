@@ -26,11 +26,12 @@ ErrorCode WorldState::Refuse(ErrorCode code, const char* function, const char* f
     return code;
 }
 
-World::World(Vec2 gravity) : World([&] {
-      WorldDef def;
-      def.gravity = gravity;
-      return def;
-  }()) {}
+World::World(Vec2 gravity)
+    : World([&] {
+          WorldDef def;
+          def.gravity = gravity;
+          return def;
+      }()) {}
 
 World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
     WorldState& s = *m_state;
@@ -83,7 +84,8 @@ Joint* World::CreateJoint(const JointDef* def) {
     if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a joint definition"), nullptr;
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create joints outside of Step"), nullptr;
     if (def->type != e_revoluteJoint) {
-        return s.Refuse(ErrorCode::outOfRange, name, "JointDef::type", "use a joint definition of this library"), nullptr;
+        return s.Refuse(ErrorCode::outOfRange, name, "JointDef::type", "use a joint definition of this library"),
+               nullptr;
     }
     const auto& revolute = static_cast<const RevoluteJointDef&>(*def);
     if (const Finding bad = Check(revolute, s)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
@@ -131,7 +133,8 @@ void World::ClearForces() {
 }
 
 ErrorCode World::SetGravity(Vec2 gravity) {
-    if (!gravity.IsValid()) return m_state->Refuse(ErrorCode::nonFinite, "World::SetGravity", "gravity", "give a finite vector");
+    if (!gravity.IsValid())
+        return m_state->Refuse(ErrorCode::nonFinite, "World::SetGravity", "gravity", "give a finite vector");
     m_state->def.gravity = gravity;
     return ErrorCode::ok;
 }
@@ -176,14 +179,16 @@ int World::GetProxyCount() const { return m_state->broadPhase->GetProxyCount(); 
 
 ErrorCode World::QueryAABB(const AABB& aabb, const std::function<bool(Fixture*)>& visit) {
     WorldState& s = *m_state;
-    if (!aabb.IsValid()) return s.Refuse(ErrorCode::outOfRange, "World::QueryAABB", "aabb", "give finite bounds with lower ≤ upper");
+    if (!aabb.IsValid())
+        return s.Refuse(ErrorCode::outOfRange, "World::QueryAABB", "aabb", "give finite bounds with lower ≤ upper");
     s.broadPhase->Query(aabb, [&](uint32_t f) { return visit(&s.fixtures.handles[f]); });
     return ErrorCode::ok;
 }
 
 ErrorCode World::RayCast(Vec2 p1, Vec2 p2, const std::function<float(Fixture*, Vec2, Vec2, float)>& visit) {
     WorldState& s = *m_state;
-    if (!p1.IsValid() || !p2.IsValid()) return s.Refuse(ErrorCode::nonFinite, "World::RayCast", "p1, p2", "give finite points");
+    if (!p1.IsValid() || !p2.IsValid())
+        return s.Refuse(ErrorCode::nonFinite, "World::RayCast", "p1, p2", "give finite points");
     s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t f) {
         RayCastOutput hit;
         Fixture& fixture = s.fixtures.handles[f];

@@ -30,8 +30,8 @@ struct WorldState {
 
     std::unique_ptr<BroadPhase> broadPhase;
     BroadPhaseKind broadPhaseKind = BroadPhaseKind::automatic;  ///< resolved
-    std::vector<Pair> pairs;     ///< of the last pair finding
-    bool pairsStale = false;     ///< boxes changed since then
+    std::vector<Pair> pairs;                                    ///< of the last pair finding
+    bool pairsStale = false;                                    ///< boxes changed since then
 
     IslandTable islands;
     IslandScratch islandScratch;

@@ -21,7 +21,7 @@ int main() {
     ballDef.type = scree::BodyType::dynamicBody;
     ballDef.position = {0.0f, 3.0f};
     scree::CircleShape circle;
-    circle.radius = 0.5f;
+    circle.m_radius = 0.5f;
     scree::Body* ball = world.CreateBody(&ballDef);
     ball->CreateFixture(&circle, 1.0f);
 
