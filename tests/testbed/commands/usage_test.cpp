@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include <filesystem>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ struct UsageCase {
     const char* arguments;
     const char* mention;  ///< must stand in the message
 };
+
+void PrintTo(const UsageCase& usage, std::ostream* stream) { *stream << "scree " << usage.arguments; }
 
 class WrongUsage : public testing::TestWithParam<UsageCase> {};
 
