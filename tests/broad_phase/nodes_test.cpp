@@ -18,11 +18,7 @@ namespace {
 
 class Nodes : public testing::TestWithParam<BroadPhaseKind> {};
 
-INSTANTIATE_TEST_SUITE_P(BroadPhase, Nodes, testing::ValuesIn(allKinds), [](const auto& param) {
-    std::string name(GetName(param.param));
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(BroadPhase, Nodes, testing::ValuesIn(allKinds), KindName);
 
 bool KeepsTree(BroadPhaseKind kind) {
     return kind != BroadPhaseKind::bruteForce && kind != BroadPhaseKind::sweepAndPrune;
@@ -98,11 +94,7 @@ TEST_P(Nodes, LeafSizeIsTold) {
 
 class StaticTree : public testing::TestWithParam<BroadPhaseKind> {};
 
-INSTANTIATE_TEST_SUITE_P(BroadPhase, StaticTree, testing::ValuesIn(rebuiltTreeKinds), [](const auto& param) {
-    std::string name(GetName(param.param));
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(BroadPhase, StaticTree, testing::ValuesIn(rebuiltTreeKinds), KindName);
 
 /// 800 movers in rows and `statics` boxes to their right.
 std::unique_ptr<BroadPhase> MakeWithStatics(BroadPhaseKind kind, uint32_t statics) {

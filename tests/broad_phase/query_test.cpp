@@ -18,11 +18,7 @@ namespace {
 
 class Queries : public testing::TestWithParam<BroadPhaseKind> {};
 
-INSTANTIATE_TEST_SUITE_P(BroadPhase, Queries, testing::ValuesIn(allKinds), [](const auto& param) {
-    std::string name(GetName(param.param));
-    std::replace(name.begin(), name.end(), '-', '_');
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(BroadPhase, Queries, testing::ValuesIn(allKinds), KindName);
 
 std::vector<uint32_t> Visited(BroadPhase& broadPhase, const AABB& box) {
     std::vector<uint32_t> found;

@@ -6,9 +6,13 @@
 
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "broad_phase/broad_phase.h"
@@ -80,6 +84,18 @@ inline constexpr BroadPhaseKind allKinds[] = {
     BroadPhaseKind::bruteForce, BroadPhaseKind::sweepAndPrune, BroadPhaseKind::bvhBarycentre, BroadPhaseKind::bvhSah,
     BroadPhaseKind::fatTree,    BroadPhaseKind::global1,       BroadPhaseKind::global2,       BroadPhaseKind::global3,
     BroadPhaseKind::unified,    BroadPhaseKind::keys,          BroadPhaseKind::automatic};
+
+/// The algorithms that answer queries from a tree, not by a linear scan.
+inline constexpr BroadPhaseKind treeKinds[] = {
+    BroadPhaseKind::bvhBarycentre, BroadPhaseKind::bvhSah,  BroadPhaseKind::fatTree, BroadPhaseKind::global1,
+    BroadPhaseKind::global2,       BroadPhaseKind::global3, BroadPhaseKind::unified, BroadPhaseKind::keys};
+
+/// The algorithm's name as a test name.
+inline std::string KindName(const testing::TestParamInfo<BroadPhaseKind>& kind) {
+    std::string name(GetName(kind.param));
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
+}
 
 /// A random shape of a world with up to `maxCount` boxes (inside rc::check only).
 WorldShape AnyWorldShape(int maxCount);
