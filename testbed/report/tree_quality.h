@@ -11,11 +11,10 @@
 //                    "Automatic creation of object hierarchies for ray tracing", IEEE CG&A 7(5), 1987, with the
 //                    constants of the paper below
 //   sibling_overlap  Σ_internal A(child1 ∩ child2) / A(root): how often a point query goes down both ways
-//   epo              Σ_n C(n) · L(n) / L, C = 1.2 for internal nodes and 1 for leaves, L = length of the outlines of
-//   all
-//                    fixtures' tight boxes, L(n) = length of those outlines that lies inside n but belongs to fixtures
+//   epo              Σ_n C(n) · L(n) / L, C = 1.2 for internal nodes and 1 for leaves, L = length of the outlines
+//                    of all fixtures' tight boxes, L(n) = length of those outlines that lies inside n but belongs to fixtures
 //                    outside n's subtree: the work of visiting n for nothing; Aila, Karras, Laine: "On quality metrics
-//                    of bounding volume hierarchies", HPG 2013, equation 4, with outlines in place of surfaces
+//                    of bounding volume hierarchies", HPG 2013, with outlines in place of surfaces
 
 #pragma once
 
