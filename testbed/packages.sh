@@ -15,7 +15,7 @@ readonly SCREE_BUILD_PACKAGES=(
     gnuplot-nox                                           # timing plots
     libgtest-dev librapidcheck-dev                        # small; the presets configure the tests along
 )
-readonly SCREE_TEST_PACKAGES=(clang-format-14)
+readonly SCREE_TEST_PACKAGES=(clang-format-14 clang)
 
 # Die CODE MESSAGE
 Die() {

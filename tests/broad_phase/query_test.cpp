@@ -151,5 +151,43 @@ TEST_P(Queries, ChangeOfMotionTypeIsSeenOnce) {
     }
 }
 
+/// Every static fixture in the box is visited, once, whatever the share of statics and the edits since the last pairs.
+TEST_P(Queries, StaticQueriesFindEveryStatic) {
+    for (const uint32_t oneIn : {2u, 20u}) {  // above and below the share that gets a tree of its own
+        const auto broadPhase = CreateBroadPhase(GetParam());
+        const auto boxOf = [](uint32_t i, float shift) {
+            const Vec2 p{static_cast<float>(i % 40) + shift, static_cast<float>(i / 40)};
+            return AABB{p, p + Vec2{0.6f, 0.6f}};
+        };
+        std::vector<float> shift(1200, 0.0f);
+        for (uint32_t i = 0; i < 1200; ++i) {
+            broadPhase->Insert(i, i, i % oneIn == 0 ? Motion::isStatic : Motion::dynamic, boxOf(i, 0.0f));
+        }
+        std::vector<Pair> pairs;
+        for (int round = 0; round < 4; ++round) {
+            if (round == 2) broadPhase->FindPairs(pairs);
+            for (uint32_t i = 0; i < 1200; i += 7) broadPhase->Update(i, boxOf(i, shift[i] += 0.2f), vec2Zero);
+            for (const float x : {-1.0f, 3.2f, 17.0f, 38.5f}) {
+                const AABB box{{x, 4.3f}, {x + 2.5f, 11.1f}};
+                std::vector<uint32_t> expected, found;
+                for (uint32_t i = 0; i < 1200; i += oneIn) {
+                    if (TestOverlap(boxOf(i, shift[i]), box)) expected.push_back(i);
+                }
+                broadPhase->QueryStatic(box, [&](uint32_t fixture) {
+                    if (fixture % oneIn == 0) found.push_back(fixture);
+                    return true;
+                });
+                // The fattened tree may visit more.
+                std::sort(found.begin(), found.end());
+                EXPECT_TRUE(std::adjacent_find(found.begin(), found.end()) == found.end());
+                EXPECT_TRUE(std::includes(found.begin(), found.end(), expected.begin(), expected.end()));
+                if (GetParam() != BroadPhaseKind::fatTree) {
+                    EXPECT_EQ(found, expected);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

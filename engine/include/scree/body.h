@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "scree/errors.h"
 #include "scree/fixture.h"
@@ -14,6 +15,7 @@
 
 namespace scree {
 
+class Contact;
 class Joint;
 class World;
 
@@ -47,12 +49,16 @@ struct BodyDef {
 class Body {
 public:
     /// Attaches a fixture and updates the mass if its density is not 0. Returns null (and changes nothing) for a null
-    /// shape, a degenerate shape, a number out of range, or while the world is locked.
+    /// shape, a degenerate shape, a number out of range, or while the world is locked. A ChainShape makes one fixture
+    /// per segment, each with the def's material, filter and sensor flag; the first is returned.
     Fixture* CreateFixture(const FixtureDef* def);
     /// Short form with default material.
     Fixture* CreateFixture(const Shape* shape, float density);
     /// Detaches and destroys a fixture with its contacts and updates the mass.
     ErrorCode DestroyFixture(Fixture* fixture);
+
+    /// Destroys all edges of the chain that `fixture` belongs to.
+    ErrorCode DestroyChain(Fixture* fixture);
 
     /// Moves the body at once, contacts follow in the next step. Refused while the world is locked.
     ErrorCode SetTransform(Vec2 position, float angle);
@@ -79,6 +85,7 @@ public:
     /// Impulse in N·m·s.
     ErrorCode ApplyAngularImpulse(float impulse, bool wake);
 
+    /// kg. A dynamic body has none until it gets a fixture with density or SetMassData; without mass nothing moves it.
     [[nodiscard]] float GetMass() const;
     /// About the body's origin, kg·m².
     [[nodiscard]] float GetInertia() const;
@@ -103,6 +110,9 @@ public:
     ErrorCode SetGravityScale(float scale);
 
     [[nodiscard]] BodyType GetType() const;
+    /// Changes the type at once: mass anew, contacts gone until the next step, awake, forces cleared; a body made
+    /// static stops. Refused while the world is locked.
+    ErrorCode SetType(BodyType type);
     ErrorCode SetBullet(bool flag);
     [[nodiscard]] bool IsBullet() const;
     /// Forbidding sleep wakes the body.
@@ -120,6 +130,16 @@ public:
     /// Fixtures, newest first.
     [[nodiscard]] Fixture* GetFixtureList();
     [[nodiscard]] const Fixture* GetFixtureList() const;
+    /// Contacts of this body, touching or not. O(contacts of the body) while no contact is added; the first call after
+    /// a step that added some costs O(contacts of the world).
+    [[nodiscard]] int GetContactCount() const;
+    /// Calls visit(contact) for each of them, newest first, until it returns false.
+    void VisitContacts(const std::function<bool(Contact*)>& visit);
+    /// Joints of this body, newest first, until visit returns false.
+    void VisitJoints(const std::function<bool(Joint*)>& visit);
+    [[nodiscard]] int GetJointCount() const;
+    /// The newest joint of this body, null without one; go on with Joint::GetNext(body).
+    [[nodiscard]] Joint* GetJointList() const;
     /// The next body of the world: movers first, then static bodies, newest first in each group; null at the end.
     [[nodiscard]] Body* GetNext();
     [[nodiscard]] const Body* GetNext() const;

@@ -16,8 +16,8 @@ enum class ErrorCode : uint8_t {
     nonFinite,      ///< NaN or infinity
     outOfRange,     ///< a finite value outside the documented range
     badShape,       ///< a degenerate shape
-    foreignHandle,  ///< the object belongs to another world, or to nothing
-    locked,         ///< the world is inside Step: create and destroy are refused
+    foreignHandle,  ///< the object belongs to another world, or was destroyed
+    locked,         ///< inside a callback of Step, of a query or of a destruction: create, destroy and move are refused
 };
 
 constexpr const char* GetName(ErrorCode code) {

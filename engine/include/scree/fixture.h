@@ -29,7 +29,7 @@ struct Filter {
 
 /// Input of Body::CreateFixture.
 struct FixtureDef {
-    const Shape* shape = nullptr;  ///< required; copied
+    const Shape* shape = nullptr;  ///< required; copied; a ChainShape makes one edge per segment
     FixtureUserData userData;
     float friction = 0.2f;              ///< Coulomb coefficient, ≥ 0
     float restitution = 0.0f;           ///< usually 0…1
@@ -55,6 +55,10 @@ public:
     void Refilter();
     [[nodiscard]] Body* GetBody();
     [[nodiscard]] const Body* GetBody() const;
+    /// Shared by the edges that one ChainShape made, unique in the world; −1 for other fixtures.
+    [[nodiscard]] int GetChainId() const;
+    /// Number of this edge in its chain, from 0; −1 for other fixtures.
+    [[nodiscard]] int GetChainIndex() const;
     /// The next fixture of the same body, newest first; null at the end.
     [[nodiscard]] Fixture* GetNext();
     [[nodiscard]] const Fixture* GetNext() const;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What is common to all joints.
+// What is common to all joints: definition base, handle base, spring helpers.
 
 #pragma once
 
@@ -15,7 +15,21 @@ namespace scree {
 class Body;
 struct WorldState;
 
-enum JointType : uint8_t { e_unknownJoint = 0, e_revoluteJoint };
+/// Box2D's numbers; e_ropeJoint is kept for them only (a distance joint with a maximum length is a rope).
+enum JointType : uint8_t {
+    e_unknownJoint,
+    e_revoluteJoint,
+    e_prismaticJoint,
+    e_distanceJoint,
+    e_pulleyJoint,
+    e_mouseJoint,
+    e_gearJoint,
+    e_wheelJoint,
+    e_weldJoint,
+    e_frictionJoint,
+    e_ropeJoint,
+    e_motorJoint
+};
 
 /// Application data of a joint.
 struct JointUserData {
@@ -24,9 +38,9 @@ struct JointUserData {
 
 /// Common input of all joint definitions.
 struct JointDef {
-    JointType type = e_unknownJoint;
+    JointType type = e_unknownJoint;  ///< set by the concrete definition
     JointUserData userData;
-    Body* bodyA = nullptr;          ///< required
+    Body* bodyA = nullptr;          ///< required (a gear takes its bodies from its joints)
     Body* bodyB = nullptr;          ///< required, not bodyA
     bool collideConnected = false;  ///< whether the two bodies may collide with each other
 
@@ -34,17 +48,34 @@ protected:
     explicit JointDef(JointType jointType) : type(jointType) {}
 };
 
-/// A thin, stable handle on a joint; made by World::CreateJoint.
+/// Stiffness (N/m) and damping (N·s/m) of a spring between two bodies that oscillates at `frequencyHertz` with
+/// `dampingRatio` (0 none, 1 critical). Null bodies, negative or non-finite numbers: an error, outputs unchanged.
+ErrorCode LinearStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio, const Body* bodyA,
+                          const Body* bodyB);
+/// The same for a rotational spring: N·m/rad and N·m·s/rad.
+ErrorCode AngularStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio,
+                           const Body* bodyA, const Body* bodyB);
+
+/// A thin, stable handle on a joint; made by World::CreateJoint. Setters return an error and change nothing for bad
+/// numbers. Destroying a joint destroys the gears that use it first.
 class Joint {
 public:
     virtual ~Joint() = default;
     [[nodiscard]] JointType GetType() const;
-    [[nodiscard]] Body* GetBodyA();
-    [[nodiscard]] Body* GetBodyB();
+    [[nodiscard]] Body* GetBodyA() const;
+    [[nodiscard]] Body* GetBodyB() const;
+    /// The other end, seen from one of the joint's bodies.
+    [[nodiscard]] Body* GetOther(const Body* body) const;
     [[nodiscard]] bool GetCollideConnected() const;
     [[nodiscard]] JointUserData& GetUserData();
+    /// True if both bodies are enabled.
+    [[nodiscard]] bool IsEnabled() const;
     /// The next joint of the world, newest first; null at the end.
-    [[nodiscard]] Joint* GetNext();
+    [[nodiscard]] Joint* GetNext() const;
+    /// The next joint of one of its bodies, newest first; null at the end. Start at Body::GetJointList.
+    [[nodiscard]] Joint* GetNext(const Body* body) const;
+    /// Moves what the joint stores in world coordinates; World::ShiftOrigin does it for all.
+    void ShiftOrigin(Vec2 newOrigin);
     /// Anchors in world coordinates.
     [[nodiscard]] virtual Vec2 GetAnchorA() const = 0;
     [[nodiscard]] virtual Vec2 GetAnchorB() const = 0;
@@ -52,15 +83,18 @@ public:
     [[nodiscard]] virtual Vec2 GetReactionForce(float inverseDt) const = 0;
     /// Torque on body B, N·m.
     [[nodiscard]] virtual float GetReactionTorque(float inverseDt) const = 0;
+    /// Dense number of this joint in its world; reused after destruction.
     [[nodiscard]] int GetIndex() const { return m_index; }
 
     Joint(const Joint&) = delete;
     Joint& operator=(const Joint&) = delete;
 
 protected:
-    Joint(WorldState* state, int index) : m_state(state), m_index(index) {}
+    friend struct JointTable;
+    Joint(WorldState* state, int index, int row) : m_state(state), m_index(index), m_row(row) {}
     WorldState* m_state;
     int m_index;
+    int m_row;  ///< in the table of its type
 };
 
 }  // namespace scree

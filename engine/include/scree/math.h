@@ -194,11 +194,43 @@ constexpr AABB Union(const AABB& a, const AABB& b) {
     return {Min(a.lowerBound, b.lowerBound), Max(a.upperBound, b.upperBound)};
 }
 
-/// The motion of a body's centre of mass over one step, and where that centre lies in the body.
+/// The motion of a body's centre of mass over one step, and where that centre lies in the body. In between, centre and
+/// angle move linearly.
 struct Sweep {
-    Vec2 localCenter;  ///< centre of mass in body coordinates
-    Vec2 c0, c;        ///< centre at the start and at the end of the step, world
-    float a0, a;       ///< angle at the start and at the end of the step, rad, not wrapped
+    Vec2 localCenter;     ///< centre of mass in body coordinates
+    Vec2 c0, c;           ///< centre at alpha0 and at the end of the step, world
+    float a0, a;          ///< angle at alpha0 and at the end of the step, rad, not wrapped
+    float alpha0 = 0.0f;  ///< the part of the step already done, in [0, 1): where c0 and a0 hold
+
+    /// The body's frame (its origin, not its centre) at the fraction beta of what is left: 0 is alpha0, 1 the end.
+    void GetTransform(Transform* xf, float beta) const;
+    /// Moves the start to the fraction alpha of the step, alpha0 <= alpha <= 1. Where nothing is left to interpolate
+    /// (alpha0 = 1), only alpha0 changes.
+    void Advance(float alpha);
+    /// Turns both angles by the same number of full circles so that a0 lies in [0, 2π).
+    void Normalize();
 };
+
+inline void Sweep::GetTransform(Transform* xf, float beta) const {
+    const float left = 1.0f - beta;
+    xf->q.Set(left * a0 + beta * a);
+    xf->p = (left * c0 + beta * c) - Mul(xf->q, localCenter);
+}
+
+inline void Sweep::Advance(float alpha) {
+    if (alpha0 < 1.0f) {
+        const float beta = (alpha - alpha0) / (1.0f - alpha0);
+        c0 += beta * (c - c0);
+        a0 += beta * (a - a0);
+    }
+    alpha0 = alpha;
+}
+
+inline void Sweep::Normalize() {
+    const float circle = 2.0f * pi;
+    const float turned = circle * std::floor(a0 / circle);
+    a0 -= turned;
+    a -= turned;
+}
 
 }  // namespace scree

@@ -16,6 +16,7 @@ struct Profile {
     float narrowPhase = 0.0f;  ///< manifolds and begin/end events
     float islands = 0.0f;      ///< finding islands
     float solver = 0.0f;       ///< constraints, integration, sleeping
+    float continuous = 0.0f;   ///< times of impact and their events
 };
 
 /// Returned by every step. Counts are of the end of the step.
@@ -26,10 +27,13 @@ struct StepReport {
     int isolatedBodyCount = 0;  ///< of these, bodies without contacts and joints: they took the ballistic path
     int islandCount = 0;        ///< islands of two or more bodies, or with a constraint
     int contactCount = 0;
-    int touchingCount = 0;   ///< as found by this step's narrow phase
-    int64_t pairCount = 0;   ///< pairs reported by the broad phase
-    int cappedCount = 0;     ///< bodies slowed by WorldDef::maxTranslation or maxRotation
-    int nonFiniteCount = 0;  ///< bodies stopped because their velocity or pose became NaN or infinite
+    int touchingCount = 0;         ///< as found by this step's narrow phase
+    int64_t pairCount = 0;         ///< pairs reported by the broad phase
+    int cappedCount = 0;           ///< bodies slowed by WorldDef::maxTranslation or maxRotation
+    int continuousEventCount = 0;  ///< times a body was stopped at an impact on its way
+    int abandonedCount = 0;        ///< bodies held at an impact because their pair had maxSubSteps events in the step
+    float lostTime = 0.0f;         ///< motion that those bodies lost, s, summed
+    int nonFiniteCount = 0;        ///< bodies stopped because their velocity or pose became NaN or infinite
 };
 
 }  // namespace scree

@@ -9,6 +9,8 @@
 
 namespace scree {
 
+struct RevoluteRow;
+
 /// Input for a revolute joint.
 struct RevoluteJointDef : JointDef {
     RevoluteJointDef() : JointDef(e_revoluteJoint) {}
@@ -27,7 +29,7 @@ struct RevoluteJointDef : JointDef {
     float maxMotorTorque = 0.0f;  ///< N·m, ≥ 0
 };
 
-/// A hinge joint.
+/// A hinge joint. Setters that change something wake both bodies.
 class RevoluteJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
@@ -44,16 +46,22 @@ public:
     ErrorCode EnableLimit(bool flag);
     [[nodiscard]] float GetLowerLimit() const;
     [[nodiscard]] float GetUpperLimit() const;
+    /// lower ≤ upper; wakes the bodies on a change.
     ErrorCode SetLimits(float lower, float upper);
     [[nodiscard]] bool IsMotorEnabled() const;
     ErrorCode EnableMotor(bool flag);
     ErrorCode SetMotorSpeed(float speed);
     [[nodiscard]] float GetMotorSpeed() const;
+    /// N·m, ≥ 0
     ErrorCode SetMaxMotorTorque(float torque);
     [[nodiscard]] float GetMaxMotorTorque() const;
+    /// Of the last step, N·m.
     [[nodiscard]] float GetMotorTorque(float inverseDt) const;
 
-    RevoluteJoint(WorldState* state, int index) : Joint(state, index) {}
+    RevoluteJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+
+private:
+    [[nodiscard]] RevoluteRow& Row() const;
 };
 
 }  // namespace scree

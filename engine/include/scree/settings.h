@@ -40,6 +40,11 @@ inline constexpr float maxRotation = 0.5f * pi;
 /// Share of the overlap that one position iteration removes.
 inline constexpr float baumgarte = 0.2f;
 
+/// The same for the position iterations after a continuous-collision event.
+inline constexpr float toiBaumgarte = 0.75f;
+/// Most continuous-collision events of one pair in a step; a body that would need more waits for the next step.
+inline constexpr int maxSubSteps = 8;
+
 /// A body must be slow for this long before it may sleep, s.
 inline constexpr float timeToSleep = 0.5f;
 /// Speed below which a body counts as slow, m/s.

@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "scree/math.h"
+#include "scree/settings.h"
 
 namespace scree {
 
@@ -31,10 +32,17 @@ struct RayCastOutput {
     float fraction;
 };
 
-/// What is common to all shapes. Shapes hold no pointers and can be copied byte by byte.
+/// What is common to all shapes. The shape of a fixture is a circle, an edge or a polygon; these hold no pointers and
+/// can be copied byte by byte. A chain (chain_shape.h) is a definition that makes edges.
 class Shape {
 public:
-    enum Type : uint8_t { e_circle = 0, e_edge = 1, e_polygon = 2, e_typeCount = 3 };
+    enum Type : uint8_t {
+        e_circle = 0,
+        e_edge = 1,
+        e_polygon = 2,
+        e_typeCount = 3,  ///< number of types that a fixture can have
+        e_chain = 3,      ///< never the type of a fixture
+    };
 
     virtual ~Shape() = default;
     [[nodiscard]] Type GetType() const { return m_type; }

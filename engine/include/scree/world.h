@@ -8,14 +8,20 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "scree/body.h"
 #include "scree/broad_phase_kind.h"
+#include "scree/chain_shape.h"
 #include "scree/contact.h"
+#include "scree/draw.h"
 #include "scree/errors.h"
 #include "scree/fixture.h"
+#include "scree/ids.h"
 #include "scree/joint.h"
 #include "scree/profile.h"
+#include "scree/queries.h"
 #include "scree/revolute_joint.h"
 #include "scree/world_callbacks.h"
 
@@ -33,6 +39,13 @@ struct WorldDef {
     float maxTranslation = std::numeric_limits<float>::infinity();
     /// Largest turn of a body in one step, rad.
     float maxRotation = std::numeric_limits<float>::infinity();
+    /// Nothing passes through static fixtures between two steps; bullets through nothing.
+    bool continuousPhysics = true;
+    /// A step ends after its first continuous event and the next Step resumes it: for debugging.
+    bool subStepping = false;
+    /// Positions advance by the mean of the velocities before and after a step instead of the one after: free flight is
+    /// then exact, at any step size.
+    bool exactDrift = false;
 };
 
 struct WorldState;
@@ -57,7 +70,8 @@ public:
     StepReport Step(float timeStep, int velocityIterations, int positionIterations);
     [[nodiscard]] const StepReport& GetReport() const;
 
-    /// The listener and filter must outlive their use; null restores the default.
+    /// The listeners and the filter must outlive their use; null restores the default.
+    void SetDestructionListener(DestructionListener* listener);
     void SetContactListener(ContactListener* listener);
     void SetContactFilter(ContactFilter* filter);
     /// Receives every refused call; null restores the default, which writes one line to stderr.
@@ -74,7 +88,15 @@ public:
     [[nodiscard]] bool GetAllowSleeping() const;
     void SetWarmStarting(bool flag);
     [[nodiscard]] bool GetWarmStarting() const;
-    /// True inside Step.
+    void SetContinuousPhysics(bool flag);
+    [[nodiscard]] bool GetContinuousPhysics() const;
+    void SetSubStepping(bool flag);
+    [[nodiscard]] bool GetSubStepping() const;
+    void SetExactDrift(bool flag);
+    [[nodiscard]] bool GetExactDrift() const;
+    /// Subtracts `newOrigin` from every position: for worlds so large that floats get coarse. Refused while locked.
+    ErrorCode ShiftOrigin(Vec2 newOrigin);
+    /// True inside Step, and in callbacks of queries and of destruction.
     [[nodiscard]] bool IsLocked() const;
 
     /// Lists: movers first, then static bodies; newest first in each.
@@ -87,12 +109,53 @@ public:
     [[nodiscard]] int GetContactCount() const;
     [[nodiscard]] int GetFixtureCount() const;
     [[nodiscard]] int GetProxyCount() const;
+    /// Of the broad phase's tree, static and moving part joined under one root; 0 without a tree. Height: levels below
+    /// the root. Balance: largest difference in height of two siblings. Quality: all perimeters over the root's, best
+    /// near 1. O(fixtures).
+    [[nodiscard]] int GetTreeHeight() const;
+    [[nodiscard]] int GetTreeBalance() const;
+    [[nodiscard]] float GetTreeQuality() const;
+    /// Wall times of the last step.
+    [[nodiscard]] const Profile& GetProfile() const;
+
+    /// An id that stays meaningful after the object dies; the default id for null, dead or foreign handles.
+    [[nodiscard]] BodyId GetId(const Body* body) const;
+    [[nodiscard]] FixtureId GetId(const Fixture* fixture) const;
+    [[nodiscard]] JointId GetId(const Joint* joint) const;
+    /// The object, or null if it is gone, even when its slot is used again.
+    [[nodiscard]] Body* Find(BodyId id);
+    [[nodiscard]] Fixture* Find(FixtureId id);
+    [[nodiscard]] Joint* Find(JointId id);
 
     /// Calls visit(fixture) for every fixture whose broad-phase box overlaps `aabb`, until it returns false.
     ErrorCode QueryAABB(const AABB& aabb, const std::function<bool(Fixture*)>& visit);
     /// Calls visit(fixture, point, normal, fraction) for fixtures that the ray p1→p2 hits, in no particular order. It
     /// returns −1 to ignore the fixture, 0 to stop, the fraction to shorten the ray, 1 to go on.
     ErrorCode RayCast(Vec2 p1, Vec2 p2, const std::function<float(Fixture*, Vec2, Vec2, float)>& visit);
+    /// The same with Box2D's callback classes.
+    ErrorCode QueryAABB(QueryCallback* callback, const AABB& aabb);
+    ErrorCode RayCast(RayCastCallback* callback, Vec2 p1, Vec2 p2);
+    /// The first fixture on the ray; none for bad input too.
+    std::optional<RayHit> RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter& filter = {});
+    /// All fixtures on the ray, nearest first. `hits` is overwritten.
+    ErrorCode RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const QueryFilter& filter = {});
+    /// Calls visit(fixture) for every fixture that contains the point, until it returns false.
+    ErrorCode QueryPoint(Vec2 point, const std::function<bool(Fixture*)>& visit, const QueryFilter& filter = {});
+    /// Calls visit(fixture) for every fixture that overlaps `shape` placed at `xf` (no chain), until it returns false.
+    ErrorCode OverlapShape(const Shape& shape, const Transform& xf, const std::function<bool(Fixture*)>& visit,
+                           const QueryFilter& filter = {});
+    /// All fixtures that `shape` (no chain) meets on its way from `xf` by `translation`, without turning, each as if it
+    /// were alone; first met first. `hits` is overwritten.
+    ErrorCode ShapeCast(const Shape& shape, const Transform& xf, Vec2 translation, std::vector<ShapeHit>& hits,
+                        const QueryFilter& filter = {});
+    /// The first of them; none for bad input too.
+    std::optional<ShapeHit> ShapeCastClosest(const Shape& shape, const Transform& xf, Vec2 translation,
+                                             const QueryFilter& filter = {});
+
+    /// Who draws in DebugDraw; must outlive its use; null: nobody.
+    void SetDebugDraw(Draw* draw);
+    /// Shows the world as the drawer's flags say, in Box2D 2.4's order and colours.
+    void DebugDraw();
 
     /// The tables behind the handles, for inspect.h.
     [[nodiscard]] WorldState& GetState() { return *m_state; }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Classes to derive from to hear of contacts. Callbacks come on the thread that calls Step, in a deterministic order;
-// creating and destroying objects inside them is refused (World::IsLocked).
+// Classes to derive from to hear of contacts and of destruction. Callbacks come on the thread that calls Step, in a
+// deterministic order; creating and destroying objects inside them is refused (World::IsLocked).
 
 #pragma once
 
@@ -13,6 +13,7 @@ namespace scree {
 
 class Contact;
 class Fixture;
+class Joint;
 
 /// Impulses of one step, N·s.
 struct ContactImpulse {
@@ -27,6 +28,15 @@ public:
     virtual ~ContactFilter() = default;
     /// The default looks at Filter: group first, then category and mask.
     virtual bool ShouldCollide(Fixture* fixtureA, Fixture* fixtureB);
+};
+
+/// Hears of objects that go because another is destroyed: the joints and fixtures of a body in World::DestroyBody. They
+/// are still alive in the call; creating and destroying are refused there.
+class DestructionListener {
+public:
+    virtual ~DestructionListener() = default;
+    virtual void SayGoodbye(Joint* joint) = 0;
+    virtual void SayGoodbye(Fixture* fixture) = 0;
 };
 
 /// Hears of contacts.

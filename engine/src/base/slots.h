@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Numbers for objects: hands out dense indices, the most recently freed first, and remembers which are alive.
+// Numbers for objects: hands out dense indices, the most recently freed first, and remembers which are alive and how
+// often each was freed.
 
 #pragma once
 
@@ -23,16 +24,20 @@ public:
             return index;
         }
         m_alive.push_back(1);
+        m_generation.push_back(0);
         return static_cast<int>(m_alive.size()) - 1;
     }
     void Free(int index) {
         m_alive[static_cast<size_t>(index)] = 0;
+        ++m_generation[static_cast<size_t>(index)];
         m_free.push_back(index);
         --m_count;
     }
     [[nodiscard]] bool IsAlive(int index) const {
         return index >= 0 && index < Size() && m_alive[static_cast<size_t>(index)] != 0;
     }
+    /// How often the index was freed; tells an object from its successors.
+    [[nodiscard]] uint32_t GetGeneration(int index) const { return m_generation[static_cast<size_t>(index)]; }
     /// One more than the largest index ever handed out.
     [[nodiscard]] int Size() const { return static_cast<int>(m_alive.size()); }
     /// Objects alive.
@@ -40,6 +45,7 @@ public:
 
 private:
     std::vector<uint8_t> m_alive;
+    std::vector<uint32_t> m_generation;
     std::vector<int> m_free;
     int m_count = 0;
 };

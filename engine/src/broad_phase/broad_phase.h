@@ -66,6 +66,8 @@ public:
     /// Calls `visit(fixture)` for every fixture whose stored box overlaps `box`, until it returns false.
     /// Rebuilds lazily after edits.
     virtual void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) = 0;
+    /// The same for static fixtures: visits all of them, and any movers too if that is cheaper than to leave them out.
+    virtual void QueryStatic(const AABB& box, const std::function<bool(uint32_t)>& visit) { Query(box, visit); }
     /// Visits fixtures whose stored box the ray may hit. `visit(input, fixture)` returns the new maxFraction: 0 ends
     /// the cast, a negative value ignores the fixture and leaves the ray as it is.
     virtual void RayCast(const RayCastInput& input,

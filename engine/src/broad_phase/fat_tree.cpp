@@ -55,6 +55,48 @@ void FatTree::Reinsert(uint32_t leaf, const Bounds& box) {
     Link(leaf);
 }
 
+void FatTree::RebuildBottomUp() {
+    std::vector<uint32_t> tops;  // roots of the subtrees that are left
+    for (uint32_t i = 0; i < m_nodes.size(); ++i) {
+        if (m_nodes[i].height == 0) {
+            tops.push_back(i);
+        } else if (m_nodes[i].height > 0) {
+            Free(i);
+        }
+    }
+    while (tops.size() > 1) {
+        size_t best1 = 0, best2 = 1;
+        float lowest = infinity;
+        for (size_t i = 0; i < tops.size(); ++i) {
+            for (size_t j = i + 1; j < tops.size(); ++j) {
+                const float cost = HalfPerimeter(UnionOf(m_nodes[tops[i]].box, m_nodes[tops[j]].box));
+                if (cost >= lowest) continue;
+                lowest = cost;
+                best1 = i;
+                best2 = j;
+            }
+        }
+        const uint32_t joint = Allocate();
+        m_nodes[joint].child1 = tops[best1];
+        m_nodes[joint].child2 = tops[best2];
+        m_nodes[tops[best1]].parent = joint;
+        m_nodes[tops[best2]].parent = joint;
+        Refit(joint);
+        tops[best1] = joint;
+        tops[best2] = tops.back();
+        tops.pop_back();
+    }
+    m_root = tops.empty() ? noNode : tops[0];
+    if (m_root != noNode) m_nodes[m_root].parent = noNode;
+}
+
+void FatTree::ShiftOrigin(Vec2 origin) {
+    for (FatNode& node : m_nodes) {
+        const Bounds& b = node.box;
+        node.box = {b.lx - origin.x, b.ly - origin.y, b.nux + origin.x, b.nuy + origin.y};
+    }
+}
+
 uint32_t FatTree::BestSibling(const Bounds& box) const {
     uint32_t index = m_root;
     while (!m_nodes[index].IsLeaf()) {

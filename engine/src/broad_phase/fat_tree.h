@@ -41,6 +41,10 @@ public:
     void DestroyLeaf(uint32_t leaf);
     /// Gives a leaf a new box and a new place; its node index stays.
     void Reinsert(uint32_t leaf, const Bounds& box);
+    /// Links the leaves anew, cheapest union first. Leaves keep their node indices. O(n³).
+    void RebuildBottomUp();
+    /// Subtracts `origin` from every box.
+    void ShiftOrigin(Vec2 origin);
 
     /// Calls `visit(leaf)` for each leaf that overlaps, until it returns false.
     template <class Visit>

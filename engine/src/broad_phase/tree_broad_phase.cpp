@@ -46,17 +46,20 @@ void TreeBroadPhase::MarkPending(uint32_t slot) {
 }
 
 void TreeBroadPhase::Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) {
+    m_staticIndexStale = m_staticIndexStale || motion == Motion::isStatic;
     MarkPending(m_store.Insert(fixture, body, motion, box));
 }
 
 void TreeBroadPhase::Update(uint32_t fixture, const AABB& box, Vec2 /*displacement*/) {
     const uint32_t slot = m_store.Find(fixture);
+    m_staticIndexStale = m_staticIndexStale || m_store.IsStatic(slot);
     m_store.SetBox(slot, box);
     MarkPending(slot);
 }
 
 void TreeBroadPhase::Remove(uint32_t fixture) {
     const uint32_t slot = m_store.Find(fixture);
+    m_staticIndexStale = m_staticIndexStale || m_store.IsStatic(slot);
     Edits& edits = EditsOf(slot);
     if (const uint32_t at = m_store.Pending(slot); at != notPending) {
         edits.pending[at] = edits.pending.back();
@@ -136,22 +139,35 @@ bool TreeBroadPhase::IsCurrent(uint32_t fixture, bool fromStaticTree) {
     return !m_separate || m_store.IsStatic(slot) == fromStaticTree;
 }
 
+bool TreeBroadPhase::QueryTree(bool staticTree, const AABB& box, const std::function<bool(uint32_t)>& visit) {
+    const bool edited = m_moverEdits.count + m_staticEdits.count > 0;
+    const auto check = [&](ItemId id) { return (edited && !IsCurrent(id.fixture, staticTree)) || visit(id.fixture); };
+    return (staticTree ? m_statics : m_main).Query(box, m_stats.boxTests, check);
+}
+
+bool TreeBroadPhase::QueryEdits(const Edits& edits, const AABB& box, const std::function<bool(uint32_t)>& visit) {
+    m_stats.boxTests += edits.pending.size();
+    for (const uint32_t fixture : edits.pending) {
+        if (TestOverlap(m_store.Box(m_store.Find(fixture)), box) && !visit(fixture)) return false;
+    }
+    return true;
+}
+
 void TreeBroadPhase::Query(const AABB& box, const std::function<bool(uint32_t)>& visit) {
     RefreshStale();
-    const bool edited = m_moverEdits.count + m_staticEdits.count > 0;
-    for (const FlatTree* tree : {&m_main, &m_statics}) {
-        const bool isStaticTree = tree == &m_statics;
-        const auto check = [&](ItemId id) {
-            return (edited && !IsCurrent(id.fixture, isStaticTree)) || visit(id.fixture);
-        };
-        if (!tree->Query(box, m_stats.boxTests, check)) return;
+    (void)(QueryTree(false, box, visit) && QueryTree(true, box, visit) && QueryEdits(m_moverEdits, box, visit) &&
+           QueryEdits(m_staticEdits, box, visit));
+}
+
+void TreeBroadPhase::QueryStatic(const AABB& box, const std::function<bool(uint32_t)>& visit) {
+    if (!m_separate) {
+        if (m_staticIndexStale) Build(Statics(), m_staticIndex);
+        m_staticIndexStale = false;
+        m_staticIndex.Query(box, m_stats.boxTests, [&](ItemId id) { return visit(id.fixture); });
+        return;
     }
-    for (const Edits* edits : {&m_moverEdits, &m_staticEdits}) {
-        m_stats.boxTests += edits->pending.size();
-        for (const uint32_t fixture : edits->pending) {
-            if (TestOverlap(m_store.Box(m_store.Find(fixture)), box) && !visit(fixture)) return;
-        }
-    }
+    if (m_staticEdits.stale) BuildStatics();
+    (void)(QueryTree(true, box, visit) && QueryEdits(m_staticEdits, box, visit));
 }
 
 void TreeBroadPhase::RayCast(const RayCastInput& input,
@@ -194,6 +210,7 @@ void TreeBroadPhase::GetNodes(std::vector<BvhNode>& nodes) {
 
 size_t TreeBroadPhase::GetMemoryBytes() const {
     return m_store.GetMemoryBytes() + m_main.GetMemoryBytes() + m_statics.GetMemoryBytes() +
+           m_staticIndex.GetMemoryBytes() +
            (m_moverEdits.pending.capacity() + m_staticEdits.pending.capacity()) * sizeof(uint32_t) +
            m_batch.capacity() * sizeof(BatchItem) + m_items.capacity() * sizeof(BuildItem) + GetBufferBytes();
 }

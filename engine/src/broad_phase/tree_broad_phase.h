@@ -34,6 +34,7 @@ public:
     void FindPairs(std::vector<Pair>& pairs) override;
 
     void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) override;
+    void QueryStatic(const AABB& box, const std::function<bool(uint32_t)>& visit) override;
     void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) override;
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return m_store.Box(m_store.Find(fixture)); }
@@ -79,6 +80,10 @@ private:
     void BuildStatics();
     void RefreshStale();
     void RefreshAll();
+    /// Visits what a tree holds and is still current; false if the visitor ended it.
+    bool QueryTree(bool staticTree, const AABB& box, const std::function<bool(uint32_t)>& visit);
+    /// Visits edited proxies; false if the visitor ended it.
+    bool QueryEdits(const Edits& edits, const AABB& box, const std::function<bool(uint32_t)>& visit);
     [[nodiscard]] bool IsCurrent(uint32_t fixture, bool fromStaticTree);
     Edits& EditsOf(uint32_t slot) { return m_store.IsStatic(slot) ? m_staticEdits : m_moverEdits; }
     [[nodiscard]] SlotRange Movers() const { return {0, m_store.MoverCount()}; }
@@ -87,6 +92,8 @@ private:
 
     const float m_staticShareThreshold;
     FlatTree m_main, m_statics;
+    FlatTree m_staticIndex;  ///< of QueryStatic while the statics have no tree of their own
+    bool m_staticIndexStale = true;
     Edits m_moverEdits, m_staticEdits;
     SlotRange m_rootCandidates;
     bool m_separate = false;

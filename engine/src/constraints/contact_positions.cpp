@@ -54,7 +54,7 @@ inline Transform PlaceBody(const Position& position, Vec2 localCenter) {
 
 }  // namespace
 
-float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position) {
+float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, float share) {
     float smallest = 0.0f;
     for (const ContactPositionRow& row : rows.position) {
         Position& stateA = position[static_cast<size_t>(row.bodyA)];
@@ -68,7 +68,7 @@ float SolveContactPositions(const ContactRows& rows, std::vector<Position>& posi
             smallest = Min(smallest, s.separation);
 
             // Leaves linearSlop of overlap, so that contacts persist.
-            const float correction = Clamp(baumgarte * (s.separation + linearSlop), -maxLinearCorrection, 0.0f);
+            const float correction = Clamp(share * (s.separation + linearSlop), -maxLinearCorrection, 0.0f);
             const Vec2 rA = s.point - a.c;
             const Vec2 rB = s.point - b.c;
             const float crossA = Cross(rA, s.normal);

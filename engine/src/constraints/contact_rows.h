@@ -74,7 +74,7 @@ void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity)
 void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity);
 /// Writes the impulses back into the manifolds.
 void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold);
-/// One iteration of position correction; returns the smallest separation seen, m.
-float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position);
+/// One iteration of position correction by `share` of the overlap; returns the smallest separation seen, m.
+float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, float share = baumgarte);
 
 }  // namespace scree

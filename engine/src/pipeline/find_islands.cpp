@@ -127,7 +127,8 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
     scratch.jointSeen.assign(joints.info.size(), 0);
 
     IslandSearch search(contacts, joints, bodies, scratch, islands);
-    for (const int body : bodies.movers) {
+    for (size_t m = bodies.movers.size(); m-- > 0;) {  // newest first, as Box2D walks its body list
+        const int body = bodies.movers[m];
         const auto b = static_cast<size_t>(body);
         if (!bodies.IsActive(body) || scratch.bodySeen[b]) continue;
         if (scratch.first[b] == scratch.first[b + 1] && bodies.info[b].jointCount == 0) {

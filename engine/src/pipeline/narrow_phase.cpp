@@ -1,94 +1,44 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Manifolds of all contacts whose bodies are awake. One contact class; the collision function comes from a table by
-// shape types (the dissertation, §4.2.4).
+// One pass over all contacts.
 
 #include "pipeline/narrow_phase.h"
 
-#include "geometry/collide.h"
+#include "pipeline/parts/contact_update.h"
+#include "pipeline/parts/destroy_contact.h"
+#include "pipeline/parts/make_contact.h"
 
 namespace scree {
 
 namespace {
 
-/// Copies the impulses of points that persisted, by feature id.
-void MatchImpulses(const Manifold& old, Manifold& fresh) {
-    for (int i = 0; i < fresh.pointCount; ++i) {
-        ManifoldPoint& p = fresh.points[i];
-        p.normalImpulse = 0.0f;
-        p.tangentImpulse = 0.0f;
-        for (int j = 0; j < old.pointCount; ++j) {
-            if (old.points[j].id.key == p.id.key) {
-                p.normalImpulse = old.points[j].normalImpulse;
-                p.tangentImpulse = old.points[j].tangentImpulse;
-                break;
-            }
-        }
-    }
-}
-
-struct ContactUpdate {
-    bool wasTouching, isTouching, isSensor;
-};
-
-/// New manifold of one contact; the old one goes to `old`.
-ContactUpdate UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int contact, ContactTable& contacts,
-                             Manifold& old) {
-    const auto c = static_cast<size_t>(contact);
-    const ContactPair& pair = contacts.pair[c];
-    const Shape& shapeA = *fixtures.shape[pair.fixtureA];
-    const Shape& shapeB = *fixtures.shape[pair.fixtureB];
-    const Transform& xfA = bodies.transform[static_cast<size_t>(pair.bodyA)];
-    const Transform& xfB = bodies.transform[static_cast<size_t>(pair.bodyB)];
-    Manifold& manifold = contacts.manifold[c];
-
-    ContactUpdate update{};
-    update.wasTouching = contacts.Has(contact, ContactFlag::touching);
-    update.isSensor = contacts.Has(contact, ContactFlag::sensor);
-    if (update.isSensor) {
-        update.isTouching = TestOverlap(shapeA, xfA, shapeB, xfB);
-        manifold.pointCount = 0;  // sensors push nobody
-    } else {
-        old = manifold;
-        FindCollide(shapeA.GetType(), shapeB.GetType()).function(manifold, shapeA, xfA, shapeB, xfB);
-        MatchImpulses(old, manifold);
-        update.isTouching = manifold.pointCount > 0;
-    }
-    uint8_t flags = contacts.flags[c];
-    flags = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled);
-    if (update.isTouching) flags |= ContactFlag::touching;
-    contacts.flags[c] = flags;
-    return update;
+/// Still reported by the broad phase, and not refused by joints and filters when they must be asked again.
+bool Stays(int contact, const ContactEvents& events, NarrowPhaseTables t) {
+    uint8_t& flags = t.contacts.flags[static_cast<size_t>(contact)];
+    if ((flags & ContactFlag::marked) == 0) return false;
+    if ((flags & ContactFlag::refilter) == 0) return true;
+    flags = static_cast<uint8_t>(flags & ~ContactFlag::refilter);
+    const ContactPair& pair = t.contacts.pair[static_cast<size_t>(contact)];
+    return MayHaveContact(static_cast<int>(pair.fixtureA), static_cast<int>(pair.fixtureB), events, t.fixtures,
+                          t.joints);
 }
 
 }  // namespace
 
-int UpdateManifolds(const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
-                    ContactTable& contacts) {
+int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t) {
     int touchingCount = 0;
-    for (int contact = 0; contact < contacts.Size(); ++contact) {
-        if (!contacts.Has(contact, ContactFlag::alive)) continue;
-        const ContactPair pair = contacts.pair[static_cast<size_t>(contact)];
-        if (!bodies.IsActive(pair.bodyA) && !bodies.IsActive(pair.bodyB)) {
-            if (contacts.Has(contact, ContactFlag::touching)) ++touchingCount;
+    for (int contact = t.contacts.Size(); contact-- > 0;) {
+        if (!t.contacts.Has(contact, ContactFlag::alive)) continue;
+        if (!Stays(contact, events, t)) {
+            DestroyContact(contact, events, t.bodies, t.contacts);
             continue;
         }
-        Manifold old;
-        const ContactUpdate update = UpdateManifold(fixtures, bodies, contact, contacts, old);
-        if (update.isTouching) ++touchingCount;
-        if (update.wasTouching != update.isTouching && !update.isSensor) {
-            bodies.Wake(pair.bodyA);
-            bodies.Wake(pair.bodyB);
-        }
-        if (events.listener == nullptr) continue;
-        if (!update.wasTouching && update.isTouching)
-            events.listener->BeginContact(contacts.Handle(events.state, contact));
-        if (update.wasTouching && !update.isTouching)
-            events.listener->EndContact(contacts.Handle(events.state, contact));
-        if (!update.isSensor && update.isTouching) {
-            events.listener->PreSolve(contacts.Handle(events.state, contact), &old);
-        }
+        const ContactPair& pair = t.contacts.pair[static_cast<size_t>(contact)];
+        const bool active = t.bodies.IsActive(pair.bodyA) || t.bodies.IsActive(pair.bodyB);
+        const bool touching = active ? UpdateContact(contact, t.fixtures, events, t.bodies, t.contacts)
+                                     : t.contacts.Has(contact, ContactFlag::touching);
+        if (touching) ++touchingCount;
     }
     return touchingCount;
 }

@@ -9,12 +9,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "pipeline/parts/report_impulses.h"
+
 namespace scree {
 
 namespace {
 
 void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t b) {
     bodies.startPosition[b] = bodies.position[b];
+    if (settings.exactDrift) bodies.startVelocity[b] = bodies.velocity[b];
     if (bodies.type[b] != dynamicBody) return;
     const float h = settings.dt;
     const MassRow& mass = bodies.mass[b];
@@ -33,19 +36,28 @@ bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, size_t
     const float h = settings.dt;
     Velocity& v = bodies.velocity[b];
     bool capped = false;
-    const Vec2 translation = h * v.v;
+    Velocity mean = v;
+    if (settings.exactDrift) {
+        const Velocity& before = bodies.startVelocity[b];
+        mean = {0.5f * (before.v + v.v), 0.5f * (before.w + v.w), 0.0f};
+    }
+    const Vec2 translation = h * mean.v;
     const float lengthSquared = Dot(translation, translation);
     if (lengthSquared > settings.maxTranslation * settings.maxTranslation) {
-        v.v *= settings.maxTranslation / std::sqrt(lengthSquared);
+        const float ratio = settings.maxTranslation / std::sqrt(lengthSquared);
+        v.v *= ratio;
+        mean.v *= ratio;
         capped = true;
     }
-    const float rotation = h * v.w;
+    const float rotation = h * mean.w;
     if (rotation * rotation > settings.maxRotation * settings.maxRotation) {
-        v.w *= settings.maxRotation / Abs(rotation);
+        const float ratio = settings.maxRotation / Abs(rotation);
+        v.w *= ratio;
+        mean.w *= ratio;
         capped = true;
     }
-    bodies.position[b].c += h * v.v;
-    bodies.position[b].a += h * v.w;
+    bodies.position[b].c += h * mean.v;
+    bodies.position[b].a += h * mean.w;
     return capped;
 }
 
@@ -75,19 +87,6 @@ float UpdateSleepTimer(BodyTable& bodies, size_t b, float dt) {
     return bodies.sleepTime[b];
 }
 
-void ReportImpulses(const ContactRows& rows, const ContactEvents& events, ContactTable& contacts) {
-    if (events.listener == nullptr) return;
-    for (const ContactVelocityRow& row : rows.velocity) {
-        ContactImpulse impulse{};
-        impulse.count = row.pointCount;
-        for (int i = 0; i < row.pointCount; ++i) {
-            impulse.normalImpulses[i] = row.points[i].normalImpulse;
-            impulse.tangentImpulses[i] = row.points[i].tangentImpulse;
-        }
-        events.listener->PostSolve(contacts.Handle(events.state, row.contact), &impulse);
-    }
-}
-
 /// The solve of one island; the methods are the phases in order.
 class IslandSolver {
 public:
@@ -106,22 +105,13 @@ public:
         for (const int b : m_bodies) IntegrateVelocity(m_settings, m_tables.bodies, static_cast<size_t>(b));
         PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale},
                         m_scratch.contacts);
-        m_scratch.joints.clear();
         if (m_settings.impulseScale > 0.0f) WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
-        for (const int j : m_joints) {
-            const JointInfo& joint = m_tables.joints.info[static_cast<size_t>(j)];
-            RevoluteRow& row = m_tables.joints.revolute[static_cast<size_t>(joint.row)];
-            m_scratch.joints.push_back(PrepareRevolute(m_tables.bodies, joint, row, m_settings.impulseScale));
-            WarmStartRevolute(m_scratch.joints.back(), row, m_tables.bodies.velocity);
-        }
+        PrepareJoints(JointWork(), m_joints);
     }
 
     void SolveVelocities() {
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
-            for (const RevoluteConstraint& c : m_scratch.joints) {
-                SolveRevoluteVelocity(c, m_tables.joints.revolute[static_cast<size_t>(c.row)], m_settings.dt,
-                                      m_tables.bodies.velocity);
-            }
+            SolveJointVelocities(JointWork());
             SolveContactVelocities(m_scratch.contacts, m_tables.bodies.velocity);
         }
         StoreContactImpulses(m_scratch.contacts, m_tables.contacts.manifold);
@@ -140,10 +130,7 @@ public:
         constexpr float contactTolerance = -3.0f * linearSlop;
         for (int i = 0; i < m_settings.positionIterations; ++i) {
             bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies.position) >= contactTolerance;
-            for (const RevoluteConstraint& c : m_scratch.joints) {
-                const RevoluteRow& row = m_tables.joints.revolute[static_cast<size_t>(c.row)];
-                solved = SolveRevolutePosition(c, row, m_tables.bodies.position) && solved;
-            }
+            solved = SolveJointPositions(JointWork()) && solved;
             if (solved) return true;
         }
         return false;
@@ -165,6 +152,11 @@ public:
     }
 
 private:
+    [[nodiscard]] JointTask JointWork() {
+        const JointStep step{m_settings.dt, 1.0f / m_settings.dt, m_settings.impulseScale};
+        return {step, m_tables.bodies, m_tables.joints, m_scratch.joints};
+    }
+
     const SolverSettings& m_settings;
     SolverTables m_tables;
     SolverScratch& m_scratch;

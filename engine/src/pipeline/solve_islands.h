@@ -6,7 +6,7 @@
 #pragma once
 
 #include "constraints/contact_rows.h"
-#include "constraints/revolute.h"
+#include "constraints/joint_solver.h"
 #include "pipeline/contact_events.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -23,12 +23,13 @@ struct SolverSettings {
     Vec2 gravity;
     float maxTranslation, maxRotation;  ///< per step
     bool allowSleep;
+    bool exactDrift = false;  ///< positions advance by the mean of the velocities before and after
 };
 
 /// Scratch of the solver, kept between steps.
 struct SolverScratch {
     ContactRows contacts;
-    std::vector<RevoluteConstraint> joints;
+    JointConstraints joints;
 };
 
 struct SolverCounts {

@@ -11,6 +11,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     const int index = slots.Allocate();
     const auto i = static_cast<size_t>(index);
     EnsureRow(velocity, index);
+    EnsureRow(startVelocity, index);
     EnsureRow(position, index);
     EnsureRow(startPosition, index);
     EnsureRow(transform, index);
@@ -39,11 +40,6 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
                                      (def.enabled ? BodyFlag::enabled : 0));
     info[i] = BodyInfo{};
     info[i].userData = def.userData;
-    if (def.type == dynamicBody) {
-        // Box2D's rule: a dynamic body without mass weighs 1 kg until it has a fixture with density.
-        info[i].mass = 1.0f;
-        mass[i].invMass = 1.0f;
-    }
     Link(index);
     return index;
 }

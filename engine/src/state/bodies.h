@@ -63,6 +63,7 @@ struct BodyInfo {
 struct BodyTable {
     Slots slots;
     std::vector<Velocity> velocity;
+    std::vector<Velocity> startVelocity;  ///< at the start of the last step; only with exact drift
     std::vector<Position> position;       ///< at the end of the last step
     std::vector<Position> startPosition;  ///< at its start
     std::vector<Transform> transform;     ///< of the origin

@@ -56,6 +56,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     flags[i] = ContactFlag::alive | ContactFlag::marked;
     pair[i] = newPair;
     manifold[i].pointCount = 0;
+    m_adjacencyValid = false;
     ++m_count;
     if (static_cast<size_t>(m_count) * 2 > m_hash.size()) {
         Grow();
@@ -83,6 +84,39 @@ void ContactTable::Compact() {
     for (size_t i = rows; i-- > 0;) {
         if (flags[i] == 0) m_free.push_back(static_cast<int>(i));
     }
+}
+
+void ContactTable::EnsureAdjacency() {
+    if (m_adjacencyValid) return;
+    int bodyCount = 0;
+    for (size_t i = 0; i < flags.size(); ++i) {
+        if (flags[i] != 0) bodyCount = std::max({bodyCount, pair[i].bodyA + 1, pair[i].bodyB + 1});
+    }
+    m_first.assign(static_cast<size_t>(bodyCount) + 1, 0);
+    for (size_t i = 0; i < flags.size(); ++i) {
+        if (flags[i] == 0) continue;
+        ++m_first[static_cast<size_t>(pair[i].bodyA)];
+        ++m_first[static_cast<size_t>(pair[i].bodyB)];
+    }
+    int total = 0;
+    for (int& first : m_first) {
+        total += first;
+        first = total;  // the end for now; filling turns it into the start, with the newest row in front
+    }
+    m_entries.resize(static_cast<size_t>(total));
+    for (size_t i = 0; i < flags.size(); ++i) {
+        if (flags[i] == 0) continue;
+        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(pair[i].bodyA)])] = static_cast<int>(i);
+        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(pair[i].bodyB)])] = static_cast<int>(i);
+    }
+    m_adjacencyValid = true;
+}
+
+std::span<const int> ContactTable::OfBody(int body) {
+    EnsureAdjacency();
+    const auto b = static_cast<size_t>(body);
+    if (b + 1 >= m_first.size()) return {};  // beyond the last body with a contact
+    return {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
 }
 
 Contact* ContactTable::Handle(WorldState* state, int contact) {

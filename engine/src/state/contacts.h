@@ -10,6 +10,7 @@
 #pragma once
 
 #include <deque>
+#include <span>
 #include <vector>
 
 #include "scree/collision.h"
@@ -42,7 +43,12 @@ struct ContactTable {
     std::vector<Manifold> manifold;
     std::vector<ContactMaterial> material;
 
+    std::vector<uint64_t> freshPairs;  ///< scratch of the matching
+
     [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
+    [[nodiscard]] bool IsAlive(int contact) const {
+        return contact >= 0 && contact < Size() && Has(contact, ContactFlag::alive);
+    }
     [[nodiscard]] int Count() const { return m_count; }
     [[nodiscard]] bool Has(int contact, uint8_t flag) const {
         return (flags[static_cast<size_t>(contact)] & flag) != 0;
@@ -55,6 +61,9 @@ struct ContactTable {
     void Remove(int contact);
     /// Frees trailing rows and orders the free ones, so that new contacts take the lowest. O(rows).
     void Compact();
+    /// Contacts of a body, newest row first; rows removed since the last Add are still listed. Valid until the next
+    /// Add.
+    std::span<const int> OfBody(int body);
     /// The handle of a row, made on first use.
     Contact* Handle(WorldState* state, int contact);
 
@@ -64,6 +73,7 @@ struct ContactTable {
 private:
     [[nodiscard]] size_t Home(uint32_t a, uint32_t b) const;
     void Grow();
+    void EnsureAdjacency();
     void InsertKey(int contact);
     void EraseKey(int contact);
 
@@ -72,6 +82,10 @@ private:
     std::vector<int> m_free;  ///< highest first
     std::deque<Contact> m_handles;
     int m_count = 0;
+
+    bool m_adjacencyValid = false;
+    std::vector<int> m_first;  ///< per body up to the last one with a contact: start in m_entries; one more at the end
+    std::vector<int> m_entries;
 };
 
 }  // namespace scree

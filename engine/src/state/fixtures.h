@@ -21,7 +21,9 @@ struct Material {
 /// Cold data of a fixture.
 struct FixtureInfo {
     float density = 0.0f;
-    int next = -1;  ///< next fixture of the body
+    int next = -1;        ///< next fixture of the body
+    int chainId = -1;     ///< shared by the edges of one chain
+    int chainIndex = -1;  ///< of this edge in it
     bool inBroadPhase = false;
     FixtureUserData userData;
 };
@@ -37,6 +39,9 @@ struct FixtureTable {
     std::vector<FixtureInfo> info;
     std::deque<Fixture> handles;
 
+    int nextChainId = 0;
+
+    /// Adds a row; the shape is no chain.
     int Add(WorldState* state, int bodyIndex, const FixtureDef& def);
     void Remove(int fixture);
     [[nodiscard]] size_t GetMemoryBytes() const;

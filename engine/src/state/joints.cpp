@@ -1,96 +1,101 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Rows of the joint tables and the adjacency of bodies and joints, rebuilt when joints change.
+// Rows of the joint tables, the world's list of joints and the lists of bodies.
 
 #include "state/joints.h"
 
-#include <algorithm>
-
 namespace scree {
 
-int JointTable::AddRevolute(WorldState* state, const RevoluteJointDef& def) {
-    const int index = slots.Allocate();
-    const auto i = static_cast<size_t>(index);
-    if (i >= info.size()) info.resize(i + 1);
-    if (i >= handles.size()) handles.resize(i + 1);
+namespace {
 
-    const int row = revoluteSlots.Allocate();
-    EnsureRow(revolute, row);
-    RevoluteRow r{};
-    r.localAnchorA = def.localAnchorA;
-    r.localAnchorB = def.localAnchorB;
-    r.referenceAngle = def.referenceAngle;
-    r.lowerAngle = def.lowerAngle;
-    r.upperAngle = def.upperAngle;
-    r.motorSpeed = def.motorSpeed;
-    r.maxMotorTorque = def.maxMotorTorque;
-    r.enableLimit = def.enableLimit;
-    r.enableMotor = def.enableMotor;
-    r.impulse = vec2Zero;
-    revolute[static_cast<size_t>(row)] = r;
+size_t At(int index) { return static_cast<size_t>(index); }
 
-    info[i] = {def.type, def.collideConnected, def.bodyA->GetIndex(), def.bodyB->GetIndex(), row, -1,
-               listHead, def.userData};
-    if (listHead >= 0) info[static_cast<size_t>(listHead)].listPrev = index;
-    listHead = index;
-    handles[i] = std::make_unique<RevoluteJoint>(state, index);
-    m_adjacencyValid = false;
-    return index;
+}  // namespace
+
+void JointTable::Link(int joint, int row, const JointInfo& head, Joint* handle) {
+    EnsureRow(info, joint);
+    EnsureRow(handles, joint);
+    handles[At(joint)] = handle;
+    JointInfo& added = info[At(joint)];
+    added = JointInfo{};
+    added.type = head.type;
+    added.collideConnected = head.collideConnected;
+    added.bodyA = head.bodyA;
+    added.bodyB = head.bodyB;
+    added.userData = head.userData;
+    added.row = row;
+    added.listNext = listHead;
+    if (listHead >= 0) info[At(listHead)].listPrev = joint;
+    listHead = joint;
+    LinkToBody(joint, 0);
+    LinkToBody(joint, 1);
 }
 
 void JointTable::Remove(int joint) {
-    JointInfo& j = info[static_cast<size_t>(joint)];
-    (j.listPrev < 0 ? listHead : info[static_cast<size_t>(j.listPrev)].listNext) = j.listNext;
-    if (j.listNext >= 0) info[static_cast<size_t>(j.listNext)].listPrev = j.listPrev;
-    revoluteSlots.Free(j.row);
-    handles[static_cast<size_t>(joint)].reset();
+    const JointInfo& removed = info[At(joint)];
+    (removed.listPrev < 0 ? listHead : info[At(removed.listPrev)].listNext) = removed.listNext;
+    if (removed.listNext >= 0) info[At(removed.listNext)].listPrev = removed.listPrev;
+    UnlinkFromBody(joint, 0);
+    UnlinkFromBody(joint, 1);
+    WithStore(*this, removed.type, [&](auto& store) { store.slots.Free(removed.row); });
     slots.Free(joint);
-    m_adjacencyValid = false;
 }
 
-void JointTable::EnsureAdjacency() {
-    if (m_adjacencyValid) return;
-    int bodyCount = 0;
-    for (int j = listHead; j >= 0; j = info[static_cast<size_t>(j)].listNext) {
-        const JointInfo& row = info[static_cast<size_t>(j)];
-        bodyCount = std::max({bodyCount, row.bodyA + 1, row.bodyB + 1});
-    }
-    m_first.assign(static_cast<size_t>(bodyCount) + 1, 0);
-    for (int j = listHead; j >= 0; j = info[static_cast<size_t>(j)].listNext) {
-        ++m_first[static_cast<size_t>(info[static_cast<size_t>(j)].bodyA)];
-        ++m_first[static_cast<size_t>(info[static_cast<size_t>(j)].bodyB)];
-    }
-    int total = 0;
-    for (int& first : m_first) {
-        total += first;
-        first = total;  // the end for now; filling from the back turns it into the start
-    }
-    m_entries.resize(static_cast<size_t>(total));
-    int tail = listHead;
-    while (tail >= 0 && info[static_cast<size_t>(tail)].listNext >= 0) tail = info[static_cast<size_t>(tail)].listNext;
-    for (int j = tail; j >= 0; j = info[static_cast<size_t>(j)].listPrev) {
-        const JointInfo& row = info[static_cast<size_t>(j)];
-        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(row.bodyA)])] = j;
-        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(row.bodyB)])] = j;
-    }
-    m_adjacencyValid = true;
+void JointTable::LinkToBody(int joint, int side) {
+    const int body = side == 0 ? info[At(joint)].bodyA : info[At(joint)].bodyB;
+    EnsureRow(m_first, body, -1);
+    EnsureRow(m_count, body, 0);
+    const int next = m_first[At(body)];
+    info[At(joint)].link[side] = {-1, next};
+    if (next >= 0) info[At(next >> 1)].link[next & 1].prev = 2 * joint + side;
+    m_first[At(body)] = 2 * joint + side;
+    ++m_count[At(body)];
 }
 
-std::span<const int> JointTable::OfBody(int body) {
-    EnsureAdjacency();
-    const auto b = static_cast<size_t>(body);
-    if (b + 1 >= m_first.size()) return {};  // beyond the last body with a joint
-    return {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
+void JointTable::UnlinkFromBody(int joint, int side) {
+    const int body = side == 0 ? info[At(joint)].bodyA : info[At(joint)].bodyB;
+    const JointLink link = info[At(joint)].link[side];
+    (link.prev < 0 ? m_first[At(body)] : info[At(link.prev >> 1)].link[link.prev & 1].next) = link.next;
+    if (link.next >= 0) info[At(link.next >> 1)].link[link.next & 1].prev = link.prev;
+    --m_count[At(body)];
 }
 
-bool JointTable::MayCollide(int bodyA, int bodyB) {
-    for (const int j : OfBody(bodyA)) {
-        const JointInfo& row = info[static_cast<size_t>(j)];
-        const int other = row.bodyA == bodyA ? row.bodyB : row.bodyA;
-        if (other == bodyB && !row.collideConnected) return false;
+int JointTable::NextOfBody(int joint, int body) const {
+    const JointInfo& row = info[At(joint)];
+    const int next = row.link[row.bodyA == body ? 0 : 1].next;
+    return next < 0 ? -1 : next >> 1;
+}
+
+bool JointTable::MayCollide(int bodyA, int bodyB) const {
+    if (At(bodyA) >= m_first.size() || At(bodyB) >= m_first.size()) return true;
+    // The shorter of the two lists: a ground body can hold thousands of joints.
+    const int from = m_count[At(bodyA)] <= m_count[At(bodyB)] ? bodyA : bodyB;
+    const int to = from == bodyA ? bodyB : bodyA;
+    for (const int j : OfBody(from)) {
+        const JointInfo& row = info[At(j)];
+        const int other = row.bodyA == from ? row.bodyB : row.bodyA;
+        if (other == to && !row.collideConnected) return false;
     }
     return true;
+}
+
+void JointTable::ShiftOrigin(Vec2 newOrigin) {
+    for (int joint = 0; joint < slots.Size(); ++joint) {
+        if (!slots.IsAlive(joint)) continue;
+        const JointInfo& row = info[At(joint)];
+        WithStore(*this, row.type, [&](auto& store) { ShiftRow(store.rows[At(row.row)], newOrigin); });
+    }
+}
+
+size_t JointTable::GetMemoryBytes() const {
+    size_t bytes = info.size() * (sizeof(JointInfo) + sizeof(Joint*)) + (m_first.size() + m_count.size()) * sizeof(int);
+    std::apply(
+        [&](const auto&... store) {
+            ((bytes += store.rows.size() * (sizeof(store.rows[0]) + sizeof(store.handles[0]))), ...);
+        },
+        stores);
+    return bytes;
 }
 
 }  // namespace scree

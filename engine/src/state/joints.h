@@ -1,31 +1,25 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The table of joints: what all have in common, a table per type, and which joints hang on which body.
+// The table of joints: what all have in common, a dense table per type, and which joints hang on which body. Adding,
+// removing and walking to the next joint of a body are O(1).
 
 #pragma once
 
-#include <memory>
-#include <span>
+#include <deque>
+#include <tuple>
 #include <vector>
 
 #include "base/slots.h"
 #include "scree/body.h"
-#include "scree/joint.h"
-#include "scree/revolute_joint.h"
+#include "state/joint_rows.h"
 
 namespace scree {
 
-/// State of a revolute joint: its definition and the impulses that warm-start the next step.
-struct RevoluteRow {
-    Vec2 localAnchorA, localAnchorB;
-    float referenceAngle;
-    float lowerAngle, upperAngle;
-    float motorSpeed, maxMotorTorque;
-    bool enableLimit, enableMotor;
-    Vec2 impulse;        ///< N·s
-    float motorImpulse;  ///< N·m·s
-    float lowerImpulse, upperImpulse;
+/// Neighbours in the list of one body's joints. A joint stands in two lists, so an entry is 2·joint + side (0: body A,
+/// 1: body B); −1 is the end.
+struct JointLink {
+    int prev = -1, next = -1;
 };
 
 /// What every joint has.
@@ -33,32 +27,116 @@ struct JointInfo {
     JointType type = e_unknownJoint;
     bool collideConnected = false;
     int bodyA = -1, bodyB = -1;
-    int row = -1;  ///< in the table of its type
+    int row = -1;       ///< in the table of its type
+    int gearCount = 0;  ///< gears that use this joint
     int listPrev = -1, listNext = -1;
+    JointLink link[2];  ///< in the lists of body A and body B
     JointUserData userData;
+};
+
+/// Rows and handles of one type. Rows and handles are used again, never given back, so a pointer to a destroyed joint
+/// still points at a handle.
+template <typename Row>
+struct JointStore {
+    using RowType = Row;
+    Slots slots;
+    std::vector<Row> rows;
+    std::deque<typename Row::Handle> handles;
+};
+
+/// The joints of one body, newest first.
+class BodyJoints {
+public:
+    class Iterator {
+    public:
+        Iterator(const std::vector<JointInfo>& info, int entry) : m_info(&info), m_entry(entry) {}
+        int operator*() const { return m_entry >> 1; }
+        Iterator& operator++() {
+            m_entry = (*m_info)[static_cast<size_t>(m_entry >> 1)].link[m_entry & 1].next;
+            return *this;
+        }
+        bool operator!=(const Iterator& other) const { return m_entry != other.m_entry; }
+
+    private:
+        const std::vector<JointInfo>* m_info;
+        int m_entry;
+    };
+
+    BodyJoints(const std::vector<JointInfo>& info, int head) : m_info(info), m_head(head) {}
+    [[nodiscard]] Iterator begin() const { return {m_info, m_head}; }
+    [[nodiscard]] Iterator end() const { return {m_info, -1}; }
+    [[nodiscard]] bool empty() const { return m_head < 0; }
+    /// The newest joint, −1 if there is none.
+    [[nodiscard]] int Front() const { return m_head < 0 ? -1 : m_head >> 1; }
+
+private:
+    const std::vector<JointInfo>& m_info;
+    int m_head;
 };
 
 struct JointTable {
     Slots slots;
     std::vector<JointInfo> info;
-    std::vector<std::unique_ptr<Joint>> handles;
-    Slots revoluteSlots;
-    std::vector<RevoluteRow> revolute;
+    std::vector<Joint*> handles;
+    /// One table per type; a new joint is one row type here, one file in constraints/, one row in its dispatch.
+    std::tuple<JointStore<RevoluteRow>, JointStore<PrismaticRow>, JointStore<DistanceRow>, JointStore<PulleyRow>,
+               JointStore<MouseRow>, JointStore<GearRow>, JointStore<WheelRow>, JointStore<WeldRow>,
+               JointStore<FrictionRow>, JointStore<MotorRow>>
+        stores;
     int listHead = -1;
 
-    int AddRevolute(WorldState* state, const RevoluteJointDef& def);
+    template <typename Row>
+    [[nodiscard]] JointStore<Row>& Store() {
+        return std::get<JointStore<Row>>(stores);
+    }
+    template <typename Row>
+    [[nodiscard]] const JointStore<Row>& Store() const {
+        return std::get<JointStore<Row>>(stores);
+    }
+    /// Calls visit(store) for the table of one type; not at all for a type without one.
+    template <typename Self, typename Visit>
+    static void WithStore(Self& self, JointType type, Visit&& visit) {
+        std::apply(
+            [&](auto&... store) {
+                ((std::remove_reference_t<decltype(store)>::RowType::type == type ? visit(store) : void()), ...);
+            },
+            self.stores);
+    }
+
+    /// Adds a joint with the bodies, type, flag and user data of `head`; everything else of it is set here.
+    template <typename Row>
+    int Add(WorldState* state, const JointInfo& head, const Row& row) {
+        JointStore<Row>& store = Store<Row>();
+        const int rowIndex = store.slots.Allocate();
+        const int index = slots.Allocate();
+        EnsureRow(store.rows, rowIndex);
+        store.rows[static_cast<size_t>(rowIndex)] = row;
+        if (static_cast<size_t>(rowIndex) == store.handles.size()) store.handles.emplace_back(state, index, rowIndex);
+        Joint& handle = store.handles[static_cast<size_t>(rowIndex)];
+        handle.m_index = index;
+        Link(index, rowIndex, head, &handle);
+        return index;
+    }
     void Remove(int joint);
-    /// Joints of a body, newest first. Valid until joints are added or removed.
-    std::span<const int> OfBody(int body);
+
+    [[nodiscard]] BodyJoints OfBody(int body) const {
+        return {info, static_cast<size_t>(body) < m_first.size() ? m_first[static_cast<size_t>(body)] : -1};
+    }
+    /// The joint after `joint` in the list of one of its bodies; −1 at the end.
+    [[nodiscard]] int NextOfBody(int joint, int body) const;
     /// False if a joint forbids the two bodies to collide.
-    bool MayCollide(int bodyA, int bodyB);
+    [[nodiscard]] bool MayCollide(int bodyA, int bodyB) const;
+    /// Moves what joints keep in world coordinates.
+    void ShiftOrigin(Vec2 newOrigin);
+    [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    void EnsureAdjacency();
+    void Link(int joint, int row, const JointInfo& head, Joint* handle);
+    void LinkToBody(int joint, int side);
+    void UnlinkFromBody(int joint, int side);
 
-    bool m_adjacencyValid = false;
-    std::vector<int> m_first;  ///< per body up to the last one with a joint: start in m_entries; one more at the end
-    std::vector<int> m_entries;
+    std::vector<int> m_first;  ///< per body: its newest entry
+    std::vector<int> m_count;  ///< per body: entries
 };
 
 }  // namespace scree

@@ -1,33 +1,18 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The body handle.
+// The body handle: its own state. Edits that reach other tables are in body_edit.cpp.
 
 #include "scree/body.h"
 
-#include "pipeline/update_boxes.h"
+#include "world/guard.h"
 #include "world/refresh.h"
-#include "world/validate.h"
 
 namespace scree {
 
 namespace {
 
 size_t Row(int index) { return static_cast<size_t>(index); }
-
-ErrorCode CheckVector(const WorldState& s, Vec2 v, const char* function, const char* field) {
-    return v.IsValid() ? ErrorCode::ok : s.Refuse(ErrorCode::nonFinite, function, field, "give a finite vector");
-}
-
-ErrorCode CheckNumber(const WorldState& s, float value, const char* function, const char* field) {
-    return std::isfinite(value) ? ErrorCode::ok
-                                : s.Refuse(ErrorCode::nonFinite, function, field, "give a finite number");
-}
-
-ErrorCode CheckAmount(const WorldState& s, float value, const char* function, const char* field) {
-    if (value < 0.0f) return s.Refuse(ErrorCode::outOfRange, function, field, "give a number of at least 0");
-    return CheckNumber(s, value, function, field);
-}
 
 /// True if a push reaches the body: dynamic, and awake or woken by it.
 bool TakesPush(BodyTable& bodies, int body, bool wake) {
@@ -43,66 +28,6 @@ void SetFlag(BodyTable& bodies, int body, uint16_t flag, bool on) {
 
 }  // namespace
 
-Fixture* Body::CreateFixture(const FixtureDef* def) {
-    WorldState& s = *m_state;
-    const char* name = "Body::CreateFixture";
-    if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a FixtureDef"), nullptr;
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create fixtures outside of Step"), nullptr;
-    if (const Finding bad = Check(*def)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
-    const int fixture = s.fixtures.Add(&s, m_index, *def);
-    BodyInfo& info = s.bodies.info[Row(m_index)];
-    s.fixtures.info[Row(fixture)].next = info.fixtureHead;
-    info.fixtureHead = fixture;
-    ++info.fixtureCount;
-    if (IsEnabled()) AddProxy(s, fixture);
-    if (def->density > 0.0f) ResetMass(s, m_index);
-    return &s.fixtures.handles[Row(fixture)];
-}
-
-Fixture* Body::CreateFixture(const Shape* shape, float density) {
-    FixtureDef def;
-    def.shape = shape;
-    def.density = density;
-    return CreateFixture(&def);
-}
-
-ErrorCode Body::DestroyFixture(Fixture* fixture) {
-    WorldState& s = *m_state;
-    const char* name = "Body::DestroyFixture";
-    if (fixture == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "fixture", "pass a fixture");
-    if (!Owns(s, fixture) || fixture->GetBody() != this) {
-        return s.Refuse(ErrorCode::foreignHandle, name, "fixture", "pass a living fixture of this body");
-    }
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy fixtures outside of Step");
-    const int index = fixture->GetIndex();
-    DestroyContactsOfFixture(s, index);
-    RemoveProxy(s, index);
-    BodyInfo& info = s.bodies.info[Row(m_index)];
-    int* link = &info.fixtureHead;
-    while (*link != index) link = &s.fixtures.info[Row(*link)].next;
-    *link = s.fixtures.info[Row(index)].next;
-    --info.fixtureCount;
-    s.fixtures.Remove(index);
-    ResetMass(s, m_index);
-    return ErrorCode::ok;
-}
-
-ErrorCode Body::SetTransform(Vec2 position, float angle) {
-    WorldState& s = *m_state;
-    const char* name = "Body::SetTransform";
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "move bodies outside of Step");
-    if (const ErrorCode code = CheckVector(s, position, name, "position"); code != ErrorCode::ok) return code;
-    if (const ErrorCode code = CheckNumber(s, angle, name, "angle"); code != ErrorCode::ok) return code;
-    const size_t b = Row(m_index);
-    s.bodies.transform[b].Set(position, angle);
-    s.bodies.position[b] = {Mul(s.bodies.transform[b], s.bodies.mass[b].localCenter), angle, 0.0f};
-    s.bodies.startPosition[b] = s.bodies.position[b];
-    if (!IsEnabled()) return ErrorCode::ok;
-    UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
-    s.pairsStale = true;
-    return ErrorCode::ok;
-}
-
 const Transform& Body::GetTransform() const { return m_state->bodies.transform[Row(m_index)]; }
 Vec2 Body::GetPosition() const { return GetTransform().p; }
 float Body::GetAngle() const { return m_state->bodies.position[Row(m_index)].a; }
@@ -110,8 +35,8 @@ Vec2 Body::GetWorldCenter() const { return m_state->bodies.position[Row(m_index)
 Vec2 Body::GetLocalCenter() const { return m_state->bodies.mass[Row(m_index)].localCenter; }
 
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
-    if (const ErrorCode code = CheckVector(*m_state, v, "Body::SetLinearVelocity", "v"); code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::SetLinearVelocity");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(v, "v").Failed()) return guard.Code();
     if (GetType() == staticBody) return ErrorCode::ok;
     if (Dot(v, v) > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[Row(m_index)].v = v;
@@ -120,8 +45,8 @@ ErrorCode Body::SetLinearVelocity(Vec2 v) {
 Vec2 Body::GetLinearVelocity() const { return m_state->bodies.velocity[Row(m_index)].v; }
 
 ErrorCode Body::SetAngularVelocity(float omega) {
-    if (const ErrorCode code = CheckNumber(*m_state, omega, "Body::SetAngularVelocity", "omega"); code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::SetAngularVelocity");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(omega, "omega").Failed()) return guard.Code();
     if (GetType() == staticBody) return ErrorCode::ok;
     if (omega * omega > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[Row(m_index)].w = omega;
@@ -130,10 +55,9 @@ ErrorCode Body::SetAngularVelocity(float omega) {
 float Body::GetAngularVelocity() const { return m_state->bodies.velocity[Row(m_index)].w; }
 
 ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, force, "Body::ApplyForce", "force"); code != ErrorCode::ok)
-        return code;
-    if (const ErrorCode code = CheckVector(*m_state, point, "Body::ApplyForce", "point"); code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::ApplyForce");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Finite(point, "point").Failed())
+        return guard.Code();
     if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
     ForceRow& row = m_state->bodies.force[Row(m_index)];
     row.force += force;
@@ -142,25 +66,23 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
 }
 
 ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, force, "Body::ApplyForceToCenter", "force"); code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::ApplyForceToCenter");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Failed()) return guard.Code();
     if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].force += force;
     return ErrorCode::ok;
 }
 
 ErrorCode Body::ApplyTorque(float torque, bool wake) {
-    if (const ErrorCode code = CheckNumber(*m_state, torque, "Body::ApplyTorque", "torque"); code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::ApplyTorque");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(torque, "torque").Failed()) return guard.Code();
     if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].torque += torque;
     return ErrorCode::ok;
 }
 
 ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, impulse, "Body::ApplyLinearImpulse", "impulse");
-        code != ErrorCode::ok)
-        return code;
-    if (const ErrorCode code = CheckVector(*m_state, point, "Body::ApplyLinearImpulse", "point"); code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::ApplyLinearImpulse");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Finite(point, "point").Failed())
+        return guard.Code();
     if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
     Velocity& velocity = m_state->bodies.velocity[Row(m_index)];
     const MassRow& mass = m_state->bodies.mass[Row(m_index)];
@@ -170,9 +92,8 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
 }
 
 ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
-    if (const ErrorCode code = CheckVector(*m_state, impulse, "Body::ApplyLinearImpulseToCenter", "impulse");
-        code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::ApplyLinearImpulseToCenter");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
     if (TakesPush(m_state->bodies, m_index, wake)) {
         m_state->bodies.velocity[Row(m_index)].v += m_state->bodies.mass[Row(m_index)].invMass * impulse;
     }
@@ -180,9 +101,8 @@ ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
 }
 
 ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
-    if (const ErrorCode code = CheckNumber(*m_state, impulse, "Body::ApplyAngularImpulse", "impulse");
-        code != ErrorCode::ok)
-        return code;
+    Guard guard(*m_state, "Body::ApplyAngularImpulse");
+    if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
     if (TakesPush(m_state->bodies, m_index, wake)) {
         m_state->bodies.velocity[Row(m_index)].w += m_state->bodies.mass[Row(m_index)].invI * impulse;
     }
@@ -196,40 +116,12 @@ float Body::GetInertia() const {
     return info.inertia + info.mass * Dot(center, center);
 }
 void Body::GetMassData(MassData* data) const {
+    Guard guard(*m_state, "Body::GetMassData");
+    if (guard.NotNull(data != nullptr, "data", "pass where to write").Failed()) return;
     data->mass = GetMass();
     data->center = GetLocalCenter();
     data->I = GetInertia();
 }
-
-ErrorCode Body::SetMassData(const MassData* data) {
-    WorldState& s = *m_state;
-    const char* name = "Body::SetMassData";
-    if (data == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "data", "pass mass data");
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "change masses outside of Step");
-    if (const ErrorCode code = CheckNumber(s, data->mass, name, "MassData::mass"); code != ErrorCode::ok) return code;
-    if (const ErrorCode code = CheckNumber(s, data->I, name, "MassData::I"); code != ErrorCode::ok) return code;
-    if (const ErrorCode code = CheckVector(s, data->center, name, "MassData::center"); code != ErrorCode::ok)
-        return code;
-    if (GetType() != dynamicBody) return ErrorCode::ok;
-    const float mass = data->mass > 0.0f ? data->mass : 1.0f;
-    const bool rotates = data->I > 0.0f && !IsFixedRotation();
-    const float inertia = rotates ? data->I - mass * Dot(data->center, data->center) : 0.0f;
-    if (rotates && inertia <= 0.0f) {
-        return s.Refuse(ErrorCode::outOfRange, name, "MassData::I",
-                        "it is about the origin: give more than mass·|center|²");
-    }
-    const size_t b = Row(m_index);
-    s.bodies.info[b].mass = mass;
-    s.bodies.info[b].inertia = inertia;
-    s.bodies.mass[b] = {1.0f / mass, rotates ? 1.0f / inertia : 0.0f, data->center};
-    const Vec2 oldCenter = s.bodies.position[b].c;
-    s.bodies.position[b].c = Mul(s.bodies.transform[b], data->center);
-    s.bodies.startPosition[b] = s.bodies.position[b];
-    s.bodies.velocity[b].v += Cross(s.bodies.velocity[b].w, s.bodies.position[b].c - oldCenter);
-    return ErrorCode::ok;
-}
-
-void Body::ResetMassData() { ResetMass(*m_state, m_index); }
 
 Vec2 Body::GetWorldPoint(Vec2 localPoint) const { return Mul(GetTransform(), localPoint); }
 Vec2 Body::GetWorldVector(Vec2 localVector) const { return Mul(GetTransform().q, localVector); }
@@ -244,32 +136,39 @@ Vec2 Body::GetLinearVelocityFromLocalPoint(Vec2 localPoint) const {
 
 float Body::GetLinearDamping() const { return m_state->bodies.motion[Row(m_index)].linearDamping; }
 ErrorCode Body::SetLinearDamping(float damping) {
-    const ErrorCode code = CheckAmount(*m_state, damping, "Body::SetLinearDamping", "damping");
-    if (code == ErrorCode::ok) m_state->bodies.motion[Row(m_index)].linearDamping = damping;
-    return code;
+    Guard guard(*m_state, "Body::SetLinearDamping");
+    guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
+    if (!guard.Failed()) m_state->bodies.motion[Row(m_index)].linearDamping = damping;
+    return guard.Code();
 }
 float Body::GetAngularDamping() const { return m_state->bodies.motion[Row(m_index)].angularDamping; }
 ErrorCode Body::SetAngularDamping(float damping) {
-    const ErrorCode code = CheckAmount(*m_state, damping, "Body::SetAngularDamping", "damping");
-    if (code == ErrorCode::ok) m_state->bodies.motion[Row(m_index)].angularDamping = damping;
-    return code;
+    Guard guard(*m_state, "Body::SetAngularDamping");
+    guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
+    if (!guard.Failed()) m_state->bodies.motion[Row(m_index)].angularDamping = damping;
+    return guard.Code();
 }
 float Body::GetGravityScale() const { return m_state->bodies.motion[Row(m_index)].gravityScale; }
 ErrorCode Body::SetGravityScale(float scale) {
-    const ErrorCode code = CheckNumber(*m_state, scale, "Body::SetGravityScale", "scale");
-    if (code == ErrorCode::ok) m_state->bodies.motion[Row(m_index)].gravityScale = scale;
-    return code;
+    Guard guard(*m_state, "Body::SetGravityScale");
+    guard.Living(m_state->bodies.slots, m_index).Finite(scale, "scale");
+    if (!guard.Failed()) m_state->bodies.motion[Row(m_index)].gravityScale = scale;
+    return guard.Code();
 }
 
 BodyType Body::GetType() const { return m_state->bodies.type[Row(m_index)]; }
 
 ErrorCode Body::SetBullet(bool flag) {
+    Guard guard(*m_state, "Body::SetBullet");
+    if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
     SetFlag(m_state->bodies, m_index, BodyFlag::bullet, flag);
     return ErrorCode::ok;
 }
 bool Body::IsBullet() const { return m_state->bodies.Has(m_index, BodyFlag::bullet); }
 
 ErrorCode Body::SetSleepingAllowed(bool flag) {
+    Guard guard(*m_state, "Body::SetSleepingAllowed");
+    if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
     SetFlag(m_state->bodies, m_index, BodyFlag::autoSleep, flag);
     if (!flag) m_state->bodies.Wake(m_index);
     return ErrorCode::ok;
@@ -277,26 +176,19 @@ ErrorCode Body::SetSleepingAllowed(bool flag) {
 bool Body::IsSleepingAllowed() const { return m_state->bodies.Has(m_index, BodyFlag::autoSleep); }
 
 ErrorCode Body::SetAwake(bool flag) {
+    Guard guard(*m_state, "Body::SetAwake");
+    if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
     if (GetType() == staticBody) return ErrorCode::ok;
     flag ? m_state->bodies.Wake(m_index) : m_state->bodies.PutToSleep(m_index);
     return ErrorCode::ok;
 }
 bool Body::IsAwake() const { return m_state->bodies.Has(m_index, BodyFlag::awake); }
 
-ErrorCode Body::SetEnabled(bool flag) {
-    WorldState& s = *m_state;
-    if (s.locked) return s.Refuse(ErrorCode::locked, "Body::SetEnabled", "world", "enable bodies outside of Step");
-    if (flag == IsEnabled()) return ErrorCode::ok;
-    SetFlag(s.bodies, m_index, BodyFlag::enabled, flag);
-    if (!flag) DestroyContactsOfBody(s, m_index);
-    for (int f = s.bodies.info[Row(m_index)].fixtureHead; f >= 0; f = s.fixtures.info[Row(f)].next) {
-        flag ? AddProxy(s, f) : RemoveProxy(s, f);
-    }
-    return ErrorCode::ok;
-}
 bool Body::IsEnabled() const { return m_state->bodies.Has(m_index, BodyFlag::enabled); }
 
 ErrorCode Body::SetFixedRotation(bool flag) {
+    Guard guard(*m_state, "Body::SetFixedRotation");
+    if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
     if (flag == IsFixedRotation()) return ErrorCode::ok;
     SetFlag(m_state->bodies, m_index, BodyFlag::fixedRotation, flag);
     m_state->bodies.velocity[Row(m_index)].w = 0.0f;
@@ -310,6 +202,36 @@ Fixture* Body::GetFixtureList() {
     return head < 0 ? nullptr : &m_state->fixtures.handles[Row(head)];
 }
 const Fixture* Body::GetFixtureList() const { return const_cast<Body*>(this)->GetFixtureList(); }
+int Body::GetContactCount() const {
+    int count = 0;
+    for (const int c : m_state->contacts.OfBody(m_index)) count += m_state->contacts.IsAlive(c) ? 1 : 0;
+    return count;
+}
+
+void Body::VisitContacts(const std::function<bool(Contact*)>& visit) {
+    Guard guard(*m_state, "Body::VisitContacts");
+    if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed()) return;
+    const WorldLock lock(*m_state);
+    for (const int c : m_state->contacts.OfBody(m_index)) {
+        if (m_state->contacts.IsAlive(c) && !visit(m_state->contacts.Handle(m_state, c))) return;
+    }
+}
+
+Joint* Body::GetJointList() const {
+    const int front = m_state->joints.OfBody(m_index).Front();
+    return front < 0 ? nullptr : m_state->joints.handles[Row(front)];
+}
+int Body::GetJointCount() const { return m_state->bodies.info[Row(m_index)].jointCount; }
+
+void Body::VisitJoints(const std::function<bool(Joint*)>& visit) {
+    Guard guard(*m_state, "Body::VisitJoints");
+    if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed() || GetJointCount() == 0) return;
+    const WorldLock lock(*m_state);
+    for (const int j : m_state->joints.OfBody(m_index)) {
+        if (!visit(m_state->joints.handles[Row(j)])) return;
+    }
+}
+
 Body* Body::GetNext() {
     const int next = m_state->bodies.info[Row(m_index)].listNext;
     return next < 0 ? nullptr : &m_state->bodies.handles[Row(next)];

@@ -5,6 +5,9 @@
 
 #include "scree/contact.h"
 
+#include <algorithm>
+
+#include "world/guard.h"
 #include "world/world_state.h"
 
 namespace scree {
@@ -13,9 +16,12 @@ namespace {
 
 size_t Row(int index) { return static_cast<size_t>(index); }
 
-ErrorCode CheckFinite(const WorldState& s, float value, const char* function) {
-    return std::isfinite(value) ? ErrorCode::ok
-                                : s.Refuse(ErrorCode::nonFinite, function, "value", "give a finite number");
+/// A contact that is alive, with a number to set.
+Guard CheckContact(const WorldState& s, int contact, const char* function) {
+    Guard guard(s, function);
+    guard.Require(s.contacts.IsAlive(contact), ErrorCode::foreignHandle, "this",
+                  "use a contact whose boxes still overlap");
+    return guard;
 }
 
 }  // namespace
@@ -33,6 +39,7 @@ void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
 bool Contact::IsTouching() const { return m_state->contacts.Has(m_index, ContactFlag::touching); }
 
 void Contact::SetEnabled(bool flag) {
+    if (CheckContact(*m_state, m_index, "Contact::SetEnabled").Failed()) return;
     uint8_t& flags = m_state->contacts.flags[Row(m_index)];
     flags = static_cast<uint8_t>((flags & ~ContactFlag::enabled) | (flag ? ContactFlag::enabled : 0));
 }
@@ -40,8 +47,8 @@ bool Contact::IsEnabled() const { return m_state->contacts.Has(m_index, ContactF
 
 Contact* Contact::GetNext() {
     ContactTable& contacts = m_state->contacts;
-    for (int c = m_index + 1; c < contacts.Size(); ++c) {
-        if (contacts.Has(c, ContactFlag::alive)) return contacts.Handle(m_state, c);
+    for (int c = std::min(m_index, contacts.Size()); c-- > 0;) {
+        if (contacts.IsAlive(c)) return contacts.Handle(m_state, c);
     }
     return nullptr;
 }
@@ -53,44 +60,47 @@ Fixture* Contact::GetFixtureB() { return &m_state->fixtures.handles[m_state->con
 const Fixture* Contact::GetFixtureB() const { return const_cast<Contact*>(this)->GetFixtureB(); }
 
 ErrorCode Contact::SetFriction(float friction) {
-    if (friction < 0.0f)
-        return m_state->Refuse(ErrorCode::outOfRange, "Contact::SetFriction", "friction", "give at least 0");
-    const ErrorCode code = CheckFinite(*m_state, friction, "Contact::SetFriction");
-    if (code == ErrorCode::ok) m_state->contacts.material[Row(m_index)].friction = friction;
-    return code;
+    Guard guard = CheckContact(*m_state, m_index, "Contact::SetFriction");
+    if (!guard.Amount(friction, "friction").Failed()) m_state->contacts.material[Row(m_index)].friction = friction;
+    return guard.Code();
 }
 float Contact::GetFriction() const { return m_state->contacts.material[Row(m_index)].friction; }
 void Contact::ResetFriction() {
+    if (CheckContact(*m_state, m_index, "Contact::ResetFriction").Failed()) return;
     m_state->contacts.material[Row(m_index)].friction =
         MixFriction(GetFixtureA()->GetFriction(), GetFixtureB()->GetFriction());
 }
 
 ErrorCode Contact::SetRestitution(float restitution) {
-    const ErrorCode code = CheckFinite(*m_state, restitution, "Contact::SetRestitution");
-    if (code == ErrorCode::ok) m_state->contacts.material[Row(m_index)].restitution = restitution;
-    return code;
+    Guard guard = CheckContact(*m_state, m_index, "Contact::SetRestitution");
+    if (!guard.Finite(restitution, "restitution").Failed())
+        m_state->contacts.material[Row(m_index)].restitution = restitution;
+    return guard.Code();
 }
 float Contact::GetRestitution() const { return m_state->contacts.material[Row(m_index)].restitution; }
 void Contact::ResetRestitution() {
+    if (CheckContact(*m_state, m_index, "Contact::ResetRestitution").Failed()) return;
     m_state->contacts.material[Row(m_index)].restitution =
         MixRestitution(GetFixtureA()->GetRestitution(), GetFixtureB()->GetRestitution());
 }
 
 ErrorCode Contact::SetRestitutionThreshold(float threshold) {
-    const ErrorCode code = CheckFinite(*m_state, threshold, "Contact::SetRestitutionThreshold");
-    if (code == ErrorCode::ok) m_state->contacts.material[Row(m_index)].restitutionThreshold = threshold;
-    return code;
+    Guard guard = CheckContact(*m_state, m_index, "Contact::SetRestitutionThreshold");
+    if (!guard.Finite(threshold, "threshold").Failed())
+        m_state->contacts.material[Row(m_index)].restitutionThreshold = threshold;
+    return guard.Code();
 }
 float Contact::GetRestitutionThreshold() const { return m_state->contacts.material[Row(m_index)].restitutionThreshold; }
 void Contact::ResetRestitutionThreshold() {
+    if (CheckContact(*m_state, m_index, "Contact::ResetRestitutionThreshold").Failed()) return;
     m_state->contacts.material[Row(m_index)].restitutionThreshold =
         MixRestitutionThreshold(GetFixtureA()->GetRestitutionThreshold(), GetFixtureB()->GetRestitutionThreshold());
 }
 
 ErrorCode Contact::SetTangentSpeed(float speed) {
-    const ErrorCode code = CheckFinite(*m_state, speed, "Contact::SetTangentSpeed");
-    if (code == ErrorCode::ok) m_state->contacts.material[Row(m_index)].tangentSpeed = speed;
-    return code;
+    Guard guard = CheckContact(*m_state, m_index, "Contact::SetTangentSpeed");
+    if (!guard.Finite(speed, "speed").Failed()) m_state->contacts.material[Row(m_index)].tangentSpeed = speed;
+    return guard.Code();
 }
 float Contact::GetTangentSpeed() const { return m_state->contacts.material[Row(m_index)].tangentSpeed; }
 

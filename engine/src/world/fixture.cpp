@@ -5,8 +5,8 @@
 
 #include "scree/fixture.h"
 
+#include "world/guard.h"
 #include "world/refresh.h"
-#include "world/validate.h"
 
 namespace scree {
 
@@ -15,13 +15,6 @@ namespace {
 /// Row of the handle in the columns of the fixture table.
 size_t Row(int index) { return static_cast<size_t>(index); }
 
-ErrorCode CheckMaterial(const WorldState& s, float value, bool mayBeNegative, const char* function) {
-    if (!std::isfinite(value)) return s.Refuse(ErrorCode::nonFinite, function, "value", "give a finite number");
-    if (value < 0.0f && !mayBeNegative)
-        return s.Refuse(ErrorCode::outOfRange, function, "value", "give a number of at least 0");
-    return ErrorCode::ok;
-}
-
 }  // namespace
 
 Shape::Type Fixture::GetType() const { return m_state->fixtures.type[Row(m_index)]; }
@@ -29,38 +22,42 @@ Shape* Fixture::GetShape() { return m_state->fixtures.shape[Row(m_index)]; }
 const Shape* Fixture::GetShape() const { return m_state->fixtures.shape[Row(m_index)]; }
 
 ErrorCode Fixture::SetSensor(bool sensor) {
+    Guard guard(*m_state, "Fixture::SetSensor");
+    if (guard.Living(m_state->fixtures.slots, m_index).Failed()) return guard.Code();
     uint8_t& flag = m_state->fixtures.isSensor[Row(m_index)];
     if ((flag != 0) == sensor) return ErrorCode::ok;
     flag = sensor ? 1 : 0;
+    const int body = m_state->fixtures.body[Row(m_index)];
     ContactTable& contacts = m_state->contacts;
-    for (int c = 0; c < contacts.Size(); ++c) {
+    for (const int c : contacts.OfBody(body)) {
+        if (!contacts.IsAlive(c)) continue;
         const ContactPair& p = contacts.pair[Row(c)];
-        const auto self = static_cast<uint32_t>(m_index);
-        if (!contacts.Has(c, ContactFlag::alive) || (p.fixtureA != self && p.fixtureB != self)) continue;
         const bool any = m_state->fixtures.isSensor[p.fixtureA] || m_state->fixtures.isSensor[p.fixtureB];
         contacts.flags[Row(c)] =
             static_cast<uint8_t>((contacts.flags[Row(c)] & ~ContactFlag::sensor) | (any ? ContactFlag::sensor : 0));
     }
-    m_state->bodies.Wake(m_state->fixtures.body[Row(m_index)]);
+    m_state->bodies.Wake(body);
     return ErrorCode::ok;
 }
 bool Fixture::IsSensor() const { return m_state->fixtures.isSensor[Row(m_index)] != 0; }
 
 ErrorCode Fixture::SetFilterData(const Filter& filter) {
-    if (m_state->locked)
-        return m_state->Refuse(ErrorCode::locked, "Fixture::SetFilterData", "world", "set filters outside of Step");
+    Guard guard(*m_state, "Fixture::SetFilterData");
+    guard.Living(m_state->fixtures.slots, m_index).Unlocked("set filters outside of Step and callbacks");
+    if (guard.Failed()) return guard.Code();
     m_state->fixtures.filter[Row(m_index)] = filter;
-    Refilter();
+    RefilterFixture(*m_state, m_index);
     return ErrorCode::ok;
 }
 const Filter& Fixture::GetFilterData() const { return m_state->fixtures.filter[Row(m_index)]; }
 void Fixture::Refilter() {
-    if (m_state->locked) {
-        m_state->Refuse(ErrorCode::locked, "Fixture::Refilter", "world", "refilter outside of Step");
-        return;
-    }
-    RefilterFixture(*m_state, m_index);
+    Guard guard(*m_state, "Fixture::Refilter");
+    guard.Living(m_state->fixtures.slots, m_index).Unlocked("refilter outside of Step and callbacks");
+    if (!guard.Failed()) RefilterFixture(*m_state, m_index);
 }
+
+int Fixture::GetChainId() const { return m_state->fixtures.info[Row(m_index)].chainId; }
+int Fixture::GetChainIndex() const { return m_state->fixtures.info[Row(m_index)].chainIndex; }
 
 Body* Fixture::GetBody() { return &m_state->bodies.handles[Row(m_state->fixtures.body[Row(m_index)])]; }
 const Body* Fixture::GetBody() const { return const_cast<Fixture*>(this)->GetBody(); }
@@ -73,35 +70,46 @@ FixtureUserData& Fixture::GetUserData() { return m_state->fixtures.info[Row(m_in
 
 bool Fixture::TestPoint(Vec2 p) const { return GetShape()->TestPoint(GetBody()->GetTransform(), p); }
 bool Fixture::RayCast(RayCastOutput* output, const RayCastInput& input) const {
-    return GetShape()->RayCast(output, input, GetBody()->GetTransform());
+    Guard guard(*m_state, "Fixture::RayCast");
+    guard.NotNull(output != nullptr, "output", "pass where to write").Finite(input.p1, "RayCastInput::p1");
+    guard.Finite(input.p2, "RayCastInput::p2").Amount(input.maxFraction, "RayCastInput::maxFraction");
+    return !guard.Failed() && GetShape()->RayCast(output, input, GetBody()->GetTransform());
 }
-void Fixture::GetMassData(MassData* massData) const { GetShape()->ComputeMass(massData, GetDensity()); }
+void Fixture::GetMassData(MassData* massData) const {
+    Guard guard(*m_state, "Fixture::GetMassData");
+    if (guard.NotNull(massData != nullptr, "massData", "pass where to write").Failed()) return;
+    GetShape()->ComputeMass(massData, GetDensity());
+}
 
 ErrorCode Fixture::SetDensity(float density) {
-    const ErrorCode code = CheckMaterial(*m_state, density, false, "Fixture::SetDensity");
-    if (code == ErrorCode::ok) m_state->fixtures.info[Row(m_index)].density = density;
-    return code;
+    Guard guard(*m_state, "Fixture::SetDensity");
+    guard.Living(m_state->fixtures.slots, m_index).Amount(density, "density");
+    if (!guard.Failed()) m_state->fixtures.info[Row(m_index)].density = density;
+    return guard.Code();
 }
 float Fixture::GetDensity() const { return m_state->fixtures.info[Row(m_index)].density; }
 
 ErrorCode Fixture::SetFriction(float friction) {
-    const ErrorCode code = CheckMaterial(*m_state, friction, false, "Fixture::SetFriction");
-    if (code == ErrorCode::ok) m_state->fixtures.material[Row(m_index)].friction = friction;
-    return code;
+    Guard guard(*m_state, "Fixture::SetFriction");
+    guard.Living(m_state->fixtures.slots, m_index).Amount(friction, "friction");
+    if (!guard.Failed()) m_state->fixtures.material[Row(m_index)].friction = friction;
+    return guard.Code();
 }
 float Fixture::GetFriction() const { return m_state->fixtures.material[Row(m_index)].friction; }
 
 ErrorCode Fixture::SetRestitution(float restitution) {
-    const ErrorCode code = CheckMaterial(*m_state, restitution, true, "Fixture::SetRestitution");
-    if (code == ErrorCode::ok) m_state->fixtures.material[Row(m_index)].restitution = restitution;
-    return code;
+    Guard guard(*m_state, "Fixture::SetRestitution");
+    guard.Living(m_state->fixtures.slots, m_index).Finite(restitution, "restitution");
+    if (!guard.Failed()) m_state->fixtures.material[Row(m_index)].restitution = restitution;
+    return guard.Code();
 }
 float Fixture::GetRestitution() const { return m_state->fixtures.material[Row(m_index)].restitution; }
 
 ErrorCode Fixture::SetRestitutionThreshold(float threshold) {
-    const ErrorCode code = CheckMaterial(*m_state, threshold, false, "Fixture::SetRestitutionThreshold");
-    if (code == ErrorCode::ok) m_state->fixtures.material[Row(m_index)].restitutionThreshold = threshold;
-    return code;
+    Guard guard(*m_state, "Fixture::SetRestitutionThreshold");
+    guard.Living(m_state->fixtures.slots, m_index).Amount(threshold, "threshold");
+    if (!guard.Failed()) m_state->fixtures.material[Row(m_index)].restitutionThreshold = threshold;
+    return guard.Code();
 }
 float Fixture::GetRestitutionThreshold() const { return m_state->fixtures.material[Row(m_index)].restitutionThreshold; }
 

@@ -6,6 +6,7 @@
 #include "scree/inspect.h"
 
 #include <bit>
+#include <type_traits>
 
 #include "world/world_state.h"
 
@@ -47,6 +48,7 @@ void AddBodies(const BodyTable& bodies, Hasher& hash) {
         hash.Add(bodies.force[b].torque);
         hash.Add(bodies.mass[b].invMass);
         hash.Add(bodies.mass[b].invI);
+        hash.Add(bodies.mass[b].localCenter);
         hash.Add(bodies.motion[b].gravityScale);
         hash.Add(bodies.motion[b].linearDamping);
         hash.Add(bodies.motion[b].angularDamping);
@@ -54,6 +56,33 @@ void AddBodies(const BodyTable& bodies, Hasher& hash) {
         hash.Add(static_cast<uint64_t>(bodies.flags[b]) << 8 | bodies.type[b]);
         hash.Add(static_cast<uint64_t>(bodies.info[b].fixtureCount));
     }
+}
+
+void AddFixtures(const FixtureTable& fixtures, Hasher& hash) {
+    for (int fixture = 0; fixture < fixtures.slots.Size(); ++fixture) {
+        if (!fixtures.slots.IsAlive(fixture)) continue;
+        const auto f = static_cast<size_t>(fixture);
+        hash.Add(static_cast<uint64_t>(fixture) << 32 | static_cast<uint64_t>(fixtures.body[f]));
+        const Filter& filter = fixtures.filter[f];
+        hash.Add(static_cast<uint64_t>(filter.categoryBits) << 32 | static_cast<uint64_t>(filter.maskBits) << 16 |
+                 static_cast<uint16_t>(filter.groupIndex));
+        hash.Add(fixtures.material[f].friction);
+        hash.Add(fixtures.material[f].restitution);
+        hash.Add(fixtures.material[f].restitutionThreshold);
+        hash.Add(fixtures.info[f].density);
+        hash.Add(static_cast<uint64_t>(fixtures.isSensor[f]) << 1 | (fixtures.info[f].inBroadPhase ? 1u : 0u));
+        hash.Add(static_cast<uint64_t>(fixtures.info[f].chainId) << 32 |
+                 static_cast<uint32_t>(fixtures.info[f].chainIndex));
+    }
+}
+
+void AddSettings(const WorldState& s, Hasher& hash) {
+    hash.Add(s.def.gravity);
+    hash.Add(s.lastInverseDt);
+    const bool flags[] = {s.def.allowSleep,  s.def.warmStarting, s.def.continuousPhysics,
+                          s.def.subStepping, s.def.exactDrift,   s.autoClearForces,
+                          s.pairsStale};
+    for (const bool flag : flags) hash.Add(static_cast<uint64_t>(flag));
 }
 
 void AddContacts(const ContactTable& contacts, Hasher& hash) {
@@ -64,6 +93,10 @@ void AddContacts(const ContactTable& contacts, Hasher& hash) {
         hash.Add(static_cast<uint64_t>(contacts.pair[c].fixtureA) << 32 | contacts.pair[c].fixtureB);
         const Manifold& m = contacts.manifold[c];
         hash.Add(static_cast<uint64_t>(m.pointCount));
+        hash.Add(contacts.material[c].friction);
+        hash.Add(contacts.material[c].restitution);
+        hash.Add(contacts.material[c].restitutionThreshold);
+        hash.Add(contacts.material[c].tangentSpeed);
         for (int i = 0; i < m.pointCount; ++i) {
             hash.Add(m.points[i].localPoint);
             hash.Add(m.points[i].normalImpulse);
@@ -77,16 +110,19 @@ void AddJoints(const JointTable& joints, Hasher& hash) {
     for (int joint = 0; joint < joints.slots.Size(); ++joint) {
         if (!joints.slots.IsAlive(joint)) continue;
         const JointInfo& info = joints.info[static_cast<size_t>(joint)];
-        const RevoluteRow& row = joints.revolute[static_cast<size_t>(info.row)];
+        hash.Add(static_cast<uint64_t>(joint) << 8 | info.type);
         hash.Add(static_cast<uint64_t>(info.bodyA) << 32 | static_cast<uint64_t>(info.bodyB));
-        hash.Add(row.impulse);
-        hash.Add(row.motorImpulse);
-        hash.Add(row.lowerImpulse);
-        hash.Add(row.upperImpulse);
-        hash.Add(row.motorSpeed);
-        hash.Add(row.maxMotorTorque);
-        hash.Add(row.lowerAngle);
-        hash.Add(row.upperAngle);
+        hash.Add(static_cast<uint64_t>(info.collideConnected));
+        JointTable::WithStore(joints, info.type, [&](const auto& store) {
+            const auto& row = store.rows[static_cast<size_t>(info.row)];
+            row.Fields(row, [&](const auto& field) {
+                if constexpr (std::is_integral_v<std::remove_cvref_t<decltype(field)>>) {
+                    hash.Add(static_cast<uint64_t>(field));
+                } else {
+                    hash.Add(field);
+                }
+            });
+        });
     }
 }
 
@@ -109,11 +145,11 @@ MemoryUse GetMemoryUse(const World& world) {
     use.bodies = static_cast<size_t>(s.bodies.slots.Size()) * use.bytesPerBody;
     use.fixtures = s.fixtures.GetMemoryBytes();
     use.contacts = s.contacts.GetMemoryBytes();
-    use.joints = s.joints.info.size() * (sizeof(JointInfo) + sizeof(RevoluteRow) + sizeof(RevoluteJoint));
+    use.joints = s.joints.GetMemoryBytes();
     use.broadPhase = s.broadPhase->GetMemoryBytes() + s.pairs.capacity() * sizeof(Pair);
     use.solverScratch = s.solverScratch.contacts.velocity.capacity() * sizeof(ContactVelocityRow) +
                         s.solverScratch.contacts.position.capacity() * sizeof(ContactPositionRow) +
-                        s.solverScratch.joints.capacity() * sizeof(RevoluteConstraint) +
+                        s.solverScratch.joints.GetMemoryBytes() +
                         (s.islandScratch.first.capacity() + s.islandScratch.entries.capacity()) * sizeof(int);
     return use;
 }
@@ -121,6 +157,8 @@ MemoryUse GetMemoryUse(const World& world) {
 uint64_t GetStateHash(const World& world) {
     Hasher hash;
     AddBodies(world.GetState().bodies, hash);
+    AddFixtures(world.GetState().fixtures, hash);
+    AddSettings(world.GetState(), hash);
     AddContacts(world.GetState().contacts, hash);
     AddJoints(world.GetState().joints, hash);
     return hash.Get();

@@ -6,6 +6,8 @@
 #include "world/refresh.h"
 
 #include "pipeline/match_contacts.h"
+#include "pipeline/parts/destroy_contact.h"
+#include "world/guard.h"
 
 namespace scree {
 
@@ -13,19 +15,22 @@ namespace {
 
 MatchTables Tables(WorldState& s) { return {s.bodies, s.fixtures, s.joints, s.contacts}; }
 
+/// Destroys the contacts of a body that satisfy the predicate. Their rows are used again after the next pair finding.
 template <typename Predicate>
-void DestroyIf(WorldState& s, Predicate involves) {
-    DestroyContactsIf(involves, s.Events(), s.bodies, s.contacts);
-    s.contacts.Compact();
+void DestroyIf(WorldState& s, int body, Predicate involves) {
+    const WorldLock lock(s);
+    DestroyContactsOfBodyIf(body, involves, s.Events(), s.bodies, s.contacts);
 }
 
+/// The next step asks the filters again about these contacts, and about pairs that have none.
 template <typename Predicate>
-void RefilterIf(WorldState& s, Predicate involves) {
-    s.pairsStale = true;  // pairs that were refused may be allowed now
-    DestroyIf(s, [&](const ContactPair& p) {
-        return involves(p) &&
-               !MayHaveContact(static_cast<int>(p.fixtureA), static_cast<int>(p.fixtureB), s.Events(), Tables(s));
-    });
+void RefilterIf(WorldState& s, int body, Predicate involves) {
+    s.pairsStale = true;
+    for (const int c : s.contacts.OfBody(body)) {
+        if (s.contacts.IsAlive(c) && involves(s.contacts.pair[static_cast<size_t>(c)])) {
+            s.contacts.flags[static_cast<size_t>(c)] |= ContactFlag::refilter;
+        }
+    }
 }
 
 }  // namespace
@@ -59,22 +64,26 @@ void RemoveProxy(WorldState& s, int fixture) {
 
 void DestroyContactsOfFixture(WorldState& s, int fixture) {
     const auto f = static_cast<uint32_t>(fixture);
-    DestroyIf(s, [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
+    DestroyIf(s, s.fixtures.body[f], [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
+}
+
+void DestroyContactsOfChain(WorldState& s, int body, int chainId) {
+    DestroyIf(s, body, [&](const ContactPair& p) {
+        return s.fixtures.info[p.fixtureA].chainId == chainId || s.fixtures.info[p.fixtureB].chainId == chainId;
+    });
 }
 
 void DestroyContactsOfBody(WorldState& s, int body) {
-    DestroyIf(s, [body](const ContactPair& p) { return p.bodyA == body || p.bodyB == body; });
+    DestroyIf(s, body, [](const ContactPair&) { return true; });
 }
 
 void RefilterFixture(WorldState& s, int fixture) {
     const auto f = static_cast<uint32_t>(fixture);
-    RefilterIf(s, [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
+    RefilterIf(s, s.fixtures.body[f], [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
 }
 
 void RefilterBodies(WorldState& s, int bodyA, int bodyB) {
-    RefilterIf(s, [=](const ContactPair& p) {
-        return (p.bodyA == bodyA && p.bodyB == bodyB) || (p.bodyA == bodyB && p.bodyB == bodyA);
-    });
+    RefilterIf(s, bodyA, [=](const ContactPair& p) { return p.bodyA == bodyB || p.bodyB == bodyB; });
 }
 
 void ResetMass(WorldState& s, int body) {
@@ -105,9 +114,6 @@ void ResetMass(WorldState& s, int body) {
     if (info.mass > 0.0f) {
         row.invMass = 1.0f / info.mass;
         center *= row.invMass;
-    } else {
-        info.mass = 1.0f;  // Box2D's rule: a dynamic body has mass
-        row.invMass = 1.0f;
     }
     if (info.inertia > 0.0f && !s.bodies.Has(body, BodyFlag::fixedRotation)) {
         info.inertia -= info.mass * Dot(center, center);

@@ -14,10 +14,11 @@ void FindPairsAndMatch(WorldState& state);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
 void AddProxy(WorldState& state, int fixture);
 void RemoveProxy(WorldState& state, int fixture);
-/// Destroys the contacts of a fixture, or of a body, at once.
+/// Destroys the contacts of a fixture, of a chain of a body, or of a body, at once.
 void DestroyContactsOfFixture(WorldState& state, int fixture);
+void DestroyContactsOfChain(WorldState& state, int body, int chainId);
 void DestroyContactsOfBody(WorldState& state, int body);
-/// Asks the filters again about the contacts for which `involves` holds and destroys those that are refused now.
+/// Lets the next step ask the filters again about the contacts of a fixture, or between two bodies.
 void RefilterFixture(WorldState& state, int fixture);
 void RefilterBodies(WorldState& state, int bodyA, int bodyB);
 /// Mass, centre and inertia of a body from its fixtures.

@@ -3,14 +3,14 @@
 //
 // One step, as a table of contents of the pipeline.
 
-#include <cmath>
-
 #include "base/clock.h"
+#include "pipeline/continuous.h"
 #include "pipeline/find_islands.h"
 #include "pipeline/match_contacts.h"
 #include "pipeline/narrow_phase.h"
 #include "pipeline/solve_islands.h"
 #include "pipeline/update_boxes.h"
+#include "world/guard.h"
 #include "world/refresh.h"
 #include "world/world_state.h"
 
@@ -38,22 +38,39 @@ SolverSettings MakeSettings(const WorldState& s, float dt, int velocityIteration
             .gravity = s.def.gravity,
             .maxTranslation = s.def.maxTranslation,
             .maxRotation = s.def.maxRotation,
-            .allowSleep = s.def.allowSleep};
+            .allowSleep = s.def.allowSleep,
+            .exactDrift = s.def.exactDrift};
 }
 
-void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
+void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& report) {
+    const ContinuousReport done = SolveContinuous(
+        {settings.dt, settings.velocityIterations, settings.maxTranslation, settings.maxRotation, s.def.subStepping},
+        s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase}, s.continuousScratch);
+    report.continuousEventCount = done.events;
+    report.abandonedCount = done.abandoned;
+    report.lostTime = done.lostTime;
+}
+
+void SolveWholeStep(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
     FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     report.profile.islands = watch.Lap();
     const SolverCounts counts =
         SolveIslands(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
     report.profile.solver = watch.Lap();
-    RunBroadPhase(s);
-    report.profile.broadPhase += watch.Lap();
     report.cappedCount = counts.capped;
     report.nonFiniteCount = counts.nonFinite;
     report.isolatedBodyCount = static_cast<int>(s.islands.isolated.size());
     report.islandCount = static_cast<int>(s.islands.islands.size());
     report.awakeBodyCount = report.isolatedBodyCount + static_cast<int>(s.islands.bodies.size());
+}
+
+void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
+    // With sub-stepping a step may end after an event; this one then only goes on with the rest.
+    if (!s.continuousScratch.resuming) SolveWholeStep(s, settings, watch, report);
+    if (s.def.continuousPhysics) RunContinuous(s, settings, report);
+    report.profile.continuous = watch.Lap();
+    RunBroadPhase(s);
+    report.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
 }
 
@@ -61,34 +78,24 @@ void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, S
 
 StepReport World::Step(float timeStep, int velocityIterations, int positionIterations) {
     WorldState& s = *m_state;
-    const char* name = "World::Step";
-    if (s.locked) {
-        s.Refuse(ErrorCode::locked, name, "world", "call Step outside of callbacks");
-        return s.report;
-    }
-    if (!std::isfinite(timeStep))
-        return s.Refuse(ErrorCode::nonFinite, name, "timeStep", "give a finite time"), s.report;
-    if (timeStep < 0.0f)
-        return s.Refuse(ErrorCode::outOfRange, name, "timeStep", "give a time of at least 0"), s.report;
-    if (velocityIterations < 0)
-        return s.Refuse(ErrorCode::outOfRange, name, "velocityIterations", "give at least 0"), s.report;
-    if (positionIterations < 0)
-        return s.Refuse(ErrorCode::outOfRange, name, "positionIterations", "give at least 0"), s.report;
+    Guard guard(s, "World::Step");
+    guard.Unlocked("call Step outside of callbacks").Amount(timeStep, "timeStep");
+    guard.Require(velocityIterations >= 0, ErrorCode::outOfRange, "velocityIterations", "give at least 0");
+    guard.Require(positionIterations >= 0, ErrorCode::outOfRange, "positionIterations", "give at least 0");
+    if (guard.Failed()) return s.report;
 
     Stopwatch total;
     Stopwatch watch;
     StepReport report;
-    s.locked = true;
+    const WorldLock lock(s);
     if (s.pairsStale) FindPairsAndMatch(s);
-    RemoveContacts(s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts});
     report.profile.broadPhase = watch.Lap();
-    report.touchingCount = UpdateManifolds(s.fixtures, s.Events(), s.bodies, s.contacts);
+    report.touchingCount = UpdateManifolds(s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts});
     report.profile.narrowPhase = watch.Lap();
     if (timeStep > 0.0f) {
         Simulate(s, MakeSettings(s, timeStep, velocityIterations, positionIterations), watch, report);
     }
     if (s.autoClearForces) ClearForces();
-    s.locked = false;
 
     report.bodyCount = s.bodies.slots.Count();
     report.contactCount = s.contacts.Count();

@@ -50,6 +50,19 @@ Finding CheckEdge(const EdgeShape& edge) {
 
 }  // namespace
 
+Finding Check(const ChainShape& chain) {
+    if (chain.m_vertices.size() < 2)
+        return {ErrorCode::badShape, "ChainShape::m_vertices", "call CreateLoop or CreateChain first"};
+    if (!chain.m_prevVertex.IsValid()) return NotFinite("ChainShape::m_prevVertex");
+    if (!chain.m_nextVertex.IsValid()) return NotFinite("ChainShape::m_nextVertex");
+    for (int i = 0; i < chain.GetChildCount(); ++i) {
+        EdgeShape edge;
+        chain.GetChildEdge(&edge, i);
+        if (const Finding bad = CheckEdge(edge)) return {bad.code, "ChainShape::m_vertices", bad.cure};
+    }
+    return {};
+}
+
 Finding Check(const Shape& shape) {
     if (const Finding radius = CheckAmount(shape.m_radius, "Shape::m_radius")) return radius;
     switch (shape.GetType()) {
@@ -63,8 +76,10 @@ Finding Check(const Shape& shape) {
             return CheckEdge(static_cast<const EdgeShape&>(shape));
         case Shape::e_polygon:
             return CheckPolygon(static_cast<const PolygonShape&>(shape));
+        case Shape::e_chain:
+            return Check(static_cast<const ChainShape&>(shape));
         default:
-            return {ErrorCode::badShape, "Shape::m_type", "use CircleShape, EdgeShape or PolygonShape"};
+            return {ErrorCode::badShape, "Shape::m_type", "use a shape of this library"};
     }
 }
 
@@ -87,27 +102,6 @@ Finding Check(const FixtureDef& def) {
                  CheckFinite(std::isfinite(def.restitution), "FixtureDef::restitution"),
                  CheckAmount(def.restitutionThreshold, "FixtureDef::restitutionThreshold"),
                  CheckAmount(def.density, "FixtureDef::density"));
-}
-
-Finding Check(const RevoluteJointDef& def, const WorldState& state) {
-    if (def.bodyA == nullptr) return {ErrorCode::nullArgument, "JointDef::bodyA", "set both bodies"};
-    if (def.bodyB == nullptr) return {ErrorCode::nullArgument, "JointDef::bodyB", "set both bodies"};
-    if (!Owns(state, def.bodyA))
-        return {ErrorCode::foreignHandle, "JointDef::bodyA", "use a living body of this world"};
-    if (!Owns(state, def.bodyB))
-        return {ErrorCode::foreignHandle, "JointDef::bodyB", "use a living body of this world"};
-    if (def.bodyA == def.bodyB) return {ErrorCode::outOfRange, "JointDef::bodyB", "join two different bodies"};
-    const Finding numbers = First(CheckFinite(def.localAnchorA.IsValid(), "RevoluteJointDef::localAnchorA"),
-                                  CheckFinite(def.localAnchorB.IsValid(), "RevoluteJointDef::localAnchorB"),
-                                  CheckFinite(std::isfinite(def.referenceAngle), "RevoluteJointDef::referenceAngle"),
-                                  CheckFinite(std::isfinite(def.lowerAngle), "RevoluteJointDef::lowerAngle"),
-                                  CheckFinite(std::isfinite(def.upperAngle), "RevoluteJointDef::upperAngle"),
-                                  CheckFinite(std::isfinite(def.motorSpeed), "RevoluteJointDef::motorSpeed"),
-                                  CheckAmount(def.maxMotorTorque, "RevoluteJointDef::maxMotorTorque"));
-    if (numbers) return numbers;
-    if (def.lowerAngle > def.upperAngle)
-        return {ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle", "keep it at or below upperAngle"};
-    return {};
 }
 
 Finding Check(const WorldDef& def) {
@@ -138,7 +132,7 @@ bool Owns(const WorldState& state, const Fixture* fixture) {
 bool Owns(const WorldState& state, const Joint* joint) {
     if (joint == nullptr) return false;
     const int index = joint->GetIndex();
-    return state.joints.slots.IsAlive(index) && state.joints.handles[static_cast<size_t>(index)].get() == joint;
+    return state.joints.slots.IsAlive(index) && state.joints.handles[static_cast<size_t>(index)] == joint;
 }
 
 }  // namespace scree

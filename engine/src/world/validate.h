@@ -19,9 +19,9 @@ struct Finding {
 
 Finding Check(const BodyDef& def);
 Finding Check(const FixtureDef& def);
-Finding Check(const RevoluteJointDef& def, const WorldState& state);
 Finding Check(const WorldDef& def);
 Finding Check(const Shape& shape);
+Finding Check(const ChainShape& chain);
 
 /// True if the handle is alive and belongs to this world.
 bool Owns(const WorldState& state, const Body* body);

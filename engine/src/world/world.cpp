@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The world object: creation and destruction, settings, lists, queries.
+// The world object: creation and destruction, settings, lists. Queries and drawing have files of their own.
 
 #include "scree/world.h"
 
 #include <cstdio>
 
+#include "world/guard.h"
+#include "world/joints/joint_definitions.h"
 #include "world/refresh.h"
-#include "world/validate.h"
 
 namespace scree {
 
@@ -16,6 +17,13 @@ namespace {
 
 void WriteError(const Error& error, void*) {
     std::fprintf(stderr, "scree: %s: %s: %s; %s\n", error.function, error.field, GetName(error.code), error.cure);
+}
+
+template <typename Object>
+void SayGoodbye(WorldState& s, Object* object) {
+    if (s.destructionListener == nullptr) return;
+    const WorldLock lock(s);
+    s.destructionListener->SayGoodbye(object);
 }
 
 }  // namespace
@@ -64,15 +72,20 @@ ErrorCode World::DestroyBody(Body* body) {
     if (!Owns(s, body)) return s.Refuse(ErrorCode::foreignHandle, name, "body", "pass a living body of this world");
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy bodies outside of Step");
     const int index = body->GetIndex();
-    while (s.bodies.info[static_cast<size_t>(index)].jointCount > 0) {
-        DestroyJoint(s.joints.handles[static_cast<size_t>(s.joints.OfBody(index)[0])].get());
+    BodyInfo& info = s.bodies.info[static_cast<size_t>(index)];
+    for (int j = s.joints.OfBody(index).Front(); j >= 0; j = s.joints.OfBody(index).Front()) {
+        Joint* joint = s.joints.handles[static_cast<size_t>(j)];
+        SayGoodbye(s, joint);
+        DestroyJoint(joint);
     }
     DestroyContactsOfBody(s, index);
-    for (int f = s.bodies.info[static_cast<size_t>(index)].fixtureHead; f >= 0;) {
-        const int next = s.fixtures.info[static_cast<size_t>(f)].next;
-        RemoveProxy(s, f);
-        s.fixtures.Remove(f);
-        f = next;
+    while (info.fixtureHead >= 0) {
+        const int fixture = info.fixtureHead;
+        SayGoodbye(s, &s.fixtures.handles[static_cast<size_t>(fixture)]);
+        RemoveProxy(s, fixture);
+        info.fixtureHead = s.fixtures.info[static_cast<size_t>(fixture)].next;
+        --info.fixtureCount;
+        s.fixtures.Remove(fixture);
     }
     s.bodies.Remove(index);
     return ErrorCode::ok;
@@ -83,17 +96,7 @@ Joint* World::CreateJoint(const JointDef* def) {
     const char* name = "World::CreateJoint";
     if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a joint definition"), nullptr;
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create joints outside of Step"), nullptr;
-    if (def->type != e_revoluteJoint) {
-        return s.Refuse(ErrorCode::outOfRange, name, "JointDef::type", "use a joint definition of this library"),
-               nullptr;
-    }
-    const auto& revolute = static_cast<const RevoluteJointDef&>(*def);
-    if (const Finding bad = Check(revolute, s)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
-    const int index = s.joints.AddRevolute(&s, revolute);
-    ++s.bodies.info[static_cast<size_t>(def->bodyA->GetIndex())].jointCount;
-    ++s.bodies.info[static_cast<size_t>(def->bodyB->GetIndex())].jointCount;
-    if (!def->collideConnected) RefilterBodies(s, def->bodyA->GetIndex(), def->bodyB->GetIndex());
-    return s.joints.handles[static_cast<size_t>(index)].get();
+    return AddJoint(s, *def);
 }
 
 ErrorCode World::DestroyJoint(Joint* joint) {
@@ -102,18 +105,19 @@ ErrorCode World::DestroyJoint(Joint* joint) {
     if (joint == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "joint", "pass a joint");
     if (!Owns(s, joint)) return s.Refuse(ErrorCode::foreignHandle, name, "joint", "pass a living joint of this world");
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
-    const JointInfo info = s.joints.info[static_cast<size_t>(joint->GetIndex())];
-    s.joints.Remove(joint->GetIndex());
-    for (const int body : {info.bodyA, info.bodyB}) {
-        --s.bodies.info[static_cast<size_t>(body)].jointCount;
-        s.bodies.Wake(body);
+    const int index = joint->GetIndex();
+    for (int gear = FindGearOf(s, index); gear >= 0; gear = FindGearOf(s, index)) {
+        SayGoodbye(s, s.joints.handles[static_cast<size_t>(gear)]);
+        RemoveJoint(s, gear);
     }
-    if (!info.collideConnected) s.pairsStale = true;  // their pairs may have contacts again
+    RemoveJoint(s, index);
     return ErrorCode::ok;
 }
 
 const StepReport& World::GetReport() const { return m_state->report; }
+const Profile& World::GetProfile() const { return m_state->report.profile; }
 
+void World::SetDestructionListener(DestructionListener* listener) { m_state->destructionListener = listener; }
 void World::SetContactListener(ContactListener* listener) { m_state->listener = listener; }
 
 void World::SetContactFilter(ContactFilter* filter) {
@@ -150,6 +154,12 @@ bool World::GetAllowSleeping() const { return m_state->def.allowSleep; }
 
 void World::SetWarmStarting(bool flag) { m_state->def.warmStarting = flag; }
 bool World::GetWarmStarting() const { return m_state->def.warmStarting; }
+void World::SetContinuousPhysics(bool flag) { m_state->def.continuousPhysics = flag; }
+bool World::GetContinuousPhysics() const { return m_state->def.continuousPhysics; }
+void World::SetSubStepping(bool flag) { m_state->def.subStepping = flag; }
+bool World::GetSubStepping() const { return m_state->def.subStepping; }
+void World::SetExactDrift(bool flag) { m_state->def.exactDrift = flag; }
+bool World::GetExactDrift() const { return m_state->def.exactDrift; }
 bool World::IsLocked() const { return m_state->locked; }
 
 Body* World::GetBodyList() {
@@ -160,13 +170,13 @@ const Body* World::GetBodyList() const { return const_cast<World*>(this)->GetBod
 
 Joint* World::GetJointList() {
     const int head = m_state->joints.listHead;
-    return head < 0 ? nullptr : m_state->joints.handles[static_cast<size_t>(head)].get();
+    return head < 0 ? nullptr : m_state->joints.handles[static_cast<size_t>(head)];
 }
 
 Contact* World::GetContactList() {
     ContactTable& contacts = m_state->contacts;
-    for (int c = 0; c < contacts.Size(); ++c) {
-        if (contacts.Has(c, ContactFlag::alive)) return contacts.Handle(m_state.get(), c);
+    for (int c = contacts.Size(); c-- > 0;) {
+        if (contacts.IsAlive(c)) return contacts.Handle(m_state.get(), c);
     }
     return nullptr;
 }
@@ -176,28 +186,6 @@ int World::GetJointCount() const { return m_state->joints.slots.Count(); }
 int World::GetContactCount() const { return m_state->contacts.Count(); }
 int World::GetFixtureCount() const { return m_state->fixtures.slots.Count(); }
 int World::GetProxyCount() const { return m_state->broadPhase->GetProxyCount(); }
-
-ErrorCode World::QueryAABB(const AABB& aabb, const std::function<bool(Fixture*)>& visit) {
-    WorldState& s = *m_state;
-    if (!aabb.IsValid())
-        return s.Refuse(ErrorCode::outOfRange, "World::QueryAABB", "aabb", "give finite bounds with lower ≤ upper");
-    s.broadPhase->Query(aabb, [&](uint32_t f) { return visit(&s.fixtures.handles[f]); });
-    return ErrorCode::ok;
-}
-
-ErrorCode World::RayCast(Vec2 p1, Vec2 p2, const std::function<float(Fixture*, Vec2, Vec2, float)>& visit) {
-    WorldState& s = *m_state;
-    if (!p1.IsValid() || !p2.IsValid())
-        return s.Refuse(ErrorCode::nonFinite, "World::RayCast", "p1, p2", "give finite points");
-    s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t f) {
-        RayCastOutput hit;
-        Fixture& fixture = s.fixtures.handles[f];
-        if (!fixture.RayCast(&hit, input)) return input.maxFraction;
-        const Vec2 point = (1.0f - hit.fraction) * input.p1 + hit.fraction * input.p2;
-        return visit(&fixture, point, hit.normal, hit.fraction);
-    });
-    return ErrorCode::ok;
-}
 
 bool ContactFilter::ShouldCollide(Fixture* fixtureA, Fixture* fixtureB) {
     const Filter& a = fixtureA->GetFilterData();

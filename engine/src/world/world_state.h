@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "broad_phase/broad_phase.h"
+#include "pipeline/continuous.h"
 #include "pipeline/find_islands.h"
 #include "pipeline/solve_islands.h"
 #include "scree/world.h"
@@ -36,14 +37,17 @@ struct WorldState {
     IslandTable islands;
     IslandScratch islandScratch;
     SolverScratch solverScratch;
+    ContinuousScratch continuousScratch;
 
+    DestructionListener* destructionListener = nullptr;
     ContactListener* listener = nullptr;
     ContactFilter defaultFilter;
     ContactFilter* filter = &defaultFilter;
     ErrorHandler errorHandler = nullptr;
     void* errorContext = nullptr;
+    Draw* draw = nullptr;
 
-    bool locked = false;
+    bool locked = false;  ///< callbacks are running: nothing may be created, destroyed or moved
     bool autoClearForces = true;
     float lastInverseDt = 0.0f;
     StepReport report;

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A gear between two revolute or prismatic joints: coordinate1 + ratio·coordinate2 stays constant, where a coordinate
+// is a joint angle (rad) or a translation (m).
+
+#pragma once
+
+#include "scree/joint.h"
+
+namespace scree {
+
+struct GearRow;
+
+/// Input for a gear joint.
+struct GearJointDef : JointDef {
+    GearJointDef() : JointDef(e_gearJoint) {}
+
+    Joint* joint1 = nullptr;  ///< revolute or prismatic; its body B becomes this joint's body A
+    Joint* joint2 = nullptr;  ///< revolute or prismatic; its body B becomes this joint's body B, another one
+    float ratio = 1.0f;       ///< not 0; in units of coordinate1 / coordinate2
+};
+
+/// A gear joint. It lives no longer than its two joints: destroying one of them (or a body under it) destroys the gear
+/// first.
+class GearJoint final : public Joint {
+public:
+    [[nodiscard]] Vec2 GetAnchorA() const override;
+    [[nodiscard]] Vec2 GetAnchorB() const override;
+    [[nodiscard]] Vec2 GetReactionForce(float inverseDt) const override;
+    [[nodiscard]] float GetReactionTorque(float inverseDt) const override;
+    [[nodiscard]] Joint* GetJoint1() const;
+    [[nodiscard]] Joint* GetJoint2() const;
+    /// Keeps the constant of creation: the joints move to the coordinates that fit the new ratio. Does not wake.
+    ErrorCode SetRatio(float ratio);
+    [[nodiscard]] float GetRatio() const;
+
+    GearJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+
+private:
+    [[nodiscard]] GearRow& Row() const;
+};
+
+}  // namespace scree

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What world queries take and give. Every query runs against the broad phase in use, then against the exact shapes.
+
+#pragma once
+
+#include <cstdint>
+
+#include "scree/math.h"
+
+namespace scree {
+
+class Fixture;
+
+/// Which fixtures a query sees.
+struct QueryFilter {
+    uint16_t maskBits = 0xFFFF;  ///< categories that are seen; 0xFFFF sees all, even fixtures of no category
+    bool includeSensors = true;
+};
+
+/// One fixture on a ray.
+struct RayHit {
+    Fixture* fixture;
+    Vec2 point;      ///< where the ray enters
+    Vec2 normal;     ///< unit, out of the fixture
+    float fraction;  ///< of the ray, 0…1
+};
+
+/// One fixture in the way of a moving shape.
+struct ShapeHit {
+    Fixture* fixture;
+    Vec2 point;      ///< of touch
+    Vec2 normal;     ///< unit, out of the fixture; zero if the shape overlaps it from the start
+    float fraction;  ///< of the translation, 0…1
+};
+
+/// Box2D 2.4's form of World::QueryAABB's visitor.
+class QueryCallback {
+public:
+    virtual ~QueryCallback() = default;
+    /// False ends the query.
+    virtual bool ReportFixture(Fixture* fixture) = 0;
+};
+
+/// Box2D 2.4's form of World::RayCast's visitor.
+class RayCastCallback {
+public:
+    virtual ~RayCastCallback() = default;
+    /// −1 ignores the fixture, 0 ends the cast, `fraction` shortens the ray to this hit, 1 goes on.
+    virtual float ReportFixture(Fixture* fixture, const Vec2& point, const Vec2& normal, float fraction) = 0;
+};
+
+}  // namespace scree

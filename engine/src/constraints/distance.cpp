@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Phases of the distance joint. Two points that coincide have no line between them: the velocity rows rest for that
+// step and start anew; the position iterations pull the points apart.
+
+#include "constraints/distance.h"
+
+#include <limits>
+
+#include "constraints/joint_phases.h"
+
+namespace scree {
+
+namespace {
+
+bool IsRod(const DistanceRow& row) { return row.limit.lower >= row.limit.upper; }
+
+/// The line from A's anchor to B's, of length 1; zero if it has no direction, being `shortest` or less.
+AxisRow MakeLine(const Arms& arms, float length, float shortest) {
+    const Vec2 axis = length > shortest ? (1.0f / length) * arms.gap : vec2Zero;
+    return {axis, Cross(arms.a, axis), Cross(arms.b, axis)};
+}
+
+}  // namespace
+
+void Prepare(const JointInput& in, DistanceRow& row, DistanceConstraint& c) {
+    c.pair = MakePair(in);
+    const Arms arms = MakeArms(c.pair, PoseOf(c.pair, in.bodies), row.localAnchorA, row.localAnchorB);
+    c.length = arms.gap.Length();
+    c.along = MakeLine(arms, c.length, linearSlop);
+    row.axis = c.along.axis;
+    const float inverse = InverseMass(c.pair, c.along);
+    c.mass = InverseOrZero(inverse);
+    c.spring = {};
+    if (row.stiffness > 0.0f && !IsRod(row) && inverse > 0.0f) {
+        c.spring = MakeSpring({row.stiffness, row.damping, c.length - row.length, inverse}, in.step.dt);
+    } else if (!IsRod(row)) {
+        row.impulse = 0.0f;
+    }
+    const float scale = c.mass > 0.0f ? in.step.impulseScale : 0.0f;
+    row.impulse = Scaled(row.impulse, scale);
+    ScaleLimit(row.limit, scale);
+}
+
+void WarmStart(const DistanceConstraint& c, const DistanceRow& row, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    Apply(c.pair, c.along, row.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
+    Store(c.pair, v, velocity);
+}
+
+void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
+                   std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    if (IsRod(row)) {
+        const float impulse = -c.mass * Speed(c.along, v);
+        row.impulse += impulse;
+        Apply(c.pair, c.along, impulse, v);
+    } else {
+        if (c.spring.mass > 0.0f) Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.impulse), v);
+        SolveLimits(c.pair, c.along, row.limit, v, {c.length, c.mass, step.inverseDt});
+    }
+    Store(c.pair, v, velocity);
+}
+
+bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, std::vector<Position>& position) {
+    PairPosition pose = Load(c.pair, position);
+    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    const float length = arms.gap.Length();
+    const float error = length - Clamp(length, row.limit.lower, row.limit.upper);
+    const AxisRow line = MakeLine(arms, length, std::numeric_limits<float>::min());
+    const float mass = c.mass > 0.0f ? c.mass : InverseOrZero(InverseMass(c.pair, line));
+    Apply(c.pair, line, -mass * error, pose);
+    Store(c.pair, pose, position);
+    return Abs(error) < linearSlop;
+}
+
+const JointPhases distancePhases = MakePhases<DistanceRow, DistanceConstraint>();
+
+}  // namespace scree

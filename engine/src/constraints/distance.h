@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The distance joint as a constraint along the line between two points: a rod, or a spring inside a range of lengths,
+// by sequential impulses.
+
+#pragma once
+
+#include "constraints/joint_math.h"
+
+namespace scree {
+
+/// What the iterations of one distance joint need. Scratch of one step.
+struct DistanceConstraint {
+    int row;  ///< in the joint's table
+    JointPair pair;
+    AxisRow along;
+    float mass;  ///< effective, along the line
+    Spring spring;
+    float length;  ///< at the start of the step, m
+};
+
+/// Masses and arms of this step; scales the stored impulses.
+void Prepare(const JointInput& in, DistanceRow& row, DistanceConstraint& c);
+void WarmStart(const DistanceConstraint& c, const DistanceRow& row, std::vector<Velocity>& velocity);
+void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
+                   std::vector<Velocity>& velocity);
+/// True if the joint's errors are within the slop.
+bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, std::vector<Position>& position);
+
+}  // namespace scree

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The gear joint as a constraint: one row over the coordinates of two joints and so over up to four bodies, by
+// sequential impulses.
+
+#pragma once
+
+#include "constraints/joint_math.h"
+
+namespace scree {
+
+/// What the iterations of one gear joint need. Scratch of one step.
+struct GearConstraint {
+    int row;  ///< in the joint's table
+    struct Side {
+        int body, against;
+        MassRow mass, againstMass;
+        Vec2 axis;              ///< of the push per unit of impulse; opposite on the other body
+        float arm, againstArm;  ///< of the turns
+    };
+    Side side[2];
+    float mass;   ///< effective; 0: nothing can move
+    bool active;  ///< all four bodies are enabled
+};
+
+/// Masses and arms of this step; scales the stored impulses.
+void Prepare(const JointInput& in, GearRow& row, GearConstraint& c);
+void WarmStart(const GearConstraint& c, const GearRow& row, std::vector<Velocity>& velocity);
+void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+/// True if the joint's errors are within the slop.
+bool SolvePosition(const GearConstraint& c, const GearRow& row, std::vector<Position>& position);
+
+}  // namespace scree

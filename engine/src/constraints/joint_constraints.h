@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Scratch of all joint types, kept between steps: constraints by type, and the order in which they are solved as runs
+// of neighbours of one type, so that a run costs one call.
+
+#pragma once
+
+#include <tuple>
+#include <vector>
+
+#include "constraints/distance.h"
+#include "constraints/friction.h"
+#include "constraints/gear.h"
+#include "constraints/motor.h"
+#include "constraints/mouse.h"
+#include "constraints/prismatic.h"
+#include "constraints/pulley.h"
+#include "constraints/revolute.h"
+#include "constraints/weld.h"
+#include "constraints/wheel.h"
+
+namespace scree {
+
+/// Constraints [begin, end) of one type.
+struct JointRun {
+    JointType type;
+    int begin, end;
+};
+
+struct JointConstraints {
+    std::vector<JointRun> runs;
+    std::tuple<std::vector<RevoluteConstraint>, std::vector<PrismaticConstraint>, std::vector<DistanceConstraint>,
+               std::vector<PulleyConstraint>, std::vector<MouseConstraint>, std::vector<GearConstraint>,
+               std::vector<WheelConstraint>, std::vector<WeldConstraint>, std::vector<FrictionConstraint>,
+               std::vector<MotorConstraint>>
+        byType;
+
+    void Clear() {
+        runs.clear();
+        std::apply([](auto&... constraints) { (constraints.clear(), ...); }, byType);
+    }
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        size_t bytes = runs.capacity() * sizeof(JointRun);
+        std::apply([&](const auto&... c) { ((bytes += c.capacity() * sizeof(c[0])), ...); }, byType);
+        return bytes;
+    }
+};
+
+}  // namespace scree

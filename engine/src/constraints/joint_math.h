@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Building blocks of joints for sequential impulses (Catto, "Iterative Dynamics with Temporal Coherence", 2005): one
+// row of a Jacobian, a shared point as a 2×2 block, one-sided limits, bounded motors, and springs as soft constraints
+// (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
+
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "state/bodies.h"
+#include "state/joints.h"
+
+/// The iterations only run at full speed if both bodies stay in registers, which takes inlining all the way down.
+#if defined(__GNUC__)
+#define SCREE_INLINE [[gnu::always_inline]] inline
+#else
+#define SCREE_INLINE inline
+#endif
+
+namespace scree {
+
+/// What joints need to know of a step.
+struct JointStep {
+    float dt, inverseDt;
+    float impulseScale;  ///< of warm starting: dt / last dt, 0 without
+};
+
+/// What Prepare reads.
+struct JointInput {
+    const JointStep& step;
+    const BodyTable& bodies;
+    const JointInfo& info;
+};
+
+/// The two bodies of a joint.
+struct JointPair {
+    int a, b;
+    MassRow massA, massB;
+};
+
+/// Velocities or positions of both while they are being changed.
+template <typename T>
+struct PairState {
+    T a, b;
+};
+using PairVelocity = PairState<Velocity>;
+using PairPosition = PairState<Position>;
+
+inline JointPair MakePair(const JointInput& in) {
+    return {in.info.bodyA, in.info.bodyB, in.bodies.mass[static_cast<size_t>(in.info.bodyA)],
+            in.bodies.mass[static_cast<size_t>(in.info.bodyB)]};
+}
+
+inline PairPosition PoseOf(const JointPair& p, const BodyTable& bodies) {
+    return {bodies.position[static_cast<size_t>(p.a)], bodies.position[static_cast<size_t>(p.b)]};
+}
+
+/// Number by number: the next joint reads what this one wrote, and a wide read of narrow writes has to wait for them.
+inline void Copy(const Velocity& from, Velocity& to) { to.v.x = from.v.x, to.v.y = from.v.y, to.w = from.w; }
+inline void Copy(const Position& from, Position& to) { to.c.x = from.c.x, to.c.y = from.c.y, to.a = from.a; }
+
+template <typename T>
+SCREE_INLINE PairState<T> Load(const JointPair& p, const std::vector<T>& column) {
+    PairState<T> state;
+    Copy(column[static_cast<size_t>(p.a)], state.a);
+    Copy(column[static_cast<size_t>(p.b)], state.b);
+    return state;
+}
+
+/// Bodies without mass are not written: they cannot change, and many joints may share one.
+template <typename T>
+SCREE_INLINE void Store(const JointPair& p, const PairState<T>& state, std::vector<T>& column) {
+    if (p.massA.invMass > 0.0f) Copy(state.a, column[static_cast<size_t>(p.a)]);
+    if (p.massB.invMass > 0.0f) Copy(state.b, column[static_cast<size_t>(p.b)]);
+}
+
+SCREE_INLINE void Push(const MassRow& mass, Vec2 impulse, float turn, Velocity& body) {
+    body.v += mass.invMass * impulse;
+    body.w += mass.invI * turn;
+}
+SCREE_INLINE void Push(const MassRow& mass, Vec2 impulse, float turn, Position& body) {
+    body.c += mass.invMass * impulse;
+    body.a += mass.invI * turn;
+}
+
+/// Impulses of the last step as the first guess of this one. What is not finite would stay so for ever: start anew.
+inline float Scaled(float impulse, float scale) { return std::isfinite(impulse) ? impulse * scale : 0.0f; }
+inline Vec2 Scaled(Vec2 impulse, float scale) { return impulse.IsValid() ? scale * impulse : vec2Zero; }
+
+/// 1 / x, 0 for 0: nothing moves where there is no mass to move.
+inline float InverseOrZero(float x) { return x > 0.0f ? 1.0f / x : 0.0f; }
+
+/// The arms of both anchors from the centres of mass, and how far apart the anchors are.
+struct Arms {
+    Vec2 a, b;
+    Vec2 gap;  ///< from A's anchor to B's
+};
+inline Arms MakeArms(const JointPair& p, const PairPosition& pose, Vec2 localAnchorA, Vec2 localAnchorB) {
+    const Vec2 a = Mul(Rot(pose.a.a), localAnchorA - p.massA.localCenter);
+    const Vec2 b = Mul(Rot(pose.b.a), localAnchorB - p.massB.localCenter);
+    return {a, b, pose.b.c + b - pose.a.c - a};
+}
+
+/// One row of a Jacobian: its speed is axis·(vB − vA) + armB·wB − armA·wA.
+struct AxisRow {
+    Vec2 axis{0.0f, 0.0f};
+    float armA = 0.0f, armB = 0.0f;
+};
+
+/// Relative turning.
+inline constexpr AxisRow turning{{0.0f, 0.0f}, 1.0f, 1.0f};
+
+/// Sliding along an axis that is fixed in A: A's arm reaches to B's anchor.
+inline AxisRow MakeSlide(const Arms& arms, Vec2 axis) {
+    return {axis, Cross(arms.gap + arms.a, axis), Cross(arms.b, axis)};
+}
+
+SCREE_INLINE float Speed(const AxisRow& row, const PairVelocity& v) {
+    return Dot(row.axis, v.b.v - v.a.v) + row.armB * v.b.w - row.armA * v.a.w;
+}
+
+/// 1 / (effective mass) of two rows against each other; of one row for i = j.
+inline float Coupling(const JointPair& p, const AxisRow& i, const AxisRow& j) {
+    return (p.massA.invMass + p.massB.invMass) * Dot(i.axis, j.axis) + p.massA.invI * i.armA * j.armA +
+           p.massB.invI * i.armB * j.armB;
+}
+inline float InverseMass(const JointPair& p, const AxisRow& row) { return Coupling(p, row, row); }
+
+template <typename T>
+SCREE_INLINE void Apply(const JointPair& p, const AxisRow& row, float impulse, PairState<T>& state) {
+    Push(p.massA, -impulse * row.axis, -impulse * row.armA, state.a);
+    Push(p.massB, impulse * row.axis, impulse * row.armB, state.b);
+}
+
+/// Both anchors together: an impulse at the point, equal and opposite.
+template <typename T>
+SCREE_INLINE void ApplyPoint(const JointPair& p, const Arms& arms, Vec2 impulse, PairState<T>& state) {
+    Push(p.massA, -impulse, -Cross(arms.a, impulse), state.a);
+    Push(p.massB, impulse, Cross(arms.b, impulse), state.b);
+}
+SCREE_INLINE Vec2 PointSpeed(const Arms& arms, const PairVelocity& v) {
+    return v.b.v + Cross(v.b.w, arms.b) - v.a.v - Cross(v.a.w, arms.a);
+}
+/// Inverse effective mass of the point.
+inline Mat22 PointMatrix(const JointPair& p, const Arms& arms) {
+    const float m = p.massA.invMass + p.massB.invMass;
+    const float iA = p.massA.invI, iB = p.massB.invI;
+    Mat22 k;
+    k.ex.x = m + iA * arms.a.y * arms.a.y + iB * arms.b.y * arms.b.y;
+    k.ex.y = -iA * arms.a.x * arms.a.y - iB * arms.b.x * arms.b.y;
+    k.ey.x = k.ex.y;
+    k.ey.y = m + iA * arms.a.x * arms.a.x + iB * arms.b.x * arms.b.x;
+    return k;
+}
+
+/// Adds to an accumulated impulse that may only push (≥ 0); returns the change. A gap ≥ 0 may be closed within the step
+/// but not beyond.
+SCREE_INLINE float SolveLimit(float& accumulated, float speed, float gap, float inverseDt, float mass) {
+    const float total = Max(accumulated - mass * (speed + Max(gap, 0.0f) * inverseDt), 0.0f);
+    const float change = total - accumulated;
+    accumulated = total;
+    return change;
+}
+
+/// Adds to an accumulated impulse of either sign, at most `most`; returns the change.
+SCREE_INLINE float SolveBounded(float& accumulated, float impulse, float most) {
+    const float total = Clamp(accumulated + impulse, -most, most);
+    const float change = total - accumulated;
+    accumulated = total;
+    return change;
+}
+/// The same for a vector, by its length.
+SCREE_INLINE Vec2 SolveBounded(Vec2& accumulated, Vec2 impulse, float most) {
+    Vec2 total = accumulated + impulse;
+    const float squared = total.LengthSquared();
+    if (squared > most * most) total *= most / std::sqrt(squared);
+    const Vec2 change = total - accumulated;
+    accumulated = total;
+    return change;
+}
+
+/// A spring in one row, as an implicit Euler step: the row gives way by gamma per unit of impulse.
+struct Spring {
+    float gamma = 0.0f;
+    float bias = 0.0f;  ///< m/s or rad/s
+    float mass = 0.0f;  ///< effective, of the softened row
+};
+struct SpringInput {
+    float stiffness, damping;
+    float error;        ///< of the coordinate, m or rad
+    float inverseMass;  ///< of the rigid row
+};
+inline Spring MakeSpring(const SpringInput& in, float dt) {
+    Spring s;
+    s.gamma = InverseOrZero(dt * (in.damping + dt * in.stiffness));
+    s.bias = in.error * dt * in.stiffness * s.gamma;
+    s.mass = InverseOrZero(in.inverseMass + s.gamma);
+    return s;
+}
+/// Adds to the accumulated impulse; returns the change.
+SCREE_INLINE float SolveSpring(const Spring& spring, float speed, float& accumulated) {
+    const float change = -spring.mass * (speed + spring.bias + spring.gamma * accumulated);
+    accumulated += change;
+    return change;
+}
+
+/// Solves a symmetric 3×3 system by Cramer's rule; rows and columns x, y, z. Zero for a singular matrix.
+struct Symmetric3 {
+    float xx, xy, xz, yy, yz, zz;
+};
+struct Three {
+    float x, y, z;
+};
+inline Three Solve(const Symmetric3& m, const Three& b) {
+    const float cx = m.yy * m.zz - m.yz * m.yz;
+    const float cy = m.xz * m.yz - m.xy * m.zz;
+    const float cz = m.xy * m.yz - m.xz * m.yy;
+    float det = m.xx * cx + m.xy * cy + m.xz * cz;
+    if (det != 0.0f) det = 1.0f / det;
+    const float dyy = m.xx * m.zz - m.xz * m.xz;
+    const float dyz = m.xy * m.xz - m.xx * m.yz;
+    const float dzz = m.xx * m.yy - m.xy * m.xy;
+    return {det * (cx * b.x + cy * b.y + cz * b.z), det * (cy * b.x + dyy * b.y + dyz * b.z),
+            det * (cz * b.x + dyz * b.y + dzz * b.z)};
+}
+
+/// How far a coordinate is outside its range, with its sign: what the position iterations remove. A range narrower than
+/// two slops counts as a single value.
+inline float LimitError(const LimitState& limit, float coordinate, float slop) {
+    if (limit.upper - limit.lower < 2.0f * slop) return coordinate - limit.lower;
+    return coordinate - Clamp(coordinate, limit.lower, limit.upper);
+}
+
+inline void ClearLimit(LimitState& limit) { limit.lowerImpulse = limit.upperImpulse = 0.0f; }
+inline void ScaleLimit(LimitState& limit, float scale) {
+    limit.lowerImpulse = Scaled(limit.lowerImpulse, scale);
+    limit.upperImpulse = Scaled(limit.upperImpulse, scale);
+}
+
+struct LimitInput {
+    float coordinate;  ///< at the start of the step
+    float mass;        ///< effective, of the row
+    float inverseDt;
+};
+/// Solves both ends of a limited row.
+SCREE_INLINE void SolveLimits(const JointPair& p, const AxisRow& row, LimitState& limit, PairVelocity& v,
+                              const LimitInput& in) {
+    Apply(p, row, SolveLimit(limit.lowerImpulse, Speed(row, v), in.coordinate - limit.lower, in.inverseDt, in.mass), v);
+    Apply(p, row, -SolveLimit(limit.upperImpulse, -Speed(row, v), limit.upper - in.coordinate, in.inverseDt, in.mass),
+          v);
+}
+
+}  // namespace scree

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The four phases of a joint type behind function pointers: what a row of the dispatch table is, and how it is made
+// from the free functions Prepare, WarmStart, SolveVelocity and SolvePosition of a type.
+
+#pragma once
+
+#include "constraints/joint_constraints.h"
+
+namespace scree {
+
+/// What the phases work on.
+struct JointTask {
+    JointStep step;
+    BodyTable& bodies;
+    JointTable& joints;
+    JointConstraints& scratch;
+};
+
+struct JointPhases {
+    /// Appends the constraint of one joint and returns its number.
+    int (*prepare)(const JointTask& task, int joint);
+    void (*warmStart)(const JointTask& task, const JointRun& run);
+    void (*solveVelocity)(const JointTask& task, const JointRun& run);
+    /// True if every joint of the run is within tolerance.
+    bool (*solvePosition)(const JointTask& task, const JointRun& run);
+};
+
+template <typename Constraint>
+std::vector<Constraint>& ConstraintsOf(const JointTask& task) {
+    return std::get<std::vector<Constraint>>(task.scratch.byType);
+}
+
+/// Calls visit(constraint, row) along a run.
+template <typename Row, typename Constraint, typename Visit>
+void ForEach(const JointTask& task, const JointRun& run, Visit&& visit) {
+    std::vector<Row>& rows = task.joints.Store<Row>().rows;
+    const std::vector<Constraint>& constraints = ConstraintsOf<Constraint>(task);
+    for (int i = run.begin; i < run.end; ++i) {
+        const Constraint& c = constraints[static_cast<size_t>(i)];
+        visit(c, rows[static_cast<size_t>(c.row)]);
+    }
+}
+
+template <typename Row, typename Constraint>
+constexpr JointPhases MakePhases() {
+    JointPhases phases;
+    phases.prepare = [](const JointTask& task, int joint) {
+        const JointInfo& info = task.joints.info[static_cast<size_t>(joint)];
+        std::vector<Constraint>& constraints = ConstraintsOf<Constraint>(task);
+        Constraint& c = constraints.emplace_back();
+        c.row = info.row;
+        const JointInput input{task.step, task.bodies, info};
+        Prepare(input, task.joints.Store<Row>().rows[static_cast<size_t>(info.row)], c);
+        return static_cast<int>(constraints.size()) - 1;
+    };
+    phases.warmStart = [](const JointTask& task, const JointRun& run) {
+        ForEach<Row, Constraint>(task, run,
+                                 [&](const Constraint& c, Row& row) { WarmStart(c, row, task.bodies.velocity); });
+    };
+    phases.solveVelocity = [](const JointTask& task, const JointRun& run) {
+        ForEach<Row, Constraint>(
+            task, run, [&](const Constraint& c, Row& row) { SolveVelocity(c, row, task.step, task.bodies.velocity); });
+    };
+    phases.solvePosition = [](const JointTask& task, const JointRun& run) {
+        bool solved = true;
+        ForEach<Row, Constraint>(task, run, [&](const Constraint& c, Row& row) {
+            solved = SolvePosition(c, row, task.bodies.position) && solved;
+        });
+        return solved;
+    };
+    return phases;
+}
+
+extern const JointPhases revolutePhases, prismaticPhases, distancePhases, pulleyPhases, mousePhases, gearPhases,
+    wheelPhases, weldPhases, frictionPhases, motorPhases;
+
+}  // namespace scree

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Dispatch to the phases of each joint type by a table indexed with JointType.
+
+#include "constraints/joint_solver.h"
+
+#include <array>
+
+namespace scree {
+
+namespace {
+
+const JointPhases& PhasesOf(JointType type) {
+    static constexpr std::array<const JointPhases*, e_motorJoint + 1> table = {
+        nullptr,     &revolutePhases, &prismaticPhases, &distancePhases, &pulleyPhases, &mousePhases,
+        &gearPhases, &wheelPhases,    &weldPhases,      &frictionPhases, nullptr,       &motorPhases};
+    return *table[type];
+}
+
+}  // namespace
+
+void PrepareJoints(const JointTask& task, std::span<const int> joints) {
+    task.scratch.Clear();
+    std::vector<JointRun>& runs = task.scratch.runs;
+    for (const int joint : joints) {
+        const JointType type = task.joints.info[static_cast<size_t>(joint)].type;
+        const int number = PhasesOf(type).prepare(task, joint);
+        if (runs.empty() || runs.back().type != type) runs.push_back({type, number, number});
+        runs.back().end = number + 1;
+    }
+    for (const JointRun& run : runs) PhasesOf(run.type).warmStart(task, run);
+}
+
+void SolveJointVelocities(const JointTask& task) {
+    for (const JointRun& run : task.scratch.runs) PhasesOf(run.type).solveVelocity(task, run);
+}
+
+bool SolveJointPositions(const JointTask& task) {
+    bool solved = true;
+    for (const JointRun& run : task.scratch.runs) solved = PhasesOf(run.type).solvePosition(task, run) && solved;
+    return solved;
+}
+
+}  // namespace scree

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The joints of an island, whatever their types: prepare, iterate on velocities, iterate on positions.
+
+#pragma once
+
+#include <span>
+
+#include "constraints/joint_phases.h"
+
+namespace scree {
+
+/// Makes the constraints of these joints, in this order, and warm-starts them.
+void PrepareJoints(const JointTask& task, std::span<const int> joints);
+/// One iteration each.
+void SolveJointVelocities(const JointTask& task);
+/// True if every joint is within tolerance.
+bool SolveJointPositions(const JointTask& task);
+
+}  // namespace scree

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The mouse joint as a constraint: a soft point of body B at a world target with a bounded force, by sequential
+// impulses.
+
+#pragma once
+
+#include "constraints/joint_math.h"
+
+namespace scree {
+
+/// What the iterations of one mouse joint need. Scratch of one step.
+struct MouseConstraint {
+    int row;  ///< in the joint's table
+    int body;
+    MassRow mass;
+    Vec2 arm;        ///< from the centre of mass to the held point
+    Mat22 softMass;  ///< effective mass of the softened point
+    Vec2 bias;       ///< m/s
+    float gamma;
+};
+
+/// Masses and arms of this step; scales the stored impulses.
+void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c);
+void WarmStart(const MouseConstraint& c, const MouseRow& row, std::vector<Velocity>& velocity);
+void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+/// True if the joint's errors are within the slop.
+bool SolvePosition(const MouseConstraint& c, const MouseRow& row, std::vector<Position>& position);
+
+}  // namespace scree

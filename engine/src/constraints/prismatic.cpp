@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Phases of the prismatic joint. Position errors across and along the axis and of the angle are removed together when a
+// limit is touched, because they share the bodies' rotation.
+
+#include "constraints/prismatic.h"
+
+#include "constraints/joint_phases.h"
+
+namespace scree {
+
+namespace {
+
+/// Both bodies may have fixed rotation: their angle row then has no mass and must not make the block singular.
+float TurnCoupling(const JointPair& p) {
+    const float k = InverseMass(p, turning);
+    return k > 0.0f ? k : 1.0f;
+}
+
+}  // namespace
+
+void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c) {
+    c.pair = MakePair(in);
+    const PairPosition pose = PoseOf(c.pair, in.bodies);
+    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    row.axis = Mul(Rot(pose.a.a), row.localAxisA);
+    c.along = MakeSlide(arms, row.axis);
+    c.across = MakeSlide(arms, row.axis.Skew());
+    c.alongMass = InverseOrZero(InverseMass(c.pair, c.along));
+    const float mixed = Coupling(c.pair, c.across, turning);
+    c.k.ex = {InverseMass(c.pair, c.across), mixed};
+    c.k.ey = {mixed, TurnCoupling(c.pair)};
+    c.translation = Dot(row.axis, arms.gap);
+    if (!row.limit.enabled) ClearLimit(row.limit);
+    if (!row.motor.enabled) row.motor.impulse = 0.0f;
+    row.impulse = Scaled(row.impulse, in.step.impulseScale);
+    row.motor.impulse = Scaled(row.motor.impulse, in.step.impulseScale);
+    ScaleLimit(row.limit, in.step.impulseScale);
+}
+
+void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    Apply(c.pair, c.along, row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
+    Apply(c.pair, c.across, row.impulse.x, v);
+    Apply(c.pair, turning, row.impulse.y, v);
+    Store(c.pair, v, velocity);
+}
+
+void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
+                   std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    if (row.motor.enabled) {
+        const float impulse = c.alongMass * (row.motor.speed - Speed(c.along, v));
+        Apply(c.pair, c.along, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);
+    }
+    if (row.limit.enabled) SolveLimits(c.pair, c.along, row.limit, v, {c.translation, c.alongMass, step.inverseDt});
+    const Vec2 impulse = c.k.Solve(-Vec2(Speed(c.across, v), Speed(turning, v)));
+    row.impulse += impulse;
+    Apply(c.pair, c.across, impulse.x, v);
+    Apply(c.pair, turning, impulse.y, v);
+    Store(c.pair, v, velocity);
+}
+
+bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Position>& position) {
+    PairPosition pose = Load(c.pair, position);
+    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    const Vec2 axis = Mul(Rot(pose.a.a), row.localAxisA);
+    const AxisRow along = MakeSlide(arms, axis), across = MakeSlide(arms, axis.Skew());
+    const Vec2 error{Dot(across.axis, arms.gap), pose.b.a - pose.a.a - row.referenceAngle};
+    const float limitError = row.limit.enabled ? LimitError(row.limit, Dot(axis, arms.gap), linearSlop) : 0.0f;
+    const Symmetric3 k{InverseMass(c.pair, across), Coupling(c.pair, across, turning), Coupling(c.pair, across, along),
+                       TurnCoupling(c.pair),        Coupling(c.pair, turning, along),  InverseMass(c.pair, along)};
+    Three impulse{0.0f, 0.0f, 0.0f};
+    if (limitError != 0.0f) {
+        impulse = Solve(k, {-error.x, -error.y, -limitError});
+    } else {
+        const Vec2 two = Mat22{{k.xx, k.xy}, {k.xy, k.yy}}.Solve(-error);
+        impulse = {two.x, two.y, 0.0f};
+    }
+    Apply(c.pair, across, impulse.x, pose);
+    Apply(c.pair, turning, impulse.y, pose);
+    Apply(c.pair, along, impulse.z, pose);
+    Store(c.pair, pose, position);
+    return Max(Abs(error.x), Abs(limitError)) <= linearSlop && Abs(error.y) <= angularSlop;
+}
+
+const JointPhases prismaticPhases = MakePhases<PrismaticRow, PrismaticConstraint>();
+
+}  // namespace scree

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The prismatic joint as a constraint: no offset across the axis and no turning (2×2 block), a motor and two limits
+// along the axis, by sequential impulses.
+
+#pragma once
+
+#include "constraints/joint_math.h"
+
+namespace scree {
+
+/// What the iterations of one prismatic joint need. Scratch of one step.
+struct PrismaticConstraint {
+    int row;  ///< in the joint's table
+    JointPair pair;
+    AxisRow along, across;
+    Mat22 k;            ///< inverse effective mass of (across, turning)
+    float alongMass;    ///< effective mass of sliding
+    float translation;  ///< at the start of the step, m
+};
+
+/// Masses and arms of this step; scales the stored impulses.
+void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c);
+void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Velocity>& velocity);
+void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
+                   std::vector<Velocity>& velocity);
+/// True if the joint's errors are within the slop.
+bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Position>& position);
+
+}  // namespace scree

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The pulley joint as a constraint: one row over the two parts of the rope, each pulling its body towards a fixed
+// point, by sequential impulses.
+
+#pragma once
+
+#include "constraints/joint_math.h"
+
+namespace scree {
+
+/// What the iterations of one pulley joint need. Scratch of one step.
+struct PulleyConstraint {
+    int row;  ///< in the joint's table
+    JointPair pair;
+    Vec2 axisA, axisB;  ///< from the ground anchors to the bodies; zero for a rope that is hauled in
+    float armA, armB;   ///< turning of the bodies about their centres of mass per unit along these axes, m
+    float mass;         ///< effective
+};
+
+/// Masses and arms of this step; scales the stored impulses.
+void Prepare(const JointInput& in, PulleyRow& row, PulleyConstraint& c);
+void WarmStart(const PulleyConstraint& c, const PulleyRow& row, std::vector<Velocity>& velocity);
+void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+/// True if the joint's errors are within the slop.
+bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, std::vector<Position>& position);
+
+}  // namespace scree

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Phases of the weld joint.
+
+#include "constraints/weld.h"
+
+#include "constraints/joint_phases.h"
+
+namespace scree {
+
+namespace {
+
+Symmetric3 WeldMatrix(const JointPair& p, const Arms& arms, const Mat22& point) {
+    const float iA = p.massA.invI, iB = p.massB.invI;
+    return {point.ex.x, point.ex.y, -iA * arms.a.y - iB * arms.b.y, point.ey.y, iA * arms.a.x + iB * arms.b.x, iA + iB};
+}
+
+/// Impulses that remove speeds or errors of the point and the angle; the angle is left out if nothing can turn.
+Three SolveBlock(const Symmetric3& k, const Mat22& point, Vec2 linear, float angular) {
+    if (k.zz > 0.0f) return Solve(k, {-linear.x, -linear.y, -angular});
+    const Vec2 two = point.Solve(-linear);
+    return {two.x, two.y, 0.0f};
+}
+
+template <typename T>
+void ApplyBlock(const WeldConstraint& c, const Arms& arms, const Three& impulse, PairState<T>& state) {
+    ApplyPoint(c.pair, arms, {impulse.x, impulse.y}, state);
+    Apply(c.pair, turning, impulse.z, state);
+}
+
+}  // namespace
+
+void Prepare(const JointInput& in, WeldRow& row, WeldConstraint& c) {
+    c.pair = MakePair(in);
+    const PairPosition pose = PoseOf(c.pair, in.bodies);
+    c.arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    c.point = PointMatrix(c.pair, c.arms);
+    c.k = WeldMatrix(c.pair, c.arms, c.point);
+    c.soft = row.stiffness > 0.0f;
+    c.spring = {};
+    if (c.soft) {
+        const float angle = pose.b.a - pose.a.a - row.referenceAngle;
+        c.spring = MakeSpring({row.stiffness, row.damping, angle, InverseMass(c.pair, turning)}, in.step.dt);
+    }
+    row.impulse = Scaled(row.impulse, in.step.impulseScale);
+    row.turnImpulse = Scaled(row.turnImpulse, in.step.impulseScale);
+}
+
+void WarmStart(const WeldConstraint& c, const WeldRow& row, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    ApplyBlock(c, c.arms, {row.impulse.x, row.impulse.y, row.turnImpulse}, v);
+    Store(c.pair, v, velocity);
+}
+
+void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep&, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    if (c.soft) {
+        Apply(c.pair, turning, SolveSpring(c.spring, Speed(turning, v), row.turnImpulse), v);
+        const Vec2 impulse = c.point.Solve(-PointSpeed(c.arms, v));
+        row.impulse += impulse;
+        ApplyPoint(c.pair, c.arms, impulse, v);
+    } else {
+        const Three impulse = SolveBlock(c.k, c.point, PointSpeed(c.arms, v), Speed(turning, v));
+        row.impulse += Vec2(impulse.x, impulse.y);
+        row.turnImpulse += impulse.z;
+        ApplyBlock(c, c.arms, impulse, v);
+    }
+    Store(c.pair, v, velocity);
+}
+
+bool SolvePosition(const WeldConstraint& c, const WeldRow& row, std::vector<Position>& position) {
+    PairPosition pose = Load(c.pair, position);
+    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    const Mat22 point = PointMatrix(c.pair, arms);
+    float angularError = 0.0f;
+    if (c.soft) {
+        ApplyPoint(c.pair, arms, point.Solve(-arms.gap), pose);
+    } else {
+        const float angle = pose.b.a - pose.a.a - row.referenceAngle;
+        ApplyBlock(c, arms, SolveBlock(WeldMatrix(c.pair, arms, point), point, arms.gap, angle), pose);
+        angularError = Abs(angle);
+    }
+    Store(c.pair, pose, position);
+    return arms.gap.Length() <= linearSlop && angularError <= angularSlop;
+}
+
+const JointPhases weldPhases = MakePhases<WeldRow, WeldConstraint>();
+
+}  // namespace scree

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The weld joint as a constraint: a shared point and a shared angle (3×3 block), or a rigid point with an angular
+// spring, by sequential impulses.
+
+#pragma once
+
+#include "constraints/joint_math.h"
+
+namespace scree {
+
+/// What the iterations of one weld joint need. Scratch of one step.
+struct WeldConstraint {
+    int row;  ///< in the joint's table
+    JointPair pair;
+    Arms arms;
+    Mat22 point;   ///< inverse effective mass of the point
+    Symmetric3 k;  ///< of the point and the angle
+    Spring spring;
+    bool soft;  ///< angle by the spring
+};
+
+/// Masses and arms of this step; scales the stored impulses.
+void Prepare(const JointInput& in, WeldRow& row, WeldConstraint& c);
+void WarmStart(const WeldConstraint& c, const WeldRow& row, std::vector<Velocity>& velocity);
+void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+/// True if the joint's errors are within the slop.
+bool SolvePosition(const WeldConstraint& c, const WeldRow& row, std::vector<Position>& position);
+
+}  // namespace scree

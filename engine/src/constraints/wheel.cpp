@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Phases of the wheel joint.
+
+#include "constraints/wheel.h"
+
+#include "constraints/joint_phases.h"
+
+namespace scree {
+
+void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c) {
+    c.pair = MakePair(in);
+    const PairPosition pose = PoseOf(c.pair, in.bodies);
+    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    row.axis = Mul(Rot(pose.a.a), row.localAxisA);
+    c.along = MakeSlide(arms, row.axis);
+    c.across = MakeSlide(arms, row.axis.Skew());
+    const float alongInverse = InverseMass(c.pair, c.along);
+    c.acrossMass = InverseOrZero(InverseMass(c.pair, c.across));
+    c.alongMass = InverseOrZero(alongInverse);
+    c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
+    c.translation = Dot(row.axis, arms.gap);
+    c.spring = {};
+    if (row.stiffness > 0.0f && alongInverse > 0.0f) {
+        c.spring = MakeSpring({row.stiffness, row.damping, c.translation, alongInverse}, in.step.dt);
+    } else {
+        row.springImpulse = 0.0f;
+    }
+    if (!row.limit.enabled) ClearLimit(row.limit);
+    if (!row.motor.enabled) row.motor.impulse = 0.0f;
+    row.impulse = Scaled(row.impulse, in.step.impulseScale);
+    row.springImpulse = Scaled(row.springImpulse, in.step.impulseScale);
+    row.motor.impulse = Scaled(row.motor.impulse, in.step.impulseScale);
+    ScaleLimit(row.limit, in.step.impulseScale);
+}
+
+void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    Apply(c.pair, c.across, row.impulse, v);
+    Apply(c.pair, c.along, row.springImpulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
+    Apply(c.pair, turning, row.motor.impulse, v);
+    Store(c.pair, v, velocity);
+}
+
+void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    if (c.spring.mass > 0.0f) Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.springImpulse), v);
+    if (row.motor.enabled) {
+        const float impulse = -c.turnMass * (Speed(turning, v) - row.motor.speed);
+        Apply(c.pair, turning, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);
+    }
+    if (row.limit.enabled) SolveLimits(c.pair, c.along, row.limit, v, {c.translation, c.alongMass, step.inverseDt});
+    const float impulse = -c.acrossMass * Speed(c.across, v);
+    row.impulse += impulse;
+    Apply(c.pair, c.across, impulse, v);
+    Store(c.pair, v, velocity);
+}
+
+bool SolvePosition(const WheelConstraint& c, const WheelRow& row, std::vector<Position>& position) {
+    PairPosition pose = Load(c.pair, position);
+    float limitError = 0.0f;
+    if (row.limit.enabled) {
+        const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+        // Arms along the axis of the step's start and, below, effective masses of then: the iteration has the same end
+        // without its Jacobian, and Box2D's bodies come to rest in the same places.
+        AxisRow along = MakeSlide(arms, row.axis);
+        along.axis = Mul(Rot(pose.a.a), row.localAxisA);
+        limitError = LimitError(row.limit, Dot(along.axis, arms.gap), linearSlop);
+        Apply(c.pair, along, -limitError * InverseOrZero(InverseMass(c.pair, along)), pose);
+    }
+    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    const AxisRow across = MakeSlide(arms, Mul(Rot(pose.a.a), row.localAxisA).Skew());
+    const float error = Dot(across.axis, arms.gap);
+    Apply(c.pair, across, -error * c.acrossMass, pose);
+    Store(c.pair, pose, position);
+    return Max(Abs(error), Abs(limitError)) <= linearSlop;
+}
+
+const JointPhases wheelPhases = MakePhases<WheelRow, WheelConstraint>();
+
+}  // namespace scree

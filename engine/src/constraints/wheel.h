@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The wheel joint as a constraint: no offset across the axis, a spring and two limits along it, a motor that turns the
+// wheel, by sequential impulses.
+
+#pragma once
+
+#include "constraints/joint_math.h"
+
+namespace scree {
+
+/// What the iterations of one wheel joint need. Scratch of one step.
+struct WheelConstraint {
+    int row;  ///< in the joint's table
+    JointPair pair;
+    AxisRow along, across;
+    float acrossMass, alongMass, turnMass;  ///< effective
+    Spring spring;
+    float translation;  ///< at the start of the step, m
+};
+
+/// Masses and arms of this step; scales the stored impulses.
+void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c);
+void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Velocity>& velocity);
+void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+/// True if the joint's errors are within the slop.
+bool SolvePosition(const WheelConstraint& c, const WheelRow& row, std::vector<Position>& position);
+
+}  // namespace scree

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Farthest vertex plus radius; faces against a way.
+
+#include "geometry/reach.h"
+
+namespace scree {
+
+float Reach(const Shape& shape, Vec2 center) {
+    float farthest = 0.0f;
+    switch (shape.GetType()) {
+        case Shape::e_circle:
+            farthest = DistanceSquared(static_cast<const CircleShape&>(shape).m_p, center);
+            break;
+        case Shape::e_edge: {
+            const auto& edge = static_cast<const EdgeShape&>(shape);
+            farthest = Max(DistanceSquared(edge.m_vertex1, center), DistanceSquared(edge.m_vertex2, center));
+            break;
+        }
+        default: {
+            const auto& polygon = static_cast<const PolygonShape&>(shape);
+            for (int i = 0; i < polygon.m_count; ++i) {
+                farthest = Max(farthest, DistanceSquared(polygon.m_vertices[i], center));
+            }
+            break;
+        }
+    }
+    return std::sqrt(farthest) + shape.m_radius;
+}
+
+bool WayIsClear(const Shape& shape, const Transform& xf, Vec2 from, Vec2 to, float radius) {
+    const Vec2 a = MulT(xf, from);
+    const Vec2 b = MulT(xf, to);
+    const float reach = radius + shape.m_radius;
+    switch (shape.GetType()) {
+        case Shape::e_polygon: {
+            const auto& polygon = static_cast<const PolygonShape&>(shape);
+            for (int i = 0; i < polygon.m_count; ++i) {
+                const Vec2 n = polygon.m_normals[i];
+                const float face = Dot(n, polygon.m_vertices[i]);
+                if (Min(Dot(n, a), Dot(n, b)) - face > reach) return true;
+            }
+            return false;
+        }
+        case Shape::e_edge: {
+            const auto& edge = static_cast<const EdgeShape&>(shape);
+            Vec2 n = edge.m_vertex2 - edge.m_vertex1;
+            n = Vec2{n.y, -n.x};
+            if (n.Normalize() == 0.0f) return false;
+            const float line = Dot(n, edge.m_vertex1);
+            const float sideA = Dot(n, a) - line;
+            const float sideB = Dot(n, b) - line;
+            return Min(sideA, sideB) > reach || Max(sideA, sideB) < -reach;
+        }
+        default:
+            return false;
+    }
+}
+
+}  // namespace scree

@@ -1,0 +1,417 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Candidates, events in order of time, and the solve of one event.
+
+#include "pipeline/continuous.h"
+
+#include <algorithm>
+
+#include "geometry/reach.h"
+#include "pipeline/parts/contact_update.h"
+#include "pipeline/parts/make_contact.h"
+#include "pipeline/parts/report_impulses.h"
+#include "scree/time_of_impact.h"
+
+namespace scree {
+
+namespace {
+
+/// Box2D's: enough for the two bodies alone to come apart.
+constexpr int positionIterations = 20;
+/// Overlap left by the position iterations, m: half a slop more than they aim at.
+constexpr float positionTolerance = -1.5f * linearSlop;
+
+size_t Row(int index) { return static_cast<size_t>(index); }
+
+/// Where a body was before an event was tried.
+struct BodyBackup {
+    int body;
+    Position start, end;
+    Transform transform;
+    float alpha;
+};
+
+class ContinuousSolver {
+public:
+    ContinuousSolver(const ContinuousSettings& settings, const ContactEvents& events, ContinuousTables tables,
+                     ContinuousScratch& scratch)
+        : m_settings(settings), m_events(events), m_t(tables), m_bodies(tables.bodies), m_s(scratch) {}
+
+    ContinuousReport Run() {
+        Begin();
+        FindCandidates();
+        while (!m_s.events.Empty()) {
+            const int pair = m_s.events.Top();
+            const float alpha = m_s.events.TopKey();
+            m_s.events.Remove(pair);
+            if (m_s.pairs[Row(pair)].rounds >= maxSubSteps) {
+                Abandon(pair, alpha);
+            } else if (HandleEvent(pair, alpha) && m_settings.subStepping) {
+                m_report.complete = m_s.events.Empty();
+                break;
+            }
+        }
+        End();
+        return m_report;
+    }
+
+private:
+    void Begin() {
+        const size_t count = Row(m_bodies.slots.Size());
+        m_s.pairs.clear();
+        m_s.events.Clear();
+        m_s.firstPair.resize(count, -1);
+        m_s.alpha.resize(count, 0.0f);
+        for (const int body : m_s.touched) {
+            m_s.firstPair[Row(body)] = -1;
+            if (!m_s.resuming) m_s.alpha[Row(body)] = 0.0f;
+        }
+        m_s.touched.clear();
+    }
+
+    void End() { m_s.resuming = !m_report.complete; }
+
+    [[nodiscard]] bool IsBullet(int body) const { return m_bodies.Has(body, BodyFlag::bullet); }
+    [[nodiscard]] bool IsDynamic(int body) const { return m_bodies.type[Row(body)] == dynamicBody; }
+
+    /// Non-bullet dynamic bodies pass through each other.
+    [[nodiscard]] bool MayMeet(int bodyA, int bodyB) const {
+        if (!IsDynamic(bodyA) && !IsDynamic(bodyB)) return false;
+        return !IsDynamic(bodyA) || !IsDynamic(bodyB) || IsBullet(bodyA) || IsBullet(bodyB);
+    }
+
+    /// However slow, since a body that is pressed down may creep through by less than a slop a step.
+    [[nodiscard]] bool Moves(int body) const {
+        const Position& from = m_bodies.startPosition[Row(body)];
+        const Position& to = m_bodies.position[Row(body)];
+        return !(from.c == to.c) || from.a != to.a;
+    }
+
+    void FindCandidates() {
+        for (const int body : m_bodies.movers) {
+            if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
+            m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
+        }
+        if (m_dynamicTargets) SweepBoxes();
+        for (const int body : m_bodies.movers) {
+            if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
+            if (!IsDynamic(body)) {
+                CollectPairs(body, true);  // even at rest: what hits it looks only for static fixtures
+            } else if (m_bodies.IsActive(body) && Moves(body)) {
+                CollectPairs(body, IsBullet(body));
+            }
+        }
+    }
+
+    /// Gives the dynamic bodies boxes that cover their motion, when someone can hit them.
+    void SweepBoxes() {
+        for (const int body : m_bodies.movers) {
+            if (m_bodies.IsActive(body)) SweepBoxesOf(body);
+        }
+    }
+
+    void SweepBoxesOf(int body) {
+        for (int f = m_bodies.info[Row(body)].fixtureHead; f >= 0; f = m_t.fixtures.info[Row(f)].next) {
+            m_t.broadPhase.Update(static_cast<uint32_t>(f), SweptBox(body, f), vec2Zero);
+        }
+    }
+
+    /// Covers the fixture on its whole way: the boxes at both ends, widened by how far a turning point leaves the
+    /// straight line between its ends.
+    [[nodiscard]] AABB SweptBox(int body, int fixture) const {
+        const Sweep sweep = SweepOf(body);
+        const Shape& shape = *m_t.fixtures.shape[Row(fixture)];
+        Transform xf = m_bodies.transform[Row(body)];  // at the end
+        AABB box, start;
+        shape.ComputeAABB(&box, xf);
+        if (sweep.a0 != sweep.a) xf.q.Set(sweep.a0);
+        xf.p = sweep.c0 - Mul(xf.q, sweep.localCenter);
+        shape.ComputeAABB(&start, xf);
+        box.Combine(start);
+        const float turn = Abs(sweep.a - sweep.a0);
+        if (turn > 0.0f) {
+            const float reach = Reach(shape, sweep.localCenter);
+            const float bulge = turn < pi ? reach * (1.0f - SinCos(0.5f * turn).cos) : 2.0f * reach;
+            box.lowerBound -= Vec2{bulge, bulge};
+            box.upperBound += Vec2{bulge, bulge};
+        }
+        return box;
+    }
+
+    [[nodiscard]] Sweep SweepOf(int body) const {
+        Sweep sweep;
+        sweep.localCenter = m_bodies.mass[Row(body)].localCenter;
+        sweep.c0 = m_bodies.startPosition[Row(body)].c;
+        sweep.a0 = m_bodies.startPosition[Row(body)].a;
+        sweep.c = m_bodies.position[Row(body)].c;
+        sweep.a = m_bodies.position[Row(body)].a;
+        sweep.alpha0 = m_s.alpha[Row(body)];
+        return sweep;
+    }
+
+    /// Makes the pairs of a body with everything on its way and puts their events into the heap.
+    void CollectPairs(int body, bool withDynamic) {
+        for (int f = m_bodies.info[Row(body)].fixtureHead; f >= 0; f = m_t.fixtures.info[Row(f)].next) {
+            if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
+            m_s.found.clear();
+            const auto visit = [&](uint32_t other) {
+                m_s.found.push_back(static_cast<int>(other));
+                return true;
+            };
+            const AABB box = SweptBox(body, f);
+            withDynamic ? m_t.broadPhase.Query(box, visit) : m_t.broadPhase.QueryStatic(box, visit);
+            std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
+            for (const int other : m_s.found) AddPair(f, other);
+        }
+    }
+
+    void AddPair(int fixture, int other) {
+        const int body = m_t.fixtures.body[Row(fixture)];
+        const int otherBody = m_t.fixtures.body[Row(other)];
+        if (otherBody == body || m_t.fixtures.isSensor[Row(other)] || !MayMeet(body, otherBody)) return;
+        if (m_bodies.type[Row(otherBody)] == staticBody && IsClear(fixture, other)) return;
+        if (IsKnown(body, fixture, other)) return;
+        const int contact = m_t.contacts.Find(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
+        if (contact >= 0 ? !m_t.contacts.Has(contact, ContactFlag::enabled)
+                         : !MayHaveContact(std::min(fixture, other), std::max(fixture, other), m_events, m_t.fixtures,
+                                           m_t.joints)) {
+            return;
+        }
+        const int index = static_cast<int>(m_s.pairs.size());
+        for (const int b : {body, otherBody}) {
+            if (m_s.firstPair[Row(b)] < 0) m_s.touched.push_back(b);
+        }
+        m_s.pairs.push_back(
+            {fixture, other, body, otherBody, 0, m_s.firstPair[Row(body)], m_s.firstPair[Row(otherBody)], false});
+        m_s.firstPair[Row(body)] = index;
+        m_s.firstPair[Row(otherBody)] = index;
+        UpdateEvent(index);
+    }
+
+    /// Spares the search for a time of impact where boxes overlap but shapes are far apart, as with slanted slabs.
+    [[nodiscard]] bool IsClear(int fixture, int other) const {
+        const auto body = Row(m_t.fixtures.body[Row(fixture)]);
+        const float reach = Reach(*m_t.fixtures.shape[Row(fixture)], m_bodies.mass[body].localCenter);
+        return WayIsClear(*m_t.fixtures.shape[Row(other)], m_bodies.transform[Row(m_t.fixtures.body[Row(other)])],
+                          m_bodies.startPosition[body].c, m_bodies.position[body].c, reach);
+    }
+
+    [[nodiscard]] bool IsKnown(int body, int fixture, int other) const {
+        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) {
+            const ToiPair& pair = m_s.pairs[Row(p)];
+            if ((pair.fixtureA == fixture && pair.fixtureB == other) ||
+                (pair.fixtureA == other && pair.fixtureB == fixture)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    [[nodiscard]] int Next(int pair, int body) const {
+        const ToiPair& p = m_s.pairs[Row(pair)];
+        return p.bodyA == body ? p.nextA : p.nextB;
+    }
+
+    /// Computes when the pair meets and puts, moves or takes out its event.
+    void UpdateEvent(int index) {
+        const ToiPair& pair = m_s.pairs[Row(index)];
+        const float alpha = pair.over ? 1.0f : TimeOf(pair);
+        if (alpha >= 1.0f) {
+            m_s.events.Remove(index);
+            return;
+        }
+        const auto low = static_cast<uint64_t>(std::min(pair.fixtureA, pair.fixtureB));
+        const auto high = static_cast<uint64_t>(std::max(pair.fixtureA, pair.fixtureB));
+        m_s.events.Set(index, alpha, high << 32 | low);
+    }
+
+    /// The part of the step at which the pair meets; 1: not in this step.
+    [[nodiscard]] float TimeOf(const ToiPair& pair) const {
+        TOIInput input;
+        input.proxyA.Set(m_t.fixtures.shape[Row(pair.fixtureA)], 0);
+        input.proxyB.Set(m_t.fixtures.shape[Row(pair.fixtureB)], 0);
+        input.sweepA = SweepOf(pair.bodyA);
+        input.sweepB = SweepOf(pair.bodyB);
+        const float alpha0 = Max(input.sweepA.alpha0, input.sweepB.alpha0);
+        if (alpha0 >= 1.0f) return 1.0f;
+        input.sweepA.Advance(alpha0);
+        input.sweepB.Advance(alpha0);
+        input.tMax = 1.0f;
+        TOIOutput output;
+        TimeOfImpact(&output, &input);
+        // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
+        if (output.state != TOIOutput::e_touching && output.state != TOIOutput::e_failed) return 1.0f;
+        return Min(alpha0 + (1.0f - alpha0) * output.t, 1.0f);
+    }
+
+    /// Moves the body to the given part of the step, where its motion starts (and for now ends).
+    BodyBackup Advance(int body, float alpha) {
+        const BodyBackup backup{body, m_bodies.startPosition[Row(body)], m_bodies.position[Row(body)],
+                                m_bodies.transform[Row(body)], m_s.alpha[Row(body)]};
+        Sweep sweep = SweepOf(body);
+        sweep.Advance(alpha);
+        m_bodies.startPosition[Row(body)] = {sweep.c0, sweep.a0, 0.0f};
+        m_bodies.position[Row(body)] = m_bodies.startPosition[Row(body)];
+        m_s.alpha[Row(body)] = alpha;
+        m_bodies.UpdateTransform(body);
+        return backup;
+    }
+
+    void Restore(const BodyBackup& backup) {
+        m_bodies.startPosition[Row(backup.body)] = backup.start;
+        m_bodies.position[Row(backup.body)] = backup.end;
+        m_bodies.transform[Row(backup.body)] = backup.transform;
+        m_s.alpha[Row(backup.body)] = backup.alpha;
+    }
+
+    /// The contact of a pair whose bodies stand at the event, updated; −1 if they do not touch or must not.
+    int TouchingContact(const ToiPair& pair) {
+        int contact = m_t.contacts.Find(static_cast<uint32_t>(pair.fixtureA), static_cast<uint32_t>(pair.fixtureB));
+        if (contact < 0) {
+            contact = MakeContact(std::min(pair.fixtureA, pair.fixtureB), std::max(pair.fixtureA, pair.fixtureB),
+                                  m_t.fixtures, m_t.contacts);
+        }
+        if (contact < 0) return -1;
+        const bool touching = UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts);
+        return touching && m_t.contacts.Has(contact, ContactFlag::enabled) ? contact : -1;
+    }
+
+    /// Stops the pair at the event and solves it. False if nothing happens after all.
+    bool HandleEvent(int index, float alpha) {
+        ++m_s.pairs[Row(index)].rounds;
+        const ToiPair pair = m_s.pairs[Row(index)];
+        const BodyBackup backupA = Advance(pair.bodyA, alpha);
+        const BodyBackup backupB = Advance(pair.bodyB, alpha);
+        const int contact = TouchingContact(pair);
+        if (contact < 0) {
+            m_s.pairs[Row(index)].over = true;
+            Restore(backupA);
+            Restore(backupB);
+            return false;
+        }
+        ++m_report.events;
+        m_bodies.Wake(pair.bodyA);
+        m_bodies.Wake(pair.bodyB);
+        m_s.islandContacts.assign(1, contact);
+        m_s.islandBodies.assign({pair.bodyA, pair.bodyB});
+        for (const int body : {pair.bodyA, pair.bodyB}) {
+            if (IsDynamic(body)) JoinTouching(body, index, alpha);
+        }
+        SolveEvent(pair, alpha);
+        for (size_t i = 0; i < m_s.islandBodies.size(); ++i) {
+            const int body = m_s.islandBodies[i];
+            if (m_bodies.type[Row(body)] != staticBody) Refresh(body);
+        }
+        return true;
+    }
+
+    /// Adds what else touches the body at the time of the event: a corner stops it from two sides.
+    void JoinTouching(int body, int event, float alpha) {
+        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) {
+            const ToiPair pair = m_s.pairs[Row(p)];
+            if (p == event || pair.over) continue;
+            const int other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
+            const bool isMember =
+                std::find(m_s.islandBodies.begin(), m_s.islandBodies.end(), other) != m_s.islandBodies.end();
+            const BodyBackup backup = isMember ? BodyBackup{} : Advance(other, alpha);
+            const int contact = BoxesOverlap(pair) ? TouchingContact(pair) : -1;
+            if (contact < 0) {
+                if (!isMember) Restore(backup);
+                continue;
+            }
+            if (std::find(m_s.islandContacts.begin(), m_s.islandContacts.end(), contact) == m_s.islandContacts.end()) {
+                m_s.islandContacts.push_back(contact);
+            }
+            if (isMember) continue;
+            m_s.islandBodies.push_back(other);
+            m_bodies.Wake(other);
+        }
+    }
+
+    [[nodiscard]] bool BoxesOverlap(const ToiPair& pair) const {
+        AABB a, b;
+        m_t.fixtures.shape[Row(pair.fixtureA)]->ComputeAABB(&a, m_bodies.transform[Row(pair.bodyA)]);
+        m_t.fixtures.shape[Row(pair.fixtureB)]->ComputeAABB(&b, m_bodies.transform[Row(pair.bodyB)]);
+        return TestOverlap(a, b);
+    }
+
+    void SolveEvent(const ToiPair& pair, float alpha) {
+        const ContactPrepareInput input{m_bodies, m_t.fixtures, m_t.contacts, m_s.islandContacts, 0.0f};
+        PrepareContacts(input, m_s.rows);
+        for (ContactPositionRow& row : m_s.rows.position) {
+            // Only the two bodies of the event move: the others stand where an earlier event or nothing put them.
+            if (row.bodyA != pair.bodyA && row.bodyA != pair.bodyB) row.massA.invMass = row.massA.invI = 0.0f;
+            if (row.bodyB != pair.bodyA && row.bodyB != pair.bodyB) row.massB.invMass = row.massB.invI = 0.0f;
+        }
+        for (int i = 0; i < positionIterations; ++i) {
+            if (SolveContactPositions(m_s.rows, m_bodies.position, toiBaumgarte) >= positionTolerance) break;
+        }
+        for (const int body : {pair.bodyA, pair.bodyB}) {
+            m_bodies.startPosition[Row(body)] = m_bodies.position[Row(body)];
+            m_bodies.UpdateTransform(body);
+        }
+        PrepareContacts(input, m_s.rows);
+        for (int i = 0; i < m_settings.velocityIterations; ++i) SolveContactVelocities(m_s.rows, m_bodies.velocity);
+        ReportImpulses(m_s.rows, m_events, m_t.contacts);
+
+        const float rest = (1.0f - alpha) * m_settings.dt;
+        for (const int body : m_s.islandBodies) {
+            if (m_bodies.type[Row(body)] != staticBody) Integrate(body, rest);
+        }
+    }
+
+    void Integrate(int body, float h) {
+        Velocity& v = m_bodies.velocity[Row(body)];
+        const float way = h * v.v.Length();
+        if (way > m_settings.maxTranslation) v.v *= m_settings.maxTranslation / way;
+        const float turn = h * Abs(v.w);
+        if (turn > m_settings.maxRotation) v.w *= m_settings.maxRotation / turn;
+        Position& p = m_bodies.position[Row(body)];
+        p.c += h * v.v;
+        p.a += h * v.w;
+        if (!p.c.IsValid() || !std::isfinite(p.a)) {
+            p = m_bodies.startPosition[Row(body)];
+            v = {vec2Zero, 0.0f, 0.0f};
+        }
+        m_bodies.UpdateTransform(body);
+    }
+
+    /// New times for all pairs of a body whose motion changed, and pairs with what has come into its way.
+    void Refresh(int body) {
+        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateEvent(p);
+        if (!Moves(body)) return;
+        if (m_dynamicTargets) SweepBoxesOf(body);
+        CollectPairs(body, m_dynamicTargets);
+    }
+
+    /// Holds the dynamic bodies of the pair where they meet, for the rest of the step.
+    void Abandon(int index, float alpha) {
+        const ToiPair pair = m_s.pairs[Row(index)];
+        m_s.pairs[Row(index)].over = true;
+        for (const int body : {pair.bodyA, pair.bodyB}) {
+            if (!IsDynamic(body)) continue;
+            Advance(body, alpha);
+            ++m_report.abandoned;
+            m_report.lostTime += (1.0f - alpha) * m_settings.dt;
+            for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateEvent(p);
+        }
+    }
+
+    const ContinuousSettings& m_settings;
+    const ContactEvents& m_events;
+    ContinuousTables m_t;
+    BodyTable& m_bodies;
+    ContinuousScratch& m_s;
+    ContinuousReport m_report;
+    bool m_dynamicTargets = false;  ///< some body can hit dynamic ones: a bullet or a kinematic body
+};
+
+}  // namespace
+
+ContinuousReport SolveContinuous(const ContinuousSettings& settings, const ContactEvents& events,
+                                 ContinuousTables tables, ContinuousScratch& scratch) {
+    return ContinuousSolver(settings, events, tables, scratch).Run();
+}
+
+}  // namespace scree

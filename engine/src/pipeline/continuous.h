@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Stage: continuous collision. Bodies have moved from their start to their end positions; whatever would pass through a
+// static or kinematic fixture (a bullet: through anything) on the way is stopped at the time of impact, pushed by the
+// contact, and goes on for the rest of the step.
+//
+// The dissertation's scheme (§6): boxes swept over the motion find candidates, a binary min-heap with changeable keys
+// holds the events in order of time, only bodies that an event moved are queried again, and contacts of pairs that
+// have parted are removed later, with the others. The times come from conservative advancement
+// (geometry/time_of_impact.cpp); one event is solved as in Box2D 2.4: positions first, with only the two bodies free to
+// move, then velocities without warm starting.
+
+#pragma once
+
+#include <vector>
+
+#include "base/indexed_heap.h"
+#include "broad_phase/broad_phase.h"
+#include "constraints/contact_rows.h"
+#include "pipeline/contact_events.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/fixtures.h"
+#include "state/joints.h"
+
+namespace scree {
+
+struct ContinuousSettings {
+    float dt;  ///< of the whole step, s
+    int velocityIterations;
+    float maxTranslation, maxRotation;  ///< per step
+    bool subStepping;                   ///< stop after the first event; the next call goes on from there
+};
+
+struct ContinuousReport {
+    int events = 0;         ///< times a body was stopped at an impact
+    int abandoned = 0;      ///< bodies held at an impact because their pair had maxSubSteps events
+    float lostTime = 0.0f;  ///< motion that abandoned bodies lost, s, summed
+    bool complete = true;   ///< false: sub-stepping stopped it
+};
+
+struct ContinuousTables {
+    BodyTable& bodies;
+    FixtureTable& fixtures;
+    JointTable& joints;
+    ContactTable& contacts;
+    BroadPhase& broadPhase;
+};
+
+/// Two fixtures that may meet on their way.
+struct ToiPair {
+    int fixtureA, fixtureB;
+    int bodyA, bodyB;
+    int rounds;        ///< events so far
+    int nextA, nextB;  ///< the next pair of each body's list
+    bool over;         ///< not to be looked at again in this step
+};
+
+/// Scratch of the stage, kept between steps; with sub-stepping also what is left of an unfinished step.
+struct ContinuousScratch {
+    std::vector<ToiPair> pairs;
+    std::vector<int> firstPair;  ///< per body, −1: none
+    std::vector<float> alpha;    ///< per body: the part of the step done at its start position
+    std::vector<int> touched;    ///< bodies whose entries above must be reset
+    std::vector<int> found;      ///< fixtures of one query
+    IndexedHeap events;
+    ContactRows rows;
+    std::vector<int> islandContacts, islandBodies;
+    bool resuming = false;
+};
+
+/// Runs all events of the step. Transforms are those of the end positions afterwards; boxes are not updated.
+ContinuousReport SolveContinuous(const ContinuousSettings& settings, const ContactEvents& events,
+                                 ContinuousTables tables, ContinuousScratch& scratch);
+
+}  // namespace scree

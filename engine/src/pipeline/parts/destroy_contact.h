@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Death of a contact: EndContact, waking, and its row.
+
+#pragma once
+
+#include "pipeline/contact_events.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+
+namespace scree {
+
+/// Destroys one contact: EndContact if it was touching, and its bodies wake if it pushed. The row is usable again after
+/// the next Compact.
+void DestroyContact(int contact, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts);
+
+/// Destroys the contacts of a body for which `involves(pair)` holds, newest row first. O(contacts of the body), see
+/// ContactTable::OfBody. The listener must not add contacts.
+template <typename Predicate>
+void DestroyContactsOfBodyIf(int body, Predicate involves, const ContactEvents& events, BodyTable& bodies,
+                             ContactTable& contacts) {
+    for (const int c : contacts.OfBody(body)) {
+        if (contacts.IsAlive(c) && involves(contacts.pair[static_cast<size_t>(c)])) {
+            DestroyContact(c, events, bodies, contacts);
+        }
+    }
+}
+
+}  // namespace scree

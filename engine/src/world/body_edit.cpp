@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The edits of a body that reach other tables: fixtures and chains, placement, type, enabling, mass. Semantics are
+// Box2D 2.4.1's.
+
+#include "pipeline/update_boxes.h"
+#include "scree/body.h"
+#include "scree/chain_shape.h"
+#include "world/guard.h"
+#include "world/refresh.h"
+
+namespace scree {
+
+namespace {
+
+size_t Row(int index) { return static_cast<size_t>(index); }
+
+/// Adds a fixture in front of the body's list; the mass is not updated.
+int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
+    const int fixture = s.fixtures.Add(&s, body, def);
+    BodyInfo& info = s.bodies.info[Row(body)];
+    s.fixtures.info[Row(fixture)].next = info.fixtureHead;
+    info.fixtureHead = fixture;
+    ++info.fixtureCount;
+    if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
+    return fixture;
+}
+
+/// One edge per segment; returns the first.
+int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape& chain) {
+    const int id = s.fixtures.nextChainId++;
+    FixtureDef edgeDef = def;
+    EdgeShape edge;
+    edgeDef.shape = &edge;
+    int first = -1;
+    for (int i = 0; i < chain.GetChildCount(); ++i) {
+        chain.GetChildEdge(&edge, i);
+        const int fixture = AttachFixture(s, body, edgeDef);
+        s.fixtures.info[Row(fixture)].chainId = id;
+        s.fixtures.info[Row(fixture)].chainIndex = i;
+        if (i == 0) first = fixture;
+    }
+    return first;
+}
+
+/// Unlinks and frees every fixture of the body for which `goes(fixture)` holds. Their contacts are gone already.
+template <typename Predicate>
+void DetachFixtures(WorldState& s, int body, Predicate goes) {
+    BodyInfo& info = s.bodies.info[Row(body)];
+    for (int* link = &info.fixtureHead; *link >= 0;) {
+        const int fixture = *link;
+        FixtureInfo& row = s.fixtures.info[Row(fixture)];
+        if (!goes(fixture)) {
+            link = &row.next;
+            continue;
+        }
+        *link = row.next;
+        --info.fixtureCount;
+        RemoveProxy(s, fixture);
+        s.fixtures.Remove(fixture);
+    }
+}
+
+}  // namespace
+
+Fixture* Body::CreateFixture(const FixtureDef* def) {
+    WorldState& s = *m_state;
+    Guard guard(s, "Body::CreateFixture");
+    guard.Living(s.bodies.slots, m_index).NotNull(def != nullptr, "def", "pass a FixtureDef");
+    guard.Unlocked("create fixtures outside of Step and callbacks");
+    if (guard.Failed() || guard.Accept(Check(*def)).Failed()) return nullptr;
+    const bool isChain = def->shape->GetType() == Shape::e_chain;
+    const int fixture = isChain ? AttachChain(s, m_index, *def, static_cast<const ChainShape&>(*def->shape))
+                                : AttachFixture(s, m_index, *def);
+    if (def->density > 0.0f) ResetMass(s, m_index);
+    return &s.fixtures.handles[Row(fixture)];
+}
+
+Fixture* Body::CreateFixture(const Shape* shape, float density) {
+    FixtureDef def;
+    def.shape = shape;
+    def.density = density;
+    return CreateFixture(&def);
+}
+
+ErrorCode Body::DestroyFixture(Fixture* fixture) {
+    WorldState& s = *m_state;
+    Guard guard(s, "Body::DestroyFixture");
+    guard.Living(s.bodies.slots, m_index).NotNull(fixture != nullptr, "fixture", "pass a fixture");
+    if (guard.Failed()) return guard.Code();
+    guard.Require(Owns(s, fixture) && s.fixtures.body[Row(fixture->GetIndex())] == m_index, ErrorCode::foreignHandle,
+                  "fixture", "pass a living fixture of this body");
+    if (guard.Unlocked("destroy fixtures outside of Step and callbacks").Failed()) return guard.Code();
+    const int index = fixture->GetIndex();
+    DestroyContactsOfFixture(s, index);
+    DetachFixtures(s, m_index, [index](int f) { return f == index; });
+    ResetMass(s, m_index);
+    return ErrorCode::ok;
+}
+
+ErrorCode Body::DestroyChain(Fixture* fixture) {
+    WorldState& s = *m_state;
+    Guard guard(s, "Body::DestroyChain");
+    guard.Living(s.bodies.slots, m_index).NotNull(fixture != nullptr, "fixture", "pass an edge of a chain");
+    if (guard.Failed()) return guard.Code();
+    guard.Require(Owns(s, fixture) && s.fixtures.body[Row(fixture->GetIndex())] == m_index, ErrorCode::foreignHandle,
+                  "fixture", "pass a living fixture of this body");
+    if (guard.Unlocked("destroy chains outside of Step and callbacks").Failed()) return guard.Code();
+    const int id = s.fixtures.info[Row(fixture->GetIndex())].chainId;
+    if (guard.Require(id >= 0, ErrorCode::outOfRange, "fixture", "pass an edge that a ChainShape made").Failed())
+        return guard.Code();
+    DestroyContactsOfChain(s, m_index, id);
+    DetachFixtures(s, m_index, [&](int f) { return s.fixtures.info[Row(f)].chainId == id; });
+    ResetMass(s, m_index);
+    return ErrorCode::ok;
+}
+
+ErrorCode Body::SetTransform(Vec2 position, float angle) {
+    WorldState& s = *m_state;
+    Guard guard(s, "Body::SetTransform");
+    guard.Living(s.bodies.slots, m_index).Unlocked("move bodies outside of Step and callbacks");
+    if (guard.Finite(position, "position").Finite(angle, "angle").Failed()) return guard.Code();
+    const size_t b = Row(m_index);
+    s.bodies.transform[b].Set(position, angle);
+    s.bodies.position[b] = {Mul(s.bodies.transform[b], s.bodies.mass[b].localCenter), angle, 0.0f};
+    s.bodies.startPosition[b] = s.bodies.position[b];
+    if (!IsEnabled()) return ErrorCode::ok;
+    UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
+    s.pairsStale = true;
+    return ErrorCode::ok;
+}
+
+ErrorCode Body::SetType(BodyType type) {
+    WorldState& s = *m_state;
+    Guard guard(s, "Body::SetType");
+    guard.Living(s.bodies.slots, m_index).Unlocked("change types outside of Step and callbacks");
+    guard.Require(type <= dynamicBody, ErrorCode::outOfRange, "type", "use a BodyType");
+    if (guard.Failed()) return guard.Code();
+    const size_t b = Row(m_index);
+    if (s.bodies.type[b] == type) return ErrorCode::ok;
+    const bool changesList = (s.bodies.type[b] == staticBody) != (type == staticBody);
+    s.bodies.type[b] = type;
+    if (changesList) s.bodies.Relist(m_index);
+    ResetMass(s, m_index);
+    if (type == staticBody) {
+        s.bodies.PutToSleep(m_index);  // clears velocity; the flag is never set on static bodies
+    } else {
+        s.bodies.Wake(m_index);
+    }
+    s.bodies.force[b] = {vec2Zero, 0.0f};
+    DestroyContactsOfBody(s, m_index);
+    // The broad phase sorts its boxes by motion type.
+    for (int f = s.bodies.info[b].fixtureHead; f >= 0; f = s.fixtures.info[Row(f)].next) {
+        if (!s.fixtures.info[Row(f)].inBroadPhase) continue;
+        RemoveProxy(s, f);
+        AddProxy(s, f);
+    }
+    return ErrorCode::ok;
+}
+
+ErrorCode Body::SetEnabled(bool flag) {
+    WorldState& s = *m_state;
+    Guard guard(s, "Body::SetEnabled");
+    if (guard.Living(s.bodies.slots, m_index).Unlocked("enable bodies outside of Step and callbacks").Failed())
+        return guard.Code();
+    if (flag == IsEnabled()) return ErrorCode::ok;
+    uint16_t& flags = s.bodies.flags[Row(m_index)];
+    flags = static_cast<uint16_t>(flag ? flags | BodyFlag::enabled : flags & ~BodyFlag::enabled);
+    if (!flag) DestroyContactsOfBody(s, m_index);
+    for (int f = s.bodies.info[Row(m_index)].fixtureHead; f >= 0; f = s.fixtures.info[Row(f)].next) {
+        flag ? AddProxy(s, f) : RemoveProxy(s, f);
+    }
+    return ErrorCode::ok;
+}
+
+ErrorCode Body::SetMassData(const MassData* data) {
+    WorldState& s = *m_state;
+    Guard guard(s, "Body::SetMassData");
+    guard.Living(s.bodies.slots, m_index).NotNull(data != nullptr, "data", "pass mass data");
+    if (guard.Unlocked("change masses outside of Step and callbacks").Failed()) return guard.Code();
+    guard.Finite(data->mass, "MassData::mass").Finite(data->I, "MassData::I").Finite(data->center, "MassData::center");
+    if (guard.Failed() || GetType() != dynamicBody) return guard.Code();
+    const float mass = data->mass > 0.0f ? data->mass : 1.0f;
+    const bool rotates = data->I > 0.0f && !IsFixedRotation();
+    const float inertia = rotates ? data->I - mass * Dot(data->center, data->center) : 0.0f;
+    guard.Require(!rotates || inertia > 0.0f, ErrorCode::outOfRange, "MassData::I",
+                  "it is about the origin: give more than mass·|center|²");
+    if (guard.Failed()) return guard.Code();
+    const size_t b = Row(m_index);
+    s.bodies.info[b].mass = mass;
+    s.bodies.info[b].inertia = inertia;
+    s.bodies.mass[b] = {1.0f / mass, rotates ? 1.0f / inertia : 0.0f, data->center};
+    const Vec2 oldCenter = s.bodies.position[b].c;
+    s.bodies.position[b].c = Mul(s.bodies.transform[b], data->center);
+    s.bodies.startPosition[b] = s.bodies.position[b];
+    s.bodies.velocity[b].v += Cross(s.bodies.velocity[b].w, s.bodies.position[b].c - oldCenter);
+    return ErrorCode::ok;
+}
+
+void Body::ResetMassData() {
+    Guard guard(*m_state, "Body::ResetMassData");
+    if (!guard.Living(m_state->bodies.slots, m_index).Failed()) ResetMass(*m_state, m_index);
+}
+
+}  // namespace scree

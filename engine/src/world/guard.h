@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The checks at the head of a public entry point, as a chain that stops at the first finding: the finding goes to the
+// error handler once, and the entry point returns it.
+
+#pragma once
+
+#include <cmath>
+
+#include "world/validate.h"
+
+namespace scree {
+
+/// Usage: `Guard guard(state, "Body::SetTransform"); if (guard.Unlocked("…").Finite(p, "p").Failed()) return
+/// guard.Code();`
+class Guard {
+public:
+    Guard(const WorldState& state, const char* function) : m_state(state), m_function(function) {}
+
+    /// The object of the call is alive.
+    Guard& Living(const Slots& slots, int index) {
+        return Require(slots.IsAlive(index), ErrorCode::foreignHandle, "this", "use a handle that was not destroyed");
+    }
+    Guard& Unlocked(const char* cure) { return Require(!m_state.locked, ErrorCode::locked, "world", cure); }
+    Guard& NotNull(bool present, const char* field, const char* cure) {
+        return Require(present, ErrorCode::nullArgument, field, cure);
+    }
+    Guard& Finite(Vec2 v, const char* field) {
+        return Require(v.IsValid(), ErrorCode::nonFinite, field, "give a finite vector");
+    }
+    Guard& Finite(float value, const char* field) {
+        return Require(std::isfinite(value), ErrorCode::nonFinite, field, "give a finite number");
+    }
+    /// Finite and not negative.
+    Guard& Amount(float value, const char* field) {
+        return Finite(value, field).Require(value >= 0.0f, ErrorCode::outOfRange, field, "give a number of at least 0");
+    }
+    Guard& Require(bool holds, ErrorCode code, const char* field, const char* cure) {
+        if (!holds && m_code == ErrorCode::ok) m_code = m_state.Refuse(code, m_function, field, cure);
+        return *this;
+    }
+    Guard& Accept(const Finding& finding) { return Require(!finding, finding.code, finding.field, finding.cure); }
+
+    [[nodiscard]] bool Failed() const { return m_code != ErrorCode::ok; }
+    [[nodiscard]] ErrorCode Code() const { return m_code; }
+
+private:
+    const WorldState& m_state;
+    const char* m_function;
+    ErrorCode m_code = ErrorCode::ok;
+};
+
+/// Holds a world locked while callbacks run, also when one throws; may be nested.
+class WorldLock {
+public:
+    explicit WorldLock(WorldState& state) : m_state(state), m_before(state.locked) { m_state.locked = true; }
+    ~WorldLock() { m_state.locked = m_before; }
+    WorldLock(const WorldLock&) = delete;
+    WorldLock& operator=(const WorldLock&) = delete;
+
+private:
+    WorldState& m_state;
+    bool m_before;
+};
+
+}  // namespace scree

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Ids with generations: handle → id while the object lives, id → handle if it still does.
+
+#include "world/validate.h"
+
+namespace scree {
+
+namespace {
+
+template <typename Id, typename Object>
+Id MakeId(const WorldState& s, const Slots& slots, const Object* object) {
+    if (!Owns(s, object)) return {};
+    return {object->GetIndex(), slots.GetGeneration(object->GetIndex())};
+}
+
+template <typename Id>
+bool Lives(const Slots& slots, Id id) {
+    return slots.IsAlive(id.index) && slots.GetGeneration(id.index) == id.generation;
+}
+
+}  // namespace
+
+BodyId World::GetId(const Body* body) const { return MakeId<BodyId>(*m_state, m_state->bodies.slots, body); }
+FixtureId World::GetId(const Fixture* fixture) const {
+    return MakeId<FixtureId>(*m_state, m_state->fixtures.slots, fixture);
+}
+JointId World::GetId(const Joint* joint) const { return MakeId<JointId>(*m_state, m_state->joints.slots, joint); }
+
+Body* World::Find(BodyId id) {
+    return Lives(m_state->bodies.slots, id) ? &m_state->bodies.handles[static_cast<size_t>(id.index)] : nullptr;
+}
+Fixture* World::Find(FixtureId id) {
+    return Lives(m_state->fixtures.slots, id) ? &m_state->fixtures.handles[static_cast<size_t>(id.index)] : nullptr;
+}
+Joint* World::Find(JointId id) {
+    return Lives(m_state->joints.slots, id) ? m_state->joints.handles[static_cast<size_t>(id.index)] : nullptr;
+}
+
+}  // namespace scree

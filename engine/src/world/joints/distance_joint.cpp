@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Distance joint: definition and handle.
+
+#include "scree/distance_joint.h"
+
+#include "world/joints/joint_access.h"
+#include "world/joints/joint_definitions.h"
+
+namespace scree {
+
+DistanceRow& DistanceJoint::Row() const { return RowOf<DistanceRow>(m_state, m_row); }
+
+void DistanceJointDef::Initialize(Body* a, Body* b, Vec2 anchorA, Vec2 anchorB) {
+    bodyA = a;
+    bodyB = b;
+    if (a == nullptr || b == nullptr) return;  // CreateJoint says so
+    localAnchorA = a->GetLocalPoint(anchorA);
+    localAnchorB = b->GetLocalPoint(anchorB);
+    length = Max(Distance(anchorA, anchorB), linearSlop);
+    minLength = length;
+    maxLength = length;
+}
+
+void Check(const DistanceJointDef& def, Guard& guard) {
+    guard.Finite(def.localAnchorA, "DistanceJointDef::localAnchorA")
+        .Finite(def.localAnchorB, "DistanceJointDef::localAnchorB")
+        .Amount(def.length, "DistanceJointDef::length")
+        .Amount(def.minLength, "DistanceJointDef::minLength")
+        .Amount(def.maxLength, "DistanceJointDef::maxLength")
+        .Require(def.minLength <= def.maxLength, ErrorCode::outOfRange, "DistanceJointDef::minLength",
+                 "keep it at or below maxLength")
+        .Amount(def.stiffness, "DistanceJointDef::stiffness")
+        .Amount(def.damping, "DistanceJointDef::damping");
+}
+
+DistanceRow MakeRow(const DistanceJointDef& def) {
+    const float shortest = Max(def.minLength, linearSlop);
+    return {.localAnchorA = def.localAnchorA,
+            .localAnchorB = def.localAnchorB,
+            .length = Max(def.length, linearSlop),
+            .stiffness = def.stiffness,
+            .damping = def.damping,
+            .limit = {.enabled = true, .lower = shortest, .upper = Max(def.maxLength, shortest)}};
+}
+
+Vec2 DistanceJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
+Vec2 DistanceJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
+Vec2 DistanceJoint::GetReactionForce(float inverseDt) const {
+    const DistanceRow& row = Row();
+    return (inverseDt * (row.impulse + row.limit.lowerImpulse - row.limit.upperImpulse)) * row.axis;
+}
+float DistanceJoint::GetReactionTorque(float) const { return 0.0f; }
+Vec2 DistanceJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
+Vec2 DistanceJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
+float DistanceJoint::GetLength() const { return Row().length; }
+ErrorCode DistanceJoint::SetLength(float length) {
+    JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetLength").Amount(length, "length");
+    if (!edit.Failed()) Row().impulse = 0.0f;
+    return edit.Set(Row().length, Max(length, linearSlop));
+}
+float DistanceJoint::GetMinLength() const { return Row().limit.lower; }
+ErrorCode DistanceJoint::SetMinLength(float minLength) {
+    JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetMinLength").Amount(minLength, "minLength");
+    if (!edit.Failed()) Row().limit.lowerImpulse = 0.0f;
+    return edit.Set(Row().limit.lower, Clamp(minLength, linearSlop, Row().limit.upper));
+}
+float DistanceJoint::GetMaxLength() const { return Row().limit.upper; }
+ErrorCode DistanceJoint::SetMaxLength(float maxLength) {
+    JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetMaxLength").Amount(maxLength, "maxLength");
+    if (!edit.Failed()) Row().limit.upperImpulse = 0.0f;
+    return edit.Set(Row().limit.upper, Max(maxLength, Row().limit.lower));
+}
+float DistanceJoint::GetCurrentLength() const { return Distance(GetAnchorA(), GetAnchorB()); }
+
+ErrorCode DistanceJoint::SetStiffness(float stiffness) {
+    return JointEdit(m_state, this, "DistanceJoint::SetStiffness")
+        .Amount(stiffness, "stiffness")
+        .Set(Row().stiffness, stiffness);
+}
+float DistanceJoint::GetStiffness() const { return Row().stiffness; }
+ErrorCode DistanceJoint::SetDamping(float damping) {
+    return JointEdit(m_state, this, "DistanceJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);
+}
+float DistanceJoint::GetDamping() const { return Row().damping; }
+
+}  // namespace scree

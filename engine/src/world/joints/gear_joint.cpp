@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Gear joint: definition and handle.
+
+#include "scree/gear_joint.h"
+
+#include "world/joints/joint_access.h"
+#include "world/joints/joint_definitions.h"
+
+namespace scree {
+
+GearRow& GearJoint::Row() const { return RowOf<GearRow>(m_state, m_row); }
+
+namespace {
+
+bool IsGearable(const Joint* joint) {
+    return joint->GetType() == e_revoluteJoint || joint->GetType() == e_prismaticJoint;
+}
+
+void CheckSide(const Joint* joint, const char* field, const WorldState& state, Guard& guard) {
+    guard.NotNull(joint != nullptr, field, "set both joints");
+    if (guard.Failed()) return;
+    guard.Require(Owns(state, joint), ErrorCode::foreignHandle, field, "use a living joint of this world");
+    if (guard.Failed()) return;
+    guard.Require(IsGearable(joint), ErrorCode::outOfRange, field, "use a revolute or prismatic joint");
+}
+
+/// Copies what one joint measures; `coordinate` is its present value.
+GearSide MakeSide(const Joint& joint, const WorldState& state, float& coordinate) {
+    const JointInfo& info = state.joints.info[static_cast<size_t>(joint.GetIndex())];
+    GearSide side;
+    side.joint = joint.GetIndex();
+    side.body = info.bodyB;
+    side.against = info.bodyA;
+    side.slides = info.type == e_prismaticJoint;
+    if (side.slides) {
+        const auto& prismatic = static_cast<const PrismaticJoint&>(joint);
+        side.localAnchor = prismatic.GetLocalAnchorB();
+        side.againstAnchor = prismatic.GetLocalAnchorA();
+        side.againstAxis = prismatic.GetLocalAxisA();
+        side.referenceAngle = prismatic.GetReferenceAngle();
+        coordinate = prismatic.GetJointTranslation();
+    } else {
+        const auto& revolute = static_cast<const RevoluteJoint&>(joint);
+        side.localAnchor = revolute.GetLocalAnchorB();
+        side.againstAnchor = revolute.GetLocalAnchorA();
+        side.referenceAngle = revolute.GetReferenceAngle();
+        coordinate = revolute.GetJointAngle();
+    }
+    return side;
+}
+
+}  // namespace
+
+void CheckGear(const GearJointDef& def, const WorldState& state, Guard& guard) {
+    CheckSide(def.joint1, "GearJointDef::joint1", state, guard);
+    CheckSide(def.joint2, "GearJointDef::joint2", state, guard);
+    if (guard.Failed()) return;
+    guard
+        .Require(def.joint1->GetBodyB() != def.joint2->GetBodyB(), ErrorCode::outOfRange, "GearJointDef::joint2",
+                 "use joints with different second bodies")
+        .Finite(def.ratio, "GearJointDef::ratio")
+        .Require(def.ratio != 0.0f, ErrorCode::outOfRange, "GearJointDef::ratio", "give a ratio other than 0");
+}
+
+GearRow MakeGearRow(const GearJointDef& def, const WorldState& state) {
+    GearRow row;
+    float coordinate1 = 0.0f, coordinate2 = 0.0f;
+    row.side[0] = MakeSide(*def.joint1, state, coordinate1);
+    row.side[1] = MakeSide(*def.joint2, state, coordinate2);
+    row.ratio = def.ratio;
+    row.constant = coordinate1 + def.ratio * coordinate2;
+    return row;
+}
+
+Vec2 GearJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().side[0].localAnchor); }
+Vec2 GearJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().side[1].localAnchor); }
+Vec2 GearJoint::GetReactionForce(float inverseDt) const { return (inverseDt * Row().impulse) * Row().side[0].axis; }
+float GearJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().impulse * Row().side[0].arm; }
+Joint* GearJoint::GetJoint1() const { return m_state->joints.handles[static_cast<size_t>(Row().side[0].joint)]; }
+Joint* GearJoint::GetJoint2() const { return m_state->joints.handles[static_cast<size_t>(Row().side[1].joint)]; }
+ErrorCode GearJoint::SetRatio(float ratio) {
+    return JointEdit(m_state, this, "GearJoint::SetRatio")
+        .Finite(ratio, "ratio")
+        .Require(ratio != 0.0f, "ratio", "give a ratio other than 0")
+        .Set(Row().ratio, ratio);
+}
+float GearJoint::GetRatio() const { return Row().ratio; }
+
+}  // namespace scree

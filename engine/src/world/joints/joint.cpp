@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What all joint handles have in common, and the setters and measures that several share.
+
+#include "scree/joint.h"
+
+#include "world/joints/joint_access.h"
+
+namespace scree {
+
+namespace {
+
+JointInfo& InfoOf(WorldState* s, int joint) { return s->joints.info[static_cast<size_t>(joint)]; }
+Body* BodyOf(WorldState* s, int body) { return &s->bodies.handles[static_cast<size_t>(body)]; }
+Joint* JointOf(WorldState* s, int joint) { return joint < 0 ? nullptr : s->joints.handles[static_cast<size_t>(joint)]; }
+
+/// Frequency and damping ratio of a spring that acts on `amount` (a mass or an inertia) as stiffness and damping.
+ErrorCode FrequencyToSpring(float amount, float frequencyHertz, float dampingRatio, float& stiffness, float& damping) {
+    const float omega = 2.0f * pi * frequencyHertz;
+    stiffness = amount * omega * omega;
+    damping = 2.0f * amount * dampingRatio * omega;
+    return ErrorCode::ok;
+}
+
+/// What two amounts of which only the difference of motion counts act like; one that is 0 cannot move.
+float Reduced(float a, float b) {
+    if (a > 0.0f && b > 0.0f) return a * b / (a + b);
+    return a > 0.0f ? a : b;
+}
+
+ErrorCode CheckSpring(const char* function, float frequencyHertz, float dampingRatio, const Body* a, const Body* b) {
+    if (a == nullptr || b == nullptr) return ErrorCode::nullArgument;  // no world whose handler could hear of it
+    Guard guard(const_cast<Body*>(a)->GetWorld()->GetState(), function);
+    return guard.Amount(frequencyHertz, "frequencyHertz").Amount(dampingRatio, "dampingRatio").Code();
+}
+
+}  // namespace
+
+ErrorCode LinearStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio, const Body* bodyA,
+                          const Body* bodyB) {
+    const ErrorCode code = CheckSpring("LinearStiffness", frequencyHertz, dampingRatio, bodyA, bodyB);
+    if (code != ErrorCode::ok) return code;
+    return FrequencyToSpring(Reduced(bodyA->GetMass(), bodyB->GetMass()), frequencyHertz, dampingRatio, stiffness,
+                             damping);
+}
+
+ErrorCode AngularStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio,
+                           const Body* bodyA, const Body* bodyB) {
+    const ErrorCode code = CheckSpring("AngularStiffness", frequencyHertz, dampingRatio, bodyA, bodyB);
+    if (code != ErrorCode::ok) return code;
+    return FrequencyToSpring(Reduced(bodyA->GetInertia(), bodyB->GetInertia()), frequencyHertz, dampingRatio, stiffness,
+                             damping);
+}
+
+JointType Joint::GetType() const { return InfoOf(m_state, m_index).type; }
+Body* Joint::GetBodyA() const { return BodyOf(m_state, InfoOf(m_state, m_index).bodyA); }
+Body* Joint::GetBodyB() const { return BodyOf(m_state, InfoOf(m_state, m_index).bodyB); }
+Body* Joint::GetOther(const Body* body) const { return body == GetBodyA() ? GetBodyB() : GetBodyA(); }
+bool Joint::GetCollideConnected() const { return InfoOf(m_state, m_index).collideConnected; }
+JointUserData& Joint::GetUserData() { return InfoOf(m_state, m_index).userData; }
+bool Joint::IsEnabled() const { return GetBodyA()->IsEnabled() && GetBodyB()->IsEnabled(); }
+Joint* Joint::GetNext() const { return JointOf(m_state, InfoOf(m_state, m_index).listNext); }
+Joint* Joint::GetNext(const Body* body) const {
+    if (body != GetBodyA() && body != GetBodyB()) return nullptr;
+    return JointOf(m_state, m_state->joints.NextOfBody(m_index, body->GetIndex()));
+}
+void Joint::ShiftOrigin(Vec2 newOrigin) {
+    if (JointEdit(m_state, this, "Joint::ShiftOrigin").Finite(newOrigin, "newOrigin").Failed()) return;
+    JointTable::WithStore(m_state->joints, GetType(),
+                          [&](auto& store) { ShiftRow(store.rows[static_cast<size_t>(m_row)], newOrigin); });
+}
+
+ErrorCode EnableLimit(JointEdit edit, LimitState& limit, bool flag) {
+    if (edit.Failed() || limit.enabled == flag) return edit.Code();
+    edit.WakeBodies();
+    limit.enabled = flag;
+    limit.lowerImpulse = limit.upperImpulse = 0.0f;
+    return edit.Code();
+}
+
+ErrorCode SetLimits(JointEdit edit, LimitState& limit, float lower, float upper) {
+    edit.Finite(lower, "lower").Finite(upper, "upper").Require(lower <= upper, "lower", "keep it at or below upper");
+    if (edit.Failed() || (limit.lower == lower && limit.upper == upper)) return edit.Code();
+    edit.WakeBodies();
+    limit.lower = lower;
+    limit.upper = upper;
+    limit.lowerImpulse = limit.upperImpulse = 0.0f;
+    return edit.Code();
+}
+
+float GetSlide(const Joint& joint, const SlideFrame& frame) {
+    const Body& a = *joint.GetBodyA();
+    const Vec2 gap = joint.GetBodyB()->GetWorldPoint(frame.localAnchorB) - a.GetWorldPoint(frame.localAnchorA);
+    return Dot(gap, a.GetWorldVector(frame.localAxisA));
+}
+
+float GetSlideSpeed(const Joint& joint, const SlideFrame& frame) {
+    const Body& a = *joint.GetBodyA();
+    const Body& b = *joint.GetBodyB();
+    const Vec2 axis = a.GetWorldVector(frame.localAxisA);
+    const Vec2 gap = b.GetWorldPoint(frame.localAnchorB) - a.GetWorldPoint(frame.localAnchorA);
+    const Vec2 speed =
+        b.GetLinearVelocityFromLocalPoint(frame.localAnchorB) - a.GetLinearVelocityFromLocalPoint(frame.localAnchorA);
+    return Dot(axis, speed) + Dot(gap, Cross(a.GetAngularVelocity(), axis));
+}
+
+Vec2 UnitAxis(Vec2 axis) {
+    const float length = axis.Normalize();
+    return length > 0.0f && std::isfinite(length) ? axis : vec2Zero;
+}
+
+}  // namespace scree

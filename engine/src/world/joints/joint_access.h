@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What the files of the joint handles share: rows and bodies behind a handle, setters as a chain of checks, and the
+// measures of a sliding joint.
+
+#pragma once
+
+#include "world/guard.h"
+#include "world/world_state.h"
+
+namespace scree {
+
+template <typename Row>
+Row& RowOf(WorldState* state, int row) {
+    return state->joints.Store<Row>().rows[static_cast<size_t>(row)];
+}
+
+/// A setter: checks the handle and the value, then stores it. Usage: `return JointEdit(m_state, this,
+/// "WheelJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);`
+class JointEdit {
+public:
+    JointEdit(WorldState* state, const Joint* joint, const char* function)
+        : m_state(*state), m_joint(joint), m_guard(*state, function) {
+        m_guard.Require(Owns(*state, joint), ErrorCode::foreignHandle, "this", "use a joint that was not destroyed");
+    }
+    JointEdit& Finite(float value, const char* field) { return m_guard.Finite(value, field), *this; }
+    JointEdit& Finite(Vec2 value, const char* field) { return m_guard.Finite(value, field), *this; }
+    /// Finite and not negative.
+    JointEdit& Amount(float value, const char* field) { return m_guard.Amount(value, field), *this; }
+    JointEdit& Require(bool holds, const char* field, const char* cure) {
+        return m_guard.Require(holds, ErrorCode::outOfRange, field, cure), *this;
+    }
+
+    [[nodiscard]] bool Failed() const { return m_guard.Failed(); }
+    [[nodiscard]] ErrorCode Code() const { return m_guard.Code(); }
+
+    /// Stores without waking.
+    template <typename T>
+    ErrorCode Set(T& target, T value) {
+        if (!Failed()) target = value;
+        return Code();
+    }
+    /// Stores and wakes both bodies if the value is new.
+    template <typename T>
+    ErrorCode SetAndWake(T& target, T value) {
+        if (Failed() || target == value) return Code();
+        WakeBodies();
+        target = value;
+        return Code();
+    }
+    void WakeBodies() {
+        const JointInfo& info = m_state.joints.info[static_cast<size_t>(m_joint->GetIndex())];
+        m_state.bodies.Wake(info.bodyA);
+        m_state.bodies.Wake(info.bodyB);
+    }
+
+private:
+    WorldState& m_state;
+    const Joint* m_joint;
+    Guard m_guard;
+};
+
+/// The setters of limits and motors, equal for all joints that have them.
+ErrorCode EnableLimit(JointEdit edit, LimitState& limit, bool flag);
+ErrorCode SetLimits(JointEdit edit, LimitState& limit, float lower, float upper);
+
+/// A point of each body and an axis in A, in body coordinates.
+struct SlideFrame {
+    Vec2 localAnchorA, localAnchorB, localAxisA;
+};
+/// Way from A's anchor to B's along the axis, m, and how fast it grows, m/s.
+float GetSlide(const Joint& joint, const SlideFrame& frame);
+float GetSlideSpeed(const Joint& joint, const SlideFrame& frame);
+/// The axis of a definition at length 1; zero if it is too short or too long for floats.
+Vec2 UnitAxis(Vec2 axis);
+
+}  // namespace scree

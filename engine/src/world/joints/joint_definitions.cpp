@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Creation and removal of joints of any type. Rule for gears: a gear lives no longer than the joints it couples, so
+// they count their gears, and whoever removes a joint removes those first.
+
+#include "world/joints/joint_definitions.h"
+
+#include "world/refresh.h"
+
+namespace scree {
+
+namespace {
+
+void CheckBodies(const JointDef& def, const WorldState& state, Guard& guard) {
+    guard.NotNull(def.bodyA != nullptr, "JointDef::bodyA", "set both bodies")
+        .NotNull(def.bodyB != nullptr, "JointDef::bodyB", "set both bodies");
+    if (guard.Failed()) return;
+    const char* cure = "use a living body of this world";
+    guard.Require(Owns(state, def.bodyA), ErrorCode::foreignHandle, "JointDef::bodyA", cure)
+        .Require(Owns(state, def.bodyB), ErrorCode::foreignHandle, "JointDef::bodyB", cure)
+        .Require(def.bodyA != def.bodyB, ErrorCode::outOfRange, "JointDef::bodyB", "join two different bodies");
+}
+
+JointInfo& InfoOf(WorldState& s, int joint) { return s.joints.info[static_cast<size_t>(joint)]; }
+
+Joint* Insert(WorldState& s, int joint) {
+    const JointInfo& info = InfoOf(s, joint);
+    ++s.bodies.info[static_cast<size_t>(info.bodyA)].jointCount;
+    ++s.bodies.info[static_cast<size_t>(info.bodyB)].jointCount;
+    if (!info.collideConnected) RefilterBodies(s, info.bodyA, info.bodyB);
+    return s.joints.handles[static_cast<size_t>(joint)];
+}
+
+JointInfo HeadOf(const JointDef& def) {
+    JointInfo head;
+    head.type = def.type;
+    head.collideConnected = def.collideConnected;
+    head.userData = def.userData;
+    return head;
+}
+
+template <typename Row>
+Joint* Create(WorldState& s, const JointDef& base, Guard& guard) {
+    const auto& def = static_cast<const typename Row::Definition&>(base);
+    CheckBodies(def, s, guard);
+    Check(def, guard);
+    if (guard.Failed()) return nullptr;
+    JointInfo head = HeadOf(def);
+    head.bodyA = def.bodyA->GetIndex();
+    head.bodyB = def.bodyB->GetIndex();
+    return Insert(s, s.joints.Add(&s, head, MakeRow(def)));
+}
+
+template <>
+Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
+    const auto& def = static_cast<const GearJointDef&>(base);
+    CheckGear(def, s, guard);
+    if (guard.Failed()) return nullptr;
+    const GearRow row = MakeGearRow(def, s);
+    JointInfo head = HeadOf(def);
+    head.bodyA = row.side[0].body;
+    head.bodyB = row.side[1].body;
+    for (const GearSide& side : row.side) ++InfoOf(s, side.joint).gearCount;
+    return Insert(s, s.joints.Add(&s, head, row));
+}
+
+}  // namespace
+
+Joint* AddJoint(WorldState& s, const JointDef& def) {
+    Guard guard(s, "World::CreateJoint");
+    Joint* joint = nullptr;
+    bool known = false;
+    JointTable::WithStore(s.joints, def.type, [&](auto& store) {
+        known = true;
+        joint = Create<typename std::remove_reference_t<decltype(store)>::RowType>(s, def, guard);
+    });
+    guard.Require(known || guard.Failed(), ErrorCode::outOfRange, "JointDef::type",
+                  "use a joint definition of this library");
+    return joint;
+}
+
+int FindGearOf(const WorldState& s, int joint) {
+    const JointInfo& info = s.joints.info[static_cast<size_t>(joint)];
+    if (info.gearCount == 0) return -1;
+    // A gear hangs on the second body of each of its joints.
+    for (const int other : s.joints.OfBody(info.bodyB)) {
+        const JointInfo& candidate = s.joints.info[static_cast<size_t>(other)];
+        if (candidate.type != e_gearJoint) continue;
+        const GearRow& gear = s.joints.Store<GearRow>().rows[static_cast<size_t>(candidate.row)];
+        if (gear.side[0].joint == joint || gear.side[1].joint == joint) return other;
+    }
+    return -1;
+}
+
+void RemoveJoint(WorldState& s, int joint) {
+    const JointInfo info = InfoOf(s, joint);
+    if (info.type == e_gearJoint) {
+        const GearRow& gear = s.joints.Store<GearRow>().rows[static_cast<size_t>(info.row)];
+        for (const GearSide& side : gear.side) --InfoOf(s, side.joint).gearCount;
+    }
+    s.joints.Remove(joint);
+    for (const int body : {info.bodyA, info.bodyB}) {
+        --s.bodies.info[static_cast<size_t>(body)].jointCount;
+        s.bodies.Wake(body);
+    }
+    if (!info.collideConnected) s.pairsStale = true;  // their pairs may have contacts again
+}
+
+}  // namespace scree

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// From a definition to a joint: one check and one row maker per type, and the creation and removal of any joint.
+
+#pragma once
+
+#include "world/guard.h"
+#include "world/world_state.h"
+
+namespace scree {
+
+/// Finds the first wrong field, the bodies apart.
+void Check(const RevoluteJointDef& def, Guard& guard);
+void Check(const PrismaticJointDef& def, Guard& guard);
+void Check(const DistanceJointDef& def, Guard& guard);
+void Check(const PulleyJointDef& def, Guard& guard);
+void Check(const MouseJointDef& def, Guard& guard);
+void Check(const WheelJointDef& def, Guard& guard);
+void Check(const WeldJointDef& def, Guard& guard);
+void Check(const FrictionJointDef& def, Guard& guard);
+void Check(const MotorJointDef& def, Guard& guard);
+/// Its two joints stand in for the bodies.
+void CheckGear(const GearJointDef& def, const WorldState& state, Guard& guard);
+
+/// The row of a valid definition.
+RevoluteRow MakeRow(const RevoluteJointDef& def);
+PrismaticRow MakeRow(const PrismaticJointDef& def);
+DistanceRow MakeRow(const DistanceJointDef& def);
+PulleyRow MakeRow(const PulleyJointDef& def);
+MouseRow MakeRow(const MouseJointDef& def);
+WheelRow MakeRow(const WheelJointDef& def);
+WeldRow MakeRow(const WeldJointDef& def);
+FrictionRow MakeRow(const FrictionJointDef& def);
+MotorRow MakeRow(const MotorJointDef& def);
+GearRow MakeGearRow(const GearJointDef& def, const WorldState& state);
+
+/// Checks the definition and makes the joint; null and an error for a bad one.
+Joint* AddJoint(WorldState& state, const JointDef& def);
+/// A gear that uses this joint, −1 if none does. Gears go before their joints.
+int FindGearOf(const WorldState& state, int joint);
+/// Takes a joint that no gear uses out of the world and wakes its bodies.
+void RemoveJoint(WorldState& state, int joint);
+
+}  // namespace scree

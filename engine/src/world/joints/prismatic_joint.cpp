@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Prismatic joint: definition and handle.
+
+#include "scree/prismatic_joint.h"
+
+#include "world/joints/joint_access.h"
+#include "world/joints/joint_definitions.h"
+
+namespace scree {
+
+PrismaticRow& PrismaticJoint::Row() const { return RowOf<PrismaticRow>(m_state, m_row); }
+
+void PrismaticJointDef::Initialize(Body* a, Body* b, Vec2 anchor, Vec2 axis) {
+    bodyA = a;
+    bodyB = b;
+    if (a == nullptr || b == nullptr) return;  // CreateJoint says so
+    localAnchorA = a->GetLocalPoint(anchor);
+    localAnchorB = b->GetLocalPoint(anchor);
+    localAxisA = a->GetLocalVector(axis);
+    referenceAngle = b->GetAngle() - a->GetAngle();
+}
+
+void Check(const PrismaticJointDef& def, Guard& guard) {
+    guard.Finite(def.localAnchorA, "PrismaticJointDef::localAnchorA")
+        .Finite(def.localAnchorB, "PrismaticJointDef::localAnchorB")
+        .Finite(def.localAxisA, "PrismaticJointDef::localAxisA")
+        .Require(!(UnitAxis(def.localAxisA) == vec2Zero), ErrorCode::outOfRange, "PrismaticJointDef::localAxisA",
+                 "give a direction, best of length 1")
+        .Finite(def.referenceAngle, "PrismaticJointDef::referenceAngle")
+        .Finite(def.lowerTranslation, "PrismaticJointDef::lowerTranslation")
+        .Finite(def.upperTranslation, "PrismaticJointDef::upperTranslation")
+        .Require(def.lowerTranslation <= def.upperTranslation, ErrorCode::outOfRange,
+                 "PrismaticJointDef::lowerTranslation", "keep it at or below upperTranslation")
+        .Finite(def.motorSpeed, "PrismaticJointDef::motorSpeed")
+        .Amount(def.maxMotorForce, "PrismaticJointDef::maxMotorForce");
+}
+
+PrismaticRow MakeRow(const PrismaticJointDef& def) {
+    return {.localAnchorA = def.localAnchorA,
+            .localAnchorB = def.localAnchorB,
+            .localAxisA = UnitAxis(def.localAxisA),
+            .referenceAngle = def.referenceAngle,
+            .limit = {.enabled = def.enableLimit, .lower = def.lowerTranslation, .upper = def.upperTranslation},
+            .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorForce}};
+}
+
+Vec2 PrismaticJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
+Vec2 PrismaticJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
+Vec2 PrismaticJoint::GetReactionForce(float inverseDt) const {
+    const PrismaticRow& row = Row();
+    const float along = row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse;
+    return inverseDt * (row.impulse.x * row.axis.Skew() + along * row.axis);
+}
+float PrismaticJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().impulse.y; }
+Vec2 PrismaticJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
+Vec2 PrismaticJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
+Vec2 PrismaticJoint::GetLocalAxisA() const { return Row().localAxisA; }
+float PrismaticJoint::GetReferenceAngle() const { return Row().referenceAngle; }
+float PrismaticJoint::GetJointTranslation() const {
+    const PrismaticRow& row = Row();
+    return GetSlide(*this, {row.localAnchorA, row.localAnchorB, row.localAxisA});
+}
+float PrismaticJoint::GetJointSpeed() const {
+    const PrismaticRow& row = Row();
+    return GetSlideSpeed(*this, {row.localAnchorA, row.localAnchorB, row.localAxisA});
+}
+
+bool PrismaticJoint::IsLimitEnabled() const { return Row().limit.enabled; }
+ErrorCode PrismaticJoint::EnableLimit(bool flag) {
+    return scree::EnableLimit(JointEdit(m_state, this, "PrismaticJoint::EnableLimit"), Row().limit, flag);
+}
+float PrismaticJoint::GetLowerLimit() const { return Row().limit.lower; }
+float PrismaticJoint::GetUpperLimit() const { return Row().limit.upper; }
+ErrorCode PrismaticJoint::SetLimits(float lower, float upper) {
+    return scree::SetLimits(JointEdit(m_state, this, "PrismaticJoint::SetLimits"), Row().limit, lower, upper);
+}
+
+bool PrismaticJoint::IsMotorEnabled() const { return Row().motor.enabled; }
+ErrorCode PrismaticJoint::EnableMotor(bool flag) {
+    return JointEdit(m_state, this, "PrismaticJoint::EnableMotor").SetAndWake(Row().motor.enabled, flag);
+}
+ErrorCode PrismaticJoint::SetMotorSpeed(float speed) {
+    return JointEdit(m_state, this, "PrismaticJoint::SetMotorSpeed")
+        .Finite(speed, "speed")
+        .SetAndWake(Row().motor.speed, speed);
+}
+float PrismaticJoint::GetMotorSpeed() const { return Row().motor.speed; }
+ErrorCode PrismaticJoint::SetMaxMotorForce(float force) {
+    return JointEdit(m_state, this, "PrismaticJoint::SetMaxMotorForce")
+        .Amount(force, "force")
+        .SetAndWake(Row().motor.maximum, force);
+}
+float PrismaticJoint::GetMaxMotorForce() const { return Row().motor.maximum; }
+float PrismaticJoint::GetMotorForce(float inverseDt) const { return inverseDt * Row().motor.impulse; }
+
+}  // namespace scree

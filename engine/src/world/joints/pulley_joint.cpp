@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Pulley joint: definition and handle.
+
+#include "scree/pulley_joint.h"
+
+#include "world/joints/joint_access.h"
+#include "world/joints/joint_definitions.h"
+
+namespace scree {
+
+PulleyRow& PulleyJoint::Row() const { return RowOf<PulleyRow>(m_state, m_row); }
+
+void PulleyJointDef::Initialize(Body* a, Body* b, const PulleyPoints& points, float pulleyRatio) {
+    bodyA = a;
+    bodyB = b;
+    groundAnchorA = points.groundAnchorA;
+    groundAnchorB = points.groundAnchorB;
+    lengthA = Distance(points.anchorA, points.groundAnchorA);
+    lengthB = Distance(points.anchorB, points.groundAnchorB);
+    ratio = pulleyRatio;
+    if (a == nullptr || b == nullptr) return;  // CreateJoint says so
+    localAnchorA = a->GetLocalPoint(points.anchorA);
+    localAnchorB = b->GetLocalPoint(points.anchorB);
+}
+
+void Check(const PulleyJointDef& def, Guard& guard) {
+    guard.Finite(def.groundAnchorA, "PulleyJointDef::groundAnchorA")
+        .Finite(def.groundAnchorB, "PulleyJointDef::groundAnchorB")
+        .Finite(def.localAnchorA, "PulleyJointDef::localAnchorA")
+        .Finite(def.localAnchorB, "PulleyJointDef::localAnchorB")
+        .Amount(def.lengthA, "PulleyJointDef::lengthA")
+        .Amount(def.lengthB, "PulleyJointDef::lengthB")
+        .Finite(def.ratio, "PulleyJointDef::ratio")
+        .Require(def.ratio != 0.0f, ErrorCode::outOfRange, "PulleyJointDef::ratio", "give a ratio other than 0");
+}
+
+PulleyRow MakeRow(const PulleyJointDef& def) {
+    return {.groundAnchorA = def.groundAnchorA,
+            .groundAnchorB = def.groundAnchorB,
+            .localAnchorA = def.localAnchorA,
+            .localAnchorB = def.localAnchorB,
+            .lengthA = def.lengthA,
+            .lengthB = def.lengthB,
+            .ratio = def.ratio,
+            .constant = def.lengthA + def.ratio * def.lengthB};
+}
+
+Vec2 PulleyJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
+Vec2 PulleyJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
+Vec2 PulleyJoint::GetReactionForce(float inverseDt) const { return (inverseDt * Row().impulse) * Row().axis; }
+float PulleyJoint::GetReactionTorque(float) const { return 0.0f; }
+Vec2 PulleyJoint::GetGroundAnchorA() const { return Row().groundAnchorA; }
+Vec2 PulleyJoint::GetGroundAnchorB() const { return Row().groundAnchorB; }
+float PulleyJoint::GetLengthA() const { return Row().lengthA; }
+float PulleyJoint::GetLengthB() const { return Row().lengthB; }
+float PulleyJoint::GetRatio() const { return Row().ratio; }
+float PulleyJoint::GetCurrentLengthA() const { return Distance(GetAnchorA(), Row().groundAnchorA); }
+float PulleyJoint::GetCurrentLengthB() const { return Distance(GetAnchorB(), Row().groundAnchorB); }
+
+}  // namespace scree

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Revolute joint: definition and handle.
+
+#include "scree/revolute_joint.h"
+
+#include "world/joints/joint_access.h"
+#include "world/joints/joint_definitions.h"
+
+namespace scree {
+
+RevoluteRow& RevoluteJoint::Row() const { return RowOf<RevoluteRow>(m_state, m_row); }
+
+void RevoluteJointDef::Initialize(Body* a, Body* b, Vec2 anchor) {
+    bodyA = a;
+    bodyB = b;
+    if (a == nullptr || b == nullptr) return;  // CreateJoint says so
+    localAnchorA = a->GetLocalPoint(anchor);
+    localAnchorB = b->GetLocalPoint(anchor);
+    referenceAngle = b->GetAngle() - a->GetAngle();
+}
+
+void Check(const RevoluteJointDef& def, Guard& guard) {
+    guard.Finite(def.localAnchorA, "RevoluteJointDef::localAnchorA")
+        .Finite(def.localAnchorB, "RevoluteJointDef::localAnchorB")
+        .Finite(def.referenceAngle, "RevoluteJointDef::referenceAngle")
+        .Finite(def.lowerAngle, "RevoluteJointDef::lowerAngle")
+        .Finite(def.upperAngle, "RevoluteJointDef::upperAngle")
+        .Require(def.lowerAngle <= def.upperAngle, ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle",
+                 "keep it at or below upperAngle")
+        .Finite(def.motorSpeed, "RevoluteJointDef::motorSpeed")
+        .Amount(def.maxMotorTorque, "RevoluteJointDef::maxMotorTorque");
+}
+
+RevoluteRow MakeRow(const RevoluteJointDef& def) {
+    return {.localAnchorA = def.localAnchorA,
+            .localAnchorB = def.localAnchorB,
+            .referenceAngle = def.referenceAngle,
+            .limit = {.enabled = def.enableLimit, .lower = def.lowerAngle, .upper = def.upperAngle},
+            .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorTorque}};
+}
+
+Vec2 RevoluteJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
+Vec2 RevoluteJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
+Vec2 RevoluteJoint::GetReactionForce(float inverseDt) const { return inverseDt * Row().impulse; }
+float RevoluteJoint::GetReactionTorque(float inverseDt) const {
+    const RevoluteRow& row = Row();
+    return inverseDt * (row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse);
+}
+Vec2 RevoluteJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
+Vec2 RevoluteJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
+float RevoluteJoint::GetReferenceAngle() const { return Row().referenceAngle; }
+float RevoluteJoint::GetJointAngle() const {
+    return GetBodyB()->GetAngle() - GetBodyA()->GetAngle() - Row().referenceAngle;
+}
+float RevoluteJoint::GetJointSpeed() const {
+    return GetBodyB()->GetAngularVelocity() - GetBodyA()->GetAngularVelocity();
+}
+
+bool RevoluteJoint::IsLimitEnabled() const { return Row().limit.enabled; }
+ErrorCode RevoluteJoint::EnableLimit(bool flag) {
+    return scree::EnableLimit(JointEdit(m_state, this, "RevoluteJoint::EnableLimit"), Row().limit, flag);
+}
+float RevoluteJoint::GetLowerLimit() const { return Row().limit.lower; }
+float RevoluteJoint::GetUpperLimit() const { return Row().limit.upper; }
+ErrorCode RevoluteJoint::SetLimits(float lower, float upper) {
+    return scree::SetLimits(JointEdit(m_state, this, "RevoluteJoint::SetLimits"), Row().limit, lower, upper);
+}
+
+bool RevoluteJoint::IsMotorEnabled() const { return Row().motor.enabled; }
+ErrorCode RevoluteJoint::EnableMotor(bool flag) {
+    return JointEdit(m_state, this, "RevoluteJoint::EnableMotor").SetAndWake(Row().motor.enabled, flag);
+}
+ErrorCode RevoluteJoint::SetMotorSpeed(float speed) {
+    return JointEdit(m_state, this, "RevoluteJoint::SetMotorSpeed")
+        .Finite(speed, "speed")
+        .SetAndWake(Row().motor.speed, speed);
+}
+float RevoluteJoint::GetMotorSpeed() const { return Row().motor.speed; }
+ErrorCode RevoluteJoint::SetMaxMotorTorque(float torque) {
+    return JointEdit(m_state, this, "RevoluteJoint::SetMaxMotorTorque")
+        .Amount(torque, "torque")
+        .SetAndWake(Row().motor.maximum, torque);
+}
+float RevoluteJoint::GetMaxMotorTorque() const { return Row().motor.maximum; }
+float RevoluteJoint::GetMotorTorque(float inverseDt) const { return inverseDt * Row().motor.impulse; }
+
+}  // namespace scree

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// World queries: the broad phase gives candidates by their boxes, the geometry functions decide. Callbacks run locked.
+
+#include "scree/queries.h"
+
+#include <algorithm>
+
+#include "scree/distance.h"
+#include "world/guard.h"
+
+namespace scree {
+
+namespace {
+
+bool Sees(const QueryFilter& filter, const FixtureTable& fixtures, uint32_t fixture) {
+    if (!filter.includeSensors && fixtures.isSensor[fixture] != 0) return false;
+    return filter.maskBits == 0xFFFF || (filter.maskBits & fixtures.filter[fixture].categoryBits) != 0;
+}
+
+const Transform& TransformOf(const WorldState& s, uint32_t fixture) {
+    return s.bodies.transform[static_cast<size_t>(s.fixtures.body[fixture])];
+}
+
+/// Exact ray casts on the broad phase's candidates: visit(input, fixture, hit) answers as in World::RayCast.
+template <typename Visit>
+void CastRay(WorldState& s, Vec2 p1, Vec2 p2, Visit visit) {
+    const WorldLock lock(s);
+    s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t f) {
+        RayCastOutput hit;
+        if (!s.fixtures.shape[f]->RayCast(&hit, input, TransformOf(s, f))) return input.maxFraction;
+        return visit(input, f, hit);
+    });
+}
+
+Vec2 PointOnRay(const RayCastInput& input, float fraction) {
+    return (1.0f - fraction) * input.p1 + fraction * input.p2;
+}
+
+Guard& CheckRay(Guard& guard, Vec2 p1, Vec2 p2) {
+    guard.Require(p1.IsValid() && p2.IsValid(), ErrorCode::nonFinite, "p1, p2", "give finite points");
+    return guard.Require(DistanceSquared(p1, p2) > 0.0f, ErrorCode::outOfRange, "p1, p2", "give two different points");
+}
+
+/// A shape that can be compared with others: valid and no chain.
+Guard& CheckConvex(Guard& guard, const Shape& shape, const Transform& xf) {
+    guard.Accept(Check(shape));
+    guard.Require(shape.GetType() != Shape::e_chain, ErrorCode::badShape, "shape",
+                  "query with the chain's edges one by one");
+    guard.Finite(xf.p, "xf").Finite(xf.q.s, "xf");
+    return guard.Finite(xf.q.c, "xf");
+}
+
+/// The shape on its way against one fixture; fraction 0 and no normal if they overlap from the start.
+std::optional<ShapeHit> CastAgainst(WorldState& s, uint32_t f, const Shape& shape, const Transform& xf,
+                                    Vec2 translation) {
+    Fixture* fixture = &s.fixtures.handles[f];
+    ShapeCastInput input;
+    input.proxyA.Set(s.fixtures.shape[f], 0);
+    input.proxyB.Set(&shape, 0);
+    input.transformA = TransformOf(s, f);
+    input.transformB = xf;
+    input.translationB = translation;
+    if (TestOverlap(s.fixtures.shape[f], 0, &shape, 0, input.transformA, xf)) {
+        DistanceInput near{input.proxyA, input.proxyB, input.transformA, xf, true};
+        SimplexCache cache;
+        DistanceOutput closest;
+        Distance(&closest, &cache, &near);
+        return ShapeHit{fixture, closest.pointA, vec2Zero, 0.0f};
+    }
+    ShapeCastOutput output;
+    if (!ShapeCast(&output, &input)) return std::nullopt;
+    return ShapeHit{fixture, output.point, output.normal, output.lambda};
+}
+
+/// Everything in the way of the shape, in the order of touch; ties by fixture index, so that no algorithm shows.
+void CastShape(WorldState& s, const Shape& shape, const Transform& xf, Vec2 translation, const QueryFilter& filter,
+               std::vector<ShapeHit>& hits) {
+    AABB start;
+    shape.ComputeAABB(&start, xf);
+    const AABB swept = Union(start, {start.lowerBound + translation, start.upperBound + translation});
+    s.broadPhase->Query(swept, [&](uint32_t f) {
+        if (!Sees(filter, s.fixtures, f)) return true;
+        if (const auto hit = CastAgainst(s, f, shape, xf, translation)) hits.push_back(*hit);
+        return true;
+    });
+    std::sort(hits.begin(), hits.end(), [](const ShapeHit& a, const ShapeHit& b) {
+        return a.fraction != b.fraction ? a.fraction < b.fraction : a.fixture->GetIndex() < b.fixture->GetIndex();
+    });
+}
+
+}  // namespace
+
+ErrorCode World::QueryAABB(const AABB& aabb, const std::function<bool(Fixture*)>& visit) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::QueryAABB");
+    guard.NotNull(visit != nullptr, "visit", "pass a function");
+    guard.Require(aabb.IsValid(), ErrorCode::outOfRange, "aabb", "give finite bounds with lower ≤ upper");
+    if (guard.Failed()) return guard.Code();
+    const WorldLock lock(s);
+    s.broadPhase->Query(aabb, [&](uint32_t f) { return visit(&s.fixtures.handles[f]); });
+    return ErrorCode::ok;
+}
+
+ErrorCode World::QueryAABB(QueryCallback* callback, const AABB& aabb) {
+    Guard guard(*m_state, "World::QueryAABB");
+    if (guard.NotNull(callback != nullptr, "callback", "pass a QueryCallback").Failed()) return guard.Code();
+    return QueryAABB(aabb, [callback](Fixture* fixture) { return callback->ReportFixture(fixture); });
+}
+
+ErrorCode World::RayCast(Vec2 p1, Vec2 p2, const std::function<float(Fixture*, Vec2, Vec2, float)>& visit) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::RayCast");
+    guard.NotNull(visit != nullptr, "visit", "pass a function");
+    if (CheckRay(guard, p1, p2).Failed()) return guard.Code();
+    CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
+        return visit(&s.fixtures.handles[f], PointOnRay(input, hit.fraction), hit.normal, hit.fraction);
+    });
+    return ErrorCode::ok;
+}
+
+ErrorCode World::RayCast(RayCastCallback* callback, Vec2 p1, Vec2 p2) {
+    Guard guard(*m_state, "World::RayCast");
+    if (guard.NotNull(callback != nullptr, "callback", "pass a RayCastCallback").Failed()) return guard.Code();
+    return RayCast(p1, p2, [callback](Fixture* fixture, Vec2 point, Vec2 normal, float fraction) {
+        return callback->ReportFixture(fixture, point, normal, fraction);
+    });
+}
+
+std::optional<RayHit> World::RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter& filter) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::RayCastClosest");
+    if (CheckRay(guard, p1, p2).Failed()) return std::nullopt;
+    std::optional<RayHit> best;
+    CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
+        if (!Sees(filter, s.fixtures, f)) return -1.0f;
+        Fixture* fixture = &s.fixtures.handles[f];
+        // A later fixture wins a tie by its smaller index, so that no algorithm shows.
+        const bool nearer = !best || hit.fraction < best->fraction || fixture->GetIndex() < best->fixture->GetIndex();
+        if (nearer) best = RayHit{fixture, PointOnRay(input, hit.fraction), hit.normal, hit.fraction};
+        // A hit right at the start may not end the cast before ties are settled; −1 leaves the ray as it is.
+        return hit.fraction > 0.0f ? hit.fraction : -1.0f;
+    });
+    return best;
+}
+
+ErrorCode World::RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const QueryFilter& filter) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::RayCastAll");
+    if (CheckRay(guard, p1, p2).Failed()) return guard.Code();
+    hits.clear();
+    CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
+        if (Sees(filter, s.fixtures, f)) {
+            hits.push_back({&s.fixtures.handles[f], PointOnRay(input, hit.fraction), hit.normal, hit.fraction});
+        }
+        return -1.0f;
+    });
+    std::sort(hits.begin(), hits.end(), [](const RayHit& a, const RayHit& b) {
+        return a.fraction != b.fraction ? a.fraction < b.fraction : a.fixture->GetIndex() < b.fixture->GetIndex();
+    });
+    return ErrorCode::ok;
+}
+
+ErrorCode World::QueryPoint(Vec2 point, const std::function<bool(Fixture*)>& visit, const QueryFilter& filter) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::QueryPoint");
+    if (guard.NotNull(visit != nullptr, "visit", "pass a function").Finite(point, "point").Failed())
+        return guard.Code();
+    const WorldLock lock(s);
+    s.broadPhase->Query({point, point}, [&](uint32_t f) {
+        if (!Sees(filter, s.fixtures, f) || !s.fixtures.shape[f]->TestPoint(TransformOf(s, f), point)) return true;
+        return visit(&s.fixtures.handles[f]);
+    });
+    return ErrorCode::ok;
+}
+
+ErrorCode World::OverlapShape(const Shape& shape, const Transform& xf, const std::function<bool(Fixture*)>& visit,
+                              const QueryFilter& filter) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::OverlapShape");
+    guard.NotNull(visit != nullptr, "visit", "pass a function");
+    if (CheckConvex(guard, shape, xf).Failed()) return guard.Code();
+    AABB box;
+    shape.ComputeAABB(&box, xf);
+    const WorldLock lock(s);
+    s.broadPhase->Query(box, [&](uint32_t f) {
+        if (!Sees(filter, s.fixtures, f)) return true;
+        if (!TestOverlap(s.fixtures.shape[f], 0, &shape, 0, TransformOf(s, f), xf)) return true;
+        return visit(&s.fixtures.handles[f]);
+    });
+    return ErrorCode::ok;
+}
+
+ErrorCode World::ShapeCast(const Shape& shape, const Transform& xf, Vec2 translation, std::vector<ShapeHit>& hits,
+                           const QueryFilter& filter) {
+    Guard guard(*m_state, "World::ShapeCast");
+    if (CheckConvex(guard, shape, xf).Finite(translation, "translation").Failed()) return guard.Code();
+    hits.clear();
+    CastShape(*m_state, shape, xf, translation, filter, hits);
+    return ErrorCode::ok;
+}
+
+std::optional<ShapeHit> World::ShapeCastClosest(const Shape& shape, const Transform& xf, Vec2 translation,
+                                                const QueryFilter& filter) {
+    Guard guard(*m_state, "World::ShapeCastClosest");
+    if (CheckConvex(guard, shape, xf).Finite(translation, "translation").Failed()) return std::nullopt;
+    std::vector<ShapeHit> hits;
+    CastShape(*m_state, shape, xf, translation, filter, hits);
+    return hits.empty() ? std::nullopt : std::optional<ShapeHit>(hits.front());
+}
+
+}  // namespace scree

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Moves the origin of a world: every stored world coordinate loses `newOrigin`. Contacts and impulses live in body
+// coordinates and stay.
+
+#include "pipeline/update_boxes.h"
+#include "world/guard.h"
+
+namespace scree {
+
+ErrorCode World::ShiftOrigin(Vec2 newOrigin) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::ShiftOrigin");
+    guard.Unlocked("shift the origin outside of Step and callbacks").Finite(newOrigin, "newOrigin");
+    if (guard.Failed()) return guard.Code();
+    for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
+        const auto b = static_cast<size_t>(body);
+        s.bodies.transform[b].p -= newOrigin;
+        s.bodies.position[b].c -= newOrigin;
+        s.bodies.startPosition[b].c -= newOrigin;
+        if (s.bodies.Has(body, BodyFlag::enabled)) UpdateBodyBoxes(s.bodies, s.fixtures, body, vec2Zero, *s.broadPhase);
+    }
+    s.joints.ShiftOrigin(newOrigin);
+    return ErrorCode::ok;
+}
+
+}  // namespace scree
