@@ -49,6 +49,75 @@ Shape Edge(Vec2 from, Vec2 to) {
     return shape;
 }
 
+Shape OneSidedEdge(Vec2 before, Vec2 from, Vec2 to, Vec2 after) {
+    Shape shape;
+    shape.type = ShapeType::edge;
+    shape.vertexCount = 4;
+    shape.vertices[0] = from;
+    shape.vertices[1] = to;
+    shape.vertices[2] = before;
+    shape.vertices[3] = after;
+    return shape;
+}
+
+Shape RegularPolygon(int count, double radius, Vec2 center) {
+    if (count < 3 || count > maxPolygonVertices) {
+        throw std::invalid_argument("a polygon has 3 to 8 vertices, not " + std::to_string(count));
+    }
+    Shape shape;
+    shape.type = ShapeType::polygon;
+    shape.vertexCount = static_cast<std::uint8_t>(count);
+    for (int i = 0; i < count; ++i) {
+        const auto [sin, cos] = SinCos(2.0 * pi * i / count);
+        shape.vertices[static_cast<std::size_t>(i)] = Point(center.x + radius * cos, center.y + radius * sin);
+    }
+    return shape;
+}
+
+namespace {
+
+Shape StoreChain(Scene& scene, std::span<const Vec2> vertices, std::size_t minimum) {
+    if (vertices.size() < minimum) {
+        throw std::invalid_argument("a chain has at least 2 vertices, a loop 3, not " +
+                                    std::to_string(vertices.size()));
+    }
+    Shape shape;
+    shape.type = ShapeType::chain;
+    shape.firstChainVertex = static_cast<int>(scene.chainVertices.size());
+    shape.chainVertexCount = static_cast<int>(vertices.size());
+    scene.chainVertices.insert(scene.chainVertices.end(), vertices.begin(), vertices.end());
+    return shape;
+}
+
+// The point as far beyond `end` as `inner` is before it.
+Vec2 Beyond(Vec2 inner, Vec2 end) {
+    return Point(2.0 * end.x - static_cast<double>(inner.x), 2.0 * end.y - static_cast<double>(inner.y));
+}
+
+}  // namespace
+
+Shape Chain(Scene& scene, std::span<const Vec2> vertices) {
+    Shape shape = StoreChain(scene, vertices, 2);
+    shape.vertexCount = 2;
+    shape.vertices[0] = Beyond(vertices[1], vertices[0]);
+    shape.vertices[1] = Beyond(vertices[vertices.size() - 2], vertices.back());
+    return shape;
+}
+
+Shape Loop(Scene& scene, std::span<const Vec2> vertices) { return StoreChain(scene, vertices, 3); }
+
+Shape ChildOf(const Scene& scene, const Shape& shape, int child) {
+    if (shape.type != ShapeType::chain) return shape;
+    const std::span<const Vec2> chain = scene.ChainVerticesOf(shape);
+    const int count = shape.chainVertexCount;
+    const auto vertex = [&](int i) {
+        if (!shape.IsLoop() && i < 0) return shape.vertices[0];
+        if (!shape.IsLoop() && i >= count) return shape.vertices[1];
+        return chain[static_cast<std::size_t>((i + count) % count)];
+    };
+    return OneSidedEdge(vertex(child - 1), vertex(child), vertex(child + 1), vertex(child + 2));
+}
+
 void Reserve(Scene& scene, int bodies, int fixtures) {
     scene.bodies.reserve(static_cast<std::size_t>(bodies));
     scene.fixtures.reserve(static_cast<std::size_t>(fixtures));
@@ -62,11 +131,18 @@ Body& AddBody(Scene& scene, BodyType type, Vec2 position) {
     return body;
 }
 
-void AddFixture(Scene& scene, const Shape& shape, double density) {
+Fixture& AddFixture(Scene& scene, const Shape& shape, double density) {
     Fixture& fixture = scene.fixtures.emplace_back();
     fixture.shape = shape;
     fixture.density = static_cast<float>(density);
     ++scene.bodies.back().fixtureCount;
+    return fixture;
+}
+
+Body& AddFlatGround(Scene& scene, double halfWidth) {
+    Body& ground = AddBody(scene, BodyType::isStatic, {});
+    AddFixture(scene, Edge(Point(-halfWidth, 0.0), Point(halfWidth, 0.0)));
+    return ground;
 }
 
 SceneCounts Count(const Scene& scene) {

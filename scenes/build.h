@@ -11,10 +11,13 @@
 
 #include <cstdint>
 #include <initializer_list>
+#include <span>
 
 #include "scenes/scene.h"
 
 namespace scenes {
+
+inline constexpr double pi = 3.14159265358979323846;
 
 /// A point or vector from double formulas; each coordinate is rounded once.
 [[nodiscard]] inline Vec2 Point(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
@@ -23,7 +26,17 @@ namespace scenes {
 [[nodiscard]] Shape Box(double halfWidth, double halfHeight, Vec2 center = {}, double angle = 0.0);
 /// Convex, counter-clockwise, 3 to 8 vertices; throws std::invalid_argument for another number.
 [[nodiscard]] Shape Polygon(std::initializer_list<Vec2> vertices);
+/// A regular polygon of `count` (3 to 8) vertices, the first to the right of the centre.
+[[nodiscard]] Shape RegularPolygon(int count, double radius, Vec2 center = {});
+/// Collides on both sides.
 [[nodiscard]] Shape Edge(Vec2 from, Vec2 to);
+/// Collides on the right of from → to; `before` and `after` are the far ends of its neighbours.
+[[nodiscard]] Shape OneSidedEdge(Vec2 before, Vec2 from, Vec2 to, Vec2 after);
+/// An open chain through at least 2 vertices, which are stored in the scene. It collides on the right of its direction;
+/// the surface goes on straight beyond both ends.
+[[nodiscard]] Shape Chain(Scene& scene, std::span<const Vec2> vertices);
+/// A closed chain through at least 3 vertices: counter-clockwise ones collide outside, clockwise ones inside.
+[[nodiscard]] Shape Loop(Scene& scene, std::span<const Vec2> vertices);
 
 /// Makes room, so that large scenes are not copied while they grow.
 void Reserve(Scene& scene, int bodies, int fixtures);
@@ -31,11 +44,15 @@ void Reserve(Scene& scene, int bodies, int fixtures);
 /// Appends a body without fixtures and returns it; the reference holds until the next body is added.
 Body& AddBody(Scene& scene, BodyType type, Vec2 position);
 
-/// Appends a fixture to the body added last. The density is ignored by engines where the body is static.
-void AddFixture(Scene& scene, const Shape& shape, double density = 0.0);
+/// Appends a fixture to the body added last and returns it; the reference holds until the next fixture is added. The
+/// density is ignored by engines where the body is static.
+Fixture& AddFixture(Scene& scene, const Shape& shape, double density = 0.0);
 
 /// The index of the body added last.
 [[nodiscard]] inline int LastBody(const Scene& scene) { return static_cast<int>(scene.bodies.size()) - 1; }
+
+/// A static body with a two-sided edge from (−halfWidth, 0) to (halfWidth, 0).
+Body& AddFlatGround(Scene& scene, double halfWidth);
 
 struct SinCosValue {
     double sin, cos;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of all scenes: name → description, legal sizes, builder. One row per scene, in an explicit table
-// (catalog.cpp), so that nothing depends on the order of static initialisation.
+// (suite_rows.h, classic_rows.h), so that nothing depends on the order of static initialisation.
 
 #pragma once
 
@@ -28,6 +28,7 @@ struct SceneInfo {
     std::string_view title;      ///< one line: what stands in the world
     std::string_view exercises;  ///< what it stresses in an engine
     std::string_view folder;     ///< theme: the folder below scenes/ that holds its file
+    bool isClassic = false;      ///< false: of the published benchmark suite
     bool hasSize = true;         ///< false: only defaultSize is legal
     int defaultSize = 0;
     int minSize = 1;

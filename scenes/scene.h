@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -23,11 +24,26 @@ struct Vec2 {
 
 enum class BodyType : std::uint8_t { isStatic, kinematic, dynamic };
 
-/// circle: center, radius. box: halfExtents, center, angle (what SetAsBox takes). polygon: vertices. edge: the first
-/// two vertices, two-sided.
-enum class ShapeType : std::uint8_t { circle, box, polygon, edge };
+/// circle: center, radius. box: halfExtents, center, angle (what SetAsBox takes). polygon: vertices. edge: vertices.
+/// chain: a range of Scene::chainVertices, and vertices as its ghosts.
+enum class ShapeType : std::uint8_t { circle, box, polygon, edge, chain };
 
-enum class JointType : std::uint8_t { revolute };
+/// What a joint keeps, and the fields of Joint that it reads beside type, bodies and collideConnected; "anchors" are
+/// localAnchorA and localAnchorB.
+enum class JointType : std::uint8_t {
+    revolute,   ///< a hinge: anchors, referenceAngle; limit: lowerAngle, upperAngle; motor: motorSpeed, maxMotorTorque
+    distance,   ///< rod, rope or spring: anchors, length, minLength, maxLength, stiffness, damping
+    friction,   ///< resists any relative motion: anchors, maxForce, maxTorque
+    gear,       ///< couples two joints: joint1, joint2, ratio; bodyA and bodyB are those joints' bodyB
+    motor,      ///< drives B to a pose in A: linearOffset, angularOffset, maxForce, maxTorque, correctionFactor
+    mouse,      ///< pulls a point of B to a world point: localAnchorB, target, maxForce, stiffness, damping
+    prismatic,  ///< a slider: anchors, localAxisA, referenceAngle; limit: translations; motor: speed, maxMotorForce
+    pulley,     ///< a rope over two points: groundAnchorA/B, anchors, lengthA, lengthB, ratio
+    weld,       ///< glue: anchors, referenceAngle; stiffness and damping of the angle
+    wheel,      ///< turns and travels: anchors, localAxisA, stiffness, damping; limit: translations; motor: as revolute
+};
+
+inline constexpr int jointTypeCount = 10;
 
 inline constexpr int maxPolygonVertices = 8;
 
@@ -35,15 +51,28 @@ inline constexpr int maxPolygonVertices = 8;
 /// worlds of a million fixtures cost no heap block each.
 struct Shape {
     ShapeType type = ShapeType::circle;
-    std::uint8_t vertexCount = 0;                     ///< polygon: 3…8, edge: 2
-    float radius = 0.0f;                              ///< circle
-    Vec2 center{};                                    ///< circle, box
-    Vec2 halfExtents{};                               ///< box
-    float angle = 0.0f;                               ///< box: its rotation about `center`, rad
-    std::array<Vec2, maxPolygonVertices> vertices{};  ///< polygon: convex, counter-clockwise; edge: both ends
+    std::uint8_t vertexCount = 0;  ///< polygon: 3…8; edge: 2, one-sided: 4; chain: 2, a loop: 0
+    float radius = 0.0f;           ///< circle
+    Vec2 center{};                 ///< circle, box
+    Vec2 halfExtents{};            ///< box
+    float angle = 0.0f;            ///< box: its rotation about `center`, rad
+    int firstChainVertex = 0;      ///< chain: the range in Scene::chainVertices; a loop joins its last to its first
+    int chainVertexCount = 0;      ///< chain: ≥ 2, a loop: ≥ 3
+    /// polygon: convex, counter-clockwise. edge: both ends v1, v2; if one-sided also the ghosts before v1 and after v2.
+    /// chain that is no loop: the ghosts before and after it. One-sided edges and chains collide on the right of their
+    /// direction only.
+    std::array<Vec2, maxPolygonVertices> vertices{};
 
-    /// The vertices in use: empty for circles and boxes.
+    /// The vertices in use: empty for circles, boxes and loops.
     std::span<const Vec2> Vertices() const { return {vertices.data(), vertexCount}; }
+    bool IsOneSidedEdge() const { return type == ShapeType::edge && vertexCount == 4; }
+    bool IsLoop() const { return type == ShapeType::chain && vertexCount == 0; }
+
+    /// Proxies in the broad phase: the segments of a chain, else 1.
+    int ChildCount() const {
+        if (type != ShapeType::chain) return 1;
+        return IsLoop() ? chainVertexCount : chainVertexCount - 1;
+    }
 
     friend bool operator==(const Shape&, const Shape&) = default;
 };
@@ -54,6 +83,8 @@ struct Fixture {
     float density = 0.0f;      ///< kg/m²
     float friction = 0.2f;     ///< Coulomb coefficient
     float restitution = 0.0f;  ///< 0 … 1
+    /// Conveyor: the speed at which the surface carries what touches it, clockwise around the shape (+x on top), m/s.
+    float tangentSpeed = 0.0f;
     bool isSensor = false;
     std::uint16_t categoryBits = 1;
     std::uint16_t maskBits = 0xFFFF;
@@ -82,7 +113,8 @@ struct Body {
     friend bool operator==(const Body&, const Body&) = default;
 };
 
-/// A joint between two bodies that exist from the start, given by index.
+/// A joint between two bodies that exist from the start, given by index: one struct for all types, each reads what
+/// JointType lists. A stiffness of 0 means no spring (distance, wheel) or a rigid angle (weld).
 struct Joint {
     JointType type = JointType::revolute;
     bool collideConnected = false;
@@ -90,13 +122,35 @@ struct Joint {
     bool enableLimit = false;
     int bodyA = 0;
     int bodyB = 0;
-    Vec2 localAnchorA{};          ///< in body A's coordinates, m
-    Vec2 localAnchorB{};          ///< in body B's coordinates, m
-    float referenceAngle = 0.0f;  ///< angle of B minus angle of A that counts as zero, rad
-    float motorSpeed = 0.0f;      ///< rad/s
-    float maxMotorTorque = 0.0f;  ///< N·m
-    float lowerAngle = 0.0f;      ///< rad
-    float upperAngle = 0.0f;      ///< rad
+    Vec2 localAnchorA{};                                  ///< in body A's coordinates, m
+    Vec2 localAnchorB{};                                  ///< in body B's coordinates, m
+    Vec2 localAxisA{1.0f, 0.0f};                          ///< direction of travel in body A, of length 1
+    float referenceAngle = 0.0f;                          ///< angle of B minus angle of A that counts as zero, rad
+    float lowerAngle = 0.0f;                              ///< rad
+    float upperAngle = 0.0f;                              ///< rad
+    float lowerTranslation = 0.0f;                        ///< m
+    float upperTranslation = 0.0f;                        ///< m
+    float motorSpeed = 0.0f;                              ///< rad/s; prismatic: m/s
+    float maxMotorTorque = 0.0f;                          ///< N·m
+    float maxMotorForce = 0.0f;                           ///< N
+    float maxForce = 0.0f;                                ///< N
+    float maxTorque = 0.0f;                               ///< N·m
+    float stiffness = 0.0f;                               ///< N/m; weld: N·m/rad
+    float damping = 0.0f;                                 ///< N·s/m; weld: N·m·s/rad
+    float length = 1.0f;                                  ///< rest length, m
+    float minLength = 0.0f;                               ///< m
+    float maxLength = std::numeric_limits<float>::max();  ///< m; equal to minLength: a rod
+    Vec2 linearOffset{};                                  ///< B's origin in body A's coordinates, m
+    float angularOffset = 0.0f;                           ///< angle of B minus angle of A, rad
+    float correctionFactor = 0.3f;                        ///< share of the error removed in a step, 0 … 1
+    Vec2 target{};                                        ///< world, m
+    Vec2 groundAnchorA{};                                 ///< world, m
+    Vec2 groundAnchorB{};                                 ///< world, m
+    float lengthA = 0.0f;                                 ///< lengthA + ratio · lengthB stays constant, m
+    float lengthB = 0.0f;                                 ///< m
+    float ratio = 1.0f;                                   ///< gear: coordinate1 + ratio · coordinate2 stays constant
+    int joint1 = 0;                                       ///< an earlier revolute or prismatic one in Scene::joints
+    int joint2 = 0;                                       ///< another such
 
     friend bool operator==(const Joint&, const Joint&) = default;
 };
@@ -124,7 +178,8 @@ struct Scene {
     std::vector<Body> bodies;
     std::vector<Fixture> fixtures;
     std::vector<Joint> joints;
-    std::vector<Spawn> spawns;  ///< sorted by afterStep
+    std::vector<Spawn> spawns;        ///< sorted by afterStep
+    std::vector<Vec2> chainVertices;  ///< of all chains, in body coordinates, m
 
     int InitialBodyCount() const { return static_cast<int>(bodies.size() - spawns.size()); }
 
@@ -135,8 +190,19 @@ struct Scene {
                                            static_cast<std::size_t>(b.fixtureCount));
     }
 
+    /// The vertices of a chain of this scene.
+    std::span<const Vec2> ChainVerticesOf(const Shape& chain) const {
+        return std::span(chainVertices)
+            .subspan(static_cast<std::size_t>(chain.firstChainVertex),
+                     static_cast<std::size_t>(chain.chainVertexCount));
+    }
+
     friend bool operator==(const Scene&, const Scene&) = default;
 };
+
+/// What proxy `child` (0 … ChildCount() − 1) of a shape is: segment `child` of a chain as a one-sided edge with its
+/// neighbours as ghosts, else the shape itself.
+[[nodiscard]] Shape ChildOf(const Scene& scene, const Shape& shape, int child);
 
 /// Totals of a scene, spawned bodies included.
 struct SceneCounts {

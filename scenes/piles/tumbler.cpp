@@ -11,7 +11,6 @@
 namespace scenes {
 
 Scene Tumbler(int n) {
-    constexpr double pi = 3.14159265358979323846;
     Scene scene;
     Reserve(scene, n + 2, n + 4);
     scene.spawns.reserve(static_cast<std::size_t>(n));

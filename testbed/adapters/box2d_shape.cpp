@@ -6,6 +6,7 @@
 #include "testbed/adapters/box2d_shape.h"
 
 #include <stdexcept>
+#include <vector>
 
 namespace testbed {
 
@@ -32,11 +33,28 @@ Box2dShape MakeBox2dShape(const scenes::Shape& shape) {
         }
         case scenes::ShapeType::edge: {
             b2EdgeShape edge;
-            edge.SetTwoSided(ToB2(shape.vertices[0]), ToB2(shape.vertices[1]));
+            const auto& v = shape.vertices;
+            if (shape.IsOneSidedEdge()) {
+                edge.SetOneSided(ToB2(v[2]), ToB2(v[0]), ToB2(v[1]), ToB2(v[3]));
+            } else {
+                edge.SetTwoSided(ToB2(v[0]), ToB2(v[1]));
+            }
             return edge;
         }
+        case scenes::ShapeType::chain:
+            throw std::invalid_argument("a chain is no single shape: take its children");
     }
     throw std::invalid_argument("scene shape of unknown type");
+}
+
+void MakeBox2dChain(const scenes::Scene& scene, const scenes::Shape& shape, b2ChainShape& chain) {
+    std::vector<b2Vec2> points;
+    for (const scenes::Vec2 v : scene.ChainVerticesOf(shape)) points.push_back(ToB2(v));
+    if (shape.IsLoop()) {
+        chain.CreateLoop(points.data(), shape.chainVertexCount);
+    } else {
+        chain.CreateChain(points.data(), shape.chainVertexCount, ToB2(shape.vertices[0]), ToB2(shape.vertices[1]));
+    }
 }
 
 const b2Shape& AsB2Shape(const Box2dShape& shape) {

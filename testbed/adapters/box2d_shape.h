@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <box2d/b2_chain_shape.h>
 #include <box2d/b2_circle_shape.h>
 #include <box2d/b2_edge_shape.h>
 #include <box2d/b2_polygon_shape.h>
@@ -18,8 +19,12 @@ namespace testbed {
 
 using Box2dShape = std::variant<b2CircleShape, b2PolygonShape, b2EdgeShape>;
 
+/// Throws std::invalid_argument for a chain, which owns heap.
 [[nodiscard]] Box2dShape MakeBox2dShape(const scenes::Shape& shape);
 [[nodiscard]] const b2Shape& AsB2Shape(const Box2dShape& shape);
+
+/// Fills a chain that is empty (Box2D's cannot be copied).
+void MakeBox2dChain(const scenes::Scene& scene, const scenes::Shape& shape, b2ChainShape& chain);
 
 inline b2Vec2 ToB2(scenes::Vec2 v) { return {v.x, v.y}; }
 inline scenes::Vec2 FromB2(b2Vec2 v) { return {v.x, v.y}; }

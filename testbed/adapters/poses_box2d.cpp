@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A stand-alone b2BroadPhase that follows recorded poses. Order and arguments of every call are those of a b2World:
-// proxies in creation order, moves from the newest body and fixture to the oldest, then the pair search.
+// proxies in creation order, moves from the newest body and fixture to the oldest (the edges of a chain in their own
+// order), then the pair search.
 
 #include <box2d/b2_broad_phase.h>
 
@@ -51,7 +52,10 @@ private:
     struct Proxy {
         Box2dShape shape;
         int32 id;
+        int child;
     };
+
+    void MoveProxy(const Proxy& proxy, const b2Transform& from, const b2Transform& to);
 
     b2BroadPhase m_broadPhase;
     std::vector<Proxy> m_proxies;     ///< by index into Snapshot::fixtures
@@ -63,13 +67,24 @@ void Box2dFollower::Create(const BodyState& body) {
     m_bodyBegin.push_back(m_proxies.size());
     const b2Transform xf = TransformOf(body);
     for (const scenes::Fixture& fixture : GetScene().FixturesOf(body.index)) {
-        Proxy proxy{MakeBox2dShape(fixture.shape), 0};
-        b2AABB box;
-        AsB2Shape(proxy.shape).ComputeAABB(&box, xf, 0);
-        proxy.id = m_broadPhase.CreateProxy(box, ToUserData(m_proxies.size()));
-        m_proxies.push_back(proxy);
+        for (int child = 0; child < fixture.shape.ChildCount(); ++child) {
+            Proxy proxy{MakeBox2dShape(scenes::ChildOf(GetScene(), fixture.shape, child)), 0, child};
+            b2AABB box;
+            AsB2Shape(proxy.shape).ComputeAABB(&box, xf, 0);
+            proxy.id = m_broadPhase.CreateProxy(box, ToUserData(m_proxies.size()));
+            m_proxies.push_back(proxy);
+        }
         m_newProxies = true;
     }
+}
+
+void Box2dFollower::MoveProxy(const Proxy& proxy, const b2Transform& from, const b2Transform& to) {
+    const b2Shape& shape = AsB2Shape(proxy.shape);
+    b2AABB boxFrom, boxTo, swept;
+    shape.ComputeAABB(&boxFrom, from, 0);
+    shape.ComputeAABB(&boxTo, to, 0);
+    swept.Combine(boxFrom, boxTo);
+    m_broadPhase.MoveProxy(proxy.id, swept, boxTo.GetCenter() - boxFrom.GetCenter());
 }
 
 void Box2dFollower::Move(const std::vector<BodyState>& before, const std::vector<BodyState>& after) {
@@ -82,13 +97,10 @@ void Box2dFollower::Move(const std::vector<BodyState>& before, const std::vector
         const b2Transform to = TransformOf(after[i]);
         const b2Transform from = after[i].awake ? TransformOf(before[i]) : to;
         const size_t end = i + 1 < m_bodyBegin.size() ? m_bodyBegin[i + 1] : m_proxies.size();
-        for (size_t k = end; k-- > m_bodyBegin[i];) {
-            const b2Shape& shape = AsB2Shape(m_proxies[k].shape);
-            b2AABB boxFrom, boxTo, swept;
-            shape.ComputeAABB(&boxFrom, from, 0);
-            shape.ComputeAABB(&boxTo, to, 0);
-            swept.Combine(boxFrom, boxTo);
-            m_broadPhase.MoveProxy(m_proxies[k].id, swept, boxTo.GetCenter() - boxFrom.GetCenter());
+        for (size_t last = end; last > m_bodyBegin[i];) {
+            const size_t first = last - 1 - static_cast<size_t>(m_proxies[last - 1].child);
+            for (size_t k = first; k < last; ++k) MoveProxy(m_proxies[k], from, to);
+            last = first;
         }
     }
     m_broadPhase.UpdatePairs(&sink);

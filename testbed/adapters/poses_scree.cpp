@@ -67,11 +67,14 @@ void ScreeFollower::Create(const BodyState& body) {
     m_bodyBegin.push_back(m_shapes.size());
     const scree::Transform xf = TransformOf(body);
     for (const scenes::Fixture& fixture : GetScene().FixturesOf(body.index)) {
-        const ScreeShape& shape = m_shapes.emplace_back(MakeScreeShape(fixture.shape));
-        scree::AABB box;
-        AsShape(shape).ComputeAABB(&box, xf);
-        m_broadPhase->Insert(static_cast<uint32_t>(m_shapes.size() - 1), static_cast<uint32_t>(body.index),
-                             MotionOf(body.type), box);
+        for (int child = 0; child < fixture.shape.ChildCount(); ++child) {
+            const ScreeShape& shape =
+                m_shapes.emplace_back(MakeScreeShape(scenes::ChildOf(GetScene(), fixture.shape, child)));
+            scree::AABB box;
+            AsShape(shape).ComputeAABB(&box, xf);
+            m_broadPhase->Insert(static_cast<uint32_t>(m_shapes.size() - 1), static_cast<uint32_t>(body.index),
+                                 MotionOf(body.type), box);
+        }
     }
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "testbed/adapters/box2d_joint.h"
 #include "testbed/adapters/box2d_shape.h"
 #include "testbed/adapters/box2d_tree_dump.h"
 #include "testbed/adapters/pair_count.h"
@@ -63,8 +64,12 @@ b2FixtureDef MakeB2FixtureDef(const scenes::Fixture& fixture, const b2Shape& sha
 }
 
 int IndexOf(b2Body* body) { return static_cast<int>(body->GetUserData().pointer); }
-int IndexOf(b2Fixture* fixture) { return static_cast<int>(fixture->GetUserData().pointer); }
-int FixtureOfProxy(void* proxy) { return IndexOf(static_cast<b2FixtureProxy*>(proxy)->fixture); }
+/// A fixture's user data is the index into Snapshot::fixtures of its first child; the others follow.
+int IndexOf(b2Fixture* fixture, int32 child) { return static_cast<int>(fixture->GetUserData().pointer) + child; }
+int FixtureOfProxy(void* userData) {
+    const auto* proxy = static_cast<b2FixtureProxy*>(userData);
+    return IndexOf(proxy->fixture, proxy->childIndex);
+}
 
 class Box2dRun final : public SceneRun {
 public:
@@ -77,6 +82,7 @@ public:
             m_world->SetContinuousPhysics(options.continuous);
             m_world->SetAllowSleeping(true);
             m_world->SetWarmStarting(true);
+            if (HasConveyor()) m_world->SetContactListener(&m_conveyor);
             Load();
         });
     }
@@ -92,22 +98,58 @@ protected:
     void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) override;
 
 private:
-    /// A fixture and its index into the scene's fixtures.
+    /// A fixture, its index into the scene's fixtures, and which child of it is meant.
     struct Entry {
         b2Fixture* fixture;
         int sceneIndex;
+        int child;
     };
+
+    /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
+    class Conveyor final : public b2ContactListener {
+    public:
+        explicit Conveyor(const Box2dRun& run) : m_run(run) {}
+        void PreSolve(b2Contact* contact, const b2Manifold*) override {
+            contact->SetTangentSpeed(SpeedOf(contact->GetFixtureA()) + SpeedOf(contact->GetFixtureB()));
+        }
+
+    private:
+        [[nodiscard]] float SpeedOf(b2Fixture* fixture) const {
+            const Entry& entry = m_run.m_fixtures[static_cast<size_t>(IndexOf(fixture, 0))];
+            return m_run.GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].tangentSpeed;
+        }
+        const Box2dRun& m_run;
+    };
+
+    void CreateFixture(b2Body& body, int sceneIndex);
 
     void CaptureFixtures(std::vector<FixtureState>& fixtures) const;
     void CaptureContacts(std::vector<ContactState>& contacts) const;
     void CaptureJoints(std::vector<JointState>& joints) const;
     void CaptureNodes(Snapshot& snapshot) const;
 
+    Conveyor m_conveyor{*this};
     std::unique_ptr<b2World> m_world;
-    std::vector<b2Body*> m_bodies;   ///< by body index
-    std::vector<Entry> m_fixtures;   ///< by index into Snapshot::fixtures
-    std::vector<b2Joint*> m_joints;  ///< by joint index
+    Box2dBodies m_bodies;           ///< by body index
+    std::vector<Entry> m_fixtures;  ///< by index into Snapshot::fixtures
+    Box2dJoints m_joints;           ///< by joint index
 };
+
+void Box2dRun::CreateFixture(b2Body& body, int sceneIndex) {
+    const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(sceneIndex)];
+    b2Fixture* made = nullptr;
+    if (fixture.shape.type == scenes::ShapeType::chain) {
+        b2ChainShape chain;
+        MakeBox2dChain(GetScene(), fixture.shape, chain);
+        const b2FixtureDef def = MakeB2FixtureDef(fixture, chain, m_fixtures.size());
+        made = body.CreateFixture(&def);
+    } else {
+        const Box2dShape shape = MakeBox2dShape(fixture.shape);
+        const b2FixtureDef def = MakeB2FixtureDef(fixture, AsB2Shape(shape), m_fixtures.size());
+        made = body.CreateFixture(&def);
+    }
+    for (int child = 0; child < fixture.shape.ChildCount(); ++child) m_fixtures.push_back({made, sceneIndex, child});
+}
 
 void Box2dRun::CreateBody(const scenes::Body& body) {
     b2BodyDef bodyDef = MakeB2BodyDef(body);
@@ -115,30 +157,14 @@ void Box2dRun::CreateBody(const scenes::Body& body) {
     b2Body* made = m_world->CreateBody(&bodyDef);
     m_bodies.push_back(made);
     for (int i = body.firstFixture; i < body.firstFixture + body.fixtureCount; ++i) {
-        const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(i)];
-        const Box2dShape shape = MakeBox2dShape(fixture.shape);
-        const b2FixtureDef fixtureDef = MakeB2FixtureDef(fixture, AsB2Shape(shape), m_fixtures.size());
-        m_fixtures.push_back({made->CreateFixture(&fixtureDef), i});
+        CreateFixture(*made, i);
     }
     // A scene gives the velocity of the centre of mass, Box2D's definition that of the origin; they differ in a spin.
     if (body.angularVelocity != 0.0f) made->SetLinearVelocity(ToB2(body.linearVelocity));
 }
 
 void Box2dRun::CreateJoint(const scenes::Joint& joint) {
-    b2RevoluteJointDef def;
-    def.bodyA = m_bodies[static_cast<size_t>(joint.bodyA)];
-    def.bodyB = m_bodies[static_cast<size_t>(joint.bodyB)];
-    def.collideConnected = joint.collideConnected;
-    def.localAnchorA = ToB2(joint.localAnchorA);
-    def.localAnchorB = ToB2(joint.localAnchorB);
-    def.referenceAngle = joint.referenceAngle;
-    def.enableLimit = joint.enableLimit;
-    def.lowerAngle = joint.lowerAngle;
-    def.upperAngle = joint.upperAngle;
-    def.enableMotor = joint.enableMotor;
-    def.motorSpeed = joint.motorSpeed;
-    def.maxMotorTorque = joint.maxMotorTorque;
-    m_joints.push_back(m_world->CreateJoint(&def));
+    m_joints.push_back(CreateBox2dJoint(*m_world, joint, m_bodies, m_joints));
 }
 
 StepTimes Box2dRun::StepEngine(bool newFixtures) {
@@ -188,12 +214,15 @@ void Box2dRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
     for (const Entry& entry : m_fixtures) {
         b2AABB tight;
         b2Body* body = entry.fixture->GetBody();
-        entry.fixture->GetShape()->ComputeAABB(&tight, body->GetTransform(), 0);
-        fixtures.push_back({.body = IndexOf(body),
-                            .fixture = entry.sceneIndex,
-                            .shape = GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
-                            .sensor = entry.fixture->IsSensor(),
-                            .tight = FromB2(tight)});
+        entry.fixture->GetShape()->ComputeAABB(&tight, body->GetTransform(), entry.child);
+        fixtures.push_back(
+            {.body = IndexOf(body),
+             .fixture = entry.sceneIndex,
+             .child = entry.child,
+             .shape = scenes::ChildOf(GetScene(), GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
+                                      entry.child),
+             .sensor = entry.fixture->IsSensor(),
+             .tight = FromB2(tight)});
     }
 }
 
@@ -201,8 +230,8 @@ void Box2dRun::CaptureContacts(std::vector<ContactState>& contacts) const {
     contacts.reserve(static_cast<size_t>(m_world->GetContactCount()));
     for (b2Contact* c = m_world->GetContactList(); c; c = c->GetNext()) {
         ContactState state{};
-        state.fixtureA = IndexOf(c->GetFixtureA());
-        state.fixtureB = IndexOf(c->GetFixtureB());
+        state.fixtureA = IndexOf(c->GetFixtureA(), c->GetChildIndexA());
+        state.fixtureB = IndexOf(c->GetFixtureB(), c->GetChildIndexB());
         state.touching = c->IsTouching();
         const b2Manifold& manifold = *c->GetManifold();
         state.pointCount = manifold.pointCount;
@@ -222,9 +251,11 @@ void Box2dRun::CaptureContacts(std::vector<ContactState>& contacts) const {
 }
 
 void Box2dRun::CaptureJoints(std::vector<JointState>& joints) const {
-    for (b2Joint* j : m_joints) {
-        joints.push_back(
-            {IndexOf(j->GetBodyA()), IndexOf(j->GetBodyB()), FromB2(j->GetAnchorA()), FromB2(j->GetAnchorB())});
+    for (size_t i = 0; i < m_joints.size(); ++i) {
+        b2Joint* j = m_joints[i];
+        const scenes::Joint& joint = GetScene().joints[i];
+        joints.push_back({IndexOf(j->GetBodyA()), IndexOf(j->GetBodyB()), FromB2(j->GetAnchorA()),
+                          FromB2(j->GetAnchorB()), joint.type, joint.groundAnchorA, joint.groundAnchorB});
     }
 }
 

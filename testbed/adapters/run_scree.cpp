@@ -10,6 +10,7 @@
 #include "scree/inspect.h"
 #include "scree/world.h"
 #include "testbed/adapters/scene_run.h"
+#include "testbed/adapters/scree_joint.h"
 #include "testbed/adapters/scree_shape.h"
 #include "testbed/adapters/stopwatch.h"
 
@@ -61,11 +62,10 @@ scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& optio
     const auto kind = scree::BroadPhaseFromName(options.broadPhase);
     if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
     if (options.threads != 1) throw std::invalid_argument("the engine scree runs on one thread: use --threads 1");
-    if (options.continuous)
-        throw std::invalid_argument("the engine scree has no continuous collision: leave out --continuous");
     scree::WorldDef def;
     def.gravity = ToScree(scene.gravity);
     def.broadPhase = *kind;
+    def.continuousPhysics = options.continuous;
     if (options.boxTwoDCaps) {
         def.maxTranslation = scree::maxTranslation;
         def.maxRotation = scree::maxRotation;
@@ -79,12 +79,26 @@ void ThrowError(const scree::Error& error, void*) {
                                 "; " + error.cure);
 }
 
-int IndexOf(scree::Body* body) { return static_cast<int>(body->GetUserData().pointer); }
-int IndexOf(scree::Fixture* fixture) { return static_cast<int>(fixture->GetUserData().pointer); }
+int BodyIndexOf(scree::Body* body) { return static_cast<int>(body->GetUserData().pointer); }
+
+/// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
+class Conveyor final : public scree::ContactListener {
+public:
+    explicit Conveyor(const scenes::Scene& scene) : m_scene(scene) {}
+    void PreSolve(scree::Contact* contact, const scree::Manifold*) override {
+        contact->SetTangentSpeed(SpeedOf(contact->GetFixtureA()) + SpeedOf(contact->GetFixtureB()));
+    }
+
+private:
+    [[nodiscard]] float SpeedOf(scree::Fixture* fixture) const {
+        return m_scene.fixtures[fixture->GetUserData().pointer].tangentSpeed;
+    }
+    const scenes::Scene& m_scene;
+};
 
 class ScreeRun final : public SceneRun {
 public:
-    ScreeRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene) {
+    ScreeRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene), m_conveyor(GetScene()) {
         const scree::WorldDef def = MakeWorldDef(scene, options);
         m_bodies.reserve(scene.bodies.size());
         m_fixtures.reserve(scene.fixtures.size());
@@ -93,6 +107,7 @@ public:
         Measure([&] {
             m_world = std::make_unique<scree::World>(def);
             m_world->SetErrorHandler(ThrowError, nullptr);
+            if (HasConveyor()) m_world->SetContactListener(&m_conveyor);
             Load();
         });
     }
@@ -108,23 +123,59 @@ protected:
     void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) override;
 
 private:
-    /// A fixture and its index into the scene's fixtures.
+    /// A fixture of the engine, the index of its fixture in the scene, and which edge of that it is.
     struct Entry {
         scree::Fixture* fixture;
         int sceneIndex;
+        int child;
     };
+
+    void CreateFixture(scree::Body& body, int sceneIndex);
+    void AddEntry(const Entry& entry);
+    [[nodiscard]] int IndexOf(const scree::Fixture* fixture) const {
+        return m_indexOf[static_cast<size_t>(fixture->GetIndex())];
+    }
 
     void CaptureFixtures(std::vector<FixtureState>& fixtures) const;
     void CaptureContacts(std::vector<ContactState>& contacts) const;
     void CaptureJoints(std::vector<JointState>& joints) const;
     void CaptureNodes(Snapshot& snapshot) const;
 
+    Conveyor m_conveyor;
     std::unique_ptr<scree::World> m_world;
-    std::vector<scree::Body*> m_bodies;   ///< by body index
-    std::vector<Entry> m_fixtures;        ///< by index into Snapshot::fixtures
-    std::vector<int> m_indexOf;           ///< Fixture::GetIndex → index into Snapshot::fixtures
-    std::vector<scree::Joint*> m_joints;  ///< by joint index
+    ScreeBodies m_bodies;           ///< by body index
+    std::vector<Entry> m_fixtures;  ///< by index into Snapshot::fixtures
+    std::vector<int> m_indexOf;     ///< Fixture::GetIndex → index into Snapshot::fixtures
+    ScreeJoints m_joints;           ///< by joint index
 };
+
+void ScreeRun::AddEntry(const Entry& entry) {
+    const auto slot = static_cast<size_t>(entry.fixture->GetIndex());
+    if (m_indexOf.size() <= slot) m_indexOf.resize(slot + 1, -1);
+    m_indexOf[slot] = static_cast<int>(m_fixtures.size());
+    m_fixtures.push_back(entry);
+}
+
+void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
+    const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(sceneIndex)];
+    const auto index = static_cast<size_t>(sceneIndex);
+    if (fixture.shape.type != scenes::ShapeType::chain) {
+        const ScreeShape shape = MakeScreeShape(fixture.shape);
+        const scree::FixtureDef def = MakeFixtureDef(fixture, AsShape(shape), index);
+        AddEntry({body.CreateFixture(&def), sceneIndex, 0});
+        return;
+    }
+    const scree::ChainShape chain = MakeScreeChain(GetScene(), fixture.shape);
+    const scree::FixtureDef def = MakeFixtureDef(fixture, chain, index);
+    body.CreateFixture(&def);
+    // The list has the newest edge, the last one, first.
+    std::vector<scree::Fixture*> edges(static_cast<size_t>(chain.GetChildCount()));
+    scree::Fixture* edge = body.GetFixtureList();
+    for (size_t left = edges.size(); left-- > 0; edge = edge->GetNext()) edges[left] = edge;
+    for (size_t child = 0; child < edges.size(); ++child) {
+        AddEntry({edges[child], sceneIndex, static_cast<int>(child)});
+    }
+}
 
 void ScreeRun::CreateBody(const scenes::Body& body) {
     scree::BodyDef bodyDef = MakeBodyDef(body);
@@ -132,34 +183,14 @@ void ScreeRun::CreateBody(const scenes::Body& body) {
     scree::Body* made = m_world->CreateBody(&bodyDef);
     m_bodies.push_back(made);
     for (int i = body.firstFixture; i < body.firstFixture + body.fixtureCount; ++i) {
-        const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(i)];
-        const ScreeShape shape = MakeScreeShape(fixture.shape);
-        const scree::FixtureDef fixtureDef = MakeFixtureDef(fixture, AsShape(shape), m_fixtures.size());
-        scree::Fixture* attached = made->CreateFixture(&fixtureDef);
-        const auto slot = static_cast<size_t>(attached->GetIndex());
-        if (m_indexOf.size() <= slot) m_indexOf.resize(slot + 1, -1);
-        m_indexOf[slot] = static_cast<int>(m_fixtures.size());
-        m_fixtures.push_back({attached, i});
+        CreateFixture(*made, i);
     }
     // A scene gives the velocity of the centre of mass, a body definition that of the origin; they differ in a spin.
     if (body.angularVelocity != 0.0f) made->SetLinearVelocity(ToScree(body.linearVelocity));
 }
 
 void ScreeRun::CreateJoint(const scenes::Joint& joint) {
-    scree::RevoluteJointDef def;
-    def.bodyA = m_bodies[static_cast<size_t>(joint.bodyA)];
-    def.bodyB = m_bodies[static_cast<size_t>(joint.bodyB)];
-    def.collideConnected = joint.collideConnected;
-    def.localAnchorA = ToScree(joint.localAnchorA);
-    def.localAnchorB = ToScree(joint.localAnchorB);
-    def.referenceAngle = joint.referenceAngle;
-    def.enableLimit = joint.enableLimit;
-    def.lowerAngle = joint.lowerAngle;
-    def.upperAngle = joint.upperAngle;
-    def.enableMotor = joint.enableMotor;
-    def.motorSpeed = joint.motorSpeed;
-    def.maxMotorTorque = joint.maxMotorTorque;
-    m_joints.push_back(m_world->CreateJoint(&def));
+    m_joints.push_back(CreateScreeJoint(*m_world, joint, m_bodies, m_joints));
 }
 
 StepTimes ScreeRun::StepEngine(bool) {
@@ -206,11 +237,14 @@ void ScreeRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
         scree::AABB tight;
         scree::Body* body = entry.fixture->GetBody();
         entry.fixture->GetShape()->ComputeAABB(&tight, body->GetTransform());
-        fixtures.push_back({.body = IndexOf(body),
-                            .fixture = entry.sceneIndex,
-                            .shape = GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
-                            .sensor = entry.fixture->IsSensor(),
-                            .tight = FromScree(tight)});
+        fixtures.push_back(
+            {.body = BodyIndexOf(body),
+             .fixture = entry.sceneIndex,
+             .child = entry.child,
+             .shape = scenes::ChildOf(GetScene(), GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
+                                      entry.child),
+             .sensor = entry.fixture->IsSensor(),
+             .tight = FromScree(tight)});
     }
 }
 
@@ -239,9 +273,11 @@ void ScreeRun::CaptureContacts(std::vector<ContactState>& contacts) const {
 }
 
 void ScreeRun::CaptureJoints(std::vector<JointState>& joints) const {
-    for (scree::Joint* j : m_joints) {
-        joints.push_back(
-            {IndexOf(j->GetBodyA()), IndexOf(j->GetBodyB()), FromScree(j->GetAnchorA()), FromScree(j->GetAnchorB())});
+    for (size_t i = 0; i < m_joints.size(); ++i) {
+        scree::Joint* j = m_joints[i];
+        const scenes::Joint& joint = GetScene().joints[i];
+        joints.push_back({BodyIndexOf(j->GetBodyA()), BodyIndexOf(j->GetBodyB()), FromScree(j->GetAnchorA()),
+                          FromScree(j->GetAnchorB()), joint.type, joint.groundAnchorA, joint.groundAnchorB});
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include "testbed/adapters/scene_run.h"
 
+#include <algorithm>
+
 #include "testbed/adapters/state_hash.h"
 
 namespace testbed {
@@ -12,6 +14,10 @@ namespace testbed {
 void SceneRun::Load() {
     CreateBodiesUpTo(m_scene.InitialBodyCount());
     for (const scenes::Joint& joint : m_scene.joints) CreateJoint(joint);
+}
+
+bool SceneRun::HasConveyor() const {
+    return std::ranges::any_of(m_scene.fixtures, [](const scenes::Fixture& f) { return f.tangentSpeed != 0.0f; });
 }
 
 void SceneRun::CreateBodiesUpTo(int count) {

@@ -23,6 +23,8 @@ protected:
     /// Creates what exists before the first step; for the constructor of the engine's class, inside Measure.
     void Load();
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
+    /// Whether any surface of the scene moves what touches it.
+    [[nodiscard]] bool HasConveyor() const;
     /// Bodies created so far: indices 0 … count − 1.
     [[nodiscard]] int GetBodyCount() const { return m_bodyCount; }
     /// Heap growth inside `call` counts as held by the engine.

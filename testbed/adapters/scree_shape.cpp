@@ -32,11 +32,30 @@ ScreeShape MakeScreeShape(const scenes::Shape& shape) {
         }
         case scenes::ShapeType::edge: {
             scree::EdgeShape edge;
-            edge.SetTwoSided(ToScree(shape.vertices[0]), ToScree(shape.vertices[1]));
+            const auto& v = shape.vertices;
+            if (shape.IsOneSidedEdge()) {
+                edge.SetOneSided(ToScree(v[2]), ToScree(v[0]), ToScree(v[1]), ToScree(v[3]));
+            } else {
+                edge.SetTwoSided(ToScree(v[0]), ToScree(v[1]));
+            }
             return edge;
         }
+        case scenes::ShapeType::chain:
+            throw std::invalid_argument("a chain is no single shape: take its children");
     }
     throw std::invalid_argument("scene shape of unknown type");
+}
+
+scree::ChainShape MakeScreeChain(const scenes::Scene& scene, const scenes::Shape& shape) {
+    std::vector<scree::Vec2> points;
+    for (const scenes::Vec2 v : scene.ChainVerticesOf(shape)) points.push_back(ToScree(v));
+    const int count = shape.chainVertexCount;
+    scree::ChainShape chain;
+    const bool isGood = shape.IsLoop() ? chain.CreateLoop(points.data(), count)
+                                       : chain.CreateChain(points.data(), count, ToScree(shape.vertices[0]),
+                                                           ToScree(shape.vertices[1]));
+    if (!isGood) throw std::invalid_argument("scene chain is degenerate");
+    return chain;
 }
 
 const scree::Shape& AsShape(const ScreeShape& shape) {

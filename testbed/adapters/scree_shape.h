@@ -6,8 +6,10 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "scenes/scene.h"
+#include "scree/chain_shape.h"
 #include "scree/shape.h"
 #include "testbed/adapters/snapshot.h"
 
@@ -15,9 +17,12 @@ namespace testbed {
 
 using ScreeShape = std::variant<scree::CircleShape, scree::PolygonShape, scree::EdgeShape>;
 
-/// Throws std::invalid_argument for a degenerate polygon.
+/// Throws std::invalid_argument for a degenerate polygon, and for a chain, which owns heap.
 [[nodiscard]] ScreeShape MakeScreeShape(const scenes::Shape& shape);
 [[nodiscard]] const scree::Shape& AsShape(const ScreeShape& shape);
+
+/// Throws std::invalid_argument for a degenerate chain.
+[[nodiscard]] scree::ChainShape MakeScreeChain(const scenes::Scene& scene, const scenes::Shape& shape);
 
 inline scree::Vec2 ToScree(scenes::Vec2 v) { return {v.x, v.y}; }
 inline scenes::Vec2 FromScree(scree::Vec2 v) { return {v.x, v.y}; }

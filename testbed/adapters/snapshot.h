@@ -34,10 +34,12 @@ struct BodyState {
     bool bullet;
 };
 
-/// A fixture; its shape is in body coordinates.
+/// What one proxy of the broad phase stands for: a fixture, or one edge of a fixture that is a chain. Its shape is in
+/// body coordinates and never a chain.
 struct FixtureState {
     int body;     ///< index into Snapshot::bodies
     int fixture;  ///< index into scenes::Scene::fixtures
+    int child;    ///< which edge of a chain; those of one chain follow each other
     scenes::Shape shape;
     bool sensor;
     Box tight;  ///< tight AABB at the snapshot's pose, skin included
@@ -58,6 +60,8 @@ struct ContactState {
 struct JointState {
     int bodyA, bodyB;  ///< indices into Snapshot::bodies
     Vec2 anchorA, anchorB;
+    scenes::JointType type = scenes::JointType::revolute;
+    Vec2 groundAnchorA{}, groundAnchorB{};  ///< pulley: where its rope is hung
 };
 
 /// A node of the broad-phase tree; children come after parents, the root is 0.

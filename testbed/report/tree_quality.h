@@ -12,9 +12,9 @@
 //                    constants of the paper below
 //   sibling_overlap  Σ_internal A(child1 ∩ child2) / A(root): how often a point query goes down both ways
 //   epo              Σ_n C(n) · L(n) / L, C = 1.2 for internal nodes and 1 for leaves, L = length of the outlines
-//                    of all fixtures' tight boxes, L(n) = length of those outlines that lies inside n but belongs to fixtures
-//                    outside n's subtree: the work of visiting n for nothing; Aila, Karras, Laine: "On quality metrics
-//                    of bounding volume hierarchies", HPG 2013, with outlines in place of surfaces
+//                    of all fixtures' tight boxes, L(n) = length of those outlines that lies inside n but belongs to
+//                    fixtures outside n's subtree: the work of visiting n for nothing; Aila, Karras, Laine: "On quality
+//                    metrics of bounding volume hierarchies", HPG 2013, with outlines in place of surfaces
 
 #pragma once
 

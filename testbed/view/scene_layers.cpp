@@ -19,6 +19,7 @@ namespace testbed {
 namespace {
 
 using scenes::BodyType;
+using scenes::JointType;
 using scenes::ShapeType;
 
 struct Look {
@@ -71,6 +72,7 @@ private:
         return m_snapshot.bodies[static_cast<size_t>(fixture.body)];
     }
     [[nodiscard]] Look GetLook(const FixtureState& fixture) const;
+    void DrawArm(int body, Point anchor);
     void DrawFixture(const FixtureState& fixture, const Look& look);
     void DrawCircleFixture(const BodyState& body, const scenes::Shape& shape, const Look& look);
     void DrawPolygonFixture(const BodyState& body, const scenes::Shape& shape, const Look& look);
@@ -141,6 +143,8 @@ void SceneDrawer::DrawFixture(const FixtureState& fixture, const Look& look) {
     switch (fixture.shape.type) {
         case ShapeType::circle:
             return DrawCircleFixture(body, fixture.shape, look);
+        case ShapeType::chain:  // a snapshot lists its edges
+            return;
         case ShapeType::edge: {
             const std::span<const scenes::Vec2> ends = fixture.shape.Vertices();
             return m_canvas.DrawLine(ToPixel(body, ends[0].x, ends[0].y), ToPixel(body, ends[1].x, ends[1].y), 1.5,
@@ -187,13 +191,28 @@ void SceneDrawer::DrawNodes(const NodeSelection& nodes) {
     }
 }
 
+void SceneDrawer::DrawArm(int body, Point anchor) {
+    const BodyState& state = m_snapshot.bodies[static_cast<size_t>(body)];
+    // The origin of scenery is no place to point at.
+    if (state.type != BodyType::isStatic) m_canvas.DrawLine(ToPixel(state.position), anchor, 1, jointColor);
+}
+
 void SceneDrawer::DrawJoints() {
     for (const JointState& joint : m_snapshot.joints) {
         const Point a = ToPixel(joint.anchorA), b = ToPixel(joint.anchorB);
-        m_canvas.DrawLine(ToPixel(m_snapshot.bodies[static_cast<size_t>(joint.bodyA)].position), a, 1, jointColor);
-        m_canvas.DrawLine(a, b, 1, jointColor);
-        m_canvas.DrawLine(b, ToPixel(m_snapshot.bodies[static_cast<size_t>(joint.bodyB)].position), 1, jointColor);
+        DrawArm(joint.bodyA, a);
+        DrawArm(joint.bodyB, b);
         m_canvas.DrawDisk(a, pointRadius, jointColor);
+        if (joint.type == JointType::gear) continue;  // a line between its wheels would hide more than it tells
+        if (joint.type == JointType::pulley) {
+            const Point groundA = ToPixel(joint.groundAnchorA), groundB = ToPixel(joint.groundAnchorB);
+            m_canvas.DrawLine(a, groundA, 1, jointColor);
+            m_canvas.DrawLine(groundA, groundB, 1, jointColor);
+            m_canvas.DrawLine(groundB, b, 1, jointColor);
+        } else {
+            m_canvas.DrawLine(a, b, 1, jointColor);
+        }
+        if (joint.type != JointType::revolute) m_canvas.DrawDisk(b, pointRadius, jointColor);
     }
 }
 

@@ -61,10 +61,59 @@ TEST(Shapes, PolygonsHaveThreeToEightVertices) {
     EXPECT_EQ(scenes::Polygon({v, v, v, v, v, v, v, v}).Vertices().size(), 8u);
 }
 
+TEST(Shapes, RegularPolygonsHaveTheirVerticesOnACircle) {
+    EXPECT_THROW((void)scenes::RegularPolygon(2, 1.0), std::invalid_argument);
+    EXPECT_THROW((void)scenes::RegularPolygon(9, 1.0), std::invalid_argument);
+    const scenes::Shape hexagon = scenes::RegularPolygon(6, 2.0, {1.0f, -1.0f});
+    ASSERT_EQ(hexagon.Vertices().size(), 6u);
+    EXPECT_EQ(hexagon.vertices[0], (scenes::Vec2{3.0f, -1.0f}));
+    for (const scenes::Vec2 v : hexagon.Vertices()) EXPECT_NEAR(std::hypot(v.x - 1.0f, v.y + 1.0f), 2.0f, 1e-6f);
+    EXPECT_GT(hexagon.vertices[1].y, -1.0f) << "counter-clockwise";
+}
+
+TEST(Chains, ChildrenAreTheSegmentsWithTheirNeighboursAsGhosts) {
+    scenes::Scene scene;
+    scene.chainVertices.push_back({99.0f, 99.0f});  // of another chain
+    const scenes::Vec2 v[] = {{0.0f, 0.0f}, {1.0f, 0.0f}, {2.0f, 1.0f}, {2.0f, 3.0f}};
+    const scenes::Shape open = scenes::Chain(scene, v);
+    ASSERT_EQ(open.ChildCount(), 3);
+    EXPECT_FALSE(open.IsLoop());
+    // Straight on beyond both ends.
+    EXPECT_EQ(scenes::ChildOf(scene, open, 0), scenes::OneSidedEdge({-1.0f, 0.0f}, v[0], v[1], v[2]));
+    EXPECT_EQ(scenes::ChildOf(scene, open, 1), scenes::OneSidedEdge(v[0], v[1], v[2], v[3]));
+    EXPECT_EQ(scenes::ChildOf(scene, open, 2), scenes::OneSidedEdge(v[1], v[2], v[3], {2.0f, 5.0f}));
+
+    const scenes::Shape loop = scenes::Loop(scene, v);
+    ASSERT_EQ(loop.ChildCount(), 4);
+    EXPECT_TRUE(loop.IsLoop());
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(scenes::ChildOf(scene, loop, i),
+                  scenes::OneSidedEdge(v[(i + 3) % 4], v[i], v[(i + 1) % 4], v[(i + 2) % 4]))
+            << i;
+    }
+    EXPECT_EQ(scene.chainVertices.size(), 9u);
+}
+
+TEST(Chains, OtherShapesAreTheirOwnOnlyChild) {
+    const scenes::Scene scene;
+    const scenes::Shape box = scenes::Box(1.0, 2.0, {3.0f, 4.0f}, 0.5);
+    EXPECT_EQ(box.ChildCount(), 1);
+    EXPECT_EQ(scenes::ChildOf(scene, box, 0), box);
+}
+
+TEST(Chains, TooFewVerticesAreRefused) {
+    scenes::Scene scene;
+    const scenes::Vec2 v[] = {{0.0f, 0.0f}, {1.0f, 0.0f}};
+    EXPECT_THROW((void)scenes::Chain(scene, {v, 1}), std::invalid_argument);
+    EXPECT_THROW((void)scenes::Loop(scene, v), std::invalid_argument);
+    EXPECT_TRUE(scene.chainVertices.empty());
+}
+
 TEST(Shapes, CirclesAndBoxesHaveNoVertices) {
     EXPECT_TRUE(scenes::Circle(1.0).Vertices().empty());
     EXPECT_TRUE(scenes::Box(1.0, 2.0).Vertices().empty());
     EXPECT_EQ(scenes::Edge({1.0f, 0.0f}, {0.0f, 0.0f}).Vertices().size(), 2u);
+    EXPECT_FALSE(scenes::Edge({1.0f, 0.0f}, {0.0f, 0.0f}).IsOneSidedEdge());
 }
 
 }  // namespace

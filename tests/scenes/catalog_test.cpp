@@ -52,6 +52,43 @@ TEST(Catalog, HoldsTheWholeSuite) {
                                               "tiles"};
     for (std::string_view name : suite) EXPECT_TRUE(names.contains(name)) << name;
     EXPECT_EQ(names.size(), scenes::Catalog().size()) << "a name occurs twice";
+    for (const SceneInfo& info : scenes::Catalog()) {
+        EXPECT_EQ(info.isClassic, !suite.contains(info.name)) << info.name;
+    }
+}
+
+TEST(Catalog, HoldsTheClassics) {
+    for (std::string_view name : {"pyramid",
+                                  "box-stack",
+                                  "domino-row",
+                                  "bridge",
+                                  "chain-heavy-end",
+                                  "cantilever",
+                                  "car",
+                                  "ragdolls",
+                                  "conveyor",
+                                  "pulley",
+                                  "gears",
+                                  "slider-crank",
+                                  "web",
+                                  "character-corner-cases",
+                                  "sensors",
+                                  "ray-cast-playground",
+                                  "restitution-row",
+                                  "friction-row",
+                                  "joint-distance",
+                                  "joint-friction",
+                                  "joint-gear",
+                                  "joint-motor",
+                                  "joint-mouse",
+                                  "joint-prismatic",
+                                  "joint-pulley",
+                                  "joint-revolute",
+                                  "joint-weld",
+                                  "joint-wheel"}) {
+        ASSERT_NE(scenes::Find(name), nullptr) << name;
+        EXPECT_TRUE(scenes::Find(name)->isClassic) << name;
+    }
 }
 
 TEST(Catalog, RowsAreComplete) {

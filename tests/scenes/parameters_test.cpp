@@ -50,6 +50,7 @@ void ExpectCircle(const Fixture& fixture, double radius, double density) {
 
 TEST(Parameters, OnlyAddPairAndSlowExplosionHaveNoGravity) {
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
+        if (info.isClassic) continue;
         const std::string name(info.name);
         const bool weightless = name == "add-pair" || name == "add-pair-400" || name == "slow-explosion";
         ExpectPoint(scenes::Build(name).gravity, 0.0, weightless ? 0.0 : -10.0);
@@ -58,6 +59,7 @@ TEST(Parameters, OnlyAddPairAndSlowExplosionHaveNoGravity) {
 
 TEST(Parameters, AllBodiesSleepAndNoneIsABullet) {
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
+        if (info.isClassic) continue;
         const Scene scene = scenes::Build(info.name);
         EXPECT_TRUE(std::ranges::all_of(scene.bodies, [](const Body& b) {
             return b.allowSleep && b.awake && !b.bullet && !b.fixedRotation && b.gravityScale == 1.0f &&

@@ -9,6 +9,8 @@
 #include <rapidcheck.h>
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 
 #include "scenes/catalog.h"
 
@@ -50,9 +52,46 @@ std::string ShapeDefect(const Shape& shape) {
             return shape.vertexCount <= scenes::maxPolygonVertices && IsConvexCcw(shape.Vertices()) ? ""
                                                                                                     : "not convex ccw";
         case ShapeType::edge:
-            return shape.vertexCount == 2 && shape.vertices[0] != shape.vertices[1] ? "" : "edge";
+            return (shape.vertexCount == 2 || shape.vertexCount == 4) && shape.vertices[0] != shape.vertices[1]
+                       ? ""
+                       : "edge";
+        case ShapeType::chain:
+            return "a chain is looked at by its edges";
     }
     return "type";
+}
+
+// Box2D and ours refuse chains with neighbours closer than 5 mm.
+std::string ChainDefect(const Scene& scene, const Shape& chain) {
+    const int end = chain.firstChainVertex + chain.chainVertexCount;
+    if (chain.firstChainVertex < 0 || end > static_cast<int>(scene.chainVertices.size())) return "chain range";
+    if (chain.chainVertexCount < (chain.IsLoop() ? 3 : 2)) return "chain too short";
+    if (chain.vertexCount != 0 && chain.vertexCount != 2) return "chain ghosts";
+    for (int child = 0; child < chain.ChildCount(); ++child) {
+        const Shape edge = scenes::ChildOf(scene, chain, child);
+        if (!edge.IsOneSidedEdge() || !std::ranges::all_of(edge.Vertices(), Finite)) return "chain edge";
+        if (std::hypot(edge.vertices[1].x - edge.vertices[0].x, edge.vertices[1].y - edge.vertices[0].y) < 0.01f) {
+            return "chain edge too short";
+        }
+    }
+    return "";
+}
+
+std::string JointDefect(const Scene& scene, int index) {
+    const scenes::Joint& joint = scene.joints[static_cast<std::size_t>(index)];
+    if (joint.bodyA == joint.bodyB) return "joint of one body";
+    for (int body : {joint.bodyA, joint.bodyB}) {
+        if (body < 0 || body >= scene.InitialBodyCount()) return "joint to a body that is not there";
+    }
+    if (joint.type != scenes::JointType::gear) return "";
+    for (int coupled : {joint.joint1, joint.joint2}) {
+        if (coupled < 0 || coupled >= index) return "gear before its joints";
+        const scenes::JointType type = scene.joints[static_cast<std::size_t>(coupled)].type;
+        if (type != scenes::JointType::revolute && type != scenes::JointType::prismatic) return "gear of other joints";
+    }
+    const bool isBetween = scene.joints[static_cast<std::size_t>(joint.joint1)].bodyB == joint.bodyA &&
+                           scene.joints[static_cast<std::size_t>(joint.joint2)].bodyB == joint.bodyB;
+    return isBetween ? "" : "gear between other bodies";
 }
 
 // "" or the first defect found.
@@ -65,7 +104,10 @@ std::string Defect(const Scene& scene) {
     }
     if (nextFixture != static_cast<int>(scene.fixtures.size())) return "fixtures without a body";
     for (const scenes::Fixture& fixture : scene.fixtures) {
-        if (const std::string defect = ShapeDefect(fixture.shape); !defect.empty()) return defect;
+        const bool isChain = fixture.shape.type == ShapeType::chain;
+        const std::string defect = isChain ? ChainDefect(scene, fixture.shape) : ShapeDefect(fixture.shape);
+        if (!defect.empty()) return defect;
+        if (scenes::Find(scene.name)->isClassic) continue;
         if (fixture.friction != 0.2f || fixture.restitution != 0.0f) return "the suite's material";
     }
     int spawned = scene.InitialBodyCount();
@@ -75,11 +117,8 @@ std::string Defect(const Scene& scene) {
         if (spawn.afterStep < lastStep) return "spawns are not sorted";
         lastStep = spawn.afterStep;
     }
-    for (const scenes::Joint& joint : scene.joints) {
-        if (joint.bodyA == joint.bodyB) return "joint of one body";
-        for (int body : {joint.bodyA, joint.bodyB}) {
-            if (body < 0 || body >= scene.InitialBodyCount()) return "joint to a body that is not there";
-        }
+    for (int i = 0; i < static_cast<int>(scene.joints.size()); ++i) {
+        if (const std::string defect = JointDefect(scene, i); !defect.empty()) return defect;
     }
     if (scene.showStep < 1 || scene.showStep > scene.steps) return "showStep outside the run";
     return "";
@@ -105,11 +144,12 @@ TEST(Structure, DefaultSizesAreWellFormed) {
 }
 
 TEST(Structure, AnyLegalSizeIsWellFormedAndDeterministic) {
-    // Up to three times the sweep: enough to enter the rules above it, small enough to stay fast.
+    // Up to three times the sweep: enough to enter the rules above it, small enough to stay fast. Classics have none.
     EXPECT_TRUE(rc::check("scenes are well-formed and deterministic", [] {
         const auto catalog = scenes::Catalog();
         const auto& info = catalog[*rc::gen::inRange<std::size_t>(0, catalog.size())];
-        const int top = info.sweep ? std::min(info.maxSize, 3 * info.sweep->end) : info.maxSize;
+        const int top =
+            info.sweep ? std::min(info.maxSize, 3 * info.sweep->end) : std::min(info.maxSize, 5 * info.defaultSize);
         const int size = *rc::gen::inRange(info.minSize, top + 1);
         const Scene scene = scenes::Build(info.name, size);
         RC_ASSERT(Defect(scene) == "");
@@ -139,8 +179,47 @@ TEST(Structure, TheDefectSearchFindsDefects) {
     EXPECT_NE(defectAfter([](Scene& s) { s.joints.push_back({.bodyA = 0, .bodyB = 99}); }), "");
 }
 
+TEST(Structure, TheDefectSearchFindsDefectsOfChainsAndGears) {
+    const Scene car = scenes::Build("car"), gears = scenes::Build("gears");
+    const auto defectAfter = [](Scene scene, auto mutate) {
+        mutate(scene);
+        return Defect(scene);
+    };
+    const auto chainOf = [](Scene& s) -> Shape& {
+        return std::ranges::find(s.fixtures, ShapeType::chain, [](const scenes::Fixture& f) { return f.shape.type; })
+            ->shape;
+    };
+    EXPECT_NE(defectAfter(car, [](Scene& s) { s.chainVertices.pop_back(); }), "");
+    EXPECT_NE(defectAfter(car, [](Scene& s) { s.chainVertices[3] = s.chainVertices[4]; }), "");
+    EXPECT_NE(defectAfter(car, [&](Scene& s) { chainOf(s).chainVertexCount = 1; }), "");
+    EXPECT_NE(defectAfter(car, [&](Scene& s) { chainOf(s).firstChainVertex = -1; }), "");
+    EXPECT_NE(defectAfter(gears, [](Scene& s) { s.joints.back().joint2 = static_cast<int>(s.joints.size()) - 1; }), "");
+    EXPECT_NE(defectAfter(gears, [](Scene& s) { std::swap(s.joints.back().bodyA, s.joints.back().bodyB); }), "");
+    EXPECT_NE(defectAfter(gears, [](Scene& s) { s.joints[0].type = scenes::JointType::weld; }), "");
+}
+
+TEST(Structure, EveryJointTypeAndShapeTypeOccurs) {
+    std::set<scenes::JointType> joints;
+    std::set<ShapeType> shapes;
+    bool hasLoop = false, hasOneSidedEdge = false, hasConveyor = false;
+    for (const scenes::SceneInfo& info : scenes::Catalog()) {
+        if (!info.isClassic) continue;
+        const Scene scene = scenes::Build(info.name);
+        for (const scenes::Joint& joint : scene.joints) joints.insert(joint.type);
+        for (const scenes::Fixture& fixture : scene.fixtures) {
+            shapes.insert(fixture.shape.type);
+            hasLoop |= fixture.shape.IsLoop();
+            hasOneSidedEdge |= fixture.shape.IsOneSidedEdge();
+            hasConveyor |= fixture.tangentSpeed != 0.0f;
+        }
+    }
+    EXPECT_EQ(static_cast<int>(joints.size()), scenes::jointTypeCount);
+    EXPECT_EQ(shapes.size(), 5u);
+    EXPECT_TRUE(hasLoop && hasOneSidedEdge && hasConveyor);
+}
+
 TEST(Structure, LargestSizesStayInMemory) {
-    // The two scenes with most bodies and most fixtures a body; 2e6 bodies are about 330 MB, so one at a time.
+    // The two scenes with most bodies and most fixtures a body; 2e6 bodies are about 350 MB, so one at a time.
     EXPECT_EQ(scenes::Build("slow-explosion", 2000000).bodies.size(), 2000000u);
     EXPECT_EQ(scenes::Build("tiles", 2000).fixtures.size(), 2003000u);
 }

@@ -42,7 +42,8 @@ TEST(MakeRun, RefusesUnknownNames) {
 }
 
 TEST(MakeRun, BothEnginesShowOneMotion) {
-    for (const char* name : {"slow-explosion", "add-pair", "falling-squares", "tumbler", "mostly-static-single"}) {
+    for (const char* name : {"slow-explosion", "add-pair", "falling-squares", "tumbler", "mostly-static-single", "car",
+                             "ray-cast-playground"}) {
         SCOPED_TRACE(name);
         const scenes::Scene scene = scenes::Build(name, checks::SmallSize(*scenes::Find(name)));
         for (const char* poses : {"scree", "box2d"}) {

@@ -56,6 +56,8 @@ TEST(Poses, Box2dFollowerHasTheWorldsTree) {
     ExpectFollows(scenes::Build("mostly-static-multi", 20), 100, 10);
     ExpectFollows(scenes::Build("big-mobile", 5), 100, 10);
     ExpectFollows(scenes::Build("mild-n2", 10), 60, 10);
+    ExpectFollows(scenes::Build("car"), 120, 10);
+    ExpectFollows(scenes::Build("ray-cast-playground"), 60, 10);
 }
 
 TEST(Poses, Box2dFollowerHasTheWorldsTreeWhileBodiesFallAsleep) {

@@ -47,7 +47,9 @@ inline void ExpectMatchesScene(const Snapshot& s, const scenes::Scene& scene) {
     ASSERT_EQ(static_cast<int>(s.bodies.size()), BodiesAfter(scene, s.step));
     size_t fixtures = 0;
     for (size_t i = 0; i < s.bodies.size(); ++i) {
-        fixtures += static_cast<size_t>(scene.bodies[i].fixtureCount);
+        for (const scenes::Fixture& f : scene.FixturesOf(static_cast<int>(i))) {
+            fixtures += static_cast<size_t>(f.shape.ChildCount());
+        }
         EXPECT_EQ(s.bodies[i].index, static_cast<int>(i));
         EXPECT_EQ(s.bodies[i].type, scene.bodies[i].type);
         EXPECT_TRUE(IsFinite(s.bodies[i])) << "body " << i;
@@ -55,6 +57,10 @@ inline void ExpectMatchesScene(const Snapshot& s, const scenes::Scene& scene) {
     ASSERT_EQ(s.fixtures.size(), fixtures);
     EXPECT_EQ(s.joints.size(), scene.joints.size());
     EXPECT_EQ(static_cast<int>(s.contacts.size()), s.contactCount);
+    for (size_t i = 0; i < s.joints.size(); ++i) {
+        EXPECT_EQ(s.joints[i].type, scene.joints[i].type);
+        EXPECT_EQ(s.joints[i].bodyB, scene.joints[i].bodyB);
+    }
     int touching = 0;
     for (const ContactState& c : s.contacts) {
         touching += c.touching;
@@ -65,11 +71,15 @@ inline void ExpectMatchesScene(const Snapshot& s, const scenes::Scene& scene) {
         const scenes::Body& body = scene.bodies[static_cast<size_t>(f.body)];
         EXPECT_GE(f.fixture, body.firstFixture);
         EXPECT_LT(f.fixture, body.firstFixture + body.fixtureCount);
-        EXPECT_EQ(f.shape, scene.fixtures[static_cast<size_t>(f.fixture)].shape);
+        const scenes::Shape& shape = scene.fixtures[static_cast<size_t>(f.fixture)].shape;
+        ASSERT_GE(f.child, 0);
+        ASSERT_LT(f.child, shape.ChildCount());
+        EXPECT_EQ(f.shape, scenes::ChildOf(scene, shape, f.child));
     }
 }
 
-/// Every fixture is one leaf, whose box contains the tight one.
+/// Every fixture is one leaf, whose box contains the tight one. In the step in which a body falls asleep its box may
+/// stay behind: less than the speed of sleep, 0.01 m/s, times 1/60 s, and a position correction of the same order.
 inline void ExpectTreeHoldsFixtures(const Snapshot& s) {
     if (s.fixtures.empty()) return;
     ASSERT_EQ(s.nodes.size(), 2 * s.fixtures.size() - 1);
@@ -77,12 +87,17 @@ inline void ExpectTreeHoldsFixtures(const Snapshot& s) {
     for (const NodeState& n : s.nodes) {
         if (n.fixture < 0) continue;
         ++seen[static_cast<size_t>(n.fixture)];
-        EXPECT_TRUE(Contains(n.box, s.fixtures[static_cast<size_t>(n.fixture)].tight)) << "fixture " << n.fixture;
+        const FixtureState& f = s.fixtures[static_cast<size_t>(n.fixture)];
+        const float margin = s.bodies[static_cast<size_t>(f.body)].awake ? 0.0f : 5e-4f;
+        const Box outer{{n.box.lower.x - margin, n.box.lower.y - margin},
+                        {n.box.upper.x + margin, n.box.upper.y + margin}};
+        EXPECT_TRUE(Contains(outer, f.tight)) << "fixture " << n.fixture;
     }
     for (size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << "fixture " << i;
 }
 
-/// Loads every scene of the catalogue at a small size, steps it, and checks the captures at the start and at the end.
+/// Loads every scene of the catalogue at a small size, steps it (classics for a second, since they are cheap), and
+/// checks the captures at the start and at the end.
 inline void ExpectEverySceneRuns(const Maker& make, int steps) {
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
         SCOPED_TRACE(std::string(info.name));
@@ -92,9 +107,10 @@ inline void ExpectEverySceneRuns(const Maker& make, int steps) {
         run->Capture(snapshot);
         EXPECT_EQ(snapshot.step, 0);
         ExpectMatchesScene(snapshot, scene);
-        for (int i = 0; i < steps; ++i) run->Step();
+        const int count = info.isClassic ? 60 : steps;
+        for (int i = 0; i < count; ++i) run->Step();
         run->Capture(snapshot);
-        EXPECT_EQ(snapshot.step, steps);
+        EXPECT_EQ(snapshot.step, count);
         EXPECT_EQ(snapshot.scene, scene.name);
         EXPECT_EQ(snapshot.size, scene.size);
         ExpectMatchesScene(snapshot, scene);

@@ -73,6 +73,19 @@ TEST(ScreeRun, EveryBroadPhaseRunsToTheSameTruePairs) {
         EXPECT_NEAR(static_cast<double>(pairs), static_cast<double>(truePairs[0]), 3.0);
 }
 
+TEST(ScreeRun, ContinuousCollisionFollowsTheOption) {
+    const scenes::Scene scene = checks::BulletAndWall();
+    for (const bool continuous : {false, true}) {
+        RunOptions options;
+        options.continuous = continuous;
+        const auto run = MakeScreeRun(scene, options);
+        for (int i = 0; i < 20; ++i) run->Step();
+        Snapshot s;
+        run->Capture(s);
+        EXPECT_EQ(s.bodies[1].position.x < 0.0f, continuous);
+    }
+}
+
 TEST(ScreeRun, RefusesWhatItDoesNotHave) {
     const scenes::Scene scene = checks::RestingBox();
     RunOptions unknown;
@@ -81,9 +94,6 @@ TEST(ScreeRun, RefusesWhatItDoesNotHave) {
     RunOptions threads;
     threads.threads = 2;
     EXPECT_THROW(MakeScreeRun(scene, threads), std::invalid_argument);
-    RunOptions continuous;
-    continuous.continuous = true;
-    EXPECT_THROW(MakeScreeRun(scene, continuous), std::invalid_argument);
     scenes::Scene bad = scene;
     bad.bodies[1].position.x = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THROW(Make(bad), std::invalid_argument);
