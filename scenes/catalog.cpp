@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The table of scenes (suite_rows.h, then classic_rows.h), look-up by exact and by nearest name, and checked building.
+// The table of scenes (suite_rows.h, classic_rows.h, joint_rows.h), look-up by exact and by nearest name, and checked
+// building.
 
 #include "scenes/catalog.h"
 
@@ -14,6 +15,7 @@
 #include <utility>
 
 #include "scenes/classic_rows.h"
+#include "scenes/joint_rows.h"
 #include "scenes/suite_rows.h"
 
 namespace scenes {
@@ -21,8 +23,10 @@ namespace scenes {
 namespace {
 
 constexpr auto catalog = [] {
-    std::array<SceneInfo, std::size(suiteRows) + std::size(classicRows)> rows{};
-    std::ranges::copy(classicRows, std::ranges::copy(suiteRows, rows.begin()).out);
+    std::array<SceneInfo, std::size(suiteRows) + std::size(classicRows) + std::size(jointRows)> rows{};
+    auto end = std::ranges::copy(suiteRows, rows.begin()).out;
+    end = std::ranges::copy(classicRows, end).out;
+    std::ranges::copy(jointRows, end);
     return rows;
 }();
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The list of all scenes: name → description, legal sizes, builder. One row per scene, in an explicit table
-// (suite_rows.h, classic_rows.h), so that nothing depends on the order of static initialisation.
+// (suite_rows.h, classic_rows.h, joint_rows.h), so that nothing depends on the order of static initialisation.
 
 #pragma once
 

@@ -78,8 +78,7 @@ inline void ExpectMatchesScene(const Snapshot& s, const scenes::Scene& scene) {
     }
 }
 
-/// Every fixture is one leaf, whose box contains the tight one. In the step in which a body falls asleep its box may
-/// stay behind: less than the speed of sleep, 0.01 m/s, times 1/60 s, and a position correction of the same order.
+/// Every fixture is one leaf, whose box contains the tight one.
 inline void ExpectTreeHoldsFixtures(const Snapshot& s) {
     if (s.fixtures.empty()) return;
     ASSERT_EQ(s.nodes.size(), 2 * s.fixtures.size() - 1);
@@ -88,10 +87,7 @@ inline void ExpectTreeHoldsFixtures(const Snapshot& s) {
         if (n.fixture < 0) continue;
         ++seen[static_cast<size_t>(n.fixture)];
         const FixtureState& f = s.fixtures[static_cast<size_t>(n.fixture)];
-        const float margin = s.bodies[static_cast<size_t>(f.body)].awake ? 0.0f : 5e-4f;
-        const Box outer{{n.box.lower.x - margin, n.box.lower.y - margin},
-                        {n.box.upper.x + margin, n.box.upper.y + margin}};
-        EXPECT_TRUE(Contains(outer, f.tight)) << "fixture " << n.fixture;
+        EXPECT_TRUE(Contains(n.box, f.tight)) << "fixture " << n.fixture;
     }
     for (size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << "fixture " << i;
 }
