@@ -59,7 +59,7 @@ TEST(Shape, PointTestAgreesWithBox2d) {
 }
 
 TEST(Shape, RayCastAgreesWithBox2d) {
-    int hits[Shape::e_typeCount] = {};
+    int hits[Shape::e_polygon + 1] = {};
     int differing = 0;
     ForRandomShapes(43, [&](Source& source, const Shape& ours, const b2Shape& theirs) {
         const Transform xf = RandomPlacement(source).a;

@@ -16,6 +16,8 @@ inline constexpr float pi = 3.14159265359f;
 inline constexpr int maxManifoldPoints = 2;
 /// Most vertices of a polygon shape.
 inline constexpr int maxPolygonVertices = 8;
+/// Most vertices of a ConvexShape.
+inline constexpr int maxConvexVertices = 64;
 
 /// Margin of a fattened AABB, m (algorithm `fat-tree` only; every other algorithm keeps tight boxes).
 inline constexpr float aabbExtension = 0.1f;

@@ -32,16 +32,17 @@ struct RayCastOutput {
     float fraction;
 };
 
-/// What is common to all shapes. The shape of a fixture is a circle, an edge or a polygon; these hold no pointers and
-/// can be copied byte by byte. A chain (chain_shape.h) is a definition that makes edges.
+/// What is common to all shapes. The shape of a fixture is a circle, an edge, a polygon or a ConvexShape; valid ones
+/// hold no pointers and can be copied byte by byte. A chain (chain_shape.h) is a definition that makes edges.
 class Shape {
 public:
     enum Type : uint8_t {
         e_circle = 0,
         e_edge = 1,
         e_polygon = 2,
-        e_typeCount = 3,  ///< number of types that a fixture can have
-        e_chain = 3,      ///< never the type of a fixture
+        e_convex = 3,     ///< capsules, ellipses and others: convex_shape.h
+        e_typeCount = 4,  ///< number of types that a fixture can have
+        e_chain = 4,      ///< never the type of a fixture
     };
 
     virtual ~Shape() = default;

@@ -43,6 +43,25 @@ public:
     /// Objects alive.
     [[nodiscard]] int Count() const { return m_count; }
 
+    template <typename Self, typename Visit>
+    static void Fields(Self& s, Visit&& visit) {
+        visit(s.m_alive), visit(s.m_generation), visit(s.m_free), visit(s.m_count);
+    }
+    /// For numbers that were read: every column has the same length, and the free ones are those not alive.
+    [[nodiscard]] bool IsConsistent() const {
+        if (m_generation.size() != m_alive.size() || m_count < 0) return false;
+        if (m_free.size() + static_cast<size_t>(m_count) != m_alive.size()) return false;
+        std::vector<uint8_t> used = m_alive;  // each number exactly once, as one alive or as a free one
+        for (const int index : m_free) {
+            if (index < 0 || index >= Size() || used[static_cast<size_t>(index)] != 0) return false;
+            used[static_cast<size_t>(index)] = 1;
+        }
+        for (const uint8_t flag : used) {
+            if (flag != 1) return false;
+        }
+        return true;
+    }
+
 private:
     std::vector<uint8_t> m_alive;
     std::vector<uint32_t> m_generation;

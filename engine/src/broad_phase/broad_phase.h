@@ -55,6 +55,10 @@ public:
     /// `body` tells fixtures of one body, which never pair. O(1): structures are rebuilt lazily. Preconditions, checked
     /// by the caller: box valid, fixture not present.
     virtual void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) = 0;
+    /// Insert with the box that GetBox had given, taken as it is: FindPairs then reports the pairs it would have.
+    virtual void Restore(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) {
+        Insert(fixture, body, motion, box);
+    }
     /// Gives the fixture a new box; `displacement` is its body's motion since the last update (the fattened tree looks
     /// ahead along it). O(1) except in the fattened tree (O(log n) when the box leaves its margin).
     virtual void Update(uint32_t fixture, const AABB& box, Vec2 displacement) = 0;

@@ -31,7 +31,11 @@ AABB Stretch(AABB box, Vec2 d) {
 class FatTreeBroadPhase final : public BroadPhase {
 public:
     void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
-        const uint32_t leaf = m_tree.CreateLeaf(ToBounds(Fatten(box, aabbExtension)), {fixture, GroupOf(body, motion)});
+        Restore(fixture, body, motion, Fatten(box, aabbExtension));
+    }
+
+    void Restore(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
+        const uint32_t leaf = m_tree.CreateLeaf(ToBounds(box), {fixture, GroupOf(body, motion)});
         m_leaves.Set(fixture, leaf);
         Buffer(leaf);
         ++m_count;

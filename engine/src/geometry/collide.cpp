@@ -5,6 +5,8 @@
 
 #include "geometry/collide.h"
 
+#include "scree/convex_shape.h"
+
 namespace scree {
 
 namespace {
@@ -21,11 +23,16 @@ constexpr CollideFunction polygons = Call<PolygonShape, PolygonShape, CollidePol
 constexpr CollideFunction edgeCircle = Call<EdgeShape, CircleShape, CollideEdgeAndCircle>;
 constexpr CollideFunction edgePolygon = Call<EdgeShape, PolygonShape, CollideEdgeAndPolygon>;
 
-// Rows and columns in the order of Shape::Type: circle, edge, polygon.
+void Convex(Manifold& manifold, const Shape& shapeA, const Transform& xfA, const Shape& shapeB, const Transform& xfB) {
+    CollideConvex(&manifold, &shapeA, xfA, &shapeB, xfB);
+}
+
+// Rows and columns in the order of Shape::Type: circle, edge, polygon, convex.
 constexpr CollideEntry table[Shape::e_typeCount][Shape::e_typeCount] = {
-    {{circles, false}, {edgeCircle, true}, {polygonCircle, true}},
-    {{edgeCircle, false}, {nullptr, false}, {edgePolygon, false}},
-    {{polygonCircle, false}, {edgePolygon, true}, {polygons, false}},
+    {{circles, false}, {edgeCircle, true}, {polygonCircle, true}, {Convex, true}},
+    {{edgeCircle, false}, {nullptr, false}, {edgePolygon, false}, {Convex, false}},
+    {{polygonCircle, false}, {edgePolygon, true}, {polygons, false}, {Convex, false}},
+    {{Convex, false}, {Convex, true}, {Convex, true}, {Convex, false}},
 };
 
 }  // namespace

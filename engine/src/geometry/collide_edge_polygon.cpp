@@ -9,6 +9,7 @@
 #include <initializer_list>
 
 #include "geometry/clip.h"
+#include "geometry/edge_seam.h"
 #include "scree/collision.h"
 
 namespace scree {
@@ -59,25 +60,6 @@ Axis FindPolygonAxis(const LocalPolygon& polygon, Vec2 v1, Vec2 v2) {
         if (s > best.separation) best = {normal, s, i};
     }
     return best;
-}
-
-/// What a ghost vertex says about an axis that leans over its end of a one-sided edge.
-enum class Seam : uint8_t { keep, useEdgeNormal, drop };
-
-Seam JudgeSeam(const EdgeShape& edge, Vec2 along, Vec2 axis) {
-    // On a convex corner, axes beyond the neighbour's normal belong to the neighbour; the tolerance is on the sine of
-    // the angle past it. On a concave corner nothing can be touched but the edge's face.
-    constexpr float sineTolerance = 0.1f;
-    if (Dot(axis, along) <= 0.0f) {
-        Vec2 before = edge.m_vertex1 - edge.m_vertex0;
-        before.Normalize();
-        if (!(Cross(before, along) >= 0.0f)) return Seam::useEdgeNormal;
-        return Cross(axis, Vec2{before.y, -before.x}) > sineTolerance ? Seam::drop : Seam::keep;
-    }
-    Vec2 after = edge.m_vertex3 - edge.m_vertex2;
-    after.Normalize();
-    if (!(Cross(along, after) >= 0.0f)) return Seam::useEdgeNormal;
-    return Cross(Vec2{after.y, -after.x}, axis) > sineTolerance ? Seam::drop : Seam::keep;
 }
 
 /// The face that is clipped against, with its two side planes given by `tangent` (from v1 to v2).

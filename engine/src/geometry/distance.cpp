@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "scree/chain_shape.h"
+#include "scree/convex_shape.h"
 
 namespace scree {
 
@@ -24,6 +25,11 @@ void DistanceProxy::Set(const Shape* shape, int index) {
             const auto* chain = static_cast<const ChainShape*>(shape);
             const bool exists = 0 <= index && index < chain->GetChildCount();
             Set(exists ? &chain->m_vertices[static_cast<size_t>(index)] : nullptr, exists ? 2 : 0, shape->m_radius);
+            break;
+        }
+        case Shape::e_convex: {
+            const auto* convex = static_cast<const ConvexShape*>(shape);
+            Set(convex->m_vertices, convex->m_count, shape->m_radius);
             break;
         }
         default: {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Gift wrapping (R. A. Jarvis, Information Processing Letters 2, 1973): a handful of points → their convex outline.
-// With at most eight points it is faster than anything that sorts, and choosing each corner with the same cross product
+// With few points it is faster than anything that sorts, and choosing each corner with the same cross product
 // as Box2D 2.4's hull gives the same corners in the same order.
 
 #include "geometry/hull.h"
@@ -39,7 +39,7 @@ int NextCorner(const Vec2* points, int count, int from) {
 }  // namespace
 
 int ConvexHull(const Vec2* points, int count, Vec2* hull) {
-    Vec2 merged[maxPolygonVertices];
+    Vec2 merged[maxConvexVertices];
     const int pointCount = MergeClosePoints(points, count, merged);
     if (pointCount < 3) return 0;
 

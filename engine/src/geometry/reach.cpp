@@ -5,6 +5,8 @@
 
 #include "geometry/reach.h"
 
+#include "scree/convex_shape.h"
+
 namespace scree {
 
 float Reach(const Shape& shape, Vec2 center) {
@@ -17,6 +19,13 @@ float Reach(const Shape& shape, Vec2 center) {
             const auto& edge = static_cast<const EdgeShape&>(shape);
             farthest = Max(DistanceSquared(edge.m_vertex1, center), DistanceSquared(edge.m_vertex2, center));
             break;
+        }
+        case Shape::e_convex: {
+            const auto& convex = static_cast<const ConvexShape&>(shape);
+            for (int i = 0; i < convex.m_count; ++i) {
+                farthest = Max(farthest, DistanceSquared(convex.m_vertices[i], center));
+            }
+            return std::sqrt(farthest) + convex.m_radius + convex.m_error;
         }
         default: {
             const auto& polygon = static_cast<const PolygonShape&>(shape);

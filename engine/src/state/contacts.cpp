@@ -86,6 +86,31 @@ void ContactTable::Compact() {
     }
 }
 
+bool ContactTable::Restore() {
+    if (pair.size() != flags.size() || manifold.size() != flags.size() || material.size() != flags.size()) return false;
+    std::vector<uint8_t> isFree(flags.size(), 0);
+    for (const int row : m_free) {
+        if (row < 0 || row >= Size() || flags[static_cast<size_t>(row)] != 0 || isFree[static_cast<size_t>(row)] != 0)
+            return false;
+        isFree[static_cast<size_t>(row)] = 1;
+    }
+    for (size_t i = 0; i < flags.size(); ++i) {
+        const bool alive = (flags[i] & ContactFlag::alive) != 0;
+        if (alive == (isFree[i] != 0) || (!alive && flags[i] != 0)) return false;
+        m_count += alive ? 1 : 0;
+    }
+    while (static_cast<size_t>(m_count) * 2 > m_hash.size()) m_hash.resize(std::max<size_t>(32, m_hash.size() * 2));
+    if (m_count > 0) {
+        m_hash.resize(m_hash.size() / 2);
+        Grow();
+    }
+    for (int i = 0; i < Size(); ++i) {
+        const ContactPair& p = pair[static_cast<size_t>(i)];
+        if (IsAlive(i) && Find(p.fixtureA, p.fixtureB) != i) return false;
+    }
+    return true;
+}
+
 void ContactTable::EnsureAdjacency() {
     if (m_adjacencyValid) return;
     int bodyCount = 0;

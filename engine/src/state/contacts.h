@@ -61,6 +61,12 @@ struct ContactTable {
     void Remove(int contact);
     /// Frees trailing rows and orders the free ones, so that new contacts take the lowest. O(rows).
     void Compact();
+    template <typename Self, typename Visit>
+    static void Fields(Self& t, Visit&& visit) {
+        visit(t.flags), visit(t.pair), visit(t.manifold), visit(t.material), visit(t.m_free);
+    }
+    /// After the fields were read: makes the rest anew. False if they contradict each other.
+    [[nodiscard]] bool Restore();
     /// Contacts of a body, newest row first; rows removed since the last Add are still listed. Valid until the next
     /// Add.
     std::span<const int> OfBody(int body);

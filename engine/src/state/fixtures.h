@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/slots.h"
+#include "scree/convex_shape.h"
 #include "scree/fixture.h"
 #include "scree/shape.h"
 
@@ -44,8 +45,10 @@ struct FixtureTable {
     /// Adds a row; the shape is no chain.
     int Add(WorldState* state, int bodyIndex, const FixtureDef& def);
     void Remove(int fixture);
+    /// Gives a row that has none a copy of `value`, no chain.
+    void SetShape(int fixture, const Shape& value);
     [[nodiscard]] size_t GetMemoryBytes() const;
-    /// Bytes of one row with its shape, the largest shape assumed.
+    /// Bytes of one row with its shape, a polygon assumed.
     [[nodiscard]] static size_t GetBytesPerRow();
 
 private:
@@ -67,6 +70,7 @@ private:
     Pool<CircleShape> m_circles;
     Pool<EdgeShape> m_edges;
     Pool<PolygonShape> m_polygons;
+    Pool<ConvexShape> m_convexes;
 };
 
 }  // namespace scree

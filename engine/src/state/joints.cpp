@@ -61,6 +61,74 @@ void JointTable::UnlinkFromBody(int joint, int side) {
     --m_count[At(body)];
 }
 
+bool JointTable::Restore(WorldState* state, int bodyCount) {
+    if (!slots.IsConsistent() || info.size() != At(slots.Size())) return false;
+    if (m_count.size() != m_first.size() || m_first.size() > At(bodyCount)) return false;
+    for (int joint = 0; joint < slots.Size(); ++joint) {
+        if (!slots.IsAlive(joint)) continue;
+        const JointInfo& row = info[At(joint)];
+        for (const int body : {row.bodyA, row.bodyB}) {
+            if (body < 0 || At(body) >= m_first.size()) return false;
+        }
+        if (row.bodyA == row.bodyB) return false;
+    }
+    return RestoreHandles(state) && AreListsWhole();
+}
+
+bool JointTable::RestoreHandles(WorldState* state) {
+    handles.assign(info.size(), nullptr);
+    bool good = true;
+    int64_t rows = 0;
+    std::apply(
+        [&](auto&... store) {
+            const auto prepare = [&](auto& s) {
+                good = good && s.slots.IsConsistent() && s.rows.size() == At(s.slots.Size());
+                rows += static_cast<int64_t>(s.slots.Count());
+                for (int row = 0; good && row < s.slots.Size(); ++row) s.handles.emplace_back(state, -1, row);
+            };
+            (prepare(store), ...);
+        },
+        stores);
+    if (!good || rows != slots.Count()) return false;
+    for (int joint = 0; joint < slots.Size(); ++joint) {
+        if (!slots.IsAlive(joint)) continue;
+        const JointInfo& head = info[At(joint)];
+        WithStore(*this, head.type, [&](auto& store) {
+            if (!store.slots.IsAlive(head.row)) return;
+            Joint& handle = store.handles[At(head.row)];
+            if (handle.m_index >= 0) return;  // two joints with one row
+            handle.m_index = joint;
+            handles[At(joint)] = &handle;
+        });
+        if (handles[At(joint)] == nullptr) return false;
+    }
+    return true;
+}
+
+bool JointTable::AreListsWhole() const {
+    // Links that agree with their neighbours have no cycle that a walk from the head could enter.
+    int listed = 0;
+    for (int joint = listHead, prev = -1; joint >= 0; prev = joint, joint = info[At(joint)].listNext, ++listed) {
+        if (!slots.IsAlive(joint) || info[At(joint)].listPrev != prev) return false;
+    }
+    if (listed != slots.Count()) return false;
+    int entries = 0;
+    for (size_t body = 0; body < m_first.size(); ++body) {
+        int count = 0;
+        for (int entry = m_first[body], prev = -1; entry != -1; ++count) {
+            if (entry < 0 || !slots.IsAlive(entry >> 1)) return false;
+            const JointInfo& row = info[At(entry >> 1)];
+            const JointLink& link = row.link[entry & 1];
+            if (At((entry & 1) == 0 ? row.bodyA : row.bodyB) != body || link.prev != prev) return false;
+            prev = entry;
+            entry = link.next;
+        }
+        if (count != m_count[body]) return false;
+        entries += count;
+    }
+    return entries == 2 * slots.Count();
+}
+
 int JointTable::NextOfBody(int joint, int body) const {
     const JointInfo& row = info[At(joint)];
     const int next = row.link[row.bodyA == body ? 0 : 1].next;

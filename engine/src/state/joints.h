@@ -126,6 +126,15 @@ struct JointTable {
     [[nodiscard]] int NextOfBody(int joint, int body) const;
     /// False if a joint forbids the two bodies to collide.
     [[nodiscard]] bool MayCollide(int bodyA, int bodyB) const;
+    /// The lists of the bodies and everything a joint has; the rows of each type are in the stores.
+    template <typename Self, typename Visit>
+    static void Fields(Self& t, Visit&& visit) {
+        visit(t.slots), visit(t.info), visit(t.listHead), visit(t.m_first), visit(t.m_count);
+        std::apply([&](auto&... store) { ((visit(store.slots), visit(store.rows)), ...); }, t.stores);
+    }
+    /// After the fields were read: makes the handles. False if the fields contradict each other; that bodies exist is
+    /// not checked, bodyCount only bounds them.
+    [[nodiscard]] bool Restore(WorldState* state, int bodyCount);
     /// Moves what joints keep in world coordinates.
     void ShiftOrigin(Vec2 newOrigin);
     [[nodiscard]] size_t GetMemoryBytes() const;
@@ -134,6 +143,8 @@ private:
     void Link(int joint, int row, const JointInfo& head, Joint* handle);
     void LinkToBody(int joint, int side);
     void UnlinkFromBody(int joint, int side);
+    [[nodiscard]] bool RestoreHandles(WorldState* state);
+    [[nodiscard]] bool AreListsWhole() const;
 
     std::vector<int> m_first;  ///< per body: its newest entry
     std::vector<int> m_count;  ///< per body: entries

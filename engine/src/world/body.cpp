@@ -37,6 +37,7 @@ Vec2 Body::GetLocalCenter() const { return m_state->bodies.mass[Row(m_index)].lo
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
     Guard guard(*m_state, "Body::SetLinearVelocity");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(v, "v").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, v);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (Dot(v, v) > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[Row(m_index)].v = v;
@@ -47,6 +48,7 @@ Vec2 Body::GetLinearVelocity() const { return m_state->bodies.velocity[Row(m_ind
 ErrorCode Body::SetAngularVelocity(float omega) {
     Guard guard(*m_state, "Body::SetAngularVelocity");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(omega, "omega").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, omega);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (omega * omega > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[Row(m_index)].w = omega;
@@ -58,6 +60,7 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
     Guard guard(*m_state, "Body::ApplyForce");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Finite(point, "point").Failed())
         return guard.Code();
+    const Recording recording = guard.Record(m_index, force, point, wake);
     if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
     ForceRow& row = m_state->bodies.force[Row(m_index)];
     row.force += force;
@@ -68,6 +71,7 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
 ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
     Guard guard(*m_state, "Body::ApplyForceToCenter");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, force, wake);
     if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].force += force;
     return ErrorCode::ok;
 }
@@ -75,6 +79,7 @@ ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
 ErrorCode Body::ApplyTorque(float torque, bool wake) {
     Guard guard(*m_state, "Body::ApplyTorque");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(torque, "torque").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, torque, wake);
     if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].torque += torque;
     return ErrorCode::ok;
 }
@@ -83,6 +88,7 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
     Guard guard(*m_state, "Body::ApplyLinearImpulse");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Finite(point, "point").Failed())
         return guard.Code();
+    const Recording recording = guard.Record(m_index, impulse, point, wake);
     if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
     Velocity& velocity = m_state->bodies.velocity[Row(m_index)];
     const MassRow& mass = m_state->bodies.mass[Row(m_index)];
@@ -94,6 +100,7 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
 ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
     Guard guard(*m_state, "Body::ApplyLinearImpulseToCenter");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, impulse, wake);
     if (TakesPush(m_state->bodies, m_index, wake)) {
         m_state->bodies.velocity[Row(m_index)].v += m_state->bodies.mass[Row(m_index)].invMass * impulse;
     }
@@ -103,6 +110,7 @@ ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
 ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
     Guard guard(*m_state, "Body::ApplyAngularImpulse");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, impulse, wake);
     if (TakesPush(m_state->bodies, m_index, wake)) {
         m_state->bodies.velocity[Row(m_index)].w += m_state->bodies.mass[Row(m_index)].invI * impulse;
     }
@@ -138,22 +146,28 @@ float Body::GetLinearDamping() const { return m_state->bodies.motion[Row(m_index
 ErrorCode Body::SetLinearDamping(float damping) {
     Guard guard(*m_state, "Body::SetLinearDamping");
     guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
-    if (!guard.Failed()) m_state->bodies.motion[Row(m_index)].linearDamping = damping;
-    return guard.Code();
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, damping);
+    m_state->bodies.motion[Row(m_index)].linearDamping = damping;
+    return ErrorCode::ok;
 }
 float Body::GetAngularDamping() const { return m_state->bodies.motion[Row(m_index)].angularDamping; }
 ErrorCode Body::SetAngularDamping(float damping) {
     Guard guard(*m_state, "Body::SetAngularDamping");
     guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
-    if (!guard.Failed()) m_state->bodies.motion[Row(m_index)].angularDamping = damping;
-    return guard.Code();
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, damping);
+    m_state->bodies.motion[Row(m_index)].angularDamping = damping;
+    return ErrorCode::ok;
 }
 float Body::GetGravityScale() const { return m_state->bodies.motion[Row(m_index)].gravityScale; }
 ErrorCode Body::SetGravityScale(float scale) {
     Guard guard(*m_state, "Body::SetGravityScale");
     guard.Living(m_state->bodies.slots, m_index).Finite(scale, "scale");
-    if (!guard.Failed()) m_state->bodies.motion[Row(m_index)].gravityScale = scale;
-    return guard.Code();
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, scale);
+    m_state->bodies.motion[Row(m_index)].gravityScale = scale;
+    return ErrorCode::ok;
 }
 
 BodyType Body::GetType() const { return m_state->bodies.type[Row(m_index)]; }
@@ -161,6 +175,7 @@ BodyType Body::GetType() const { return m_state->bodies.type[Row(m_index)]; }
 ErrorCode Body::SetBullet(bool flag) {
     Guard guard(*m_state, "Body::SetBullet");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, flag);
     SetFlag(m_state->bodies, m_index, BodyFlag::bullet, flag);
     return ErrorCode::ok;
 }
@@ -169,6 +184,7 @@ bool Body::IsBullet() const { return m_state->bodies.Has(m_index, BodyFlag::bull
 ErrorCode Body::SetSleepingAllowed(bool flag) {
     Guard guard(*m_state, "Body::SetSleepingAllowed");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, flag);
     SetFlag(m_state->bodies, m_index, BodyFlag::autoSleep, flag);
     if (!flag) m_state->bodies.Wake(m_index);
     return ErrorCode::ok;
@@ -178,6 +194,7 @@ bool Body::IsSleepingAllowed() const { return m_state->bodies.Has(m_index, BodyF
 ErrorCode Body::SetAwake(bool flag) {
     Guard guard(*m_state, "Body::SetAwake");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, flag);
     if (GetType() == staticBody) return ErrorCode::ok;
     flag ? m_state->bodies.Wake(m_index) : m_state->bodies.PutToSleep(m_index);
     return ErrorCode::ok;
@@ -189,6 +206,7 @@ bool Body::IsEnabled() const { return m_state->bodies.Has(m_index, BodyFlag::ena
 ErrorCode Body::SetFixedRotation(bool flag) {
     Guard guard(*m_state, "Body::SetFixedRotation");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, flag);
     if (flag == IsFixedRotation()) return ErrorCode::ok;
     SetFlag(m_state->bodies, m_index, BodyFlag::fixedRotation, flag);
     m_state->bodies.velocity[Row(m_index)].w = 0.0f;

@@ -70,6 +70,7 @@ Fixture* Body::CreateFixture(const FixtureDef* def) {
     guard.Living(s.bodies.slots, m_index).NotNull(def != nullptr, "def", "pass a FixtureDef");
     guard.Unlocked("create fixtures outside of Step and callbacks");
     if (guard.Failed() || guard.Accept(Check(*def)).Failed()) return nullptr;
+    const Recording recording = guard.Record(m_index, *def);
     const bool isChain = def->shape->GetType() == Shape::e_chain;
     const int fixture = isChain ? AttachChain(s, m_index, *def, static_cast<const ChainShape&>(*def->shape))
                                 : AttachFixture(s, m_index, *def);
@@ -93,6 +94,7 @@ ErrorCode Body::DestroyFixture(Fixture* fixture) {
                   "fixture", "pass a living fixture of this body");
     if (guard.Unlocked("destroy fixtures outside of Step and callbacks").Failed()) return guard.Code();
     const int index = fixture->GetIndex();
+    const Recording recording = guard.Record(m_index, index);
     DestroyContactsOfFixture(s, index);
     DetachFixtures(s, m_index, [index](int f) { return f == index; });
     ResetMass(s, m_index);
@@ -110,6 +112,7 @@ ErrorCode Body::DestroyChain(Fixture* fixture) {
     const int id = s.fixtures.info[Row(fixture->GetIndex())].chainId;
     if (guard.Require(id >= 0, ErrorCode::outOfRange, "fixture", "pass an edge that a ChainShape made").Failed())
         return guard.Code();
+    const Recording recording = guard.Record(m_index, fixture->GetIndex());
     DestroyContactsOfChain(s, m_index, id);
     DetachFixtures(s, m_index, [&](int f) { return s.fixtures.info[Row(f)].chainId == id; });
     ResetMass(s, m_index);
@@ -121,6 +124,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle) {
     Guard guard(s, "Body::SetTransform");
     guard.Living(s.bodies.slots, m_index).Unlocked("move bodies outside of Step and callbacks");
     if (guard.Finite(position, "position").Finite(angle, "angle").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, position, angle);
     const size_t b = Row(m_index);
     s.bodies.transform[b].Set(position, angle);
     s.bodies.position[b] = {Mul(s.bodies.transform[b], s.bodies.mass[b].localCenter), angle, 0.0f};
@@ -137,6 +141,7 @@ ErrorCode Body::SetType(BodyType type) {
     guard.Living(s.bodies.slots, m_index).Unlocked("change types outside of Step and callbacks");
     guard.Require(type <= dynamicBody, ErrorCode::outOfRange, "type", "use a BodyType");
     if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, type);
     const size_t b = Row(m_index);
     if (s.bodies.type[b] == type) return ErrorCode::ok;
     const bool changesList = (s.bodies.type[b] == staticBody) != (type == staticBody);
@@ -164,6 +169,7 @@ ErrorCode Body::SetEnabled(bool flag) {
     Guard guard(s, "Body::SetEnabled");
     if (guard.Living(s.bodies.slots, m_index).Unlocked("enable bodies outside of Step and callbacks").Failed())
         return guard.Code();
+    const Recording recording = guard.Record(m_index, flag);
     if (flag == IsEnabled()) return ErrorCode::ok;
     uint16_t& flags = s.bodies.flags[Row(m_index)];
     flags = static_cast<uint16_t>(flag ? flags | BodyFlag::enabled : flags & ~BodyFlag::enabled);
@@ -187,6 +193,7 @@ ErrorCode Body::SetMassData(const MassData* data) {
     guard.Require(!rotates || inertia > 0.0f, ErrorCode::outOfRange, "MassData::I",
                   "it is about the origin: give more than mass·|center|²");
     if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, *data);
     const size_t b = Row(m_index);
     s.bodies.info[b].mass = mass;
     s.bodies.info[b].inertia = inertia;
@@ -200,7 +207,9 @@ ErrorCode Body::SetMassData(const MassData* data) {
 
 void Body::ResetMassData() {
     Guard guard(*m_state, "Body::ResetMassData");
-    if (!guard.Living(m_state->bodies.slots, m_index).Failed()) ResetMass(*m_state, m_index);
+    if (guard.Living(m_state->bodies.slots, m_index).Failed()) return;
+    const Recording recording = guard.Record(m_index);
+    ResetMass(*m_state, m_index);
 }
 
 }  // namespace scree

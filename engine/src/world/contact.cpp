@@ -40,6 +40,7 @@ bool Contact::IsTouching() const { return m_state->contacts.Has(m_index, Contact
 
 void Contact::SetEnabled(bool flag) {
     if (CheckContact(*m_state, m_index, "Contact::SetEnabled").Failed()) return;
+    const Recording recording(*m_state, "Contact::SetEnabled", m_index, flag);
     uint8_t& flags = m_state->contacts.flags[Row(m_index)];
     flags = static_cast<uint8_t>((flags & ~ContactFlag::enabled) | (flag ? ContactFlag::enabled : 0));
 }
@@ -61,46 +62,55 @@ const Fixture* Contact::GetFixtureB() const { return const_cast<Contact*>(this)-
 
 ErrorCode Contact::SetFriction(float friction) {
     Guard guard = CheckContact(*m_state, m_index, "Contact::SetFriction");
-    if (!guard.Amount(friction, "friction").Failed()) m_state->contacts.material[Row(m_index)].friction = friction;
-    return guard.Code();
+    if (guard.Amount(friction, "friction").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, friction);
+    m_state->contacts.material[Row(m_index)].friction = friction;
+    return ErrorCode::ok;
 }
 float Contact::GetFriction() const { return m_state->contacts.material[Row(m_index)].friction; }
 void Contact::ResetFriction() {
     if (CheckContact(*m_state, m_index, "Contact::ResetFriction").Failed()) return;
+    const Recording recording(*m_state, "Contact::ResetFriction", m_index);
     m_state->contacts.material[Row(m_index)].friction =
         MixFriction(GetFixtureA()->GetFriction(), GetFixtureB()->GetFriction());
 }
 
 ErrorCode Contact::SetRestitution(float restitution) {
     Guard guard = CheckContact(*m_state, m_index, "Contact::SetRestitution");
-    if (!guard.Finite(restitution, "restitution").Failed())
-        m_state->contacts.material[Row(m_index)].restitution = restitution;
-    return guard.Code();
+    if (guard.Finite(restitution, "restitution").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, restitution);
+    m_state->contacts.material[Row(m_index)].restitution = restitution;
+    return ErrorCode::ok;
 }
 float Contact::GetRestitution() const { return m_state->contacts.material[Row(m_index)].restitution; }
 void Contact::ResetRestitution() {
     if (CheckContact(*m_state, m_index, "Contact::ResetRestitution").Failed()) return;
+    const Recording recording(*m_state, "Contact::ResetRestitution", m_index);
     m_state->contacts.material[Row(m_index)].restitution =
         MixRestitution(GetFixtureA()->GetRestitution(), GetFixtureB()->GetRestitution());
 }
 
 ErrorCode Contact::SetRestitutionThreshold(float threshold) {
     Guard guard = CheckContact(*m_state, m_index, "Contact::SetRestitutionThreshold");
-    if (!guard.Finite(threshold, "threshold").Failed())
-        m_state->contacts.material[Row(m_index)].restitutionThreshold = threshold;
-    return guard.Code();
+    if (guard.Finite(threshold, "threshold").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, threshold);
+    m_state->contacts.material[Row(m_index)].restitutionThreshold = threshold;
+    return ErrorCode::ok;
 }
 float Contact::GetRestitutionThreshold() const { return m_state->contacts.material[Row(m_index)].restitutionThreshold; }
 void Contact::ResetRestitutionThreshold() {
     if (CheckContact(*m_state, m_index, "Contact::ResetRestitutionThreshold").Failed()) return;
+    const Recording recording(*m_state, "Contact::ResetRestitutionThreshold", m_index);
     m_state->contacts.material[Row(m_index)].restitutionThreshold =
         MixRestitutionThreshold(GetFixtureA()->GetRestitutionThreshold(), GetFixtureB()->GetRestitutionThreshold());
 }
 
 ErrorCode Contact::SetTangentSpeed(float speed) {
     Guard guard = CheckContact(*m_state, m_index, "Contact::SetTangentSpeed");
-    if (!guard.Finite(speed, "speed").Failed()) m_state->contacts.material[Row(m_index)].tangentSpeed = speed;
-    return guard.Code();
+    if (guard.Finite(speed, "speed").Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, speed);
+    m_state->contacts.material[Row(m_index)].tangentSpeed = speed;
+    return ErrorCode::ok;
 }
 float Contact::GetTangentSpeed() const { return m_state->contacts.material[Row(m_index)].tangentSpeed; }
 

@@ -25,6 +25,26 @@ Color ColorOf(const BodyTable& bodies, int body) {
     return {0.9f, 0.7f, 0.7f};
 }
 
+void DrawConvex(const ConvexShape& convex, const Transform& xf, const Color& color, Draw& draw) {
+    if (convex.m_count == 1) {
+        draw.DrawSolidCircle(Mul(xf, convex.m_vertices[0]), convex.m_radius, Mul(xf.q, Vec2{1.0f, 0.0f}), color);
+        return;
+    }
+    // Round corners get an arc each; a skin is not drawn.
+    const int arcs = convex.m_solidRadius > 0.0f ? (convex.m_count <= 8 ? 8 : 1) : 0;
+    Vec2 outline[2 * maxConvexVertices];
+    int count = 0;
+    for (int i = 0; i < convex.m_count; ++i) {
+        const Vec2 before = convex.m_normals[i > 0 ? i - 1 : convex.m_count - 1];
+        const float cosine = Clamp(Dot(before, convex.m_normals[i]), -1.0f, 1.0f);
+        for (int k = 0; k <= arcs; ++k) {
+            const Rot turn(arcs > 0 ? std::acos(cosine) * static_cast<float>(k) / static_cast<float>(arcs) : 0.0f);
+            outline[count++] = Mul(xf, convex.m_vertices[i] + convex.m_solidRadius * Mul(turn, before));
+        }
+    }
+    draw.DrawSolidPolygon(outline, count, color);
+}
+
 void DrawShape(const Shape& shape, const Transform& xf, bool inChain, const Color& color, Draw& draw) {
     switch (shape.GetType()) {
         case Shape::e_circle: {
@@ -50,6 +70,9 @@ void DrawShape(const Shape& shape, const Transform& xf, bool inChain, const Colo
             draw.DrawSolidPolygon(vertices, polygon.m_count, color);
             break;
         }
+        case Shape::e_convex:
+            DrawConvex(static_cast<const ConvexShape&>(shape), xf, color, draw);
+            break;
         default:
             break;
     }

@@ -24,6 +24,7 @@ const Shape* Fixture::GetShape() const { return m_state->fixtures.shape[Row(m_in
 ErrorCode Fixture::SetSensor(bool sensor) {
     Guard guard(*m_state, "Fixture::SetSensor");
     if (guard.Living(m_state->fixtures.slots, m_index).Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, sensor);
     uint8_t& flag = m_state->fixtures.isSensor[Row(m_index)];
     if ((flag != 0) == sensor) return ErrorCode::ok;
     flag = sensor ? 1 : 0;
@@ -45,6 +46,7 @@ ErrorCode Fixture::SetFilterData(const Filter& filter) {
     Guard guard(*m_state, "Fixture::SetFilterData");
     guard.Living(m_state->fixtures.slots, m_index).Unlocked("set filters outside of Step and callbacks");
     if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, filter);
     m_state->fixtures.filter[Row(m_index)] = filter;
     RefilterFixture(*m_state, m_index);
     return ErrorCode::ok;
@@ -53,7 +55,9 @@ const Filter& Fixture::GetFilterData() const { return m_state->fixtures.filter[R
 void Fixture::Refilter() {
     Guard guard(*m_state, "Fixture::Refilter");
     guard.Living(m_state->fixtures.slots, m_index).Unlocked("refilter outside of Step and callbacks");
-    if (!guard.Failed()) RefilterFixture(*m_state, m_index);
+    if (guard.Failed()) return;
+    const Recording recording = guard.Record(m_index);
+    RefilterFixture(*m_state, m_index);
 }
 
 int Fixture::GetChainId() const { return m_state->fixtures.info[Row(m_index)].chainId; }
@@ -84,32 +88,40 @@ void Fixture::GetMassData(MassData* massData) const {
 ErrorCode Fixture::SetDensity(float density) {
     Guard guard(*m_state, "Fixture::SetDensity");
     guard.Living(m_state->fixtures.slots, m_index).Amount(density, "density");
-    if (!guard.Failed()) m_state->fixtures.info[Row(m_index)].density = density;
-    return guard.Code();
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, density);
+    m_state->fixtures.info[Row(m_index)].density = density;
+    return ErrorCode::ok;
 }
 float Fixture::GetDensity() const { return m_state->fixtures.info[Row(m_index)].density; }
 
 ErrorCode Fixture::SetFriction(float friction) {
     Guard guard(*m_state, "Fixture::SetFriction");
     guard.Living(m_state->fixtures.slots, m_index).Amount(friction, "friction");
-    if (!guard.Failed()) m_state->fixtures.material[Row(m_index)].friction = friction;
-    return guard.Code();
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, friction);
+    m_state->fixtures.material[Row(m_index)].friction = friction;
+    return ErrorCode::ok;
 }
 float Fixture::GetFriction() const { return m_state->fixtures.material[Row(m_index)].friction; }
 
 ErrorCode Fixture::SetRestitution(float restitution) {
     Guard guard(*m_state, "Fixture::SetRestitution");
     guard.Living(m_state->fixtures.slots, m_index).Finite(restitution, "restitution");
-    if (!guard.Failed()) m_state->fixtures.material[Row(m_index)].restitution = restitution;
-    return guard.Code();
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, restitution);
+    m_state->fixtures.material[Row(m_index)].restitution = restitution;
+    return ErrorCode::ok;
 }
 float Fixture::GetRestitution() const { return m_state->fixtures.material[Row(m_index)].restitution; }
 
 ErrorCode Fixture::SetRestitutionThreshold(float threshold) {
     Guard guard(*m_state, "Fixture::SetRestitutionThreshold");
     guard.Living(m_state->fixtures.slots, m_index).Amount(threshold, "threshold");
-    if (!guard.Failed()) m_state->fixtures.material[Row(m_index)].restitutionThreshold = threshold;
-    return guard.Code();
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, threshold);
+    m_state->fixtures.material[Row(m_index)].restitutionThreshold = threshold;
+    return ErrorCode::ok;
 }
 float Fixture::GetRestitutionThreshold() const { return m_state->fixtures.material[Row(m_index)].restitutionThreshold; }
 

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "world/record.h"
 #include "world/validate.h"
 
 namespace scree {
@@ -41,6 +42,12 @@ public:
         return *this;
     }
     Guard& Accept(const Finding& finding) { return Require(!finding, finding.code, finding.field, finding.cure); }
+
+    /// Records the call, now that its arguments are good, while the result lives.
+    template <typename... Arguments>
+    [[nodiscard]] Recording Record(const Arguments&... arguments) const {
+        return Recording(m_state, m_function, arguments...);
+    }
 
     [[nodiscard]] bool Failed() const { return m_code != ErrorCode::ok; }
     [[nodiscard]] ErrorCode Code() const { return m_code; }

@@ -33,6 +33,10 @@ void RefilterIf(WorldState& s, int body, Predicate involves) {
     }
 }
 
+Motion MotionOf(BodyType type) {
+    return type == staticBody ? Motion::isStatic : type == dynamicBody ? Motion::dynamic : Motion::kinematic;
+}
+
 }  // namespace
 
 void FindPairsAndMatch(WorldState& s) {
@@ -46,12 +50,14 @@ void AddProxy(WorldState& s, int fixture) {
     const auto b = static_cast<size_t>(s.fixtures.body[f]);
     AABB box;
     s.fixtures.shape[f]->ComputeAABB(&box, s.bodies.transform[b]);
-    const Motion motion = s.bodies.type[b] == staticBody    ? Motion::isStatic
-                          : s.bodies.type[b] == dynamicBody ? Motion::dynamic
-                                                            : Motion::kinematic;
-    s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), motion, box);
+    s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), MotionOf(s.bodies.type[b]), box);
     s.fixtures.info[f].inBroadPhase = true;
     s.pairsStale = true;
+}
+
+void RestoreProxy(WorldState& s, int fixture, const AABB& box) {
+    const auto body = static_cast<uint32_t>(s.fixtures.body[static_cast<size_t>(fixture)]);
+    s.broadPhase->Restore(static_cast<uint32_t>(fixture), body, MotionOf(s.bodies.type[body]), box);
 }
 
 void RemoveProxy(WorldState& s, int fixture) {

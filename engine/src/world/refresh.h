@@ -14,6 +14,8 @@ void FindPairsAndMatch(WorldState& state);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
 void AddProxy(WorldState& state, int fixture);
 void RemoveProxy(WorldState& state, int fixture);
+/// Gives the broad phase back a fixture of a restored world, with the box it had there.
+void RestoreProxy(WorldState& state, int fixture, const AABB& box);
 /// Destroys the contacts of a fixture, of a chain of a body, or of a body, at once.
 void DestroyContactsOfFixture(WorldState& state, int fixture);
 void DestroyContactsOfChain(WorldState& state, int body, int chainId);

@@ -14,6 +14,7 @@ ErrorCode World::ShiftOrigin(Vec2 newOrigin) {
     Guard guard(s, "World::ShiftOrigin");
     guard.Unlocked("shift the origin outside of Step and callbacks").Finite(newOrigin, "newOrigin");
     if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(newOrigin);
     for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
         const auto b = static_cast<size_t>(body);
         s.bodies.transform[b].p -= newOrigin;

@@ -10,6 +10,7 @@
 #include "pipeline/narrow_phase.h"
 #include "pipeline/solve_islands.h"
 #include "pipeline/update_boxes.h"
+#include "scree/inspect.h"
 #include "world/guard.h"
 #include "world/refresh.h"
 #include "world/world_state.h"
@@ -92,6 +93,7 @@ StepReport World::Step(float timeStep, int velocityIterations, int positionItera
     guard.Require(velocityIterations >= 0, ErrorCode::outOfRange, "velocityIterations", "give at least 0");
     guard.Require(positionIterations >= 0, ErrorCode::outOfRange, "positionIterations", "give at least 0");
     if (guard.Failed()) return s.report;
+    Recording recording = guard.Record(timeStep, velocityIterations, positionIterations);
 
     Stopwatch total;
     Stopwatch watch;
@@ -111,6 +113,7 @@ StepReport World::Step(float timeStep, int velocityIterations, int positionItera
     report.pairCount = static_cast<int64_t>(s.pairs.size());
     report.profile.step = total.Lap();
     s.report = report;
+    if (recording.IsOn()) recording.NoteHash(inspect::GetStateHash(*this));
     return report;
 }
 

@@ -38,6 +38,15 @@ Finding CheckPolygon(const PolygonShape& polygon) {
     return {};
 }
 
+Finding CheckConvex(const ConvexShape& convex) {
+    if (convex.m_badField != nullptr) return {ErrorCode::badShape, convex.m_badField, "see convex_shape.h"};
+    if (convex.m_count < 1 || convex.m_count > maxConvexVertices)
+        return {ErrorCode::badShape, "ConvexShape::m_count", "use a Make function; 1 to 64 vertices"};
+    if (!convex.Validate())
+        return {ErrorCode::badShape, "ConvexShape::m_vertices", "give a convex, counter-clockwise core"};
+    return {};
+}
+
 Finding CheckEdge(const EdgeShape& edge) {
     const bool finite = edge.m_vertex1.IsValid() && edge.m_vertex2.IsValid() &&
                         (!edge.m_oneSided || (edge.m_vertex0.IsValid() && edge.m_vertex3.IsValid()));
@@ -76,6 +85,8 @@ Finding Check(const Shape& shape) {
             return CheckEdge(static_cast<const EdgeShape&>(shape));
         case Shape::e_polygon:
             return CheckPolygon(static_cast<const PolygonShape&>(shape));
+        case Shape::e_convex:
+            return CheckConvex(static_cast<const ConvexShape&>(shape));
         case Shape::e_chain:
             return Check(static_cast<const ChainShape&>(shape));
         default:

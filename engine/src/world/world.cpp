@@ -62,6 +62,7 @@ Body* World::CreateBody(const BodyDef* def) {
     if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a BodyDef"), nullptr;
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create bodies outside of Step"), nullptr;
     if (const Finding bad = Check(*def)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
+    const Recording recording(s, name, *def);
     return &s.bodies.handles[static_cast<size_t>(s.bodies.Add(&s, *def))];
 }
 
@@ -72,6 +73,7 @@ ErrorCode World::DestroyBody(Body* body) {
     if (!Owns(s, body)) return s.Refuse(ErrorCode::foreignHandle, name, "body", "pass a living body of this world");
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy bodies outside of Step");
     const int index = body->GetIndex();
+    const Recording recording(s, name, index);
     BodyInfo& info = s.bodies.info[static_cast<size_t>(index)];
     for (int j = s.joints.OfBody(index).Front(); j >= 0; j = s.joints.OfBody(index).Front()) {
         Joint* joint = s.joints.handles[static_cast<size_t>(j)];
@@ -106,6 +108,7 @@ ErrorCode World::DestroyJoint(Joint* joint) {
     if (!Owns(s, joint)) return s.Refuse(ErrorCode::foreignHandle, name, "joint", "pass a living joint of this world");
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
     const int index = joint->GetIndex();
+    const Recording recording(s, name, index);
     for (int gear = FindGearOf(s, index); gear >= 0; gear = FindGearOf(s, index)) {
         SayGoodbye(s, s.joints.handles[static_cast<size_t>(gear)]);
         RemoveJoint(s, gear);
@@ -129,16 +132,21 @@ void World::SetErrorHandler(ErrorHandler handler, void* context) {
     m_state->errorContext = context;
 }
 
-void World::SetAutoClearForces(bool flag) { m_state->autoClearForces = flag; }
+void World::SetAutoClearForces(bool flag) {
+    const Recording recording(*m_state, "World::SetAutoClearForces", flag);
+    m_state->autoClearForces = flag;
+}
 bool World::GetAutoClearForces() const { return m_state->autoClearForces; }
 
 void World::ClearForces() {
+    const Recording recording(*m_state, "World::ClearForces");
     for (const int body : m_state->bodies.movers) m_state->bodies.force[static_cast<size_t>(body)] = {vec2Zero, 0.0f};
 }
 
 ErrorCode World::SetGravity(Vec2 gravity) {
     if (!gravity.IsValid())
         return m_state->Refuse(ErrorCode::nonFinite, "World::SetGravity", "gravity", "give a finite vector");
+    const Recording recording(*m_state, "World::SetGravity", gravity);
     m_state->def.gravity = gravity;
     return ErrorCode::ok;
 }
@@ -146,19 +154,32 @@ Vec2 World::GetGravity() const { return m_state->def.gravity; }
 
 void World::SetAllowSleeping(bool flag) {
     if (m_state->def.allowSleep == flag) return;
+    const Recording recording(*m_state, "World::SetAllowSleeping", flag);
     m_state->def.allowSleep = flag;
     if (flag) return;
     for (const int body : m_state->bodies.movers) m_state->bodies.Wake(body);
 }
 bool World::GetAllowSleeping() const { return m_state->def.allowSleep; }
 
-void World::SetWarmStarting(bool flag) { m_state->def.warmStarting = flag; }
+void World::SetWarmStarting(bool flag) {
+    const Recording recording(*m_state, "World::SetWarmStarting", flag);
+    m_state->def.warmStarting = flag;
+}
 bool World::GetWarmStarting() const { return m_state->def.warmStarting; }
-void World::SetContinuousPhysics(bool flag) { m_state->def.continuousPhysics = flag; }
+void World::SetContinuousPhysics(bool flag) {
+    const Recording recording(*m_state, "World::SetContinuousPhysics", flag);
+    m_state->def.continuousPhysics = flag;
+}
 bool World::GetContinuousPhysics() const { return m_state->def.continuousPhysics; }
-void World::SetSubStepping(bool flag) { m_state->def.subStepping = flag; }
+void World::SetSubStepping(bool flag) {
+    const Recording recording(*m_state, "World::SetSubStepping", flag);
+    m_state->def.subStepping = flag;
+}
 bool World::GetSubStepping() const { return m_state->def.subStepping; }
-void World::SetExactDrift(bool flag) { m_state->def.exactDrift = flag; }
+void World::SetExactDrift(bool flag) {
+    const Recording recording(*m_state, "World::SetExactDrift", flag);
+    m_state->def.exactDrift = flag;
+}
 bool World::GetExactDrift() const { return m_state->def.exactDrift; }
 bool World::IsLocked() const { return m_state->locked; }
 

@@ -21,6 +21,8 @@
 
 namespace scree {
 
+class Recorder;
+
 struct WorldState {
     World* world = nullptr;
     WorldDef def;
@@ -46,6 +48,7 @@ struct WorldState {
     ErrorHandler errorHandler = nullptr;
     void* errorContext = nullptr;
     Draw* draw = nullptr;
+    Recorder* recorder = nullptr;
 
     bool locked = false;  ///< callbacks are running: nothing may be created, destroyed or moved
     bool autoClearForces = true;

@@ -66,13 +66,16 @@ Joint* Joint::GetNext(const Body* body) const {
     return JointOf(m_state, m_state->joints.NextOfBody(m_index, body->GetIndex()));
 }
 void Joint::ShiftOrigin(Vec2 newOrigin) {
-    if (JointEdit(m_state, this, "Joint::ShiftOrigin").Finite(newOrigin, "newOrigin").Failed()) return;
+    JointEdit edit = JointEdit(m_state, this, "Joint::ShiftOrigin").Finite(newOrigin, "newOrigin");
+    if (edit.Failed()) return;
+    const Recording recording = edit.Record(newOrigin);
     JointTable::WithStore(m_state->joints, GetType(),
                           [&](auto& store) { ShiftRow(store.rows[static_cast<size_t>(m_row)], newOrigin); });
 }
 
 ErrorCode EnableLimit(JointEdit edit, LimitState& limit, bool flag) {
     if (edit.Failed() || limit.enabled == flag) return edit.Code();
+    const Recording recording = edit.Record(flag);
     edit.WakeBodies();
     limit.enabled = flag;
     limit.lowerImpulse = limit.upperImpulse = 0.0f;
@@ -82,6 +85,7 @@ ErrorCode EnableLimit(JointEdit edit, LimitState& limit, bool flag) {
 ErrorCode SetLimits(JointEdit edit, LimitState& limit, float lower, float upper) {
     edit.Finite(lower, "lower").Finite(upper, "upper").Require(lower <= upper, "lower", "keep it at or below upper");
     if (edit.Failed() || (limit.lower == lower && limit.upper == upper)) return edit.Code();
+    const Recording recording = edit.Record(lower, upper);
     edit.WakeBodies();
     limit.lower = lower;
     limit.upper = upper;

@@ -34,17 +34,24 @@ public:
 
     [[nodiscard]] bool Failed() const { return m_guard.Failed(); }
     [[nodiscard]] ErrorCode Code() const { return m_guard.Code(); }
+    template <typename... Arguments>
+    [[nodiscard]] Recording Record(const Arguments&... arguments) const {
+        return m_guard.Record(m_joint->GetIndex(), arguments...);
+    }
 
     /// Stores without waking.
     template <typename T>
     ErrorCode Set(T& target, T value) {
-        if (!Failed()) target = value;
+        if (Failed()) return Code();
+        const Recording recording = Record(value);
+        target = value;
         return Code();
     }
     /// Stores and wakes both bodies if the value is new.
     template <typename T>
     ErrorCode SetAndWake(T& target, T value) {
         if (Failed() || target == value) return Code();
+        const Recording recording = Record(value);
         WakeBodies();
         target = value;
         return Code();

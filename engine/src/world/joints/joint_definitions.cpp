@@ -46,6 +46,7 @@ Joint* Create(WorldState& s, const JointDef& base, Guard& guard) {
     CheckBodies(def, s, guard);
     Check(def, guard);
     if (guard.Failed()) return nullptr;
+    const Recording recording = guard.Record(base);
     JointInfo head = HeadOf(def);
     head.bodyA = def.bodyA->GetIndex();
     head.bodyB = def.bodyB->GetIndex();
@@ -57,6 +58,7 @@ Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
     const auto& def = static_cast<const GearJointDef&>(base);
     CheckGear(def, s, guard);
     if (guard.Failed()) return nullptr;
+    const Recording recording = guard.Record(base);
     const GearRow row = MakeGearRow(def, s);
     JointInfo head = HeadOf(def);
     head.bodyA = row.side[0].body;

@@ -34,7 +34,9 @@ float MouseJoint::GetReactionTorque(float) const { return 0.0f; }
 
 ErrorCode MouseJoint::SetTarget(Vec2 target) {
     JointEdit edit = JointEdit(m_state, this, "MouseJoint::SetTarget").Finite(target, "target");
-    if (!edit.Failed() && !(Row().target == target)) GetBodyB()->SetAwake(true);
+    if (edit.Failed()) return edit.Code();
+    const Recording recording = edit.Record(target);  // here, since waking would be recorded as a call of its own
+    if (!(Row().target == target)) GetBodyB()->SetAwake(true);
     return edit.Set(Row().target, target);
 }
 Vec2 MouseJoint::GetTarget() const { return Row().target; }

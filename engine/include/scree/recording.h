@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A program's calls as a block of bytes, and their replay. A recording holds the world as it was at the start and every
+// call since then that changed it, with its arguments; behind each Step the hash of the state that it led to. Replayed,
+// the same calls must lead to the same hashes; the first that differs names the step where two builds, machines or
+// worker counts part.
+//
+// Recorded are the calls of GetRecordedCalls. Not recorded: listeners and filters and what they do inside a Step (give
+// the player's world the same ones), and writes through references and pointers (user data, a shape from GetShape, a
+// manifold).
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scree/errors.h"
+#include "scree/world.h"
+
+namespace scree {
+
+/// Where a recording goes. It must outlive the recording of its world.
+class Recorder {
+public:
+    /// The recording so far; complete and replayable after every call.
+    [[nodiscard]] std::span<const std::byte> GetBytes() const { return m_bytes; }
+    [[nodiscard]] int GetCallCount() const { return m_callCount; }
+
+private:
+    friend class Recording;
+    friend ErrorCode StartRecording(World& world, Recorder& recorder);
+    void Append(uint32_t call, std::span<const std::byte> arguments);
+
+    std::vector<std::byte> m_bytes;
+    int m_callCount = 0;
+    int m_depth = 0;  ///< calls that are running: those made by others are not recorded
+};
+
+/// Records every call from now on into `recorder` (cleared first), in place of a recorder before. Refused while the
+/// world is locked.
+ErrorCode StartRecording(World& world, Recorder& recorder);
+/// Ends the recording; nothing happens without one.
+void StopRecording(World& world);
+
+/// What a replay came to.
+struct ReplayReport {
+    bool valid = false;            ///< the bytes are a recording and every call in it could be made
+    int calls = 0;                 ///< made
+    int steps = 0;                 ///< calls of Step among them
+    int firstDifference = 0;       ///< the step (the first is 1) after which the hash was another one; 0: none
+    std::unique_ptr<World> world;  ///< as it is after the last call made; null if there is none
+};
+
+/// Makes all calls of a recording on a world of its own, up to the end or the first difference. `prepare` (may be null)
+/// gets the world before the first call, to set listeners. Damaged bytes end the replay with valid = false.
+ReplayReport Replay(std::span<const std::byte> recording, const std::function<void(World&)>& prepare = nullptr);
+
+/// The names of all calls that are recorded, such as "Body::SetTransform".
+std::vector<std::string_view> GetRecordedCalls();
+
+}  // namespace scree

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A whole world as a block of bytes, and back. A restored world goes on bit for bit as the saved one would have:
+// bodies, fixtures with shapes, contacts with impulses, joints, lists, free slots, settings, pending edits and a
+// sub-stepped step that is not over yet are all in the image.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "scree/world.h"
+
+namespace scree {
+
+/// Grows with every change of the layout; LoadWorld reads its own version only.
+inline constexpr uint32_t snapshotVersion = 1;
+
+/// Why an image was refused.
+enum class SnapshotError : uint8_t {
+    ok,
+    notASnapshot,   ///< it does not begin like an image (or was written on a machine of the other byte order)
+    wrongVersion,   ///< of another version of this library
+    wrongSize,      ///< cut off, or something was appended
+    wrongChecksum,  ///< bytes were changed
+    badContent,     ///< the bytes are whole but describe no possible world
+};
+
+constexpr const char* GetName(SnapshotError error) {
+    switch (error) {
+        case SnapshotError::ok:
+            return "ok";
+        case SnapshotError::notASnapshot:
+            return "not a snapshot";
+        case SnapshotError::wrongVersion:
+            return "wrong version";
+        case SnapshotError::wrongSize:
+            return "wrong size";
+        case SnapshotError::wrongChecksum:
+            return "wrong checksum";
+        case SnapshotError::badContent:
+            return "bad content";
+    }
+    return "unknown";
+}
+
+/// The image of a world. Equal worlds give equal bytes. Not in it: listeners, the filter, the error handler, the
+/// drawer, the last report. User data is saved as the number it holds. Refused (empty) while the world is locked.
+/// O(size of the world).
+[[nodiscard]] std::vector<std::byte> SaveWorld(const World& world);
+
+/// A new world from an image; its objects have the indices and ids of the saved ones. Null for a bad image, and `error`
+/// (if given) says why: no image, however damaged, does more than that. O(size of the world).
+[[nodiscard]] std::unique_ptr<World> LoadWorld(std::span<const std::byte> image, SnapshotError* error = nullptr);
+
+}  // namespace scree

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The hook of the recorder: one object at the head of every call that changes the world, made when its arguments have
+// been found good. It writes the call's number (a hash of its name) and the arguments; while it lives, calls made by
+// this one are not recorded, since the replayed call makes them again. Without a recorder it costs one comparison.
+
+#pragma once
+
+#include <string_view>
+#include <type_traits>
+
+#include "scree/recording.h"
+#include "world/state_fields.h"
+
+namespace scree {
+
+/// FNV-1a, 32 bits, of a call's name.
+constexpr uint32_t CallNumber(std::string_view name) {
+    uint32_t sum = 0x811c9dc5u;
+    for (const char c : name) sum = (sum ^ static_cast<uint8_t>(c)) * 0x01000193u;
+    return sum;
+}
+
+/// In front of every recording: letters and, in the highest byte, the version of the format.
+inline constexpr uint64_t recordingMagic = 0x0163657265726373ull;
+
+/// Follows every Step in a recording.
+inline constexpr uint32_t hashRecord = CallNumber("state hash");
+
+/// A changed number of iterations would still be a call, but one that may take for ever.
+inline uint32_t EntryChecksum(uint32_t call, std::span<const std::byte> arguments) {
+    return call ^ static_cast<uint32_t>(ChecksumOf(arguments) >> 32);
+}
+
+template <Is<BodyDef> Self, typename Visit>
+void Fields(Self& def, Visit& visit) {
+    visit(def.type), visit(def.position), visit(def.angle), visit(def.linearVelocity), visit(def.angularVelocity);
+    visit(def.linearDamping), visit(def.angularDamping), visit(def.allowSleep), visit(def.awake);
+    visit(def.fixedRotation), visit(def.bullet), visit(def.enabled), visit(def.userData.pointer);
+    visit(def.gravityScale);
+}
+/// All but the shape.
+template <Is<FixtureDef> Self, typename Visit>
+void Fields(Self& def, Visit& visit) {
+    visit(def.userData.pointer), visit(def.friction), visit(def.restitution), visit(def.restitutionThreshold);
+    visit(def.density), visit(def.isSensor), visit(def.filter);
+}
+/// All but type and bodies.
+template <Is<RevoluteJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.referenceAngle), visit(d.enableLimit), visit(d.lowerAngle);
+    visit(d.upperAngle), visit(d.enableMotor), visit(d.motorSpeed), visit(d.maxMotorTorque);
+}
+template <Is<PrismaticJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.localAxisA), visit(d.referenceAngle), visit(d.enableLimit);
+    visit(d.lowerTranslation), visit(d.upperTranslation), visit(d.enableMotor), visit(d.maxMotorForce);
+    visit(d.motorSpeed);
+}
+template <Is<DistanceJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.length), visit(d.minLength), visit(d.maxLength);
+    visit(d.stiffness), visit(d.damping);
+}
+template <Is<PulleyJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.groundAnchorA), visit(d.groundAnchorB), visit(d.localAnchorA), visit(d.localAnchorB), visit(d.lengthA);
+    visit(d.lengthB), visit(d.ratio);
+}
+template <Is<MouseJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.target), visit(d.maxForce), visit(d.stiffness), visit(d.damping);
+}
+template <Is<WheelJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.localAxisA), visit(d.enableLimit), visit(d.lowerTranslation);
+    visit(d.upperTranslation), visit(d.enableMotor), visit(d.maxMotorTorque), visit(d.motorSpeed);
+    visit(d.stiffness), visit(d.damping);
+}
+template <Is<WeldJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.referenceAngle), visit(d.stiffness), visit(d.damping);
+}
+template <Is<FrictionJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.maxForce), visit(d.maxTorque);
+}
+template <Is<MotorJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.linearOffset), visit(d.angularOffset), visit(d.maxForce), visit(d.maxTorque), visit(d.correctionFactor);
+}
+/// Its joints are written as indices.
+template <Is<GearJointDef> Self, typename Visit>
+void Fields(Self& d, Visit& visit) {
+    visit(d.ratio);
+}
+
+class Recording {
+public:
+    template <typename... Arguments>
+    Recording(const WorldState& state, std::string_view call, const Arguments&... arguments)
+        : m_recorder(state.recorder) {
+        if (m_recorder == nullptr || m_recorder->m_depth++ > 0) return;
+        ImageWriter out;
+        (Write(out, arguments), ...);
+        m_recorder->Append(CallNumber(call), out.Bytes());
+        ++m_recorder->m_callCount;
+    }
+    ~Recording() {
+        if (m_recorder != nullptr) --m_recorder->m_depth;
+    }
+    Recording(const Recording&) = delete;
+    Recording& operator=(const Recording&) = delete;
+
+    /// The state that a Step has led to.
+    void NoteHash(uint64_t hash);
+    [[nodiscard]] bool IsOn() const { return m_recorder != nullptr && m_recorder->m_depth == 1; }
+
+private:
+    template <typename T>
+    static void Write(ImageWriter& out, const T& value) {
+        out(value);
+    }
+    /// A definition with its shape.
+    static void Write(ImageWriter& out, const FixtureDef& def);
+    /// A definition of any type, with bodies and joints as indices.
+    static void Write(ImageWriter& out, const JointDef& def);
+
+    Recorder* m_recorder;
+};
+
+}  // namespace scree

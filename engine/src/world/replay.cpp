@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Bytes → calls. The table below has one row per recorded call; a row reads the object and the arguments and makes the
+// call. Nothing that was read is believed: an object must be alive and of the right type.
+
+#include <tuple>
+
+#include "scree/inspect.h"
+#include "scree/snapshot.h"
+#include "world/guard.h"
+#include "world/record.h"
+
+namespace scree {
+
+namespace {
+
+/// An object by its index; null if it is not alive or not of this class.
+template <typename Object>
+Object* ReadObject(World& world, ImageReader& in) {
+    WorldState& s = world.GetState();
+    if constexpr (std::is_same_v<Object, World>) {
+        return &world;
+    } else {
+        int index = -1;
+        in(index);
+        const auto i = static_cast<size_t>(index);
+        if constexpr (std::is_same_v<Object, Body>) {
+            return s.bodies.slots.IsAlive(index) ? &s.bodies.handles[i] : nullptr;
+        } else if constexpr (std::is_same_v<Object, Fixture>) {
+            return s.fixtures.slots.IsAlive(index) ? &s.fixtures.handles[i] : nullptr;
+        } else if constexpr (std::is_same_v<Object, Contact>) {
+            return s.contacts.IsAlive(index) ? s.contacts.Handle(&s, index) : nullptr;
+        } else {
+            if (!s.joints.slots.IsAlive(index)) return nullptr;
+            Joint* joint = s.joints.handles[i];
+            bool fits = std::is_same_v<Object, Joint>;
+            JointTable::WithStore(s.joints, joint->GetType(), [&](auto& store) {
+                using Handle = typename std::remove_reference_t<decltype(store)>::RowType::Handle;
+                fits = fits || std::is_same_v<Object, Handle>;
+            });
+            return fits ? static_cast<Object*>(joint) : nullptr;
+        }
+    }
+}
+
+template <typename Result, typename Object, typename... Arguments>
+bool CallMethod(Result (Object::*method)(Arguments...), World& world, ImageReader& in) {
+    Object* object = ReadObject<Object>(world, in);
+    std::tuple<std::decay_t<Arguments>...> arguments;
+    std::apply([&](auto&... argument) { (in(argument), ...); }, arguments);
+    if (object == nullptr || in.Failed() || !in.AtEnd()) return false;
+    std::apply([&](auto&... argument) { (object->*method)(argument...); }, arguments);
+    return true;
+}
+
+/// A call whose arguments are plain values.
+template <auto Method>
+bool Call(World& world, ImageReader& in) {
+    return CallMethod(Method, world, in);
+}
+
+bool CallCreateBody(World& world, ImageReader& in) {
+    BodyDef def;
+    in(def);
+    return !in.Failed() && world.CreateBody(&def) != nullptr;
+}
+
+bool CallDestroyBody(World& world, ImageReader& in) {
+    Body* body = ReadObject<Body>(world, in);
+    return body != nullptr && world.DestroyBody(body) == ErrorCode::ok;
+}
+
+bool CallCreateFixture(World& world, ImageReader& in) {
+    Body* body = ReadObject<Body>(world, in);
+    FixtureDef def;
+    Shape::Type type = Shape::e_circle;
+    in(def);
+    in(type);
+    if (body == nullptr || in.Failed()) return false;
+    bool made = false;
+    const auto create = [&]<typename T>(std::type_identity<T>) {
+        T shape;
+        in(shape);
+        if (in.Failed() || !IsSafe(shape)) return;
+        def.shape = &shape;
+        made = body->CreateFixture(&def) != nullptr;
+    };
+    type == Shape::e_chain ? create(std::type_identity<ChainShape>{}) : void(WithShapeType(type, create));
+    return made;
+}
+
+bool CallDestroyFixture(World& world, ImageReader& in) {
+    Body* body = ReadObject<Body>(world, in);
+    Fixture* fixture = ReadObject<Fixture>(world, in);
+    return body != nullptr && fixture != nullptr && body->DestroyFixture(fixture) == ErrorCode::ok;
+}
+
+bool CallDestroyChain(World& world, ImageReader& in) {
+    Body* body = ReadObject<Body>(world, in);
+    Fixture* fixture = ReadObject<Fixture>(world, in);
+    return body != nullptr && fixture != nullptr && body->DestroyChain(fixture) == ErrorCode::ok;
+}
+
+bool CallSetMassData(World& world, ImageReader& in) {
+    Body* body = ReadObject<Body>(world, in);
+    MassData data;
+    in(data);
+    return body != nullptr && !in.Failed() && body->SetMassData(&data) == ErrorCode::ok;
+}
+
+bool CallCreateJoint(World& world, ImageReader& in) {
+    JointType type = e_unknownJoint;
+    JointUserData userData;
+    bool collideConnected = false;
+    in(type);
+    in(userData.pointer);
+    in(collideConnected);
+    Body* bodyA = ReadObject<Body>(world, in);
+    Body* bodyB = ReadObject<Body>(world, in);
+    if (in.Failed()) return false;
+    Joint* made = nullptr;
+    JointTable::WithStore(world.GetState().joints, type, [&](auto& store) {
+        typename std::remove_reference_t<decltype(store)>::RowType::Definition def;
+        def.userData = userData;
+        def.collideConnected = collideConnected;
+        def.bodyA = bodyA;
+        def.bodyB = bodyB;
+        in(def);
+        if constexpr (std::is_same_v<decltype(def), GearJointDef>) {
+            def.joint1 = ReadObject<Joint>(world, in);
+            def.joint2 = ReadObject<Joint>(world, in);
+        }
+        if (!in.Failed()) made = world.CreateJoint(&def);
+    });
+    return made != nullptr;
+}
+
+bool CallDestroyJoint(World& world, ImageReader& in) {
+    Joint* joint = ReadObject<Joint>(world, in);
+    return joint != nullptr && world.DestroyJoint(joint) == ErrorCode::ok;
+}
+
+struct Row {
+    std::string_view name;
+    bool (*call)(World&, ImageReader&);
+};
+
+#define SCREE_CALL(method) \
+    Row { #method, Call < &method> }
+
+constexpr Row calls[] = {
+    {"World::CreateBody", CallCreateBody},
+    {"World::DestroyBody", CallDestroyBody},
+    {"World::CreateJoint", CallCreateJoint},
+    {"World::DestroyJoint", CallDestroyJoint},
+    SCREE_CALL(World::Step),
+    SCREE_CALL(World::SetAutoClearForces),
+    SCREE_CALL(World::ClearForces),
+    SCREE_CALL(World::SetGravity),
+    SCREE_CALL(World::SetAllowSleeping),
+    SCREE_CALL(World::SetWarmStarting),
+    SCREE_CALL(World::SetContinuousPhysics),
+    SCREE_CALL(World::SetSubStepping),
+    SCREE_CALL(World::SetExactDrift),
+    SCREE_CALL(World::ShiftOrigin),
+    {"Body::CreateFixture", CallCreateFixture},
+    {"Body::DestroyFixture", CallDestroyFixture},
+    {"Body::DestroyChain", CallDestroyChain},
+    {"Body::SetMassData", CallSetMassData},
+    SCREE_CALL(Body::ResetMassData),
+    SCREE_CALL(Body::SetTransform),
+    SCREE_CALL(Body::SetLinearVelocity),
+    SCREE_CALL(Body::SetAngularVelocity),
+    SCREE_CALL(Body::ApplyForce),
+    SCREE_CALL(Body::ApplyForceToCenter),
+    SCREE_CALL(Body::ApplyTorque),
+    SCREE_CALL(Body::ApplyLinearImpulse),
+    SCREE_CALL(Body::ApplyLinearImpulseToCenter),
+    SCREE_CALL(Body::ApplyAngularImpulse),
+    SCREE_CALL(Body::SetLinearDamping),
+    SCREE_CALL(Body::SetAngularDamping),
+    SCREE_CALL(Body::SetGravityScale),
+    SCREE_CALL(Body::SetType),
+    SCREE_CALL(Body::SetBullet),
+    SCREE_CALL(Body::SetSleepingAllowed),
+    SCREE_CALL(Body::SetAwake),
+    SCREE_CALL(Body::SetEnabled),
+    SCREE_CALL(Body::SetFixedRotation),
+    SCREE_CALL(Fixture::SetSensor),
+    SCREE_CALL(Fixture::SetFilterData),
+    SCREE_CALL(Fixture::Refilter),
+    SCREE_CALL(Fixture::SetDensity),
+    SCREE_CALL(Fixture::SetFriction),
+    SCREE_CALL(Fixture::SetRestitution),
+    SCREE_CALL(Fixture::SetRestitutionThreshold),
+    SCREE_CALL(Contact::SetEnabled),
+    SCREE_CALL(Contact::SetFriction),
+    SCREE_CALL(Contact::ResetFriction),
+    SCREE_CALL(Contact::SetRestitution),
+    SCREE_CALL(Contact::ResetRestitution),
+    SCREE_CALL(Contact::SetRestitutionThreshold),
+    SCREE_CALL(Contact::ResetRestitutionThreshold),
+    SCREE_CALL(Contact::SetTangentSpeed),
+    SCREE_CALL(Joint::ShiftOrigin),
+    SCREE_CALL(RevoluteJoint::EnableLimit),
+    SCREE_CALL(RevoluteJoint::SetLimits),
+    SCREE_CALL(RevoluteJoint::EnableMotor),
+    SCREE_CALL(RevoluteJoint::SetMotorSpeed),
+    SCREE_CALL(RevoluteJoint::SetMaxMotorTorque),
+    SCREE_CALL(PrismaticJoint::EnableLimit),
+    SCREE_CALL(PrismaticJoint::SetLimits),
+    SCREE_CALL(PrismaticJoint::EnableMotor),
+    SCREE_CALL(PrismaticJoint::SetMotorSpeed),
+    SCREE_CALL(PrismaticJoint::SetMaxMotorForce),
+    SCREE_CALL(WheelJoint::EnableLimit),
+    SCREE_CALL(WheelJoint::SetLimits),
+    SCREE_CALL(WheelJoint::EnableMotor),
+    SCREE_CALL(WheelJoint::SetMotorSpeed),
+    SCREE_CALL(WheelJoint::SetMaxMotorTorque),
+    SCREE_CALL(WheelJoint::SetStiffness),
+    SCREE_CALL(WheelJoint::SetDamping),
+    SCREE_CALL(DistanceJoint::SetLength),
+    SCREE_CALL(DistanceJoint::SetMinLength),
+    SCREE_CALL(DistanceJoint::SetMaxLength),
+    SCREE_CALL(DistanceJoint::SetStiffness),
+    SCREE_CALL(DistanceJoint::SetDamping),
+    SCREE_CALL(WeldJoint::SetStiffness),
+    SCREE_CALL(WeldJoint::SetDamping),
+    SCREE_CALL(FrictionJoint::SetMaxForce),
+    SCREE_CALL(FrictionJoint::SetMaxTorque),
+    SCREE_CALL(GearJoint::SetRatio),
+    SCREE_CALL(MotorJoint::SetLinearOffset),
+    SCREE_CALL(MotorJoint::SetAngularOffset),
+    SCREE_CALL(MotorJoint::SetMaxForce),
+    SCREE_CALL(MotorJoint::SetMaxTorque),
+    SCREE_CALL(MotorJoint::SetCorrectionFactor),
+    SCREE_CALL(MouseJoint::SetTarget),
+    SCREE_CALL(MouseJoint::SetMaxForce),
+    SCREE_CALL(MouseJoint::SetStiffness),
+    SCREE_CALL(MouseJoint::SetDamping),
+};
+#undef SCREE_CALL
+
+bool MakeCall(uint32_t number, World& world, std::span<const std::byte> arguments) {
+    for (const Row& row : calls) {
+        if (CallNumber(row.name) != number) continue;
+        ImageReader in(arguments);
+        return row.call(world, in) && in.AtEnd();
+    }
+    return false;
+}
+
+std::unique_ptr<World> ReadWorld(ImageReader& in) {
+    uint64_t magic = 0, size = 0;
+    in(magic);
+    in(size);
+    if (in.Failed() || magic != recordingMagic) return nullptr;
+    return LoadWorld(in.Take(size));
+}
+
+bool IsHash(std::span<const std::byte> bytes, uint64_t hash) {
+    ImageReader in(bytes);
+    uint64_t recorded = 0;
+    in(recorded);
+    return !in.Failed() && recorded == hash;
+}
+
+}  // namespace
+
+ReplayReport Replay(std::span<const std::byte> recording, const std::function<void(World&)>& prepare) {
+    ReplayReport report;
+    ImageReader in(recording);
+    report.world = ReadWorld(in);
+    if (report.world == nullptr) return report;
+    report.world->SetErrorHandler([](const Error&, void*) {}, nullptr);  // the report tells of a refused call
+    if (prepare) prepare(*report.world);
+    while (!in.AtEnd()) {
+        uint32_t number = 0, size = 0, checksum = 0;
+        in(number);
+        in(size);
+        in(checksum);
+        const std::span<const std::byte> arguments = in.Take(size);
+        if (in.Failed() || checksum != EntryChecksum(number, arguments)) return report;
+        if (number == hashRecord) {
+            if (IsHash(arguments, inspect::GetStateHash(*report.world))) continue;
+            report.firstDifference = report.steps;
+            break;
+        }
+        if (!MakeCall(number, *report.world, arguments)) return report;
+        ++report.calls;
+        if (number == CallNumber("World::Step")) ++report.steps;
+    }
+    report.valid = true;
+    return report;
+}
+
+std::vector<std::string_view> GetRecordedCalls() {
+    std::vector<std::string_view> names;
+    for (const Row& row : calls) names.push_back(row.name);
+    return names;
+}
+
+}  // namespace scree

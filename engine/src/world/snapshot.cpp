@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// World → image and image → world. Layout: magic, version, size, checksum of the rest; then definition, tables, shapes,
+// boxes of the broad phase, settings. What only caches the tables (the contact hash, the tree) is not stored but made
+// again: the pairs of the stored boxes do not depend on how they came about, and contacts are kept in the order of
+// their rows. Boxes are stored because they may be older than the poses (of a body that fell asleep) or larger
+// (fat-tree).
+
+#include "scree/snapshot.h"
+
+#include <algorithm>
+#include <array>
+
+#include "geometry/collide.h"
+#include "world/guard.h"
+#include "world/refresh.h"
+#include "world/snapshot_check.h"
+#include "world/state_fields.h"
+
+namespace scree {
+
+namespace {
+
+constexpr std::array<char, 8> magic = {'s', 'c', 'r', 'e', 'e', 'w', 'l', 'd'};
+
+/// In front of every image; no padding.
+struct Header {
+    std::array<char, 8> name;
+    uint32_t version;
+    uint32_t byteOrder;  ///< snapshotByteOrder on a machine of the same order
+    uint64_t size;       ///< of the whole image
+    uint64_t checksum;   ///< of everything behind the header
+};
+static_assert(sizeof(Header) == 32);
+constexpr uint32_t snapshotByteOrder = 0x01020304u;
+
+void WriteShapesAndBoxes(const WorldState& s, ImageWriter& out) {
+    for (int fixture = 0; fixture < s.fixtures.slots.Size(); ++fixture) {
+        if (!s.fixtures.slots.IsAlive(fixture)) continue;
+        const auto f = static_cast<size_t>(fixture);
+        WithShapeType(s.fixtures.type[f],
+                      [&]<typename T>(std::type_identity<T>) { out(static_cast<const T&>(*s.fixtures.shape[f])); });
+        if (s.fixtures.info[f].inBroadPhase) out(s.broadPhase->GetBox(static_cast<uint32_t>(fixture)));
+    }
+}
+
+bool ReadShape(FixtureTable& fixtures, int fixture, ImageReader& in) {
+    bool safe = true;
+    const bool known =
+        WithShapeType(fixtures.type[static_cast<size_t>(fixture)], [&]<typename T>(std::type_identity<T>) {
+            T shape;
+            in(shape);
+            safe = !in.Failed() && IsSafe(shape);
+            if (safe) fixtures.SetShape(fixture, shape);
+        });
+    return known && safe;
+}
+
+bool ReadShapesAndBoxes(WorldState& s, ImageReader& in) {
+    s.fixtures.shape.assign(s.fixtures.info.size(), nullptr);
+    for (int fixture = 0; fixture < s.fixtures.slots.Size(); ++fixture) {
+        s.fixtures.handles.emplace_back(&s, fixture);
+        if (!s.fixtures.slots.IsAlive(fixture)) continue;
+        if (!ReadShape(s.fixtures, fixture, in)) return false;
+        if (!s.fixtures.info[static_cast<size_t>(fixture)].inBroadPhase) continue;
+        AABB box;
+        in(box);
+        if (in.Failed() || !box.IsValid()) return false;
+        RestoreProxy(s, fixture, box);
+    }
+    return true;
+}
+
+/// The part of the step that each body has behind it, while a sub-stepped step waits to be finished.
+void WriteSubStep(const ContinuousScratch& scratch, ImageWriter& out) {
+    if (scratch.resuming) out(scratch.alpha);
+}
+
+bool ReadSubStep(ContinuousScratch& scratch, size_t bodyCount, ImageReader& in) {
+    if (!scratch.resuming) return true;
+    in(scratch.alpha);
+    if (in.Failed() || scratch.alpha.size() > bodyCount) return false;
+    for (size_t body = 0; body < scratch.alpha.size(); ++body) {
+        if (scratch.alpha[body] < 0.0f || scratch.alpha[body] > 1.0f) return false;
+        if (scratch.alpha[body] > 0.0f) scratch.touched.push_back(static_cast<int>(body));
+    }
+    return true;
+}
+
+/// The collision functions take two shapes in one order only, and dispatch on it.
+bool CanCollide(const ContactTable& contacts, const FixtureTable& fixtures) {
+    for (int contact = 0; contact < contacts.Size(); ++contact) {
+        if (!contacts.IsAlive(contact)) continue;
+        const ContactPair& pair = contacts.pair[static_cast<size_t>(contact)];
+        const CollideEntry entry = FindCollide(fixtures.type[pair.fixtureA], fixtures.type[pair.fixtureB]);
+        if (entry.function == nullptr || entry.swap) return false;
+    }
+    return true;
+}
+
+bool Read(WorldState& s, ImageReader& in) {
+    in(s.bodies);
+    if (in.Failed() || !AreBodiesConsistent(s.bodies)) return false;
+    for (int body = 0; body < s.bodies.slots.Size(); ++body) s.bodies.handles.emplace_back(&s, body);
+    in(s.fixtures);
+    if (in.Failed() || !AreFixturesConsistent(s.fixtures, s.bodies) || !ReadShapesAndBoxes(s, in)) return false;
+    in(s.contacts);
+    if (in.Failed() || !s.contacts.Restore() || !AreContactsConsistent(s.contacts, s.fixtures)) return false;
+    if (!CanCollide(s.contacts, s.fixtures)) return false;
+    in(s.joints);
+    if (in.Failed() || !s.joints.Restore(&s, s.bodies.slots.Size()) || !AreJointsConsistent(s.joints, s.bodies))
+        return false;
+    in(s);
+    if (in.Failed() || !ReadSubStep(s.continuousScratch, s.bodies.info.size(), in)) return false;
+    if (!s.pairsStale) s.broadPhase->FindPairs(s.pairs);  // as after the step before
+    return !in.Failed() && in.AtEnd();
+}
+
+/// The body of an image whose header is right.
+std::span<const std::byte> Open(std::span<const std::byte> image, SnapshotError& error) {
+    Header header{};
+    error = SnapshotError::notASnapshot;
+    if (image.size() < sizeof(header)) {
+        const size_t known = std::min(image.size(), magic.size());
+        if (known > 0 && std::memcmp(image.data(), magic.data(), known) == 0) error = SnapshotError::wrongSize;
+        return {};
+    }
+    std::memcpy(&header, image.data(), sizeof(header));
+    if (header.name != magic || header.byteOrder != snapshotByteOrder) return {};
+    error = SnapshotError::wrongVersion;
+    if (header.version != snapshotVersion) return {};
+    error = SnapshotError::wrongSize;
+    if (header.size != image.size()) return {};
+    const std::span<const std::byte> rest = image.subspan(sizeof(header));
+    error = ChecksumOf(rest) == header.checksum ? SnapshotError::ok : SnapshotError::wrongChecksum;
+    return rest;
+}
+
+std::unique_ptr<World> MakeWorld(std::span<const std::byte> content) {
+    ImageReader in(content);
+    WorldDef def;
+    in(def);
+    if (in.Failed() || Check(def)) return nullptr;
+    auto world = std::make_unique<World>(def);
+    return Read(world->GetState(), in) ? std::move(world) : nullptr;
+}
+
+}  // namespace
+
+std::vector<std::byte> SaveWorld(const World& world) {
+    const WorldState& s = world.GetState();
+    if (s.locked) {
+        s.Refuse(ErrorCode::locked, "SaveWorld", "world", "save outside of Step and callbacks");
+        return {};
+    }
+    ImageWriter content;
+    content(s.def);
+    content(s.bodies);
+    content(s.fixtures);
+    WriteShapesAndBoxes(s, content);
+    content(s.contacts);
+    content(s.joints);
+    content(s);
+    WriteSubStep(s.continuousScratch, content);
+    const std::vector<std::byte>& bytes = content.Bytes();
+    const Header header{magic, snapshotVersion, snapshotByteOrder, sizeof(Header) + bytes.size(), ChecksumOf(bytes)};
+    std::vector<std::byte> image(sizeof(Header) + bytes.size());
+    std::memcpy(image.data(), &header, sizeof(header));
+    std::copy(bytes.begin(), bytes.end(), image.begin() + sizeof(header));
+    return image;
+}
+
+std::unique_ptr<World> LoadWorld(std::span<const std::byte> image, SnapshotError* error) {
+    SnapshotError found = SnapshotError::ok;
+    const std::span<const std::byte> content = Open(image, found);
+    std::unique_ptr<World> world = found == SnapshotError::ok ? MakeWorld(content) : nullptr;
+    if (found == SnapshotError::ok && world == nullptr) found = SnapshotError::badContent;
+    if (error != nullptr) *error = found;
+    return world;
+}
+
+}  // namespace scree

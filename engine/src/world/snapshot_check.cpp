@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Checks of restored tables. A list is whole if a walk from its head meets only living members whose backward links
+// agree (so it cannot run in a circle) and as many as there should be.
+
+#include "world/snapshot_check.h"
+
+#include <cmath>
+
+namespace scree {
+
+namespace {
+
+size_t Row(int index) { return static_cast<size_t>(index); }
+
+template <typename... Columns>
+bool HaveSize(size_t size, const Columns&... columns) {
+    return ((columns.size() == size) && ...);
+}
+
+bool IsFinite(const BodyTable& t, size_t b) {
+    const Transform& xf = t.transform[b];
+    const bool poses = t.position[b].c.IsValid() && t.startPosition[b].c.IsValid() && xf.p.IsValid() &&
+                       std::isfinite(t.position[b].a) && std::isfinite(t.startPosition[b].a);
+    return poses && std::isfinite(xf.q.s) && std::isfinite(xf.q.c) && t.velocity[b].v.IsValid() &&
+           std::isfinite(t.velocity[b].w);
+}
+
+bool IsBodyListWhole(const BodyTable& t) {
+    int listed = 0;
+    int lastMover = -1;
+    for (int body = t.listHead, prev = -1; body >= 0; prev = body, body = t.info[Row(body)].listNext, ++listed) {
+        if (!t.slots.IsAlive(body) || t.info[Row(body)].listPrev != prev) return false;
+        if (t.type[Row(body)] == staticBody) continue;
+        if (lastMover != prev) return false;  // a mover behind a static body
+        lastMover = body;
+    }
+    return listed == t.slots.Count() && lastMover == t.lastMover;
+}
+
+bool AreMoversWhole(const BodyTable& t) {
+    int movers = 0;
+    for (int body = 0; body < t.slots.Size(); ++body) {
+        if (!t.slots.IsAlive(body)) continue;
+        const int row = t.info[Row(body)].moverRow;
+        if ((t.type[Row(body)] == staticBody) != (row < 0)) return false;
+        if (row < 0) continue;
+        if (Row(row) >= t.movers.size() || t.movers[Row(row)] != body) return false;
+        ++movers;
+    }
+    return Row(movers) == t.movers.size();
+}
+
+}  // namespace
+
+bool AreBodiesConsistent(const BodyTable& t) {
+    const size_t size = Row(t.slots.Size());
+    if (!t.slots.IsConsistent() || !HaveSize(size, t.velocity, t.startVelocity, t.position, t.startPosition))
+        return false;
+    if (!HaveSize(size, t.transform, t.mass, t.force, t.motion, t.sleepTime, t.flags, t.type, t.info)) return false;
+    for (size_t b = 0; b < size; ++b) {
+        if (t.type[b] > dynamicBody) return false;
+        if (t.slots.IsAlive(static_cast<int>(b)) && !IsFinite(t, b)) return false;
+    }
+    return IsBodyListWhole(t) && AreMoversWhole(t);
+}
+
+bool AreFixturesConsistent(const FixtureTable& t, const BodyTable& bodies) {
+    if (!t.slots.IsConsistent()) return false;
+    if (!HaveSize(Row(t.slots.Size()), t.body, t.type, t.isSensor, t.filter, t.material, t.info)) return false;
+    // Every fixture in the list of its own body and in no other; a list cannot be longer than its body says.
+    int listed = 0;
+    for (int body = 0; body < bodies.slots.Size(); ++body) {
+        if (!bodies.slots.IsAlive(body)) continue;
+        int count = 0;
+        for (int f = bodies.info[Row(body)].fixtureHead; f >= 0; f = t.info[Row(f)].next, ++count) {
+            if (!t.slots.IsAlive(f) || t.body[Row(f)] != body || count >= t.slots.Count()) return false;
+            if (t.info[Row(f)].inBroadPhase != bodies.Has(body, BodyFlag::enabled)) return false;
+        }
+        if (count != bodies.info[Row(body)].fixtureCount) return false;
+        listed += count;
+    }
+    return listed == t.slots.Count();
+}
+
+bool AreContactsConsistent(const ContactTable& t, const FixtureTable& fixtures) {
+    for (int contact = 0; contact < t.Size(); ++contact) {
+        if (!t.IsAlive(contact)) continue;
+        const ContactPair& pair = t.pair[Row(contact)];
+        for (const uint32_t fixture : {pair.fixtureA, pair.fixtureB}) {
+            if (fixture >= Row(fixtures.slots.Size()) || !fixtures.slots.IsAlive(static_cast<int>(fixture)))
+                return false;
+        }
+        if (fixtures.body[pair.fixtureA] != pair.bodyA || fixtures.body[pair.fixtureB] != pair.bodyB) return false;
+        if (pair.bodyA == pair.bodyB) return false;
+        const Manifold& m = t.manifold[Row(contact)];
+        if (m.pointCount < 0 || m.pointCount > maxManifoldPoints || m.type > Manifold::e_faceB) return false;
+    }
+    return true;
+}
+
+bool AreJointsConsistent(const JointTable& t, const BodyTable& bodies) {
+    std::vector<int> gears(Row(t.slots.Size()), 0);
+    std::vector<int> counts(Row(bodies.slots.Size()), 0);
+    for (int joint = 0; joint < t.slots.Size(); ++joint) {
+        if (!t.slots.IsAlive(joint)) continue;
+        const JointInfo& info = t.info[Row(joint)];
+        if (!bodies.slots.IsAlive(info.bodyA) || !bodies.slots.IsAlive(info.bodyB)) return false;
+        ++counts[Row(info.bodyA)];
+        ++counts[Row(info.bodyB)];
+        if (info.type != e_gearJoint) continue;
+        const GearRow& gear = t.Store<GearRow>().rows[Row(info.row)];
+        for (const GearSide& side : gear.side) {
+            if (!t.slots.IsAlive(side.joint)) return false;
+            const JointInfo& part = t.info[Row(side.joint)];
+            if (part.type != (side.slides ? e_prismaticJoint : e_revoluteJoint)) return false;
+            if (part.bodyB != side.body || part.bodyA != side.against) return false;
+            ++gears[Row(side.joint)];
+        }
+        if (gear.side[0].body != info.bodyA || gear.side[1].body != info.bodyB) return false;
+    }
+    for (int joint = 0; joint < t.slots.Size(); ++joint) {
+        if (t.slots.IsAlive(joint) && t.info[Row(joint)].gearCount != gears[Row(joint)]) return false;
+    }
+    for (int body = 0; body < bodies.slots.Size(); ++body) {
+        if (bodies.slots.IsAlive(body) && bodies.info[Row(body)].jointCount != counts[Row(body)]) return false;
+    }
+    return true;
+}
+
+}  // namespace scree
