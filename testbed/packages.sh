@@ -13,9 +13,16 @@ readonly SCREE_BUILD_PACKAGES=(
     zlib1g-dev libstb-dev                                 # PNG, written and read
     libcli11-dev nlohmann-json3-dev libfmt-dev            # command line, JSON, text
     gnuplot-nox                                           # timing plots
+    libglfw3-dev libimgui-dev                             # the window
+    libbenchmark-dev                                      # micro-benchmarks
     libgtest-dev librapidcheck-dev                        # small; the presets configure the tests along
 )
-readonly SCREE_TEST_PACKAGES=(clang-format-14 clang)
+readonly SCREE_TEST_PACKAGES=(
+    clang-format-14 clang
+    xvfb xauth                                            # the window without a screen
+    chromium chromium-driver python3                      # drives the report page
+    parallel                                              # shards side by side
+)
 
 # Die CODE MESSAGE
 Die() {
