@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Results of a command with many cases as JSON lines, one object a line, each beginning with
+//     {"command": "snapshot check", "case": 17, "cases": 172, …
+// where `case` is the case's number in the whole, unsharded run and `cases` how many there are: so the files of all
+// shards can be joined in the order of an unsharded run, and what is missing or twice is seen. A case may have several
+// lines; they keep their order. Wall times belong into one field named "ms", for all else is the same in every run.
+
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace testbed {
+
+/// Lines as they are collected; write them with WriteTextFile when the run is over.
+class CaseLines {
+public:
+    /// `command` without options; `caseCount` of the whole run, not of the shard.
+    CaseLines(std::string command, std::size_t caseCount);
+    /// `fields` is an object; its fields follow the common ones. `caseNumber` < caseCount.
+    void Add(std::size_t caseNumber, const nlohmann::ordered_json& fields);
+    [[nodiscard]] const std::string& GetText() const { return m_text; }
+
+private:
+    std::string m_command;
+    std::size_t m_caseCount;
+    std::string m_text;
+};
+
+/// The content of one file of lines.
+struct CaseFile {
+    std::string name;  ///< for messages
+    std::string text;
+};
+
+struct MergedLines {
+    std::string text;                  ///< all lines by case, as an unsharded run writes them
+    std::size_t caseCount = 0;         ///< of the whole run
+    std::vector<std::size_t> missing;  ///< numbers of the cases that no file has
+};
+
+/// Joins the files of the shards of one run; the order of the files does not matter. Throws FileError naming file and
+/// line for a line that is no such object, another command or case count, or a case that two files have.
+[[nodiscard]] MergedLines MergeCaseLines(std::span<const CaseFile> files);
+
+}  // namespace testbed
