@@ -35,6 +35,13 @@ struct RunOptions {
     std::string poses = "own";
 };
 
+/// What one step dealt with; the same words for every engine.
+struct StepCounts {
+    int awake = 0;     ///< bodies simulated in the step, those that fell asleep in it included
+    int touching = 0;  ///< contacts that touch, as its narrow phase found
+    int contacts = 0;  ///< kept after it, touching or not
+};
+
 class EngineRun {
 public:
     virtual ~EngineRun() = default;
@@ -45,6 +52,12 @@ public:
     [[nodiscard]] virtual StepTimes GetTimes() const = 0;
     /// Contacts kept now, touching or not (cheap: no capture).
     [[nodiscard]] virtual int GetContactCount() const = 0;
+    /// Counts of the last step. Call it after every step or never: a step that was not counted blurs who fell asleep.
+    [[nodiscard]] virtual StepCounts CountStep() = 0;
+    /// Time spent so far in creating world, bodies, fixtures and joints, spawned ones included, ms.
+    [[nodiscard]] virtual double GetCreateMilliseconds() const = 0;
+    /// Largest number of heap bytes that the engine held so far.
+    [[nodiscard]] virtual int64_t GetPeakBytes() const = 0;
     /// Replaces everything in `snapshot`. Box2D's reported pairs are counted from nodes and fixtures: 0 without them.
     virtual void Capture(Snapshot& snapshot, const CaptureParts& parts = {}) = 0;
 

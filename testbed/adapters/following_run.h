@@ -17,6 +17,9 @@ public:
     [[nodiscard]] int GetStep() const final { return m_source->GetStep(); }
     [[nodiscard]] StepTimes GetTimes() const final { return m_times; }
     [[nodiscard]] int GetContactCount() const final { return m_source->GetContactCount(); }
+    [[nodiscard]] StepCounts CountStep() final { return m_source->CountStep(); }
+    [[nodiscard]] double GetCreateMilliseconds() const final { return m_source->GetCreateMilliseconds(); }
+    [[nodiscard]] int64_t GetPeakBytes() const final { return m_heap.GetPeakBytes(); }
     void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
 
 protected:

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
@@ -23,11 +24,15 @@ public:
         const int64_t before = HeapBytesInUse();
         std::forward<Call>(call)();
         m_bytes += HeapBytesInUse() - before;
+        m_peak = std::max(m_peak, m_bytes);
     }
     [[nodiscard]] int64_t GetBytes() const { return m_bytes; }
+    /// The most that was held after any of the calls.
+    [[nodiscard]] int64_t GetPeakBytes() const { return m_peak; }
 
 private:
     int64_t m_bytes = 0;
+    int64_t m_peak = 0;
 };
 
 }  // namespace testbed

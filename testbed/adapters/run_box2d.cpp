@@ -71,13 +71,16 @@ int FixtureOfProxy(void* userData) {
     return IndexOf(proxy->fixture, proxy->childIndex);
 }
 
+/// Box2D flags static bodies that an island touched as awake, which means nothing.
+bool IsSimulated(const b2Body& body) { return body.GetType() != b2_staticBody && body.IsAwake(); }
+
 class Box2dRun final : public SceneRun {
 public:
     Box2dRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene) {
         m_bodies.reserve(scene.bodies.size());
         m_fixtures.reserve(scene.fixtures.size());
         m_joints.reserve(scene.joints.size());
-        Measure([&] {
+        Create([&] {
             m_world = std::make_unique<b2World>(ToB2(scene.gravity));
             m_world->SetContinuousPhysics(options.continuous);
             m_world->SetAllowSleeping(true);
@@ -85,9 +88,11 @@ public:
             if (HasConveyor()) m_world->SetContactListener(&m_conveyor);
             Load();
         });
+        NoteAwake();
     }
 
     [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
+    [[nodiscard]] StepCounts CountStep() override;
 
 protected:
     void CreateBody(const scenes::Body& body) override;
@@ -122,6 +127,7 @@ private:
     };
 
     void CreateFixture(b2Body& body, int sceneIndex);
+    void NoteAwake();
 
     void CaptureFixtures(std::vector<FixtureState>& fixtures) const;
     void CaptureContacts(std::vector<ContactState>& contacts) const;
@@ -133,6 +139,7 @@ private:
     Box2dBodies m_bodies;           ///< by body index
     std::vector<Entry> m_fixtures;  ///< by index into Snapshot::fixtures
     Box2dJoints m_joints;           ///< by joint index
+    std::vector<bool> m_wasAwake;   ///< by body index, after the step that was counted last
 };
 
 void Box2dRun::CreateFixture(b2Body& body, int sceneIndex) {
@@ -178,7 +185,23 @@ StepTimes Box2dRun::StepEngine(bool newFixtures) {
     if (newFixtures) times.broadPhase += std::max(0.0, double{p.step} - p.collide - p.solve - p.solveTOI);
     times.narrowPhase = double{p.collide};
     times.solver = std::max(0.0, double{p.solve} - p.broadphase);
+    times.continuous = double{p.solveTOI};
     return times;
+}
+
+void Box2dRun::NoteAwake() {
+    m_wasAwake.resize(m_bodies.size());
+    for (size_t i = 0; i < m_bodies.size(); ++i) m_wasAwake[i] = IsSimulated(*m_bodies[i]);
+}
+
+StepCounts Box2dRun::CountStep() {
+    StepCounts counts;
+    // Bodies beyond those noted were created after the step: it did not simulate them.
+    for (size_t i = 0; i < m_wasAwake.size(); ++i) counts.awake += m_wasAwake[i] || IsSimulated(*m_bodies[i]);
+    NoteAwake();
+    for (const b2Contact* c = m_world->GetContactList(); c; c = c->GetNext()) counts.touching += c->IsTouching();
+    counts.contacts = m_world->GetContactCount();
+    return counts;
 }
 
 void Box2dRun::CaptureHeader(Snapshot& snapshot) {
@@ -203,8 +226,7 @@ void Box2dRun::CaptureBodies(std::vector<BodyState>& bodies) {
                           .angle = b.GetAngle(),
                           .linearVelocity = FromB2(b.GetLinearVelocity()),
                           .angularVelocity = b.GetAngularVelocity(),
-                          // Box2D flags static bodies that an island touched as awake, which means nothing.
-                          .awake = type != scenes::BodyType::isStatic && b.IsAwake(),
+                          .awake = IsSimulated(b),
                           .bullet = b.IsBullet()});
     }
 }

@@ -104,7 +104,7 @@ public:
         m_fixtures.reserve(scene.fixtures.size());
         m_indexOf.reserve(scene.fixtures.size());
         m_joints.reserve(scene.joints.size());
-        Measure([&] {
+        Create([&] {
             m_world = std::make_unique<scree::World>(def);
             m_world->SetErrorHandler(ThrowError, nullptr);
             if (HasConveyor()) m_world->SetContactListener(&m_conveyor);
@@ -113,6 +113,10 @@ public:
     }
 
     [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
+    [[nodiscard]] StepCounts CountStep() override {
+        const scree::StepReport& report = m_world->GetReport();
+        return {report.awakeBodyCount, report.touchingCount, report.contactCount};
+    }
 
 protected:
     void CreateBody(const scenes::Body& body) override;
@@ -201,6 +205,8 @@ StepTimes ScreeRun::StepEngine(bool) {
     return {.broadPhase = double{p.broadPhase},
             .narrowPhase = double{p.narrowPhase},
             .solver = double{p.islands} + p.solver,
+            .islands = double{p.islands},
+            .continuous = double{p.continuous},
             .step = watch.GetMilliseconds()};
 }
 

@@ -29,14 +29,14 @@ void SceneRun::CreateBodiesUpTo(int count) {
 }
 
 void SceneRun::Step() {
-    Measure([&] { m_times = StepEngine(m_newFixtures); });
+    m_heap.Measure([&] { m_times = StepEngine(m_newFixtures); });
     m_newFixtures = false;
     ++m_step;
     int due = m_bodyCount;
     while (m_spawnCount < m_scene.spawns.size() && m_scene.spawns[m_spawnCount].afterStep <= m_step) {
         due = m_scene.spawns[m_spawnCount++].body + 1;
     }
-    if (due > m_bodyCount) Measure([&] { CreateBodiesUpTo(due); });
+    if (due > m_bodyCount) Create([&] { CreateBodiesUpTo(due); });
 }
 
 void SceneRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {

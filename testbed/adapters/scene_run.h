@@ -8,6 +8,7 @@
 
 #include "testbed/adapters/engine_run.h"
 #include "testbed/adapters/heap_meter.h"
+#include "testbed/adapters/stopwatch.h"
 
 namespace testbed {
 
@@ -16,21 +17,27 @@ public:
     void Step() final;
     [[nodiscard]] int GetStep() const final { return m_step; }
     [[nodiscard]] StepTimes GetTimes() const final { return m_times; }
+    [[nodiscard]] double GetCreateMilliseconds() const final { return m_createMilliseconds; }
+    [[nodiscard]] int64_t GetPeakBytes() const final { return m_heap.GetPeakBytes(); }
     void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
 
 protected:
     explicit SceneRun(const scenes::Scene& scene) : m_scene(scene) {}
-    /// Creates what exists before the first step; for the constructor of the engine's class, inside Measure.
+    /// Creates what exists before the first step; for the constructor of the engine's class, inside Create.
     void Load();
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
     /// Whether any surface of the scene moves what touches it.
     [[nodiscard]] bool HasConveyor() const;
     /// Bodies created so far: indices 0 … count − 1.
     [[nodiscard]] int GetBodyCount() const { return m_bodyCount; }
-    /// Heap growth inside `call` counts as held by the engine.
+    /// Heap growth inside `call` counts as held by the engine, its time as spent on creation.
     template <typename Call>
-    void Measure(Call&& call) {
-        m_heap.Measure(std::forward<Call>(call));
+    void Create(Call&& call) {
+        m_heap.Measure([&] {
+            const Stopwatch watch;
+            std::forward<Call>(call)();
+            m_createMilliseconds += watch.GetMilliseconds();
+        });
     }
 
     virtual void CreateBody(const scenes::Body& body) = 0;
@@ -49,6 +56,7 @@ private:
     scenes::Scene m_scene;
     HeapMeter m_heap;
     StepTimes m_times;
+    double m_createMilliseconds = 0;
     int m_step = 0;
     int m_bodyCount = 0;
     size_t m_spawnCount = 0;

@@ -76,7 +76,9 @@ struct NodeState {
 struct StepTimes {
     double broadPhase = 0;  ///< AABB update + build + detection + matching + contact creation and removal
     double narrowPhase = 0;
-    double solver = 0;
+    double solver = 0;      ///< finding islands included
+    double islands = 0;     ///< the part of `solver` that finds islands; Box2D does not tell it: 0
+    double continuous = 0;  ///< times of impact and their events
     double step = 0;
 };
 

@@ -48,6 +48,19 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
     return parts;
 }
 
+void ParseImageSize(std::string_view text, PictureOptions& options) {
+    const std::vector<std::string_view> parts = Split(text, 'x');
+    const std::optional<int> width = ParseInt(parts[0]);
+    const std::optional<int> height = parts.size() == 2 ? ParseInt(parts[1]) : std::nullopt;
+    if (!width || !height) {
+        throw UsageError(fmt::format("--image {}: give width and height in pixels, for example 1920x1080", text));
+    }
+    options.width = *width;
+    options.height = *height;
+}
+
+}  // namespace
+
 std::vector<std::string> ParseEngines(std::string_view text) {
     bool chosen[engineNames.size()] = {};
     for (const std::string_view name : Split(text, ',')) {
@@ -62,18 +75,17 @@ std::vector<std::string> ParseEngines(std::string_view text) {
     return engines;
 }
 
-void ParseImageSize(std::string_view text, PictureOptions& options) {
-    const std::vector<std::string_view> parts = Split(text, 'x');
-    const std::optional<int> width = ParseInt(parts[0]);
-    const std::optional<int> height = parts.size() == 2 ? ParseInt(parts[1]) : std::nullopt;
-    if (!width || !height) {
-        throw UsageError(fmt::format("--image {}: give width and height in pixels, for example 1920x1080", text));
+std::vector<int> ParseIntList(std::string_view option, std::string_view text, std::string_view takes) {
+    std::vector<int> numbers;
+    for (const std::string_view part : Split(text, ',')) {
+        const std::optional<int> number = ParseInt(part);
+        if (!number) throw UsageError(fmt::format("{} {}: give {}", option, text, takes));
+        numbers.push_back(*number);
     }
-    options.width = *width;
-    options.height = *height;
+    return numbers;
 }
 
-}  // namespace
+void CheckBroadPhase(std::string_view name) { CheckKnown("broad phase", name, scree::broadPhaseNames); }
 
 StepRange ParseSteps(std::string_view text, bool countAllowed) {
     std::vector<int> numbers;
@@ -135,7 +147,7 @@ void AddRunOptions(CLI::App& app, RunArguments& arguments) {
 }
 
 RunSetup MakeRunSetup(const RunArguments& arguments) {
-    CheckKnown("broad phase", arguments.broadPhase, scree::broadPhaseNames);
+    CheckBroadPhase(arguments.broadPhase);
     CheckKnown("kind of poses", arguments.poses, posesNames);
     if (arguments.threads != 1) {
         throw UsageError(fmt::format("--threads {}: the engine is serial so far; only 1 is legal", arguments.threads));

@@ -35,6 +35,15 @@ inline constexpr int maxStep = 1'000'000;
 /// "A:B" or "A:B:S" with 1 ≤ A ≤ B ≤ maxStep and S ≥ 1; when `countAllowed`, also "N" for 1:N. Throws UsageError.
 [[nodiscard]] StepRange ParseSteps(std::string_view text, bool countAllowed);
 
+/// "scree", "box2d" or both with a comma: the names, scree first. Throws UsageError.
+[[nodiscard]] std::vector<std::string> ParseEngines(std::string_view text);
+
+/// Whole numbers with commas. Throws UsageError that names the option and says what it takes.
+[[nodiscard]] std::vector<int> ParseIntList(std::string_view option, std::string_view text, std::string_view takes);
+
+/// Throws UsageError with the nearest name for an unknown algorithm.
+void CheckBroadPhase(std::string_view name);
+
 /// The row of the catalogue; UsageError with the nearest name for an unknown scene.
 [[nodiscard]] const scenes::SceneInfo& FindScene(const std::string& name);
 

@@ -16,7 +16,7 @@
 #include "testbed/adapters/box2d_version.h"
 #include "testbed/commands/commands.h"
 #include "testbed/commands/exit_code.h"
-#include "testbed/report/timing_plot.h"
+#include "testbed/report/gnuplot.h"
 
 namespace testbed {
 

@@ -18,7 +18,7 @@
 #include "testbed/commands/exit_code.h"
 #include "testbed/commands/nearest.h"
 #include "testbed/render/png.h"
-#include "testbed/report/timing_plot.h"
+#include "testbed/report/gnuplot.h"
 
 #ifndef SCREE_VERSION
 #define SCREE_VERSION "0.1.0"
@@ -104,6 +104,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddOverlapCommand(app, request);
     AddRenderCommand(app, request);
     AddMetricsCommand(app, request);
+    AddBenchCommand(app, request);
     AddEnvCommand(app, request);
     try {
         Parse(app, arguments);

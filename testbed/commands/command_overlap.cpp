@@ -19,6 +19,7 @@
 #include "testbed/commands/picture_session.h"
 #include "testbed/commands/show_steps.h"
 #include "testbed/commands/side_by_side.h"
+#include "testbed/report/gnuplot.h"
 #include "testbed/report/metrics.h"
 #include "testbed/report/summary.h"
 #include "testbed/report/timing_plot.h"

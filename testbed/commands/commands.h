@@ -26,6 +26,7 @@ void AddListCommand(CLI::App& app, Request& request);
 void AddOverlapCommand(CLI::App& app, Request& request);
 void AddRenderCommand(CLI::App& app, Request& request);
 void AddMetricsCommand(CLI::App& app, Request& request);
+void AddBenchCommand(CLI::App& app, Request& request);
 void AddEnvCommand(CLI::App& app, Request& request);
 
 }  // namespace testbed

@@ -8,21 +8,11 @@
 
 #include <filesystem>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "testbed/report/timing.h"
 
 namespace testbed {
-
-/// A program that the testbed runs is not installed; the message names the Debian package. The CLI exits 4.
-class ToolError : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
-
-/// Throws ToolError unless gnuplot is on PATH: call it before a long run.
-void CheckGnuplot();
 
 /// The gnuplot program that draws `series` into the file `picture`.
 [[nodiscard]] std::string MakeTimingScript(std::span<const TimingSeries> series, const std::string& title,

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree bench`: scenes timed in both engines, interleaved in one process; totals, single steps, stages, memory.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "testbed/commands/arguments.h"
+#include "testbed/commands/bench_files.h"
+#include "testbed/commands/bench_plan.h"
+#include "testbed/commands/bench_run.h"
+#include "testbed/commands/commands.h"
+#include "testbed/commands/exit_code.h"
+#include "testbed/commands/object_bytes.h"
+#include "testbed/render/png.h"
+#include "testbed/report/bench_table.h"
+#include "testbed/report/case_lines.h"
+#include "testbed/report/gnuplot.h"
+#include "testbed/report/output.h"
+#include "testbed/report/progress.h"
+#include "testbed/report/targets.h"
+
+namespace testbed {
+
+namespace {
+
+BenchResult RunOne(const BenchCase& benchCase, const BenchSettings& settings) {
+    const int steps =
+        settings.maxSteps > 0 ? std::min(settings.maxSteps, benchCase.info->steps) : benchCase.info->steps;
+    Progress progress(fmt::format("{} {}", benchCase.info->name, benchCase.size),
+                      static_cast<double>(steps) * settings.repeats * static_cast<double>(benchCase.variants.size()));
+    BenchResult result = RunBenchCase(benchCase, settings, [&](int count) { progress.Advance(count); });
+    progress.Finish(fmt::format("{} steps", result.rows.front().steps));
+    return result;
+}
+
+void Print(const std::string& text) {
+    fmt::print("{}", text);
+    std::fflush(stdout);
+}
+
+/// Runs the shard's cases, printing each as it is done.
+void RunCases(const BenchPlan& plan, BenchFiles& files, CaseLines& lines) {
+    Print(FormatBenchHeader());
+    for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+        if (!plan.shard.Contains(i)) continue;
+        const BenchResult result = RunOne(plan.cases[i], plan.settings);
+        Print(FormatBenchRows(result.rows));
+        for (const BenchRow& row : result.rows) lines.Add(i, MakeBenchJson(row));
+        files.Add(result);
+    }
+}
+
+std::string ReadText(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    text << stream.rdbuf();
+    if (!stream)
+        throw FileError("cannot read " + file + ": give a file that `scree bench --json` or `scree merge` wrote");
+    return text.str();
+}
+
+std::string DescribeBytes(const std::string& engines) {
+    std::string text;
+    for (const std::string& engine : ParseEngines(engines))
+        text += FormatObjectBytes(engine, MeasureObjectBytes(engine));
+    return text;
+}
+
+int RunBench(const BenchArguments& arguments, const Request& request) {
+    const BenchPlan plan = MakeBenchPlan(arguments);
+    BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});
+    CaseLines lines("bench", plan.cases.size());
+    std::string notes = FormatBenchNotes();
+    if (arguments.from.empty()) {
+        RunCases(plan, files, lines);
+        if (plan.shard.IsFirst()) notes += DescribeBytes(arguments.engines);
+    } else {
+        const std::vector<BenchRow> rows = ReadBenchRows(arguments.from, ReadText(arguments.from));
+        Print(FormatBenchHeader() + FormatBenchRows(rows));
+        files.Add({rows, {}});
+    }
+    Print(notes);
+    std::vector<TargetResult> targets;
+    if (arguments.targets) {
+        targets = JudgeTargets(files.GetRows());
+        Print(FormatTargets(targets));
+    }
+    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    Print(files.Write({DescribeCommand(request.arguments), files.GetRows(), targets, {}, notes}));
+    return HasMiss(targets) ? exitDiffers : exitDone;
+}
+
+}  // namespace
+
+void AddBenchCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in both engines");
+    auto arguments = std::make_shared<BenchArguments>();
+    AddBenchOptions(*command, *arguments);
+    command->callback(
+        [&request, arguments] { request.action = [&request, arguments] { return RunBench(*arguments, request); }; });
+}
+
+}  // namespace testbed

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What one body, fixture, contact and joint costs in memory: the slope of the heap an engine holds between two worlds,
+// one with twice as many of the objects. Counts are powers of two, so that arrays that grow by doubling count what they
+// hold on average, and no more.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace testbed {
+
+/// Heap bytes per object. Those of a contact include the arrays of the solver that grow with it.
+struct ObjectBytes {
+    double body = 0;
+    double fixture = 0;  ///< a box with its place in the broad phase
+    double contact = 0;  ///< of two touching circles
+    double joint = 0;    ///< revolute
+};
+
+/// Measures them. The heap of the process must not be used by another thread meanwhile.
+[[nodiscard]] ObjectBytes MeasureObjectBytes(std::string_view engine);
+
+/// One line.
+[[nodiscard]] std::string FormatObjectBytes(std::string_view engine, const ObjectBytes& bytes);
+
+}  // namespace testbed

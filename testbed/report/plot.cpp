@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of plot.h.
+
+#include "testbed/report/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string_view>
+
+#include "testbed/report/gnuplot.h"
+
+namespace testbed {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Look {
+    std::string_view color;
+    int pointType;
+};
+constexpr Look boxTwoDLook{"#0000cc", 7};
+/// Ours: sequential impulses, then soft steps, more threads after fewer.
+constexpr Look ourLooks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}};
+
+constexpr std::string_view assertsNote =
+    "Box2D 2.4.1 as Debian builds it, with its asserts (1.0 to 1.25 times the time without)";
+
+std::string CurveTitle(const BenchRow& row) {
+    if (row.engine == "box2d") return "Box2D";
+    std::string title = "Scree";
+    if (row.solver == "soft") title += ", soft step";
+    if (row.threads > 1) title += fmt::format(", {} threads", row.threads);
+    return title;
+}
+
+/// The curve of the row's engine and setting, made when it is new.
+PlotCurve& CurveOf(Plot& plot, const BenchRow& row) {
+    const std::string title = CurveTitle(row);
+    for (PlotCurve& curve : plot.curves) {
+        if (curve.title == title) return curve;
+    }
+    const auto ours = static_cast<std::size_t>(
+        std::ranges::count_if(plot.curves, [](const PlotCurve& curve) { return curve.title != "Box2D"; }));
+    const Look look = row.engine == "box2d" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)];
+    plot.curves.push_back({title, std::string(look.color), look.pointType, {}});
+    return plot.curves.back();
+}
+
+}  // namespace
+
+Plot MakeTotalsPlot(std::span<const BenchRow> rows) {
+    Plot plot;
+    plot.xLabel = "fixtures";
+    plot.yLabel = "total time [ms]";
+    plot.note = assertsNote;
+    if (rows.empty()) return plot;
+    plot.title = fmt::format("{}: {} steps, continuous collision {}", rows.front().scene, rows.front().steps,
+                             rows.front().continuous ? "on" : "off");
+    for (const BenchRow& row : rows) {
+        CurveOf(plot, row).points.push_back({static_cast<double>(row.fixtures), row.totalMs});
+    }
+    return plot;
+}
+
+Plot MakeStepsPlot(std::span<const BenchRow> rows, std::span<const TimingSeries> timing) {
+    Plot plot;
+    plot.xLabel = "step";
+    plot.yLabel = "broad phase [ms]";
+    plot.note = assertsNote;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        plot.title = fmt::format("{}, size {}: broad phase of every step", rows[i].scene, rows[i].size);
+        PlotCurve& curve = CurveOf(plot, rows[i]);
+        for (const StepRecord& record : timing[i].steps) {
+            curve.points.push_back({static_cast<double>(record.step), record.times.broadPhase});
+        }
+    }
+    return plot;
+}
+
+std::string MakePlotScript(const Plot& plot, const std::string& terminal, const fs::path& picture) {
+    std::string script = fmt::format(
+        "set terminal {} size 1100,640 font 'DejaVu Sans,12' background '#ffffff'\n"
+        "set output {}\nset border 31 linecolor '#000000'\nset grid linecolor '#cccccc' linetype 1\n"
+        "set key top left opaque box width 1\nset offsets 0, 0, graph 0.08, 0\n"
+        "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
+        terminal, QuoteForGnuplot(fs::absolute(picture).string()), QuoteForGnuplot(plot.title),
+        QuoteForGnuplot(plot.xLabel), QuoteForGnuplot(plot.yLabel));
+    script += plot.logarithmic ? "set logscale xy\n" : "set yrange [0:*]\nset xrange [0:*]\n";
+    if (!plot.note.empty()) {
+        script += fmt::format("set bmargin 5.5\nset label {} at screen 0.5,0.03 center font ',9' noenhanced\n",
+                              QuoteForGnuplot(plot.note));
+    }
+    std::string curves;
+    std::size_t longest = 0;
+    for (const PlotCurve& curve : plot.curves) longest = std::max(longest, curve.points.size());
+    // Many points would hide their lines.
+    const double pointSize = longest > 200 ? 0.3 : 0.8;
+    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+        const PlotCurve& curve = plot.curves[i];
+        script += fmt::format("$curve{} << END\n", i);
+        for (const PlotPoint& point : curve.points) script += fmt::format("{} {}\n", point.x, point.y);
+        script += "END\n";
+        curves += fmt::format(
+            "{}$curve{} with linespoints linecolor '{}' linewidth 1 pointtype {} pointsize {} title {}",
+            curves.empty() ? "plot " : ", ", i, curve.color, curve.pointType, pointSize, QuoteForGnuplot(curve.title));
+    }
+    return script + curves + "\n";
+}
+
+void DrawPlot(const Plot& plot, const fs::path& stem) {
+    for (const auto& [terminal, extension] : {std::pair("svg", ".svg"), std::pair("pngcairo", ".png")}) {
+        const fs::path picture = stem.string() + extension, temporary = stem.string() + ".tmp" + extension;
+        RunGnuplot(MakePlotScript(plot, terminal, temporary), temporary);
+        fs::rename(temporary, picture);
+    }
+}
+
+}  // namespace testbed

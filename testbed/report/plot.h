@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Curves over one axis as a picture, in the layout of the dissertation's figures (Tsamis 2020, chapter 8): points
+// joined by lines, light grid, Box2D blue, ours red. One plot becomes two files, SVG and PNG.
+
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "testbed/report/bench_row.h"
+
+namespace testbed {
+
+struct PlotPoint {
+    double x = 0, y = 0;
+};
+
+struct PlotCurve {
+    std::string title;
+    std::string color;  ///< "#rrggbb"
+    int pointType = 7;  ///< gnuplot's number: 7 filled circle, 5 filled square, 9 triangle, 13 diamond
+    std::vector<PlotPoint> points;
+};
+
+struct Plot {
+    std::string title, xLabel, yLabel;
+    std::string note;  ///< small print below; empty: none
+    std::vector<PlotCurve> curves;
+    bool logarithmic = false;  ///< both axes
+};
+
+/// Fixtures on x, total ms on y: one curve per engine and setting of the rows of one scene (figures 13–16, 19–31).
+[[nodiscard]] Plot MakeTotalsPlot(std::span<const BenchRow> rows);
+
+/// Steps on x, ms on y: the broad phase of every step of the case's variants (figures 8 and 10). `timing` belongs to
+/// `rows`, one by one.
+[[nodiscard]] Plot MakeStepsPlot(std::span<const BenchRow> rows, std::span<const TimingSeries> timing);
+
+/// The gnuplot program that draws a plot by a terminal, "svg" or "pngcairo".
+[[nodiscard]] std::string MakePlotScript(const Plot& plot, const std::string& terminal,
+                                         const std::filesystem::path& picture);
+
+/// Draws `stem`.svg and `stem`.png in an existing folder; each replaces a file whole. Throws ToolError.
+void DrawPlot(const Plot& plot, const std::filesystem::path& stem);
+
+}  // namespace testbed
