@@ -159,4 +159,7 @@ private:
     mutable b2Vec2 m_localCenter;
     mutable b2Vec2 m_linearVelocity;
     b2BodyUserData m_userData;
+    int m_busy = 0;           ///< calls under way whose callbacks may not destroy it
+    bool m_dying = false;     ///< no joint may be added
+    bool m_goesBare = false;  ///< no fixture may be added
 };

@@ -100,5 +100,6 @@ protected:
     int32 m_indexA;
     int32 m_indexB;
     mutable b2Manifold m_manifold;
+    bool m_ending = false;           ///< its end is being told outside of a step
     mutable bool m_manifoldExposed;  ///< the program may have changed m_manifold since the callback began
 };

@@ -116,4 +116,5 @@ private:
     float m_density;
     mutable b2Filter m_filter;
     b2FixtureUserData m_userData;
+    int m_busy = 0;  ///< calls under way whose callbacks may not destroy it
 };

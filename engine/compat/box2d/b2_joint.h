@@ -111,6 +111,7 @@ protected:
     b2Body* m_bodyA;
     b2Body* m_bodyB;
     b2JointUserData m_userData;
+    int m_busy = 0;  ///< calls under way whose callbacks may not destroy it
     // What functions return by reference.
     b2Vec2 m_localAnchorA;
     b2Vec2 m_localAnchorB;

@@ -24,7 +24,10 @@ b2Body* b2Bridge::MakeBody(b2World& world, const b2BodyDef& def, scree::Body* ha
     body->m_contactList = nullptr;
     body->m_userData = def.userData;
     handle->GetUserData().pointer = reinterpret_cast<uintptr_t>(body);
-    body->m_xf = ToBox2d(handle->GetTransform());
+    body->m_xf.SetIdentity();
+    body->m_worldCenter.SetZero();
+    body->m_localCenter.SetZero();
+    body->m_linearVelocity.SetZero();
     Refresh(*body);
     return body;
 }
@@ -57,6 +60,10 @@ b2Fixture* b2Body::CreateFixture(const b2FixtureDef* def) {
         m_handle->CreateFixture(def != nullptr ? &empty : nullptr);  // tells the error handler
         return nullptr;
     }
+    if (m_goesBare) {
+        Complain("b2Body::CreateFixture", "this body is being destroyed");
+        return nullptr;
+    }
     return b2Bridge::MakeFixture(*this, *def);
 }
 
@@ -72,12 +79,12 @@ void b2Body::DestroyFixture(b2Fixture* fixture) {
         m_handle->DestroyFixture(nullptr);
         return;
     }
-    scree::Fixture* first = b2Bridge::FirstHandle(*fixture);
-    const bool isChain = fixture->GetType() == b2Shape::e_chain;
-    const scree::ErrorCode code = isChain ? m_handle->DestroyChain(first) : m_handle->DestroyFixture(first);
-    if (code != scree::ErrorCode::ok) return;
-    b2Bridge::FreeFixture(fixture);
-    b2Bridge::Touch(b2Bridge::Data(*this));
+    b2WorldData& data = b2Bridge::Data(*this);
+    if (fixture->GetBody() != this || data.stepping) {
+        m_handle->DestroyFixture(b2Bridge::FirstHandle(*fixture));  // refuses with the reason
+        return;
+    }
+    b2Bridge::DestroyFixture(data, *this, fixture);
 }
 
 void b2Body::SetTransform(const b2Vec2& position, float angle) {
@@ -164,11 +171,7 @@ void b2Body::SetAngularDamping(float angularDamping) { m_handle->SetAngularDampi
 float b2Body::GetGravityScale() const { return m_handle->GetGravityScale(); }
 void b2Body::SetGravityScale(float scale) { m_handle->SetGravityScale(scale); }
 
-void b2Body::SetType(b2BodyType type) {
-    m_handle->SetType(static_cast<scree::BodyType>(type));
-    b2Bridge::Refresh(*this);
-    b2Bridge::Touch(b2Bridge::Data(*this));
-}
+void b2Body::SetType(b2BodyType type) { b2Bridge::SetType(b2Bridge::Data(*this), *this, type); }
 b2BodyType b2Body::GetType() const { return static_cast<b2BodyType>(m_handle->GetType()); }
 void b2Body::SetBullet(bool flag) { m_handle->SetBullet(flag); }
 bool b2Body::IsBullet() const { return m_handle->IsBullet(); }
@@ -179,10 +182,7 @@ void b2Body::SetAwake(bool flag) {
     b2Bridge::Refresh(*this);
 }
 bool b2Body::IsAwake() const { return m_handle->IsAwake(); }
-void b2Body::SetEnabled(bool flag) {
-    m_handle->SetEnabled(flag);
-    b2Bridge::Touch(b2Bridge::Data(*this));
-}
+void b2Body::SetEnabled(bool flag) { b2Bridge::SetEnabled(b2Bridge::Data(*this), *this, flag); }
 bool b2Body::IsEnabled() const { return m_handle->IsEnabled(); }
 void b2Body::SetFixedRotation(bool flag) { m_handle->SetFixedRotation(flag); }
 bool b2Body::IsFixedRotation() const { return m_handle->IsFixedRotation(); }

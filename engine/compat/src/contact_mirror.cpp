@@ -130,6 +130,7 @@ void b2Bridge::SyncContacts(b2WorldData& data) {
     data.contactsStale = false;
     data.rowSeen.assign(data.contactOfRow.size(), 0);
     for (scree::Contact* contact = data.engine.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
+        if (HasEnded(data, static_cast<size_t>(contact->GetIndex()))) continue;
         Mirror(data, contact);
         if (data.rowSeen.size() < data.contactOfRow.size()) data.rowSeen.resize(data.contactOfRow.size(), 0);
         data.rowSeen[static_cast<size_t>(contact->GetIndex())] = 1;
@@ -161,6 +162,7 @@ void Events::BeginContact(Contact* contact) {
 
 void Events::EndContact(Contact* contact) {
     m_data.contactsStale = true;
+    if (!m_data.stepping) return;  // told before the engine's edit: b2Bridge::EndContacts
     b2Contact* mirror = b2Bridge::Mirror(m_data, contact);
     b2Bridge::BeginCallback(*mirror);
     m_data.listener->EndContact(mirror);

@@ -86,6 +86,7 @@ void b2Bridge::FreeFixture(b2Fixture* fixture) {
     b2WorldData& data = Data(*fixture->m_body);
     FreeContactsOf(data, fixture);
     ForgetShape(data, fixture);
+    ForgetReports(data, fixture);
     if (fixture->GetType() == b2Shape::e_chain) --data.chainCount;
     b2Fixture** link = &fixture->m_body->m_fixtureList;
     while (*link != fixture) link = &(*link)->m_next;

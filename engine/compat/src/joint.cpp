@@ -48,21 +48,6 @@ void b2Bridge::FreeJoint(b2WorldData& data, b2Joint* joint) {
     delete joint;
 }
 
-void b2Bridge::DestroyJoint(b2WorldData& data, b2Joint* joint) {
-    for (b2Joint* other = data.joints; other != nullptr;) {
-        b2Joint* next = other->m_next;
-        auto* gear = other->m_type == e_gearJoint ? static_cast<b2GearJoint*>(other) : nullptr;
-        if (gear != nullptr && (gear->m_joint1 == joint || gear->m_joint2 == joint)) {
-            // Box2D leaves such a gear with a dangling pointer; here it goes, and the program is told.
-            if (data.destruction != nullptr) data.destruction->SayGoodbye(gear);
-            DestroyJoint(data, gear);
-            next = data.joints;
-        }
-        other = next;
-    }
-    if (data.engine.DestroyJoint(joint->m_handle) == scree::ErrorCode::ok) FreeJoint(data, joint);
-}
-
 b2JointType b2Joint::GetType() const { return m_type; }
 b2Body* b2Joint::GetBodyA() { return m_bodyA; }
 b2Body* b2Joint::GetBodyB() { return m_bodyB; }

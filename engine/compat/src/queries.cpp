@@ -12,6 +12,22 @@
 
 using namespace scree::box2d;
 
+namespace {
+
+/// While it lives, fixtures that callbacks destroy turn into nulls in the list.
+class Report {
+public:
+    Report(b2WorldData& data, std::vector<b2Fixture*>& fixtures) : m_data(data) { data.reports.push_back(&fixtures); }
+    ~Report() { m_data.reports.pop_back(); }
+    Report(const Report&) = delete;
+    Report& operator=(const Report&) = delete;
+
+private:
+    b2WorldData& m_data;
+};
+
+}  // namespace
+
 void b2World::QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const {
     if (callback == nullptr) return Complain("b2World::QueryAABB", "give a callback");
     b2Bridge::SyncShapes(*m_data);
@@ -20,8 +36,9 @@ void b2World::QueryAABB(b2QueryCallback* callback, const b2AABB& aabb) const {
         found.push_back(b2Bridge::ProxyOf(fixture).fixture);
         return true;
     });
-    for (b2Fixture* fixture : found) {
-        if (!callback->ReportFixture(fixture)) return;
+    const Report report(*m_data, found);
+    for (size_t i = 0; i < found.size(); ++i) {
+        if (found[i] != nullptr && !callback->ReportFixture(found[i])) return;
     }
 }
 
@@ -73,9 +90,14 @@ void b2World::RayCast(b2RayCastCallback* callback, const b2Vec2& point1, const b
     }
     std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.fraction < b.fraction; });
     float maxFraction = 1.0f;
-    for (const Hit& hit : hits) {
+    std::vector<b2Fixture*> fixtures;
+    for (const Hit& hit : hits) fixtures.push_back(hit.fixture);
+    const Report report(*m_data, fixtures);
+    for (size_t i = 0; i < hits.size(); ++i) {
+        const Hit& hit = hits[i];
         if (hit.fraction > maxFraction) return;  // the nearest come first
-        const float value = callback->ReportFixture(hit.fixture, hit.point, hit.normal, hit.fraction);
+        if (fixtures[i] == nullptr) continue;
+        const float value = callback->ReportFixture(fixtures[i], hit.point, hit.normal, hit.fraction);
         if (value == 0.0f) return;
         if (value > 0.0f) maxFraction = value;
     }

@@ -87,31 +87,23 @@ b2Body* b2World::CreateBody(const b2BodyDef* def) {
     return handle != nullptr ? b2Bridge::MakeBody(*this, *def, handle) : nullptr;
 }
 
-/// Box2D's order: each joint says goodbye and goes, then contacts end, then each fixture says goodbye and goes.
 void b2World::DestroyBody(b2Body* body) {
     b2WorldData& data = *m_data;
     if (body == nullptr || body->GetWorld() != this || data.stepping) {
         data.engine.DestroyBody(b2Bridge::Handle(body));  // refuses with the reason
         return;
     }
-    while (b2JointEdge* edge = body->GetJointList()) {
-        if (data.destruction != nullptr) data.destruction->SayGoodbye(edge->joint);
-        b2Bridge::DestroyJoint(data, edge->joint);
-    }
-    scree::Body* handle = b2Bridge::Handle(body);
-    handle->SetEnabled(false);  // ends its contacts while the fixtures still live
-    while (b2Fixture* fixture = body->GetFixtureList()) {
-        if (data.destruction != nullptr) data.destruction->SayGoodbye(fixture);
-        b2Bridge::FreeFixture(fixture);
-    }
-    b2Bridge::FreeBody(body);
-    data.engine.DestroyBody(handle);
-    b2Bridge::Touch(data);
+    b2Bridge::DestroyBody(data, body);
 }
 
 b2Joint* b2World::CreateJoint(const b2JointDef* def) {
     if (def == nullptr) {
         m_data->engine.CreateJoint(nullptr);
+        return nullptr;
+    }
+    for (const b2Body* body : {def->bodyA, def->bodyB}) {
+        if (body == nullptr || !b2Bridge::IsDying(*body)) continue;
+        Complain("b2World::CreateJoint", "one of the bodies is being destroyed");
         return nullptr;
     }
     b2Joint* joint = b2Bridge::MakeJoint(*m_data, *def);
@@ -134,6 +126,7 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
         data.engine.Step(timeStep, velocityIterations, positionIterations);  // refuses
         return;
     }
+    if (data.destructions > 0) return Complain("b2World::Step", "call it outside of callbacks");
     b2Bridge::SyncShapes(data);
     data.stepping = true;
     const scree::StepReport report = data.engine.Step(timeStep, velocityIterations, positionIterations);
@@ -176,7 +169,13 @@ bool b2World::GetSubStepping() const { return m_data->engine.GetSubStepping(); }
 int32 b2World::GetProxyCount() const { return m_data->engine.GetProxyCount(); }
 int32 b2World::GetBodyCount() const { return m_data->engine.GetBodyCount(); }
 int32 b2World::GetJointCount() const { return m_data->engine.GetJointCount(); }
-int32 b2World::GetContactCount() const { return m_data->engine.GetContactCount(); }
+int32 b2World::GetContactCount() const {
+    if (m_data->endedRows.empty()) return m_data->engine.GetContactCount();
+    b2Bridge::SyncContacts(*m_data);
+    int32 count = 0;
+    for (const b2Contact* contact = m_data->contacts; contact != nullptr; contact = contact->GetNext()) ++count;
+    return count;
+}
 int32 b2World::GetTreeHeight() const { return m_data->engine.GetTreeHeight(); }
 int32 b2World::GetTreeBalance() const { return m_data->engine.GetTreeBalance(); }
 float b2World::GetTreeQuality() const { return m_data->engine.GetTreeQuality(); }

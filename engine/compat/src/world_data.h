@@ -52,6 +52,9 @@ struct b2WorldData {
     std::vector<uint8_t> rowSeen;          ///< scratch of SyncContacts
     bool contactsStale = false;            ///< the engine's contacts may have changed since SyncContacts
     bool stepping = false;
+    int destructions = 0;            ///< calls that destroy, and have callbacks under way
+    std::vector<uint8_t> endedRows;  ///< engine's contacts whose end was told before the engine removes them
+    std::vector<std::vector<b2Fixture*>*> reports;  ///< of queries whose callbacks are under way
 
     std::vector<b2Fixture*> exposedShapes;  ///< fixtures whose shape the program may change
     int chainCount = 0;
@@ -96,6 +99,9 @@ struct b2Bridge {
     /// Makes the lists agree with the engine's contacts. Free when nothing changed.
     static void SyncContacts(b2WorldData& data);
     static void FreeContactsOf(b2WorldData& data, const b2Fixture* fixture);
+    static bool HasEnded(const b2WorldData& data, size_t row) {
+        return row < data.endedRows.size() && data.endedRows[row] != 0;
+    }
     static void BeginCallback(b2Contact& contact) { contact.m_manifoldExposed = false; }
     /// Hands a manifold that the callback may have changed to the engine.
     static void EndCallback(b2Contact& contact);
@@ -105,9 +111,22 @@ struct b2Bridge {
     /// Anchors and axis as the definition gives them: what b2Joint returns by reference.
     static void CopyLocals(b2Joint& joint, const b2JointDef& def);
     static void Link(b2WorldData& data, b2Joint* joint);
+    static void FreeJoint(b2WorldData& data, b2Joint* joint);
+
+    // endings.cpp
+    /// Tells the listener that the touching contacts of a body, or of one fixture of it, end.
+    static void EndContacts(b2WorldData& data, b2Body& body, const b2Fixture* only);
+    static void DestroyFixture(b2WorldData& data, b2Body& body, b2Fixture* fixture);
+    /// Both sides of a fixture, without callbacks.
+    static void RemoveFixture(b2WorldData& data, b2Body& body, b2Fixture* fixture);
+    static void SetEnabled(b2WorldData& data, b2Body& body, bool flag);
+    static void SetType(b2WorldData& data, b2Body& body, b2BodyType type);
+    static void DestroyBody(b2WorldData& data, b2Body* body);
     /// Destroys a joint on both sides, gears on it first.
     static void DestroyJoint(b2WorldData& data, b2Joint* joint);
-    static void FreeJoint(b2WorldData& data, b2Joint* joint);
+    /// Takes a fixture out of what queries are about to report.
+    static void ForgetReports(b2WorldData& data, const b2Fixture* fixture);
+    static bool IsDying(const b2Body& body) { return body.m_dying; }
 
     // broad_phase.cpp
     static void ShowWorld(b2BroadPhase& broadPhase, const b2World* world);
