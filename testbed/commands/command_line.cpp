@@ -105,6 +105,9 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddRenderCommand(app, request);
     AddMetricsCommand(app, request);
     AddBenchCommand(app, request);
+    AddSnapshotCommand(app, request);
+    AddDiffCommand(app, request);
+    AddMergeCommand(app, request);
     AddEnvCommand(app, request);
     try {
         Parse(app, arguments);

@@ -27,6 +27,9 @@ void AddOverlapCommand(CLI::App& app, Request& request);
 void AddRenderCommand(CLI::App& app, Request& request);
 void AddMetricsCommand(CLI::App& app, Request& request);
 void AddBenchCommand(CLI::App& app, Request& request);
+void AddSnapshotCommand(CLI::App& app, Request& request);
+void AddDiffCommand(CLI::App& app, Request& request);
+void AddMergeCommand(CLI::App& app, Request& request);
 void AddEnvCommand(CLI::App& app, Request& request);
 
 }  // namespace testbed

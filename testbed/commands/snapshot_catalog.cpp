@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The list of reference pictures. What a scene gets depends on its own name alone, so that a new scene or a new set
+// changes no picture that exists.
+
+#include "testbed/commands/snapshot_catalog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+
+#include "scenes/catalog.h"
+
+namespace testbed {
+
+namespace {
+
+enum class When : unsigned char { early, late, both };
+
+struct SnapshotSet {
+    std::string_view name, kind, layers;
+    int group;  ///< 0 … groupCount − 1: only scenes of this group have it; anyGroup: all
+    When when;
+};
+constexpr int groupCount = 3, anyGroup = -1;
+
+constexpr SnapshotSet snapshotSets[] = {
+    {"overlap", "overlap", "internal", anyGroup, When::both},
+    {"contacts", "render", "bodies,contacts,normals,impulses", 0, When::late},
+    {"labels", "render", "bodies,labels", 0, When::early},
+    {"islands", "render", "islands,contacts", 1, When::late},
+    {"boxes", "render", "bodies,aabbs", 1, When::early},
+    {"bvh", "render", "bodies,bvh", 2, When::late},
+    {"joints", "render", "bodies,joints", 2, When::early},
+};
+
+/// Scenes with sizes are halved until they have no more fixtures than this: the whole check stays a matter of seconds.
+constexpr int maxFixtures = 300;
+
+/// FNV-1a over the name.
+int GroupOf(std::string_view scene) {
+    uint32_t hash = 2166136261u;
+    for (const char c : scene) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return static_cast<int>((hash >> 8) % groupCount);
+}
+
+int ChooseSize(const scenes::SceneInfo& info) {
+    int size = info.defaultSize;
+    while (size > info.minSize && scenes::Count(info.build(size)).Fixtures() > maxFixtures) {
+        size = std::max(info.minSize, size / 2);
+    }
+    return size;
+}
+
+}  // namespace
+
+std::vector<SnapshotCase> GetSnapshotCatalog() {
+    std::vector<SnapshotCase> cases;
+    for (const scenes::SceneInfo& info : scenes::Catalog()) {
+        const int size = ChooseSize(info), group = GroupOf(info.name);
+        for (const When when : {When::early, When::late}) {
+            // A third of the way bodies fly, at the end they touch.
+            const int step = when == When::late ? info.showStep : std::max(1, info.showStep / 3);
+            for (const SnapshotSet& set : snapshotSets) {
+                if (set.group != anyGroup && set.group != group) continue;
+                if (set.when != When::both && set.when != when) continue;
+                cases.push_back({std::string(info.name), size, step, fmt::format("step-{:04}-{}", step, set.name),
+                                 std::string(set.kind), std::string(set.layers)});
+            }
+        }
+    }
+    return cases;
+}
+
+}  // namespace testbed

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Which pictures `scree snapshot` keeps: every scene of the catalogue at two steps, with the overlap of its tree at
+// both and some of the layer sets, so that each set is covered by a third of the scenes. To add a picture, add a row to
+// snapshotSets in snapshot_catalog.cpp; to add a scene, add it to the catalogue of scenes: nothing else is needed.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace testbed {
+
+/// One reference picture.
+struct SnapshotCase {
+    std::string scene;
+    int size = 0;
+    int step = 0;
+    std::string name;    ///< of the files without extension, for example "step-0090-islands"
+    std::string kind;    ///< overlap or render
+    std::string layers;  ///< render: layers, as --layers takes them; overlap: nodes, as --nodes takes them
+
+    /// <scene>/<name>: the reference's path without extension.
+    [[nodiscard]] std::string GetId() const { return scene + "/" + name; }
+};
+
+/// Pictures are this large: small files, and every scene still shows what it does.
+inline constexpr int snapshotWidth = 480, snapshotHeight = 300;
+
+/// All pictures; those of one scene follow each other, in the order of their steps.
+[[nodiscard]] std::vector<SnapshotCase> GetSnapshotCatalog();
+
+}  // namespace testbed

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree snapshot verify`: every picture made again and again, with 1 and 2 threads (of the engine and of the software
+// rasteriser) and by every backend, must have equal pixels and an equal state.
+
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "testbed/commands/shard.h"
+#include "testbed/commands/snapshot_catalog.h"
+#include "testbed/context/context.h"
+
+namespace testbed {
+
+/// One way to make all pictures; a process of its own, since Mesa reads the number of threads once.
+struct VerifyWay {
+    Backend backend = Backend::cpu;
+    int threads = 1;
+    bool isAgain = false;  ///< the same as an earlier way: what is left over from nothing but chance
+
+    [[nodiscard]] std::string GetName() const;
+};
+
+/// cpu once and again, then every backend with 1 and 2 threads.
+[[nodiscard]] std::vector<VerifyWay> GetVerifyWays();
+
+/// What one way made of the cases: "pixel hash, state hash" each, or why it could not.
+struct VerifyRun {
+    VerifyWay way;
+    std::vector<std::string> hashes;  ///< by case; empty when it failed
+    std::string problem;
+    bool isBackendMissing = false;
+};
+
+/// Runs every way over the cases, `jobs` processes at a time. Call it before any context is open.
+[[nodiscard]] std::vector<VerifyRun> VerifySnapshots(std::span<const SnapshotCase> cases,
+                                                     std::span<const VerifyWay> ways,
+                                                     const ContextOptions& contextOptions, int jobs);
+
+}  // namespace testbed
