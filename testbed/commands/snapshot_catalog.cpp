@@ -37,8 +37,8 @@ constexpr SnapshotSet snapshotSets[] = {
     {"joints", "render", "bodies,joints", 2, When::early},
 };
 
-/// Scenes with sizes are halved until they have no more fixtures than this: the whole check stays a matter of seconds.
-constexpr int maxFixtures = 300;
+/// Scenes with sizes are halved until no more fixtures move than this: the whole check stays a matter of seconds.
+constexpr int maxMovingFixtures = 400;
 
 /// FNV-1a over the name.
 int GroupOf(std::string_view scene) {
@@ -49,7 +49,7 @@ int GroupOf(std::string_view scene) {
 
 int ChooseSize(const scenes::SceneInfo& info) {
     int size = info.defaultSize;
-    while (size > info.minSize && scenes::Count(info.build(size)).Fixtures() > maxFixtures) {
+    while (size > info.minSize && scenes::Count(info.build(size)).movingFixtures > maxMovingFixtures) {
         size = std::max(info.minSize, size / 2);
     }
     return size;

@@ -30,7 +30,8 @@
 //        "update": "scree snapshot update -g '^tiles/step-0090-bvh$'" | null,       the command that accepts the
 //        picture "ms": {"simulate": 12.5, "render": 3.1, "compare": 0.4}}]}
 //
-// `expected` of a node or a contact may be null in a change too when the sidecar keeps only its hash. `list`s hold the
+// `expected` and `actual` may be null in a change too when the sidecars keep only hashes. Bodies and nodes also have
+// "block": above 1 so many neighbours share a hash, and all of a block that changed count as changed. `list`s hold the
 // first maxListed entries, the counts all. Lengths are m, angles rad, rounded as the sidecars store them.
 
 #pragma once

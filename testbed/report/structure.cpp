@@ -28,7 +28,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // With these a sidecar stays below 10 KB or not much above.
-constexpr std::size_t maxPoses = 220, maxBoxes = 120, maxContacts = 400;
+constexpr std::size_t maxPoses = 220, maxBoxes = 120, maxContacts = 300, maxHashes = 600;
 constexpr std::size_t hashLength = 4;
 
 /// Bits in, 24 bits as four characters out (FNV-1a, folded): enough to see that something changed, no more.
@@ -63,42 +63,62 @@ std::string Milli(double value) {
 
 void Join(std::string& list, const std::string& entry) { list += (list.empty() ? "" : ",") + entry; }
 
-Json DescribeBodies(const Snapshot& snapshot) {
-    std::string hashes, poses;
-    for (const BodyState& body : snapshot.bodies) {
+void AddBody(ShortHash& hash, const BodyState& body) {
+    hash.Add(body.position);
+    hash.Add(body.sin);
+    hash.Add(body.cos);
+    hash.Add(body.linearVelocity);
+    hash.Add(body.angularVelocity);
+    hash.Add(static_cast<int>(body.awake));
+}
+
+void AddNode(ShortHash& hash, const NodeState& node) {
+    hash.Add(node.box.lower);
+    hash.Add(node.box.upper);
+    hash.Add(node.parent);
+    hash.Add(node.fixture);
+    hash.Add(node.level);
+}
+
+/// Count, block and hashes: of each thing, or of blocks of them where there would be too many hashes.
+template <typename Thing>
+Json HashBlocks(const std::vector<Thing>& things, void (*add)(ShortHash&, const Thing&)) {
+    const std::size_t block = things.size() / (maxHashes + 1) + 1;
+    std::string hashes;
+    for (std::size_t begin = 0; begin < things.size(); begin += block) {
         ShortHash hash;
-        hash.Add(body.position);
-        hash.Add(body.sin);
-        hash.Add(body.cos);
-        hash.Add(body.linearVelocity);
-        hash.Add(body.angularVelocity);
-        hash.Add(static_cast<int>(body.awake));
+        for (std::size_t i = begin; i < std::min(begin + block, things.size()); ++i) add(hash, things[i]);
         hashes += hash.GetText();
+    }
+    Json json = {{"count", things.size()}};
+    if (block > 1) json["block"] = block;
+    json["hashes"] = hashes;
+    return json;
+}
+
+Json DescribeBodies(const Snapshot& snapshot) {
+    Json bodies = HashBlocks(snapshot.bodies, AddBody);
+    if (snapshot.bodies.size() > maxPoses) return bodies;
+    std::string poses;
+    for (const BodyState& body : snapshot.bodies) {
         const bool isAsleep = body.type != scenes::BodyType::isStatic && !body.awake;
         Join(poses, fmt::format("{} {} {}{}", Milli(body.position.x), Milli(body.position.y), Milli(body.angle),
                                 isAsleep ? "s" : ""));
     }
-    Json bodies = {{"count", snapshot.bodies.size()}, {"hashes", hashes}};
-    if (snapshot.bodies.size() <= maxPoses) bodies["poses"] = poses;
+    bodies["poses"] = poses;
     return bodies;
 }
 
 Json DescribeNodes(const Snapshot& snapshot) {
-    std::string hashes, boxes;
+    Json nodes = HashBlocks(snapshot.nodes, AddNode);
+    if (snapshot.nodes.size() > maxBoxes) return nodes;
+    std::string boxes;
     for (const NodeState& node : snapshot.nodes) {
-        ShortHash hash;
-        hash.Add(node.box.lower);
-        hash.Add(node.box.upper);
-        hash.Add(node.parent);
-        hash.Add(node.fixture);
-        hash.Add(node.level);
-        hashes += hash.GetText();
         const Box& box = node.box;
         Join(boxes, fmt::format("{} {} {} {} {}", node.level, Milli(box.lower.x), Milli(box.lower.y),
                                 Milli(box.upper.x), Milli(box.upper.y)));
     }
-    Json nodes = {{"count", snapshot.nodes.size()}, {"hashes", hashes}};
-    if (snapshot.nodes.size() <= maxBoxes) nodes["boxes"] = boxes;
+    nodes["boxes"] = boxes;
     return nodes;
 }
 
@@ -168,19 +188,23 @@ Json ParseBox(const std::string& text) {
             {"box", {FromMilli(words[1]), FromMilli(words[2]), FromMilli(words[3]), FromMilli(words[4])}}};
 }
 
-/// Things numbered from 0, with a hash each and perhaps a value.
+/// Things numbered from 0, with a hash of each block of them and perhaps a value of each.
 struct NumberedList {
-    std::size_t count = 0;
+    std::size_t count = 0, block = 1;
     std::string hashes;
     std::vector<std::string> values;  ///< empty: too many to keep
 
     NumberedList(const Json& json, const char* valuesKey)
         : count(json.at("count").get<std::size_t>()), hashes(json.at("hashes").get<std::string>()) {
         if (json.contains(valuesKey)) values = Split(json[valuesKey].get<std::string>(), ',');
-        if (hashes.size() != count * hashLength || (!values.empty() && values.size() != count)) Refuse();
+        if (json.contains("block")) block = json["block"].get<std::size_t>();
+        if (block == 0 || hashes.size() != (count + block - 1) / block * hashLength ||
+            (!values.empty() && values.size() != count))
+            Refuse();
     }
+    /// Of the block of number i; another count makes other blocks, so the last, shorter one differs by its length.
     [[nodiscard]] std::string_view GetHash(std::size_t i) const {
-        return std::string_view(hashes).substr(i * hashLength, hashLength);
+        return std::string_view(hashes).substr(i / block * hashLength, hashLength);
     }
 };
 
@@ -210,12 +234,15 @@ Json CompareNumbered(const NumberedList& expected, const NumberedList& actual, J
     };
     for (std::size_t i = 0; i < std::max(expected.count, actual.count); ++i) {
         const bool inExpected = i < expected.count, inActual = i < actual.count;
-        if (inExpected && inActual && expected.GetHash(i) == actual.GetHash(i)) continue;
+        const bool isComparable = inExpected && inActual && expected.block == actual.block;
+        if (isComparable && expected.GetHash(i) == actual.GetHash(i)) continue;
         const bool isListed = changes.list.size() < maxListed;
         changes.Add({{"index", i}}, inExpected, inActual, isListed ? value(expected, i) : Json(nullptr),
                     isListed ? value(actual, i) : Json(nullptr));
     }
-    return changes.Finish(expected.count, actual.count);
+    Json json = changes.Finish(expected.count, actual.count);
+    json["block"] = std::max(expected.block, actual.block);
+    return json;
 }
 
 using FixturePair = std::pair<std::string, std::string>;  // "7.5": fixture 7 of body 5

@@ -11,7 +11,7 @@
 //
 // Lengths in mm, angles in mrad, a sleeping body's angle is followed by s. A contact names fixtures, with their body
 // after a point where its index is another ("7.5-8.5"), then t (touching) or n, and its number of points. poses, boxes
-// and list are absent when there would be too many.
+// and list are absent when there would be too many, and then bodies or nodes share a hash: "block" of them each.
 
 #pragma once
 
