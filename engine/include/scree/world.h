@@ -27,6 +27,21 @@
 
 namespace scree {
 
+/// How constraints are solved.
+enum class SolverKind : uint8_t {
+    automatic,           ///< by the Step that is called
+    sequentialImpulses,  ///< Box2D 2.4's: iterations on velocities, then on positions
+    softStep,            ///< sub-steps with soft contacts
+};
+
+/// Knobs of the soft step; see the accuracy tables of the README before changing them.
+struct SoftStepDef {
+    /// Stiffness of contacts: their frequency times the sub-step's length, 0 < r < 0.25.
+    float contactHertzRatio = 0.125f;
+    float contactDampingRatio = 10.0f;
+    float contactPushSpeed = 1.0f;  ///< largest speed at which overlapping bodies are pushed apart, m/s
+};
+
 /// Input of World. Defaults are Box2D 2.4's, except that nothing caps speed.
 struct WorldDef {
     Vec2 gravity{0.0f, -10.0f};  ///< m/s²
@@ -46,6 +61,9 @@ struct WorldDef {
     /// Positions advance by the mean of the velocities before and after a step instead of the one after: free flight is
     /// then exact, at any step size.
     bool exactDrift = false;
+    /// Which solver runs whatever Step is called: Step(dt, 8, 3) is taken for 4 sub-steps and the other way round.
+    SolverKind solver = SolverKind::automatic;
+    SoftStepDef softStep;
 };
 
 struct WorldState;
@@ -68,6 +86,10 @@ public:
     /// Advances by `timeStep` seconds (≥ 0; 0 only updates contacts) with sequential impulses. Box2D suggests 8
     /// velocity and 3 position iterations at 1/60 s. Bad input: an error and an unchanged world.
     StepReport Step(float timeStep, int velocityIterations, int positionIterations);
+    /// Advances by `timeStep` seconds in `substeps` ≥ 1 sub-steps with soft contacts: 4 for games, 8 for finer and 16 for
+    /// precise results at 1/60 s; at 4 about as fast as one pass of sequential impulses and far more accurate in stacks.
+    /// Free bodies drift exactly. Bad input: an error and an unchanged world.
+    StepReport Step(float timeStep, int substeps);
     [[nodiscard]] const StepReport& GetReport() const;
 
     /// The listeners and the filter must outlive their use; null restores the default.

@@ -20,6 +20,11 @@ const JointPhases& PhasesOf(JointType type) {
 
 }  // namespace
 
+void ScaleJointImpulses(const JointTask& task, std::span<const int> joints) {
+    task.scratch.Clear();
+    for (const int joint : joints) PhasesOf(task.joints.info[static_cast<size_t>(joint)].type).prepare(task, joint);
+}
+
 void PrepareJoints(const JointTask& task, std::span<const int> joints) {
     task.scratch.Clear();
     std::vector<JointRun>& runs = task.scratch.runs;

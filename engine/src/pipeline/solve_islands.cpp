@@ -6,9 +6,7 @@
 
 #include "pipeline/solve_islands.h"
 
-#include <algorithm>
-#include <limits>
-
+#include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/report_impulses.h"
 
 namespace scree {
@@ -31,61 +29,35 @@ void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t
     v.w *= 1.0f / (1.0f + h * motion.angularDamping);
 }
 
-/// Moves the body by its velocity, under the caps. Returns true if a cap acted.
-bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, size_t b) {
+/// What the body moves in this step, under the caps. `capped` is set if one acted.
+Velocity MotionOf(const SolverSettings& settings, BodyTable& bodies, size_t b, bool& capped) {
     const float h = settings.dt;
     Velocity& v = bodies.velocity[b];
-    bool capped = false;
     Velocity mean = v;
     if (settings.exactDrift) {
         const Velocity& before = bodies.startVelocity[b];
         mean = {0.5f * (before.v + v.v), 0.5f * (before.w + v.w), 0.0f};
     }
-    const Vec2 translation = h * mean.v;
-    const float lengthSquared = Dot(translation, translation);
-    if (lengthSquared > settings.maxTranslation * settings.maxTranslation) {
-        const float ratio = settings.maxTranslation / std::sqrt(lengthSquared);
-        v.v *= ratio;
-        mean.v *= ratio;
-        capped = true;
+    const CapFactors cap = CapMotion(settings, h * mean.v, h * mean.w);
+    capped = cap.Acts();
+    if (capped) {
+        v.v *= cap.linear, v.w *= cap.angular;
+        mean.v *= cap.linear, mean.w *= cap.angular;
     }
-    const float rotation = h * mean.w;
-    if (rotation * rotation > settings.maxRotation * settings.maxRotation) {
-        const float ratio = settings.maxRotation / Abs(rotation);
-        v.w *= ratio;
-        mean.w *= ratio;
-        capped = true;
-    }
-    bodies.position[b].c += h * mean.v;
-    bodies.position[b].a += h * mean.w;
+    return {h * mean.v, h * mean.w, 0.0f};
+}
+
+/// Moves the body by its velocity. Returns true if a cap acted.
+bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, size_t b) {
+    bool capped = false;
+    const Velocity motion = MotionOf(settings, bodies, b, capped);
+    bodies.position[b].c += motion.v;
+    bodies.position[b].a += motion.w;
     return capped;
 }
 
-/// Updates the transform; a body that is not finite any more goes back to its start, at rest. Returns true if it did.
-bool FinishPose(BodyTable& bodies, size_t b) {
-    const Position& p = bodies.position[b];
-    const Velocity& v = bodies.velocity[b];
-    const bool finite = p.c.IsValid() && std::isfinite(p.a) && v.v.IsValid() && std::isfinite(v.w);
-    if (!finite) {
-        bodies.position[b] = bodies.startPosition[b];
-        bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
-    }
-    bodies.UpdateTransform(static_cast<int>(b));
-    return !finite;
-}
-
-/// Advances the body's sleep timer and returns it.
-float UpdateSleepTimer(BodyTable& bodies, size_t b, float dt) {
-    const Velocity& v = bodies.velocity[b];
-    const bool slow = v.w * v.w <= angularSleepTolerance * angularSleepTolerance &&
-                      Dot(v.v, v.v) <= linearSleepTolerance * linearSleepTolerance;
-    if (!bodies.Has(static_cast<int>(b), BodyFlag::autoSleep) || !slow) {
-        bodies.sleepTime[b] = 0.0f;
-        return 0.0f;
-    }
-    bodies.sleepTime[b] += dt;
-    return bodies.sleepTime[b];
-}
+// Larger than one slop: the push itself aims at leaving one slop of overlap.
+constexpr float contactTolerance = -3.0f * linearSlop;
 
 /// The solve of one island; the methods are the phases in order.
 class IslandSolver {
@@ -95,11 +67,9 @@ public:
         : m_settings(settings),
           m_tables(tables),
           m_scratch(scratch),
-          m_bodies(islands.bodies.data() + island.bodyBegin, static_cast<size_t>(island.bodyEnd - island.bodyBegin)),
-          m_contacts(islands.contacts.data() + island.contactBegin,
-                     static_cast<size_t>(island.contactEnd - island.contactBegin)),
-          m_joints(islands.joints.data() + island.jointBegin,
-                   static_cast<size_t>(island.jointEnd - island.jointBegin)) {}
+          m_bodies(Bodies(islands, island)),
+          m_contacts(Contacts(islands, island)),
+          m_joints(Joints(islands, island)) {}
 
     void Prepare(const FixtureTable& fixtures) {
         for (const int b : m_bodies) IntegrateVelocity(m_settings, m_tables.bodies, static_cast<size_t>(b));
@@ -126,8 +96,6 @@ public:
 
     /// Stops as soon as everything is within tolerance; false if it never was.
     bool SolvePositions() {
-        // Larger than one slop: the push itself aims at leaving one slop of overlap.
-        constexpr float contactTolerance = -3.0f * linearSlop;
         for (int i = 0; i < m_settings.positionIterations; ++i) {
             bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies.position) >= contactTolerance;
             solved = SolveJointPositions(JointWork()) && solved;
@@ -143,12 +111,7 @@ public:
     }
 
     void Sleep(bool positionsSolved) {
-        if (!m_settings.allowSleep) return;
-        float shortest = std::numeric_limits<float>::max();
-        for (const int b : m_bodies)
-            shortest = Min(shortest, UpdateSleepTimer(m_tables.bodies, static_cast<size_t>(b), m_settings.dt));
-        if (shortest < timeToSleep || !positionsSolved) return;
-        for (const int b : m_bodies) m_tables.bodies.PutToSleep(b);
+        if (m_settings.allowSleep) SleepIsland(m_tables.bodies, m_bodies, m_settings.dt, positionsSolved);
     }
 
 private:
@@ -163,6 +126,107 @@ private:
     std::span<const int> m_bodies, m_contacts, m_joints;
 };
 
+/// The solve of all islands with many contacts together, by the vector kernels; the methods are the phases in order.
+/// Separations are linear in the bodies' motion, with the normals and arms of the start of the step.
+class WideSolver {
+public:
+    WideSolver(const SolverSettings& settings, const IslandTable& islands, SolverTables tables, SolverScratch& scratch)
+        : m_settings(settings),
+          m_islands(islands),
+          m_bodies(tables.bodies),
+          m_tables(tables),
+          m_s(scratch),
+          m_kernels(GetContactKernels()) {}
+
+    void Prepare(const FixtureTable& fixtures) {
+        m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
+        for (const int b : m_s.wide.bodies) IntegrateVelocity(m_settings, m_bodies, static_cast<size_t>(b));
+        m_s.blocks.Build({m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale});
+        m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
+        m_kernels.finish(m_task);
+        if (m_settings.impulseScale > 0.0f) m_kernels.warmStart(m_task);
+        if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);
+    }
+
+    void SolveVelocities() {
+        for (int i = 0; i < m_settings.velocityIterations; ++i) {
+            if (HasJoints()) SolveJointVelocities(JointWork());
+            m_kernels.solveRigid(m_task);
+        }
+        m_s.blocks.Store(1.0f, m_tables.contacts.manifold);
+    }
+
+    int IntegratePositions() {
+        int cappedCount = 0;
+        for (const int b : m_s.wide.bodies) {
+            bool capped = false;
+            m_s.delta[static_cast<size_t>(b)] = MotionOf(m_settings, m_bodies, static_cast<size_t>(b), capped);
+            cappedCount += capped ? 1 : 0;
+        }
+        return cappedCount;
+    }
+
+    bool SolvePositions() {
+        for (int i = 0; i < m_settings.positionIterations; ++i) {
+            bool solved = m_kernels.pushApart(m_task, baumgarte) - linearSlop >= contactTolerance;
+            if (HasJoints()) solved = CorrectJoints() && solved;
+            if (solved) return true;
+        }
+        return false;
+    }
+
+    int Finish() {
+        int nonFinite = 0;
+        for (const int body : m_s.wide.bodies) {
+            const auto b = static_cast<size_t>(body);
+            Move(b);
+            m_s.delta[b] = {};
+            nonFinite += FinishPose(m_bodies, b) ? 1 : 0;
+        }
+        return nonFinite;
+    }
+
+    void Sleep(bool positionsSolved) {
+        if (!m_settings.allowSleep) return;
+        for (const Island& island : m_s.wide.islands) {
+            SleepIsland(m_bodies, Bodies(m_islands, island), m_settings.dt, positionsSolved);
+        }
+    }
+
+private:
+    [[nodiscard]] bool HasJoints() const { return !m_s.wide.joints.empty(); }
+    [[nodiscard]] JointTask JointWork() {
+        return {{m_settings.dt, 1.0f / m_settings.dt, m_settings.impulseScale}, m_bodies, m_tables.joints, m_s.joints};
+    }
+
+    void Move(size_t b) {
+        m_bodies.position[b].c = m_bodies.startPosition[b].c + m_s.delta[b].v;
+        m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
+    }
+
+    bool CorrectJoints() {
+        for (const int b : m_s.wide.bodies) {
+            if (m_bodies.info[static_cast<size_t>(b)].jointCount > 0) Move(static_cast<size_t>(b));
+        }
+        const bool solved = SolveJointPositions(JointWork());
+        for (const int body : m_s.wide.bodies) {
+            const auto b = static_cast<size_t>(body);
+            if (m_bodies.info[b].jointCount == 0) continue;
+            m_s.delta[b].v = m_bodies.position[b].c - m_bodies.startPosition[b].c;
+            m_s.delta[b].w = m_bodies.position[b].a - m_bodies.startPosition[b].a;
+        }
+        return solved;
+    }
+
+    const SolverSettings& m_settings;
+    const IslandTable& m_islands;
+    BodyTable& m_bodies;
+    SolverTables m_tables;
+    SolverScratch& m_s;
+    const ContactKernels& m_kernels;
+    KernelTask m_task{};
+};
+
 /// The ballistic path: the same arithmetic without constraints, hence the same bits.
 void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, BodyTable& bodies,
                    SolverCounts& counts) {
@@ -175,6 +239,40 @@ void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, B
     }
 }
 
+/// From this many contacts in an island on, colours fill their vectors well enough to pay.
+constexpr int wideContactCount = 48;
+
+bool IsWide(const Island& island) { return island.contactEnd - island.contactBegin >= wideContactCount; }
+
+void GatherWide(const IslandTable& islands, IslandTable& wide) {
+    wide.islands.clear();
+    wide.bodies.clear();
+    wide.contacts.clear();
+    wide.joints.clear();
+    for (const Island& island : islands.islands) {
+        if (!IsWide(island)) continue;
+        wide.islands.push_back(island);
+        const auto append = [](std::vector<int>& to, std::span<const int> from) {
+            to.insert(to.end(), from.begin(), from.end());
+        };
+        append(wide.bodies, Bodies(islands, island));
+        append(wide.contacts, Contacts(islands, island));
+        append(wide.joints, Joints(islands, island));
+    }
+}
+
+void SolveWide(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
+               const ContactEvents& events, SolverTables tables, SolverScratch& scratch, SolverCounts& counts) {
+    WideSolver solver(settings, islands, tables, scratch);
+    solver.Prepare(fixtures);
+    solver.SolveVelocities();
+    counts.capped += solver.IntegratePositions();
+    const bool positionsSolved = solver.SolvePositions();
+    counts.nonFinite += solver.Finish();
+    ReportBlockImpulses(scratch, false, scratch.wide.contacts, events, tables.contacts);
+    solver.Sleep(positionsSolved);
+}
+
 }  // namespace
 
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
@@ -182,6 +280,7 @@ SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fi
     SolverCounts counts;
     SolveIsolated(settings, islands, tables.bodies, counts);
     for (const Island& island : islands.islands) {
+        if (IsWide(island)) continue;
         IslandSolver solver(settings, islands, island, tables, scratch);
         solver.Prepare(fixtures);
         solver.SolveVelocities();
@@ -191,6 +290,8 @@ SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fi
         ReportImpulses(scratch.contacts, events, tables.contacts);
         solver.Sleep(positionsSolved);
     }
+    GatherWide(islands, scratch.wide);
+    if (!scratch.wide.islands.empty()) SolveWide(settings, fixtures, islands, events, tables, scratch, counts);
     return counts;
 }
 

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace scree {
@@ -23,5 +24,18 @@ struct IslandTable {
     std::vector<int> joints;
     std::vector<int> isolated;  ///< awake bodies without contacts and joints
 };
+
+inline std::span<const int> Range(const std::vector<int>& order, int begin, int end) {
+    return {order.data() + begin, static_cast<size_t>(end - begin)};
+}
+inline std::span<const int> Bodies(const IslandTable& t, const Island& i) {
+    return Range(t.bodies, i.bodyBegin, i.bodyEnd);
+}
+inline std::span<const int> Contacts(const IslandTable& t, const Island& i) {
+    return Range(t.contacts, i.contactBegin, i.contactEnd);
+}
+inline std::span<const int> Joints(const IslandTable& t, const Island& i) {
+    return Range(t.joints, i.jointBegin, i.jointEnd);
+}
 
 }  // namespace scree

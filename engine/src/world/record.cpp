@@ -29,7 +29,7 @@ void Recorder::Append(uint32_t call, std::span<const std::byte> arguments) {
     m_bytes.insert(m_bytes.end(), out.Bytes().begin(), out.Bytes().end());
 }
 
-void Recording::NoteHash(uint64_t hash) {
+void Recording::NoteHash(uint64_t hash) const {
     ImageWriter out;
     out(hash);
     m_recorder->Append(hashRecord, out.Bytes());

@@ -114,7 +114,7 @@ public:
     Recording& operator=(const Recording&) = delete;
 
     /// The state that a Step has led to.
-    void NoteHash(uint64_t hash);
+    void NoteHash(uint64_t hash) const;
     [[nodiscard]] bool IsOn() const { return m_recorder != nullptr && m_recorder->m_depth == 1; }
 
 private:

@@ -154,7 +154,8 @@ constexpr Row calls[] = {
     {"World::DestroyBody", CallDestroyBody},
     {"World::CreateJoint", CallCreateJoint},
     {"World::DestroyJoint", CallDestroyJoint},
-    SCREE_CALL(World::Step),
+    {"World::Step", Call<static_cast<StepReport (World::*)(float, int, int)>(&World::Step)>},
+    {"World::Step (sub-steps)", Call<static_cast<StepReport (World::*)(float, int)>(&World::Step)>},
     SCREE_CALL(World::SetAutoClearForces),
     SCREE_CALL(World::ClearForces),
     SCREE_CALL(World::SetGravity),
@@ -289,7 +290,8 @@ ReplayReport Replay(std::span<const std::byte> recording, const std::function<vo
         }
         if (!MakeCall(number, *report.world, arguments)) return report;
         ++report.calls;
-        if (number == CallNumber("World::Step")) ++report.steps;
+        const bool isStep = number == CallNumber("World::Step") || number == CallNumber("World::Step (sub-steps)");
+        if (isStep) ++report.steps;
     }
     report.valid = true;
     return report;

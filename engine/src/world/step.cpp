@@ -3,12 +3,15 @@
 //
 // One step, as a table of contents of the pipeline.
 
+#include <algorithm>
+
 #include "base/clock.h"
 #include "pipeline/continuous.h"
 #include "pipeline/find_islands.h"
 #include "pipeline/match_contacts.h"
 #include "pipeline/narrow_phase.h"
 #include "pipeline/solve_islands.h"
+#include "pipeline/solve_soft.h"
 #include "pipeline/update_boxes.h"
 #include "scree/inspect.h"
 #include "world/guard.h"
@@ -40,16 +43,43 @@ void RunBroadPhase(WorldState& s) {
     FindPairsAndMatch(s);
 }
 
-SolverSettings MakeSettings(const WorldState& s, float dt, int velocityIterations, int positionIterations) {
-    return {.dt = dt,
-            .impulseScale = s.def.warmStarting ? dt * s.lastInverseDt : 0.0f,
-            .velocityIterations = velocityIterations,
-            .positionIterations = positionIterations,
+/// Number of sub-steps that stands for this many velocity iterations, and the other way round.
+constexpr int minSubsteps = 4;
+int SubstepsFor(int velocityIterations) { return std::max(minSubsteps, (velocityIterations + 1) / 2); }
+
+/// As one of the two Steps was asked: `substeps` is 0 for sequential impulses.
+struct StepRequest {
+    float dt;
+    int velocityIterations, positionIterations;
+    int substeps;
+};
+
+/// The request as WorldDef::solver wants it.
+StepRequest Resolve(const WorldState& s, StepRequest request) {
+    if (s.def.solver == SolverKind::softStep && request.substeps == 0) {
+        request.substeps = SubstepsFor(request.velocityIterations);
+    } else if (s.def.solver == SolverKind::sequentialImpulses && request.substeps > 0) {
+        request = {request.dt, 2 * request.substeps, std::max(1, 3 * request.substeps / 4), 0};
+    } else if (request.substeps > 0) {
+        request.velocityIterations = 2 * request.substeps;  // of continuous events
+    }
+    return request;
+}
+
+SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
+    return {.dt = request.dt,
+            .impulseScale = s.def.warmStarting ? request.dt * s.lastInverseDt : 0.0f,
+            .velocityIterations = request.velocityIterations,
+            .positionIterations = request.positionIterations,
+            .substeps = request.substeps,
             .gravity = s.def.gravity,
             .maxTranslation = s.def.maxTranslation,
             .maxRotation = s.def.maxRotation,
             .allowSleep = s.def.allowSleep,
-            .exactDrift = s.def.exactDrift};
+            .exactDrift = s.def.exactDrift,
+            .contactHertzRatio = s.def.softStep.contactHertzRatio,
+            .contactDampingRatio = s.def.softStep.contactDampingRatio,
+            .contactPushSpeed = s.def.softStep.contactPushSpeed};
 }
 
 void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& report) {
@@ -64,8 +94,9 @@ void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& re
 void SolveWholeStep(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
     FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     report.profile.islands = watch.Lap();
+    const auto solve = settings.substeps > 0 ? SolveSoft : SolveIslands;
     const SolverCounts counts =
-        SolveIslands(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
+        solve(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
     report.profile.solver = watch.Lap();
     report.cappedCount = counts.capped;
     report.nonFiniteCount = counts.nonFinite;
@@ -84,17 +115,9 @@ void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, S
     s.lastInverseDt = 1.0f / settings.dt;
 }
 
-}  // namespace
-
-StepReport World::Step(float timeStep, int velocityIterations, int positionIterations) {
-    WorldState& s = *m_state;
-    Guard guard(s, "World::Step");
-    guard.Unlocked("call Step outside of callbacks").Amount(timeStep, "timeStep");
-    guard.Require(velocityIterations >= 0, ErrorCode::outOfRange, "velocityIterations", "give at least 0");
-    guard.Require(positionIterations >= 0, ErrorCode::outOfRange, "positionIterations", "give at least 0");
-    if (guard.Failed()) return s.report;
-    Recording recording = guard.Record(timeStep, velocityIterations, positionIterations);
-
+StepReport Run(World& world, const StepRequest& asked, const Recording& recording) {
+    WorldState& s = world.GetState();
+    const StepRequest request = Resolve(s, asked);
     Stopwatch total;
     Stopwatch watch;
     StepReport report;
@@ -103,18 +126,37 @@ StepReport World::Step(float timeStep, int velocityIterations, int positionItera
     report.profile.broadPhase = watch.Lap();
     report.touchingCount = UpdateManifolds(s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts});
     report.profile.narrowPhase = watch.Lap();
-    if (timeStep > 0.0f) {
-        Simulate(s, MakeSettings(s, timeStep, velocityIterations, positionIterations), watch, report);
-    }
-    if (s.autoClearForces) ClearForces();
+    if (request.dt > 0.0f) Simulate(s, MakeSettings(s, request), watch, report);
+    if (s.autoClearForces) world.ClearForces();
 
     report.bodyCount = s.bodies.slots.Count();
     report.contactCount = s.contacts.Count();
     report.pairCount = static_cast<int64_t>(s.pairs.size());
     report.profile.step = total.Lap();
     s.report = report;
-    if (recording.IsOn()) recording.NoteHash(inspect::GetStateHash(*this));
+    if (recording.IsOn()) recording.NoteHash(inspect::GetStateHash(world));
     return report;
+}
+
+}  // namespace
+
+StepReport World::Step(float timeStep, int velocityIterations, int positionIterations) {
+    Guard guard(*m_state, "World::Step");
+    guard.Unlocked("call Step outside of callbacks").Amount(timeStep, "timeStep");
+    guard.Require(velocityIterations >= 0, ErrorCode::outOfRange, "velocityIterations", "give at least 0");
+    guard.Require(positionIterations >= 0, ErrorCode::outOfRange, "positionIterations", "give at least 0");
+    if (guard.Failed()) return m_state->report;
+    const Recording recording = guard.Record(timeStep, velocityIterations, positionIterations);
+    return Run(*this, {timeStep, velocityIterations, positionIterations, 0}, recording);
+}
+
+StepReport World::Step(float timeStep, int substeps) {
+    Guard guard(*m_state, "World::Step (sub-steps)");
+    guard.Unlocked("call Step outside of callbacks").Amount(timeStep, "timeStep");
+    guard.Require(substeps >= 1, ErrorCode::outOfRange, "substeps", "give at least 1");
+    if (guard.Failed()) return m_state->report;
+    const Recording recording = guard.Record(timeStep, substeps);
+    return Run(*this, {timeStep, 0, 0, substeps}, recording);
 }
 
 }  // namespace scree

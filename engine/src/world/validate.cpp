@@ -122,6 +122,14 @@ Finding Check(const WorldDef& def) {
     }
     if (!(def.staticShareThreshold >= 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::staticShareThreshold", "give a share from 0 to 1"};
+    if (!(def.softStep.contactHertzRatio > 0.0f && def.softStep.contactHertzRatio < 0.25f))
+        return {ErrorCode::outOfRange, "WorldDef::softStep.contactHertzRatio", "give a ratio between 0 and 0.25"};
+    if (!(def.softStep.contactDampingRatio > 0.0f) || !std::isfinite(def.softStep.contactDampingRatio))
+        return {ErrorCode::outOfRange, "WorldDef::softStep.contactDampingRatio", "give a ratio above 0"};
+    if (!(def.softStep.contactPushSpeed > 0.0f))
+        return {ErrorCode::outOfRange, "WorldDef::softStep.contactPushSpeed", "give a speed above 0"};
+    if (def.solver > SolverKind::softStep)
+        return {ErrorCode::outOfRange, "WorldDef::solver", "give one of SolverKind"};
     if (!(def.maxTranslation > 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};
     if (!(def.maxRotation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxRotation", "give an angle above 0"};

@@ -20,4 +20,13 @@ void ReportImpulses(const ContactRows& rows, const ContactEvents& events, Contac
     }
 }
 
+void ReportBlockImpulses(SolverScratch& scratch, bool summed, std::span<const int> list, const ContactEvents& events,
+                         ContactTable& contacts) {
+    if (events.listener == nullptr) return;
+    scratch.blocks.GetImpulses(summed, scratch.impulses);
+    for (size_t i = 0; i < list.size(); ++i) {
+        events.listener->PostSolve(contacts.Handle(events.state, list[i]), &scratch.impulses[i]);
+    }
+}
+
 }  // namespace scree

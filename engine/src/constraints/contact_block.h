@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Eight contacts side by side, as the vector kernels read them: one array of eight numbers per quantity. No two contacts
+// of a block push the same body. Plain data only, because translation units for different instruction sets share it.
+//
+// Side B of every lane is a dynamic body; side A is one too in two-mover blocks, else a body that contacts cannot push
+// (static, kinematic), which is read and never written. Lanes to spare repeat the bodies of the first lane with no mass:
+// they change nothing, and the first lane is written last.
+
+#pragma once
+
+#include <cstdint>
+
+namespace scree {
+
+inline constexpr int blockLanes = 8;
+
+struct alignas(32) ContactBlock {
+    using Row = float[blockLanes];
+
+    int32_t bodyA[blockLanes], bodyB[blockLanes];
+    int32_t slot[blockLanes];  ///< position in the solver's list of contacts, −1 for a lane to spare
+    Row invMassA, invMassB, invIA, invIB;
+    Row normalX, normalY;                     ///< from A to B
+    Row armA[2], armB[2];                     ///< per point: arm × normal
+    Row tangentArmA, tangentArmB;             ///< arm of the middle of the points × tangent
+    Row normalMass[2], tangentMass;           ///< effective, kg
+    Row separation[2];                        ///< at the start of the step, + linearSlop, m
+    Row normalImpulse[2], tangentImpulse;     ///< accumulated, N·s
+    Row friction, tangentSpeed, restitution;  ///< restitution: 1 where the lane bounces at all
+    /// Speed that the normal row asks for, m/s: restitution (sequential impulses), or how fast the gap may still close
+    /// (soft step).
+    Row bias[2];
+    Row bounceSpeed[2];                   ///< soft step: to leave with, m/s
+    Row totalNormal[2], totalTangent;     ///< soft step: sums over the sub-steps, N·s
+};
+
+/// What a run of blocks has in common.
+struct BlockKind {
+    bool fixedA;
+    bool twoPoints;
+};
+
+/// Blocks of one colour and kind: none of them shares a moving body with another.
+struct BlockRange {
+    int32_t begin, end;
+    BlockKind kind;
+};
+
+/// Constants of the soft contact rows over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
+struct SoftConstants {
+    float inverseH;    ///< 1/s
+    float biasRate;    ///< 1/s
+    float massScale, impulseScale;
+    float pushSpeed;   ///< largest speed of pushing apart, m/s
+};
+
+/// What the kernels work on. `velocity` and `delta` hold four floats a body: v and w, or the motion since the start of
+/// the step; the fourth is unused.
+struct KernelTask {
+    ContactBlock* blocks;
+    const BlockRange* ranges;
+    int32_t rangeCount;
+    float* velocity;
+    float* delta;
+    SoftConstants soft;
+    bool sumImpulses;  ///< keep totalNormal and totalTangent
+};
+
+/// The kernels for one instruction set. All sets give the same bits.
+struct ContactKernels {
+    const char* name;
+    /// Effective masses from arms and inverse masses.
+    void (*finish)(const KernelTask& task);
+    void (*warmStart)(const KernelTask& task);
+    /// Sequential impulses: one iteration on velocities.
+    void (*solveRigid)(const KernelTask& task);
+    /// One pass over overlaps: moves `delta` by `share` of what is left of them and returns the smallest separation, m.
+    float (*pushApart)(const KernelTask& task, float share);
+    /// Soft step: one iteration with soft rows, then, after positions have moved, one without push.
+    void (*solveSoft)(const KernelTask& task);
+    void (*relax)(const KernelTask& task);
+    void (*bounce)(const KernelTask& task);
+};
+
+/// The best set this processor has.
+const ContactKernels& GetContactKernels();
+
+}  // namespace scree

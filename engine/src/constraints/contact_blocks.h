@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Many contacts as blocks of eight for the vector kernels: colours them so that no two contacts of a colour push the same
+// body, fills the blocks, and takes the impulses back out.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "constraints/contact_block.h"
+#include "scree/collision.h"
+#include "scree/world_callbacks.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/fixtures.h"
+
+namespace scree {
+
+struct BlockInput {
+    const BodyTable& bodies;
+    const FixtureTable& fixtures;
+    const ContactTable& contacts;
+    std::span<const int> list;  ///< contacts, in order; every one has a mover
+    float impulseScale;         ///< of warm starting: the kernels' step / last dt, 0 without
+};
+
+/// Blocks and what colouring needs, kept between steps.
+class ContactBlocks {
+public:
+    /// Colours and fills. O(contacts); with more than 64 contacts on one body in rounds of 64 colours.
+    void Build(const BlockInput& input);
+    /// Writes the impulses into the manifolds, times `scale`.
+    void Store(float scale, std::vector<Manifold>& manifold) const;
+    /// Impulses summed over the step (soft step) or accumulated, by position in the list; for reports.
+    void GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const;
+
+    [[nodiscard]] KernelTask Task(std::vector<Velocity>& velocity, std::vector<Velocity>& delta);
+    [[nodiscard]] bool IsEmpty() const { return m_ranges.empty(); }
+    [[nodiscard]] bool Bounces() const { return m_bounces; }
+    [[nodiscard]] int GetColourCount() const { return m_colourCount; }
+    /// Colour of each contact of the list.
+    [[nodiscard]] std::span<const int> GetColours() const { return m_colours; }
+
+private:
+    void Sort(const BlockInput& input);
+    void ColourMovers(const BlockInput& input);
+    void ColourFixed(const BlockInput& input);
+    void MakeRanges(const BlockInput& input);
+    void Fill(const BlockInput& input);
+
+    std::vector<ContactBlock> m_blocks;
+    std::vector<BlockRange> m_ranges;
+    std::span<const int> m_list;
+    std::vector<int> m_colours;             ///< per contact of the list
+    std::vector<uint8_t> m_class;           ///< per contact of the list: kind and which body is B
+    std::vector<uint64_t> m_used;           ///< per body: colours taken in this round
+    std::vector<int> m_movers, m_fixed;     ///< positions in the list
+    std::vector<int> m_left, m_next;        ///< scratch of the rounds
+    std::vector<int> m_start;               ///< per group: first lane
+    std::vector<int> m_lane;                ///< per contact of the list: block · 8 + lane
+    int m_moverColourCount = 0;  ///< colours below it have two movers a contact, the others one
+    int m_colourCount = 0;
+    bool m_bounces = false;
+};
+
+}  // namespace scree

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The contact kernels for the instruction set that the whole library is compiled for, and the choice of the best set.
+
+#define SCREE_KERNEL_SET baseContactKernels
+#define SCREE_KERNEL_NAME "base"
+#include "constraints/contact_kernels.inl.h"
+
+namespace scree {
+
+#if defined(SCREE_HAS_AVX2_KERNELS)
+extern const ContactKernels avx2ContactKernels;
+#endif
+
+const ContactKernels& GetContactKernels() {
+#if defined(SCREE_HAS_AVX2_KERNELS)
+    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+    if (hasAvx2) return avx2ContactKernels;
+#endif
+    return baseContactKernels;
+}
+
+}  // namespace scree

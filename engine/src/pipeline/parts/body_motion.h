@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// How one body moves, whatever solver runs: caps, the pose at the end of a step, the sleep timer.
+
+#pragma once
+
+#include "pipeline/parts/solver.h"
+
+namespace scree {
+
+/// Shortens the body's motion `translation`, `rotation` of this step to the caps; returns the factors. 1 where no cap
+/// acts.
+struct CapFactors {
+    float linear = 1.0f, angular = 1.0f;
+    [[nodiscard]] bool Acts() const { return linear != 1.0f || angular != 1.0f; }
+};
+inline CapFactors CapMotion(const SolverSettings& settings, Vec2 translation, float rotation) {
+    CapFactors factors;
+    const float lengthSquared = Dot(translation, translation);
+    if (lengthSquared > settings.maxTranslation * settings.maxTranslation) {
+        factors.linear = settings.maxTranslation / std::sqrt(lengthSquared);
+    }
+    if (rotation * rotation > settings.maxRotation * settings.maxRotation) {
+        factors.angular = settings.maxRotation / Abs(rotation);
+    }
+    return factors;
+}
+
+/// Updates the transform; a body that is not finite any more goes back to its start, at rest. Returns true if it did.
+inline bool FinishPose(BodyTable& bodies, size_t b) {
+    const Position& p = bodies.position[b];
+    const Velocity& v = bodies.velocity[b];
+    const bool finite = p.c.IsValid() && std::isfinite(p.a) && v.v.IsValid() && std::isfinite(v.w);
+    if (!finite) {
+        bodies.position[b] = bodies.startPosition[b];
+        bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
+    }
+    bodies.UpdateTransform(static_cast<int>(b));
+    return !finite;
+}
+
+/// Advances the body's sleep timer and returns it.
+inline float UpdateSleepTimer(BodyTable& bodies, size_t b, float dt) {
+    const Velocity& v = bodies.velocity[b];
+    const bool slow = v.w * v.w <= angularSleepTolerance * angularSleepTolerance &&
+                      Dot(v.v, v.v) <= linearSleepTolerance * linearSleepTolerance;
+    if (!bodies.Has(static_cast<int>(b), BodyFlag::autoSleep) || !slow) {
+        bodies.sleepTime[b] = 0.0f;
+        return 0.0f;
+    }
+    bodies.sleepTime[b] += dt;
+    return bodies.sleepTime[b];
+}
+
+/// Puts the island's bodies to sleep if all of them have been slow for long enough.
+inline void SleepIsland(BodyTable& bodies, std::span<const int> island, float dt, bool positionsSolved) {
+    float shortest = std::numeric_limits<float>::max();
+    for (const int b : island) shortest = Min(shortest, UpdateSleepTimer(bodies, static_cast<size_t>(b), dt));
+    if (shortest < timeToSleep || !positionsSolved) return;
+    for (const int b : island) bodies.PutToSleep(b);
+}
+
+}  // namespace scree

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What both solvers are given, keep and report.
+
+#pragma once
+
+#include <vector>
+
+#include "constraints/contact_blocks.h"
+#include "constraints/contact_rows.h"
+#include "constraints/joint_solver.h"
+#include "scree/world_callbacks.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/islands.h"
+#include "state/joints.h"
+
+namespace scree {
+
+struct SolverSettings {
+    float dt;            ///< s, > 0
+    float impulseScale;  ///< of warm starting: dt / last dt, 0 without
+    int velocityIterations, positionIterations;  ///< sequential impulses
+    int substeps;                                ///< soft step; 0: sequential impulses
+    Vec2 gravity;
+    float maxTranslation, maxRotation;  ///< per step
+    bool allowSleep;
+    bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
+    float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
+};
+
+/// A body's constants over a soft step, and what its last sub-step did.
+struct SoftBody {
+    int body;
+    bool jointed;
+    Vec2 speedUp;  ///< by gravity and forces in one sub-step, m/s
+    float spinUp;
+    float linearDamp, angularDamp;  ///< factors of one sub-step
+    Velocity before;                ///< at the start of the sub-step
+    Velocity free;                  ///< after forces, before constraints
+    Velocity pushed;                ///< change by contacts
+    Velocity mark;                  ///< before a pass over the contacts
+};
+
+/// Scratch of the solvers, kept between steps.
+struct SolverScratch {
+    ContactRows contacts;
+    ContactBlocks blocks;
+    JointConstraints joints;
+    std::vector<Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
+    std::vector<SoftBody> soft;
+    std::vector<int> jointed;  ///< rows of `soft`
+    IslandTable wide;          ///< islands that are solved together, joined; `islands` keeps their own ranges
+    std::vector<ContactImpulse> impulses;
+};
+
+struct SolverCounts {
+    int capped = 0;
+    int nonFinite = 0;
+};
+
+struct SolverTables {
+    BodyTable& bodies;
+    ContactTable& contacts;
+    JointTable& joints;
+};
+
+}  // namespace scree

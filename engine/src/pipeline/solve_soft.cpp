@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The soft step: the step is cut into sub-steps, and each solves every constraint once with soft rows, moves the bodies,
+// and solves once more without push, so that what pushed overlaps apart does not stay as speed (Macklin et al., "Small
+// Steps in Physics Simulation", 2019; Catto, "Solver2D", 2024). Contacts are frozen at the start of the step: normals,
+// arms and masses are computed once, separations are linear in the bodies' motion.
+//
+// With frozen Jacobians warm starting needs no pass over the contacts: what they did to a body's velocity in the last
+// sub-step, they do again at the start of this one. Joints are made anew in every sub-step, at the present poses; they
+// are solved rigidly on velocities, and their position error is removed after each move, as in sequential impulses.
+//
+// A body that no constraint pushed in a sub-step drifts by the mean of its velocities before and after, which is exact
+// for constant forces. Isolated bodies run the same arithmetic, hence get the same bits.
+
+#include "pipeline/solve_soft.h"
+
+#include "pipeline/parts/body_motion.h"
+#include "pipeline/parts/report_impulses.h"
+
+namespace scree {
+
+namespace {
+
+SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, int body) {
+    const auto b = static_cast<size_t>(body);
+    const float h = settings.dt / static_cast<float>(settings.substeps);
+    SoftBody soft{};
+    soft.body = body;
+    soft.linearDamp = soft.angularDamp = 1.0f;
+    if (bodies.type[b] != dynamicBody) return soft;
+    const MassRow& mass = bodies.mass[b];
+    const ForceRow& force = bodies.force[b];
+    const MotionRow& motion = bodies.motion[b];
+    soft.speedUp =
+        (h * mass.invMass) * ((motion.gravityScale * bodies.info[b].mass) * settings.gravity + force.force);
+    soft.spinUp = h * mass.invI * force.torque;
+    soft.linearDamp = 1.0f / (1.0f + h * motion.linearDamping);
+    soft.angularDamp = 1.0f / (1.0f + h * motion.angularDamping);
+    return soft;
+}
+
+/// Forces and damping; contacts push as they did in the last sub-step.
+inline void IntegrateVelocity(SoftBody& soft, Velocity& v) {
+    soft.before = v;
+    v.v = soft.linearDamp * (v.v + soft.speedUp) + soft.pushed.v;
+    v.w = soft.angularDamp * (v.w + soft.spinUp) + soft.pushed.w;
+    soft.free = v;
+}
+
+/// No constraint pushed the body in this sub-step.
+inline bool IsFree(const SoftBody& soft, const Velocity& v) {
+    return soft.pushed.v == vec2Zero && soft.pushed.w == 0.0f && v.v == soft.free.v && v.w == soft.free.w;
+}
+
+inline void IntegrateDelta(const SoftBody& soft, const Velocity& v, float h, Velocity& delta) {
+    if (IsFree(soft, v)) {
+        const float half = 0.5f * h;
+        delta.v += half * (soft.before.v + v.v);
+        delta.w += half * (soft.before.w + v.w);
+    } else {
+        delta.v += h * v.v;
+        delta.w += h * v.w;
+    }
+}
+
+/// The end pose from the start pose and the motion, under the caps. Returns true if a cap acted.
+bool MoveBody(const SolverSettings& settings, BodyTable& bodies, size_t b, Velocity& delta) {
+    const CapFactors cap = CapMotion(settings, delta.v, delta.w);
+    if (cap.Acts()) {
+        delta.v *= cap.linear, delta.w *= cap.angular;
+        bodies.velocity[b].v *= cap.linear, bodies.velocity[b].w *= cap.angular;
+    }
+    bodies.position[b].c = bodies.startPosition[b].c + delta.v;
+    bodies.position[b].a = bodies.startPosition[b].a + delta.w;
+    return cap.Acts();
+}
+
+void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, BodyTable& bodies,
+                   SolverCounts& counts) {
+    const float h = settings.dt / static_cast<float>(settings.substeps);
+    for (const int body : islands.isolated) {
+        const auto b = static_cast<size_t>(body);
+        bodies.startPosition[b] = bodies.position[b];
+        SoftBody soft = MakeSoftBody(settings, bodies, body);
+        Velocity v = bodies.velocity[b];
+        Velocity delta{};
+        for (int i = 0; i < settings.substeps; ++i) {
+            IntegrateVelocity(soft, v);
+            IntegrateDelta(soft, v, h, delta);
+        }
+        bodies.velocity[b] = v;
+        counts.capped += MoveBody(settings, bodies, b, delta) ? 1 : 0;
+        counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
+        if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings.dt) >= timeToSleep) bodies.PutToSleep(body);
+    }
+}
+
+/// All islands together; the methods are the phases in order.
+class SoftSolver {
+public:
+    SoftSolver(const SolverSettings& settings, const IslandTable& islands, SolverTables tables, SolverScratch& scratch)
+        : m_settings(settings),
+          m_h(settings.dt / static_cast<float>(settings.substeps)),
+          m_islands(islands),
+          m_bodies(tables.bodies),
+          m_tables(tables),
+          m_s(scratch),
+          m_kernels(GetContactKernels()) {}
+
+    void Prepare(const FixtureTable& fixtures, bool report) {
+        m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
+        m_s.soft.clear();
+        m_s.jointed.clear();
+        for (const int body : m_islands.bodies) {
+            const auto b = static_cast<size_t>(body);
+            m_bodies.startPosition[b] = m_bodies.position[b];
+            m_s.soft.push_back(MakeSoftBody(m_settings, m_bodies, body));
+            if (!HasJoints() || m_bodies.info[b].jointCount == 0) continue;
+            m_s.soft.back().jointed = true;
+            m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
+        }
+        m_s.blocks.Build({m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale()});
+        m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
+        m_task.soft = MakeConstants();
+        m_task.sumImpulses = report || m_s.blocks.Bounces();
+        m_kernels.finish(m_task);
+    }
+
+    void Substep(bool first) {
+        for (SoftBody& soft : m_s.soft) IntegrateVelocity(soft, m_bodies.velocity[static_cast<size_t>(soft.body)]);
+        if (first && m_settings.impulseScale > 0.0f) NotePush([&] { m_kernels.warmStart(m_task); });
+        if (HasJoints()) {
+            PrepareJoints(JointWork(first ? SubstepScale() : 1.0f), m_islands.joints);
+            SolveJointVelocities(JointWork(1.0f));
+        }
+        NotePush([&] { m_kernels.solveSoft(m_task); });
+        for (const SoftBody& soft : m_s.soft) {
+            const auto b = static_cast<size_t>(soft.body);
+            IntegrateDelta(soft, m_bodies.velocity[b], m_h, m_s.delta[b]);
+        }
+        if (HasJoints()) {
+            CorrectJoints();
+            SolveJointVelocities(JointWork(1.0f));
+        }
+        NotePush([&] { m_kernels.relax(m_task); });
+        for (SoftBody& soft : m_s.soft) {
+            if (soft.jointed) continue;  // noted
+            const Velocity& v = m_bodies.velocity[static_cast<size_t>(soft.body)];
+            soft.pushed.v = v.v - soft.free.v + soft.pushed.v;
+            soft.pushed.w = v.w - soft.free.w + soft.pushed.w;
+        }
+    }
+
+    SolverCounts Finish() {
+        if (m_s.blocks.Bounces()) m_kernels.bounce(m_task);
+        // A manifold's impulses are those of a whole step, whatever its sub-steps.
+        m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
+        if (HasJoints()) ScaleJointImpulses(JointWork(static_cast<float>(m_settings.substeps)), m_islands.joints);
+        SolverCounts counts;
+        for (const SoftBody& soft : m_s.soft) {
+            const auto b = static_cast<size_t>(soft.body);
+            counts.capped += MoveBody(m_settings, m_bodies, b, m_s.delta[b]) ? 1 : 0;
+            m_s.delta[b] = {};
+            counts.nonFinite += FinishPose(m_bodies, b) ? 1 : 0;
+        }
+        return counts;
+    }
+
+    void Sleep() {
+        if (!m_settings.allowSleep) return;
+        for (const Island& island : m_islands.islands) {
+            SleepIsland(m_bodies, Bodies(m_islands, island), m_settings.dt, true);
+        }
+    }
+
+private:
+    [[nodiscard]] float SubstepScale() const {
+        return m_settings.impulseScale / static_cast<float>(m_settings.substeps);
+    }
+
+    [[nodiscard]] SoftConstants MakeConstants() const {
+        const float omega = 2.0f * pi * m_settings.contactHertzRatio;  // per sub-step
+        const float a = omega * (2.0f * m_settings.contactDampingRatio + omega);
+        return {.inverseH = 1.0f / m_h,
+                .biasRate = omega / (2.0f * m_settings.contactDampingRatio + omega) / m_h,
+                .massScale = a / (1.0f + a),
+                .impulseScale = 1.0f / (1.0f + a),
+                .pushSpeed = m_settings.contactPushSpeed};
+    }
+
+    [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
+
+    [[nodiscard]] JointTask JointWork(float impulseScale) {
+        return {{m_h, 1.0f / m_h, impulseScale}, m_bodies, m_tables.joints, m_s.joints};
+    }
+
+    /// Runs a pass over the contacts and notes what it did to jointed bodies: joints are warm-started by themselves, so
+    /// only the push of contacts is to be repeated. For other bodies the end of the sub-step tells.
+    template <typename Pass>
+    void NotePush(Pass&& pass) {
+        for (const int i : m_s.jointed) {
+            SoftBody& soft = m_s.soft[static_cast<size_t>(i)];
+            const Velocity& v = m_bodies.velocity[static_cast<size_t>(soft.body)];
+            soft.mark = v;
+        }
+        pass();
+        for (const int i : m_s.jointed) {
+            SoftBody& soft = m_s.soft[static_cast<size_t>(i)];
+            const Velocity& v = m_bodies.velocity[static_cast<size_t>(soft.body)];
+            soft.pushed.v += v.v - soft.mark.v;
+            soft.pushed.w += v.w - soft.mark.w;
+        }
+    }
+
+    /// Moves jointed bodies, removes the joints' position errors, and takes the result back as motion.
+    void CorrectJoints() {
+        for (const int i : m_s.jointed) {
+            const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
+            m_bodies.position[b].c = m_bodies.startPosition[b].c + m_s.delta[b].v;
+            m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
+        }
+        SolveJointPositions(JointWork(1.0f));
+        for (const int i : m_s.jointed) {
+            const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
+            m_s.delta[b].v = m_bodies.position[b].c - m_bodies.startPosition[b].c;
+            m_s.delta[b].w = m_bodies.position[b].a - m_bodies.startPosition[b].a;
+        }
+    }
+
+    const SolverSettings& m_settings;
+    const float m_h;
+    const IslandTable& m_islands;
+    BodyTable& m_bodies;
+    SolverTables m_tables;
+    SolverScratch& m_s;
+    const ContactKernels& m_kernels;
+    KernelTask m_task{};
+};
+
+}  // namespace
+
+SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
+                       const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
+    SolverCounts counts;
+    SolveIsolated(settings, islands, tables.bodies, counts);
+    if (islands.bodies.empty()) return counts;
+    SoftSolver solver(settings, islands, tables, scratch);
+    solver.Prepare(fixtures, events.listener != nullptr);
+    for (int i = 0; i < settings.substeps; ++i) solver.Substep(i == 0);
+    const SolverCounts island = solver.Finish();
+    counts.capped += island.capped;
+    counts.nonFinite += island.nonFinite;
+    ReportBlockImpulses(scratch, true, islands.contacts, events, tables.contacts);
+    solver.Sleep();
+    return counts;
+}
+
+}  // namespace scree
