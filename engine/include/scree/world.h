@@ -86,9 +86,9 @@ public:
     /// Advances by `timeStep` seconds (≥ 0; 0 only updates contacts) with sequential impulses. Box2D suggests 8
     /// velocity and 3 position iterations at 1/60 s. Bad input: an error and an unchanged world.
     StepReport Step(float timeStep, int velocityIterations, int positionIterations);
-    /// Advances by `timeStep` seconds in `substeps` ≥ 1 sub-steps with soft contacts: 4 for games, 8 for finer and 16 for
-    /// precise results at 1/60 s; at 4 about as fast as one pass of sequential impulses and far more accurate in stacks.
-    /// Free bodies drift exactly. Bad input: an error and an unchanged world.
+    /// Advances by `timeStep` seconds in `substeps` ≥ 1 sub-steps with soft contacts: 4 for games, 8 for finer and 16
+    /// for precise results at 1/60 s; at 4 about as fast as one pass of sequential impulses and far more accurate in
+    /// stacks. Free bodies drift exactly. Bad input: an error and an unchanged world.
     StepReport Step(float timeStep, int substeps);
     [[nodiscard]] const StepReport& GetReport() const;
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Eight float lanes for the solver's kernels: one AVX register, two SSE2 registers, or plain loops, by what the file that
-// includes this is compiled for. Only exactly rounded operations, lane by lane and never fused, so all three give the
-// same bits. Everything is inlined by force: the same names exist in translation units for different instruction sets,
-// and no copy made for one of them may ever be called from another.
+// Eight float lanes for the solver's kernels: one AVX register, two SSE2 registers, or plain loops, by what the file
+// that includes this is compiled for. Only exactly rounded operations, lane by lane and never fused, so all three give
+// the same bits. Everything is inlined by force: the same names exist in translation units for different instruction
+// sets, and no copy made for one of them may ever be called from another.
 
 #pragma once
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Eight contacts side by side, as the vector kernels read them: one array of eight numbers per quantity. No two contacts
-// of a block push the same body. Plain data only, because translation units for different instruction sets share it.
+// Eight contacts side by side, as the vector kernels read them: one array of eight numbers per quantity. No two
+// contacts of a block push the same body. Plain data only, because translation units for different instruction sets
+// share it.
 //
 // Side B of every lane is a dynamic body; side A is one too in two-mover blocks, else a body that contacts cannot push
-// (static, kinematic), which is read and never written. Lanes to spare repeat the bodies of the first lane with no mass:
-// they change nothing, and the first lane is written last.
+// (static, kinematic), which is read and never written. Lanes to spare repeat the bodies of the first lane with no
+// mass: they change nothing, and the first lane is written last.
 
 #pragma once
 
@@ -32,8 +33,8 @@ struct alignas(32) ContactBlock {
     /// Speed that the normal row asks for, m/s: restitution (sequential impulses), or how fast the gap may still close
     /// (soft step).
     Row bias[2];
-    Row bounceSpeed[2];                   ///< soft step: to leave with, m/s
-    Row totalNormal[2], totalTangent;     ///< soft step: sums over the sub-steps, N·s
+    Row bounceSpeed[2];                ///< soft step: to leave with, m/s
+    Row totalNormal[2], totalTangent;  ///< soft step: sums over the sub-steps, N·s
 };
 
 /// What a run of blocks has in common.
@@ -50,10 +51,10 @@ struct BlockRange {
 
 /// Constants of the soft contact rows over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
 struct SoftConstants {
-    float inverseH;    ///< 1/s
-    float biasRate;    ///< 1/s
+    float inverseH;  ///< 1/s
+    float biasRate;  ///< 1/s
     float massScale, impulseScale;
-    float pushSpeed;   ///< largest speed of pushing apart, m/s
+    float pushSpeed;  ///< largest speed of pushing apart, m/s
 };
 
 /// What the kernels work on. `velocity` and `delta` hold four floats a body: v and w, or the motion since the start of

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Greedy colouring with a set of 64 colours a body (as in Box2D 3), in as many rounds as the busiest body needs: a dense
-// cluster never falls back to a serial rest. Contacts with bodies that cannot be pushed come last in every pass, so that
-// the ground has the last word; they conflict on one body only.
+// Greedy colouring with a set of 64 colours a body (as in Box2D 3), in as many rounds as the busiest body needs: a
+// dense cluster never falls back to a serial rest. Contacts with bodies that cannot be pushed come last in every pass,
+// so that the ground has the last word; they conflict on one body only.
 
 #include "constraints/contact_blocks.h"
 
@@ -38,11 +38,13 @@ void FillSpare(ContactBlock& block, int lane) {
     block.bodyB[lane] = block.bodyB[0];
     block.slot[lane] = -1;
     for (ContactBlock::Row* row :
-         {&block.invMassA, &block.invMassB, &block.invIA, &block.invIB, &block.normalX, &block.normalY, &block.armA[0],
-          &block.armA[1], &block.armB[0], &block.armB[1], &block.tangentArmA, &block.tangentArmB,
+         {&block.invMassA,         &block.invMassB,         &block.invIA,          &block.invIB,
+          &block.normalX,          &block.normalY,          &block.armA[0],        &block.armA[1],
+          &block.armB[0],          &block.armB[1],          &block.tangentArmA,    &block.tangentArmB,
           &block.normalImpulse[0], &block.normalImpulse[1], &block.tangentImpulse, &block.friction,
-          &block.tangentSpeed, &block.restitution, &block.bias[0], &block.bias[1], &block.bounceSpeed[0],
-          &block.bounceSpeed[1], &block.totalNormal[0], &block.totalNormal[1], &block.totalTangent}) {
+          &block.tangentSpeed,     &block.restitution,      &block.bias[0],        &block.bias[1],
+          &block.bounceSpeed[0],   &block.bounceSpeed[1],   &block.totalNormal[0], &block.totalNormal[1],
+          &block.totalTangent}) {
         (*row)[lane] = 0.0f;
     }
     block.separation[0][lane] = block.separation[1][lane] = 1.0f;  // no overlap
@@ -64,8 +66,9 @@ void FillPoints(const LaneInput& lane, ContactBlock& block, int l) {
     const auto a = static_cast<size_t>(lane.sides.a), b = static_cast<size_t>(lane.sides.b);
 
     WorldManifold world;
-    world.Initialize(&m, bodies.transform[static_cast<size_t>(pair.bodyA)], lane.in.fixtures.shape[pair.fixtureA]->m_radius,
-                     bodies.transform[static_cast<size_t>(pair.bodyB)], lane.in.fixtures.shape[pair.fixtureB]->m_radius);
+    world.Initialize(&m, bodies.transform[static_cast<size_t>(pair.bodyA)],
+                     lane.in.fixtures.shape[pair.fixtureA]->m_radius, bodies.transform[static_cast<size_t>(pair.bodyB)],
+                     lane.in.fixtures.shape[pair.fixtureB]->m_radius);
     const Vec2 normal = lane.sides.swapped ? -world.normal : world.normal;
     const Vec2 tangent = Cross(normal, 1.0f);
     block.normalX[l] = normal.x;
@@ -203,23 +206,29 @@ void ContactBlocks::MakeRanges(const BlockInput& input) {
         block += blocks;
     }
     m_blocks.resize(static_cast<size_t>(block));
-    for (size_t i = 0; i < input.list.size(); ++i) m_lane[i] = m_start[groupOf(i)]++;
+    m_order.assign(m_blocks.size() * blockLanes, -1);
+    for (size_t i = 0; i < input.list.size(); ++i) {
+        m_lane[i] = m_start[groupOf(i)]++;
+        m_order[static_cast<size_t>(m_lane[i])] = static_cast<int>(i);
+    }
 }
 
 void ContactBlocks::Fill(const BlockInput& input) {
+    // Block by block, so that the rows of one stay in the nearest cache while its lanes are written.
     m_bounces = false;
-    for (size_t i = 0; i < input.list.size(); ++i) {
-        const int contact = input.list[i];
-        const Sides sides = SidesOf(input.contacts.pair[static_cast<size_t>(contact)], m_class[i]);
-        ContactBlock& block = m_blocks[static_cast<size_t>(m_lane[i] / blockLanes)];
-        FillLane({input, contact, sides}, block, m_lane[i] % blockLanes, static_cast<int>(i));
-        m_bounces |= input.contacts.material[static_cast<size_t>(contact)].restitution > 0.0f;
-    }
-    // The last block of every range may have lanes to spare; the counting sort left their first in m_start.
-    const size_t groupCount = m_start.size();
-    for (size_t g = 0; g < groupCount; ++g) {
-        for (int lane = m_start[g]; lane % blockLanes != 0; ++lane)
-            FillSpare(m_blocks[static_cast<size_t>(lane / blockLanes)], lane % blockLanes);
+    for (size_t k = 0; k < m_blocks.size(); ++k) {
+        ContactBlock& block = m_blocks[k];
+        for (int l = 0; l < blockLanes; ++l) {
+            const int i = m_order[k * blockLanes + static_cast<size_t>(l)];
+            if (i < 0) {
+                FillSpare(block, l);
+                continue;
+            }
+            const int contact = input.list[static_cast<size_t>(i)];
+            const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
+            FillLane({input, contact, SidesOf(pair, m_class[static_cast<size_t>(i)])}, block, l, i);
+            m_bounces |= input.contacts.material[static_cast<size_t>(contact)].restitution > 0.0f;
+        }
     }
 }
 
@@ -233,15 +242,16 @@ void ContactBlocks::Build(const BlockInput& input) {
 }
 
 void ContactBlocks::Store(float scale, std::vector<Manifold>& manifold) const {
-    for (size_t i = 0; i < m_list.size(); ++i) {
-        const ContactBlock& block = m_blocks[static_cast<size_t>(m_lane[i] / blockLanes)];
-        const int l = m_lane[i] % blockLanes;
-        Manifold& m = manifold[static_cast<size_t>(m_list[i])];
-        // One friction row serves both points: half each.
-        const float tangent = scale * block.tangentImpulse[l] * (m.pointCount == 2 ? 0.5f : 1.0f);
-        for (int p = 0; p < m.pointCount; ++p) {
-            m.points[p].normalImpulse = scale * block.normalImpulse[p][l];
-            m.points[p].tangentImpulse = tangent;
+    for (const ContactBlock& block : m_blocks) {
+        for (int l = 0; l < blockLanes; ++l) {
+            if (block.slot[l] < 0) continue;
+            Manifold& m = manifold[static_cast<size_t>(m_list[static_cast<size_t>(block.slot[l])])];
+            // One friction row serves both points: half each.
+            const float tangent = scale * block.tangentImpulse[l] * (m.pointCount == 2 ? 0.5f : 1.0f);
+            for (int p = 0; p < m.pointCount; ++p) {
+                m.points[p].normalImpulse = scale * block.normalImpulse[p][l];
+                m.points[p].tangentImpulse = tangent;
+            }
         }
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Many contacts as blocks of eight for the vector kernels: colours them so that no two contacts of a colour push the same
-// body, fills the blocks, and takes the impulses back out.
+// Many contacts as blocks of eight for the vector kernels: colours them so that no two contacts of a colour push the
+// same body, fills the blocks, and takes the impulses back out.
 
 #pragma once
 
@@ -54,14 +54,15 @@ private:
     std::vector<ContactBlock> m_blocks;
     std::vector<BlockRange> m_ranges;
     std::span<const int> m_list;
-    std::vector<int> m_colours;             ///< per contact of the list
-    std::vector<uint8_t> m_class;           ///< per contact of the list: kind and which body is B
-    std::vector<uint64_t> m_used;           ///< per body: colours taken in this round
-    std::vector<int> m_movers, m_fixed;     ///< positions in the list
-    std::vector<int> m_left, m_next;        ///< scratch of the rounds
-    std::vector<int> m_start;               ///< per group: first lane
-    std::vector<int> m_lane;                ///< per contact of the list: block · 8 + lane
-    int m_moverColourCount = 0;  ///< colours below it have two movers a contact, the others one
+    std::vector<int> m_colours;          ///< per contact of the list
+    std::vector<uint8_t> m_class;        ///< per contact of the list: kind and which body is B
+    std::vector<uint64_t> m_used;        ///< per body: colours taken in this round
+    std::vector<int> m_movers, m_fixed;  ///< positions in the list
+    std::vector<int> m_left, m_next;     ///< scratch of the rounds
+    std::vector<int> m_start;            ///< per group: first lane
+    std::vector<int> m_lane;             ///< per contact of the list: block · 8 + lane
+    std::vector<int> m_order;            ///< per lane: position in the list, −1 to spare
+    int m_moverColourCount = 0;          ///< colours below it have two movers a contact, the others one
     int m_colourCount = 0;
     bool m_bounces = false;
 };

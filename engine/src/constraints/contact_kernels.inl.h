@@ -193,11 +193,9 @@ struct RigidKernel {
         const F8 first = zero - Load8(block.normalMass[0]) * q1, second = zero - Load8(block.normalMass[1]) * q2;
 
         const F8 none = And8(GreaterEqual8(q1, zero), GreaterEqual8(q2, zero));
-        const F8 onlySecond =
-            And8(good, And8(GreaterEqual8(second, zero), GreaterEqual8(k12 * second + q1, zero)));
+        const F8 onlySecond = And8(good, And8(GreaterEqual8(second, zero), GreaterEqual8(k12 * second + q1, zero)));
         const F8 notGood = Select8(good, zero, GreaterEqual8(zero, zero));
-        const F8 onlyFirst =
-            And8(GreaterEqual8(first, zero), Or8(notGood, GreaterEqual8(k12 * first + q2, zero)));
+        const F8 onlyFirst = And8(GreaterEqual8(first, zero), Or8(notGood, GreaterEqual8(k12 * first + q2, zero)));
         const F8 isBoth = And8(good, And8(GreaterEqual8(both1, zero), GreaterEqual8(both2, zero)));
         F8 x1 = Select8(none, zero, old1), x2 = Select8(none, zero, old2);
         x1 = Select8(onlySecond, zero, x1), x2 = Select8(onlySecond, second, x2);
@@ -296,8 +294,7 @@ struct RelaxKernel {
             PushNormal(r, armA, armB, total - old, a, b);
             if (task.sumImpulses) Store8(block.totalNormal[p], Load8(block.totalNormal[p]) + total);
         }
-        if (task.sumImpulses)
-            Store8(block.totalTangent, Load8(block.totalTangent) + Load8(block.tangentImpulse));
+        if (task.sumImpulses) Store8(block.totalTangent, Load8(block.totalTangent) + Load8(block.tangentImpulse));
         StoreBodies<fixedA>(task.velocity, block, a, b);
     }
 };
@@ -346,7 +343,7 @@ void Bounce(const KernelTask& task) { ForEachBlock(task, BounceKernel{task}); }
 
 /// The table of this instruction set.
 extern const ContactKernels SCREE_KERNEL_SET;
-const ContactKernels SCREE_KERNEL_SET = {SCREE_KERNEL_NAME, &Finish,   &WarmStart, &SolveRigid,
+const ContactKernels SCREE_KERNEL_SET = {SCREE_KERNEL_NAME, &Finish,    &WarmStart, &SolveRigid,
                                          &PushApart,        &SolveSoft, &Relax,     &Bounce};
 
 }  // namespace scree

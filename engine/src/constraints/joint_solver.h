@@ -13,7 +13,8 @@ namespace scree {
 
 /// Makes the constraints of these joints, in this order, and warm-starts them.
 void PrepareJoints(const JointTask& task, std::span<const int> joints);
-/// Multiplies the impulses that these joints keep for warm starting by task.step.impulseScale, without pushing anything.
+/// Multiplies the impulses that these joints keep for warm starting by task.step.impulseScale, without pushing
+/// anything.
 void ScaleJointImpulses(const JointTask& task, std::span<const int> joints);
 /// One iteration each.
 void SolveJointVelocities(const JointTask& task);

@@ -12,9 +12,9 @@
 
 namespace scree {
 
-/// Integrates and solves every island and every isolated body. Islands with few contacts are solved contact by contact in
-/// Box2D's order; the others all together by vector kernels, colour by colour. A body whose state stops being finite is
-/// put back to where it was, at rest, and counted.
+/// Integrates and solves every island and every isolated body. Islands with few contacts are solved contact by contact
+/// in Box2D's order; the others all together by vector kernels, colour by colour. A body whose state stops being finite
+/// is put back to where it was, at rest, and counted.
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The soft step: the step is cut into sub-steps, and each solves every constraint once with soft rows, moves the bodies,
-// and solves once more without push, so that what pushed overlaps apart does not stay as speed (Macklin et al., "Small
-// Steps in Physics Simulation", 2019; Catto, "Solver2D", 2024). Contacts are frozen at the start of the step: normals,
-// arms and masses are computed once, separations are linear in the bodies' motion.
+// The soft step: the step is cut into sub-steps, and each solves every constraint once with soft rows, moves the
+// bodies, and solves once more without push, so that what pushed overlaps apart does not stay as speed (Macklin et al.,
+// "Small Steps in Physics Simulation", 2019; Catto, "Solver2D", 2024). Contacts are frozen at the start of the step:
+// normals, arms and masses are computed once, separations are linear in the bodies' motion.
 //
 // With frozen Jacobians warm starting needs no pass over the contacts: what they did to a body's velocity in the last
 // sub-step, they do again at the start of this one. Joints are made anew in every sub-step, at the present poses; they
@@ -32,9 +32,9 @@ SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, i
     const MassRow& mass = bodies.mass[b];
     const ForceRow& force = bodies.force[b];
     const MotionRow& motion = bodies.motion[b];
-    soft.speedUp =
+    soft.speedUp.v =
         (h * mass.invMass) * ((motion.gravityScale * bodies.info[b].mass) * settings.gravity + force.force);
-    soft.spinUp = h * mass.invI * force.torque;
+    soft.speedUp.w = h * mass.invI * force.torque;
     soft.linearDamp = 1.0f / (1.0f + h * motion.linearDamping);
     soft.angularDamp = 1.0f / (1.0f + h * motion.angularDamping);
     return soft;
@@ -42,15 +42,15 @@ SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, i
 
 /// Forces and damping; contacts push as they did in the last sub-step.
 inline void IntegrateVelocity(SoftBody& soft, Velocity& v) {
-    soft.before = v;
-    v.v = soft.linearDamp * (v.v + soft.speedUp) + soft.pushed.v;
-    v.w = soft.angularDamp * (v.w + soft.spinUp) + soft.pushed.w;
-    soft.free = v;
+    soft.before = {v.v, v.w};
+    soft.unpushed = {soft.linearDamp * (v.v + soft.speedUp.v), soft.angularDamp * (v.w + soft.speedUp.w)};
+    v.v = soft.unpushed.v + soft.pushed.v;
+    v.w = soft.unpushed.w + soft.pushed.w;
 }
 
 /// No constraint pushed the body in this sub-step.
 inline bool IsFree(const SoftBody& soft, const Velocity& v) {
-    return soft.pushed.v == vec2Zero && soft.pushed.w == 0.0f && v.v == soft.free.v && v.w == soft.free.w;
+    return soft.pushed.v == vec2Zero && soft.pushed.w == 0.0f && v.v == soft.unpushed.v && v.w == soft.unpushed.w;
 }
 
 inline void IntegrateDelta(const SoftBody& soft, const Velocity& v, float h, Velocity& delta) {
@@ -120,6 +120,7 @@ public:
             m_s.soft.back().jointed = true;
             m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
         }
+        m_s.before.resize(m_s.jointed.size());
         m_s.blocks.Build({m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale()});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
@@ -147,8 +148,7 @@ public:
         for (SoftBody& soft : m_s.soft) {
             if (soft.jointed) continue;  // noted
             const Velocity& v = m_bodies.velocity[static_cast<size_t>(soft.body)];
-            soft.pushed.v = v.v - soft.free.v + soft.pushed.v;
-            soft.pushed.w = v.w - soft.free.w + soft.pushed.w;
+            soft.pushed = {v.v - soft.unpushed.v, v.w - soft.unpushed.w};
         }
     }
 
@@ -199,18 +199,20 @@ private:
     /// only the push of contacts is to be repeated. For other bodies the end of the sub-step tells.
     template <typename Pass>
     void NotePush(Pass&& pass) {
-        for (const int i : m_s.jointed) {
-            SoftBody& soft = m_s.soft[static_cast<size_t>(i)];
-            const Velocity& v = m_bodies.velocity[static_cast<size_t>(soft.body)];
-            soft.mark = v;
+        for (size_t i = 0; i < m_s.jointed.size(); ++i) {
+            const Velocity& v = VelocityOf(m_s.jointed[i]);
+            m_s.before[i] = {v.v, v.w};
         }
         pass();
-        for (const int i : m_s.jointed) {
-            SoftBody& soft = m_s.soft[static_cast<size_t>(i)];
-            const Velocity& v = m_bodies.velocity[static_cast<size_t>(soft.body)];
-            soft.pushed.v += v.v - soft.mark.v;
-            soft.pushed.w += v.w - soft.mark.w;
+        for (size_t i = 0; i < m_s.jointed.size(); ++i) {
+            const Velocity& v = VelocityOf(m_s.jointed[i]);
+            SoftBody& soft = m_s.soft[static_cast<size_t>(m_s.jointed[i])];
+            soft.pushed.v += v.v - m_s.before[i].v;
+            soft.pushed.w += v.w - m_s.before[i].w;
         }
+    }
+    [[nodiscard]] const Velocity& VelocityOf(int soft) const {
+        return m_bodies.velocity[static_cast<size_t>(m_s.soft[static_cast<size_t>(soft)].body)];
     }
 
     /// Moves jointed bodies, removes the joints' position errors, and takes the result back as motion.

@@ -128,8 +128,7 @@ Finding Check(const WorldDef& def) {
         return {ErrorCode::outOfRange, "WorldDef::softStep.contactDampingRatio", "give a ratio above 0"};
     if (!(def.softStep.contactPushSpeed > 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::softStep.contactPushSpeed", "give a speed above 0"};
-    if (def.solver > SolverKind::softStep)
-        return {ErrorCode::outOfRange, "WorldDef::solver", "give one of SolverKind"};
+    if (def.solver > SolverKind::softStep) return {ErrorCode::outOfRange, "WorldDef::solver", "give one of SolverKind"};
     if (!(def.maxTranslation > 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};
     if (!(def.maxRotation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxRotation", "give an angle above 0"};

@@ -19,8 +19,8 @@
 namespace scree {
 
 struct SolverSettings {
-    float dt;            ///< s, > 0
-    float impulseScale;  ///< of warm starting: dt / last dt, 0 without
+    float dt;                                    ///< s, > 0
+    float impulseScale;                          ///< of warm starting: dt / last dt, 0 without
     int velocityIterations, positionIterations;  ///< sequential impulses
     int substeps;                                ///< soft step; 0: sequential impulses
     Vec2 gravity;
@@ -30,18 +30,23 @@ struct SolverSettings {
     float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
 };
 
-/// A body's constants over a soft step, and what its last sub-step did.
-struct SoftBody {
+/// Velocity, or a change of it, without the room that a table's row leaves.
+struct Twist {
+    Vec2 v{0.0f, 0.0f};
+    float w = 0.0f;
+};
+
+/// A body's constants over a soft step, and what its last sub-step did. One cache line.
+struct alignas(64) SoftBody {
     int body;
     bool jointed;
-    Vec2 speedUp;  ///< by gravity and forces in one sub-step, m/s
-    float spinUp;
     float linearDamp, angularDamp;  ///< factors of one sub-step
-    Velocity before;                ///< at the start of the sub-step
-    Velocity free;                  ///< after forces, before constraints
-    Velocity pushed;                ///< change by contacts
-    Velocity mark;                  ///< before a pass over the contacts
+    Twist speedUp;                  ///< by gravity and forces in one sub-step
+    Twist before;                   ///< velocity at the start of the sub-step
+    Twist unpushed;                 ///< after forces, before constraints, without what contacts do
+    Twist pushed;                   ///< change by contacts
 };
+static_assert(sizeof(SoftBody) == 64);
 
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
@@ -50,8 +55,9 @@ struct SolverScratch {
     JointConstraints joints;
     std::vector<Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
-    std::vector<int> jointed;  ///< rows of `soft`
-    IslandTable wide;          ///< islands that are solved together, joined; `islands` keeps their own ranges
+    std::vector<int> jointed;   ///< rows of `soft`
+    std::vector<Twist> before;  ///< of these: velocity before a pass over the contacts
+    IslandTable wide;           ///< islands that are solved together, joined; `islands` keeps their own ranges
     std::vector<ContactImpulse> impulses;
 };
 
