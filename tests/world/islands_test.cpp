@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "pipeline/solve_islands.h"
+#include "pipeline/solve_soft.h"
 #include "tests/world/allocation_counter.h"
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
@@ -70,7 +71,9 @@ TEST(Islands, EqualTheComponentsOfTheContactGraph) {
     }));
 }
 
-TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
+/// Steps two equal worlds by one solver's stage, once with the bodies listed as isolated, once as islands of one.
+template <typename Solve>
+void CompareBallisticPath(Solve&& solve, int substeps, bool exactDrift) {
     WorldDef def;
     def.maxTranslation = maxTranslation;
     World ballistic(def), island(def);
@@ -88,10 +91,21 @@ TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
     EXPECT_EQ(ballistic.GetReport().isolatedBodyCount, 50);
     StepFor(island, 1);
     for (int step = 0; step < 30; ++step) {
-        // The same stage, once with the bodies listed as isolated, once as islands of one.
         WorldState& a = ballistic.GetState();
         WorldState& b = island.GetState();
-        const SolverSettings settings{1.0f / 60.0f, 1.0f, 8, 3, {0, -10}, maxTranslation, maxRotation, true};
+        const SolverSettings settings{.dt = 1.0f / 60.0f,
+                                      .impulseScale = 1.0f,
+                                      .velocityIterations = 8,
+                                      .positionIterations = 3,
+                                      .substeps = substeps,
+                                      .gravity = {0.0f, -10.0f},
+                                      .maxTranslation = maxTranslation,
+                                      .maxRotation = maxRotation,
+                                      .allowSleep = true,
+                                      .exactDrift = exactDrift,
+                                      .contactHertzRatio = 0.125f,
+                                      .contactDampingRatio = 10.0f,
+                                      .contactPushSpeed = 1.0f};
         IslandTable isolated, single;
         for (const int body : a.bodies.movers) isolated.isolated.push_back(body);
         for (const int body : b.bodies.movers) {
@@ -99,10 +113,16 @@ TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
             single.bodies.push_back(body);
             single.islands.push_back({at, at + 1, 0, 0, 0, 0});
         }
-        SolveIslands(settings, a.fixtures, isolated, a.Events(), {a.bodies, a.contacts, a.joints}, a.solverScratch);
-        SolveIslands(settings, b.fixtures, single, b.Events(), {b.bodies, b.contacts, b.joints}, b.solverScratch);
+        solve(settings, a.fixtures, isolated, a.Events(), {a.bodies, a.contacts, a.joints}, a.solverScratch);
+        solve(settings, b.fixtures, single, b.Events(), {b.bodies, b.contacts, b.joints}, b.solverScratch);
         ASSERT_EQ(inspect::GetStateHash(ballistic), inspect::GetStateHash(island));
     }
+}
+
+TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
+    CompareBallisticPath(SolveIslands, 0, false);
+    CompareBallisticPath(SolveIslands, 0, true);
+    CompareBallisticPath(SolveSoft, 4, true);
 }
 
 TEST(Step, AWarmStepAllocatesNothing) {
