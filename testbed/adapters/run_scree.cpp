@@ -98,7 +98,8 @@ private:
 
 class ScreeRun final : public SceneRun {
 public:
-    ScreeRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene), m_conveyor(GetScene()) {
+    ScreeRun(const scenes::Scene& scene, const RunOptions& options)
+        : SceneRun(scene), m_substeps(options.substeps), m_conveyor(GetScene()) {
         const scree::WorldDef def = MakeWorldDef(scene, options);
         m_bodies.reserve(scene.bodies.size());
         m_fixtures.reserve(scene.fixtures.size());
@@ -145,6 +146,7 @@ private:
     void CaptureJoints(std::vector<JointState>& joints) const;
     void CaptureNodes(Snapshot& snapshot) const;
 
+    const int m_substeps;
     Conveyor m_conveyor;
     std::unique_ptr<scree::World> m_world;
     ScreeBodies m_bodies;           ///< by body index
@@ -200,7 +202,9 @@ void ScreeRun::CreateJoint(const scenes::Joint& joint) {
 StepTimes ScreeRun::StepEngine(bool) {
     const scenes::Scene& scene = GetScene();
     const Stopwatch watch;
-    const scree::StepReport report = m_world->Step(scene.timeStep, scene.velocityIterations, scene.positionIterations);
+    const scree::StepReport report =
+        m_substeps > 0 ? m_world->Step(scene.timeStep, m_substeps)
+                       : m_world->Step(scene.timeStep, scene.velocityIterations, scene.positionIterations);
     const scree::Profile& p = report.profile;
     return {.broadPhase = double{p.broadPhase},
             .narrowPhase = double{p.narrowPhase},

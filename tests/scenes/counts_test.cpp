@@ -172,7 +172,7 @@ TEST(Counts, PublishedFigures) {
 
 // README's table of scenes: | name | exercises | size: default, sweep, legal | steps | bodies | fixtures | joints |
 TEST(Counts, ReadmeTableIsTrue) {
-    const auto root = std::filesystem::path(__FILE__).parent_path().parent_path().parent_path();
+    const auto root = std::filesystem::path(SCREE_SOURCE_DIR);
     std::ifstream readme(root / "scenes" / "README.md");
     ASSERT_TRUE(readme) << "scenes/README.md";
     std::set<std::string> rows;

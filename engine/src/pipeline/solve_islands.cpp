@@ -240,7 +240,7 @@ void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, B
 }
 
 /// From this many contacts in an island on, colours fill their vectors well enough to pay.
-constexpr int wideContactCount = 48;
+constexpr int wideContactCount = 128;
 
 bool IsWide(const Island& island) { return island.contactEnd - island.contactBegin >= wideContactCount; }
 

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Colouring: every contact once, no body pushed twice in a colour. Kernels: the same bits from every instruction set,
+// and a block of one contact against the same arithmetic in double precision.
+
+#include "constraints/contact_blocks.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <random>
+#include <set>
+
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree {
+
+extern const ContactKernels baseContactKernels;
+
+namespace {
+
+/// A heap of boxes and circles on a floor, many on one spot, so that some bodies have more than 64 contacts.
+void MakeHeap(World& world, int count, float spread) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> place(-spread, spread);
+    AddGround(world);
+    for (int i = 0; i < count; ++i) {
+        Body* body = AddBody(world, dynamicBody, {place(random), 1.0f + place(random)});
+        i % 2 == 0 ? AddBox(body, 0.5f, 0.5f) : AddCircle(body, 0.4f);
+    }
+    world.Step(1.0f / 60.0f, 8, 3);
+    world.Step(1.0f / 60.0f, 8, 3);
+}
+
+std::vector<int> TouchingContacts(const WorldState& s) {
+    std::vector<int> list;
+    for (int c = 0; c < s.contacts.Size(); ++c) {
+        if (s.contacts.IsAlive(c) && s.contacts.manifold[static_cast<size_t>(c)].pointCount > 0) list.push_back(c);
+    }
+    return list;
+}
+
+void ExpectProper(const WorldState& s, const std::vector<int>& list, std::span<const int> colours) {
+    ASSERT_EQ(colours.size(), list.size());
+    std::set<std::pair<int, int>> pushed;  // (colour, body)
+    for (size_t i = 0; i < list.size(); ++i) {
+        const ContactPair& pair = s.contacts.pair[static_cast<size_t>(list[i])];
+        for (const int body : {pair.bodyA, pair.bodyB}) {
+            if (s.bodies.type[static_cast<size_t>(body)] != dynamicBody) continue;
+            EXPECT_TRUE(pushed.insert({colours[i], body}).second) << "contact " << list[i] << " colour " << colours[i];
+        }
+    }
+}
+
+TEST(ContactBlocks, NoColourPushesABodyTwice) {
+    for (const float spread : {0.3f, 3.0f}) {  // the first has bodies with more contacts than a round has colours
+        World world({0.0f, -10.0f});
+        MakeHeap(world, 150, spread);
+        const WorldState& s = world.GetState();
+        const std::vector<int> list = TouchingContacts(s);
+        ContactBlocks blocks;
+        blocks.Build({s.bodies, s.fixtures, s.contacts, list, 1.0f});
+        ExpectProper(s, list, blocks.GetColours());
+        if (spread < 1.0f) EXPECT_GT(blocks.GetColourCount(), 64);
+    }
+}
+
+TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
+    World world({0.0f, -10.0f});
+    MakeHeap(world, 100, 3.0f);
+    WorldState& s = world.GetState();
+    const std::vector<int> list = TouchingContacts(s);
+    ContactBlocks blocks;
+    blocks.Build({s.bodies, s.fixtures, s.contacts, list, 0.25f});
+    std::vector<Manifold> stored = s.contacts.manifold;
+    for (Manifold& m : stored) m.points[0].normalImpulse = m.points[1].normalImpulse = -1.0f;
+    blocks.Store(4.0f, stored);
+    for (const int c : list) {
+        const Manifold& before = s.contacts.manifold[static_cast<size_t>(c)];
+        const Manifold& after = stored[static_cast<size_t>(c)];
+        for (int p = 0; p < before.pointCount; ++p) {
+            EXPECT_EQ(after.points[p].normalImpulse, before.points[p].normalImpulse) << c;
+        }
+    }
+}
+
+/// All kernels in turn on one copy of the bodies; what they leave behind, as bytes.
+std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s, const std::vector<int>& list) {
+    ContactBlocks blocks;
+    blocks.Build({s.bodies, s.fixtures, s.contacts, list, 1.0f});
+    std::vector<Velocity> velocity = s.bodies.velocity;
+    std::vector<Velocity> delta(velocity.size());
+    KernelTask task = blocks.Task(velocity, delta);
+    task.soft = {240.0f, 9.0f, 0.94f, 0.06f, 1.0f};
+    task.sumImpulses = true;
+    kernels.finish(task);
+    kernels.warmStart(task);
+    for (int i = 0; i < 3; ++i) {
+        kernels.solveRigid(task);
+        kernels.pushApart(task, 0.2f);
+        kernels.solveSoft(task);
+        kernels.relax(task);
+    }
+    kernels.bounce(task);
+    std::vector<Manifold> manifold = s.contacts.manifold;
+    blocks.Store(1.0f, manifold);
+    std::vector<std::byte> bytes;
+    const auto append = [&](const void* from, size_t size) {
+        const auto* begin = static_cast<const std::byte*>(from);
+        bytes.insert(bytes.end(), begin, begin + size);
+    };
+    append(velocity.data(), velocity.size() * sizeof(Velocity));
+    append(delta.data(), delta.size() * sizeof(Velocity));
+    for (const Manifold& m : manifold) {
+        for (const ManifoldPoint& p : m.points) append(&p.normalImpulse, sizeof(float));
+    }
+    return bytes;
+}
+
+TEST(ContactKernels, EveryInstructionSetGivesTheSameBits) {
+    const ContactKernels& best = GetContactKernels();
+    for (const float spread : {0.3f, 3.0f}) {
+        World world({0.0f, -10.0f});
+        MakeHeap(world, 120, spread);
+        const WorldState& s = world.GetState();
+        const std::vector<int> list = TouchingContacts(s);
+        ASSERT_GT(list.size(), 100u);
+        EXPECT_EQ(RunAll(baseContactKernels, s, list), RunAll(best, s, list)) << best.name;
+    }
+}
+
+/// The scalar rows, which are compared with Box2D elsewhere, are the oracle of the wide ones: one contact has no order.
+TEST(ContactKernels, OneContactEqualsTheScalarRows) {
+    for (const bool circle : {true, false}) {
+        World world({0.0f, -10.0f});
+        Body* ground = AddGround(world);
+        ASSERT_NE(ground, nullptr);
+        Body* body = AddBody(world, dynamicBody, {0.1f, 0.49f});
+        circle ? AddCircle(body, 0.5f) : AddBox(body, 0.5f, 0.5f);
+        body->SetLinearVelocity({1.0f, -2.0f});
+        body->SetAngularVelocity(0.3f);
+        world.Step(0.0f, 8, 3);
+        WorldState& s = world.GetState();
+        const std::vector<int> list = TouchingContacts(s);
+        ASSERT_EQ(list.size(), 1u);
+
+        std::vector<Velocity> scalar = s.bodies.velocity, wide = scalar, delta(scalar.size());
+        ContactRows rows;
+        PrepareContacts({s.bodies, s.fixtures, s.contacts, list, 1.0f}, rows);
+        ContactBlocks blocks;
+        blocks.Build({s.bodies, s.fixtures, s.contacts, list, 1.0f});
+        const KernelTask task = blocks.Task(wide, delta);
+        GetContactKernels().finish(task);
+        for (int i = 0; i < 8; ++i) {
+            SolveContactVelocities(rows, scalar);
+            GetContactKernels().solveRigid(task);
+        }
+        // The friction of a box acts in the middle of its points instead of at both: the sum is the same, and so is
+        // their torque, the points being on one line.
+        for (size_t b = 0; b < scalar.size(); ++b) {
+            EXPECT_NEAR(scalar[b].v.x, wide[b].v.x, 1e-5f) << circle;
+            EXPECT_NEAR(scalar[b].v.y, wide[b].v.y, 1e-5f) << circle;
+            EXPECT_NEAR(scalar[b].w, wide[b].w, 1e-5f) << circle;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace scree
