@@ -22,6 +22,8 @@ extern const ContactKernels baseContactKernels;
 
 namespace {
 
+using namespace test;
+
 /// A heap of boxes and circles on a floor, many on one spot, so that some bodies have more than 64 contacts.
 void MakeHeap(World& world, int count, float spread) {
     std::mt19937 random(7);
@@ -64,7 +66,9 @@ TEST(ContactBlocks, NoColourPushesABodyTwice) {
         ContactBlocks blocks;
         blocks.Build({s.bodies, s.fixtures, s.contacts, list, 1.0f});
         ExpectProper(s, list, blocks.GetColours());
-        if (spread < 1.0f) EXPECT_GT(blocks.GetColourCount(), 64);
+        if (spread < 1.0f) {
+            EXPECT_GT(blocks.GetColourCount(), 64);
+        }
     }
 }
 
