@@ -25,7 +25,8 @@ struct StepReport {
     int bodyCount = 0;
     int awakeBodyCount = 0;     ///< dynamic and kinematic bodies that were simulated
     int isolatedBodyCount = 0;  ///< of these, bodies without contacts and joints: they took the ballistic path
-    int islandCount = 0;        ///< islands of two or more bodies, or with a constraint
+    int islandCount = 0;        ///< islands of two or more bodies, or with a constraint; the soft step looks for
+                                ///< islands only when something may fall asleep or wake: 0 else
     int contactCount = 0;
     int touchingCount = 0;         ///< as found by this step's narrow phase
     int64_t pairCount = 0;         ///< pairs reported by the broad phase

@@ -213,11 +213,37 @@ void ContactBlocks::MakeRanges(const BlockInput& input) {
     }
 }
 
+void ContactBlocks::Prefetch(const BlockInput& input, size_t block) const {
+#if defined(__GNUC__)
+    // Contacts of a colour are far apart: ask for those of the block after next, and for the bodies of the next.
+    const auto contactAt = [&](size_t lane) {
+        const int i = lane < m_order.size() ? m_order[lane] : -1;
+        return i < 0 ? size_t{0} : static_cast<size_t>(input.list[static_cast<size_t>(i)]);
+    };
+    for (size_t l = 0; l < blockLanes; ++l) {
+        const size_t far = contactAt((block + 2) * blockLanes + l);
+        __builtin_prefetch(&input.contacts.pair[far]);
+        __builtin_prefetch(&input.contacts.manifold[far]);
+        __builtin_prefetch(&input.contacts.material[far]);
+        const ContactPair& pair = input.contacts.pair[contactAt((block + 1) * blockLanes + l)];
+        for (const int body : {pair.bodyA, pair.bodyB}) {
+            __builtin_prefetch(&input.bodies.transform[static_cast<size_t>(body)]);
+            __builtin_prefetch(&input.bodies.position[static_cast<size_t>(body)]);
+            __builtin_prefetch(&input.bodies.velocity[static_cast<size_t>(body)]);
+            __builtin_prefetch(&input.bodies.mass[static_cast<size_t>(body)]);
+        }
+        __builtin_prefetch(&input.fixtures.shape[pair.fixtureA]);
+        __builtin_prefetch(&input.fixtures.shape[pair.fixtureB]);
+    }
+#endif
+}
+
 void ContactBlocks::Fill(const BlockInput& input) {
     // Block by block, so that the rows of one stay in the nearest cache while its lanes are written.
     m_bounces = false;
     for (size_t k = 0; k < m_blocks.size(); ++k) {
         ContactBlock& block = m_blocks[k];
+        Prefetch(input, k);
         for (int l = 0; l < blockLanes; ++l) {
             const int i = m_order[k * blockLanes + static_cast<size_t>(l)];
             if (i < 0) {

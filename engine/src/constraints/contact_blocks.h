@@ -50,6 +50,7 @@ private:
     void ColourFixed(const BlockInput& input);
     void MakeRanges(const BlockInput& input);
     void Fill(const BlockInput& input);
+    void Prefetch(const BlockInput& input, size_t block) const;
 
     std::vector<ContactBlock> m_blocks;
     std::vector<BlockRange> m_ranges;

@@ -116,11 +116,7 @@ private:
 
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
                  IslandTable& islands) {
-    islands.islands.clear();
-    islands.bodies.clear();
-    islands.contacts.clear();
-    islands.joints.clear();
-    islands.isolated.clear();
+    islands.Clear();
     BuildAdjacency(contacts, bodies, scratch);
     scratch.bodySeen.assign(static_cast<size_t>(bodies.slots.Size()), 0);
     scratch.contactSeen.assign(contacts.flags.size(), 0);
@@ -137,6 +133,56 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
         } else {
             search.Grow(body);
         }
+    }
+}
+
+bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt) {
+    const size_t awakeCount = bodies.movers.size();
+    bool allAwake = true;
+    for (size_t m = 0; m < awakeCount; ++m) {
+        const int body = bodies.movers[m];
+        if (!bodies.IsActive(body)) {
+            allAwake = false;
+        } else if (bodies.sleepTime[static_cast<size_t>(body)] + dt >= timeToSleep) {
+            return true;
+        }
+    }
+    if (allAwake) return false;
+    const auto wakes = [&](int a, int b) {
+        const auto isMover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody; };
+        return isMover(a) && isMover(b) && bodies.IsActive(a) != bodies.IsActive(b);
+    };
+    for (size_t c = 0; c < contacts.flags.size(); ++c) {
+        if (Pushes(contacts.flags[c]) && wakes(contacts.pair[c].bodyA, contacts.pair[c].bodyB)) return true;
+    }
+    for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
+        const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+        if (wakes(info.bodyA, info.bodyB)) return true;
+    }
+    return false;
+}
+
+void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
+                  IslandScratch& scratch, IslandTable& active) {
+    active.Clear();
+    scratch.bodySeen.assign(static_cast<size_t>(bodies.slots.Size()), 0);
+    for (size_t c = 0; c < contacts.flags.size(); ++c) {
+        if (!Pushes(contacts.flags[c])) continue;
+        const ContactPair& pair = contacts.pair[c];
+        if (!bodies.IsActive(pair.bodyA) && !bodies.IsActive(pair.bodyB)) continue;
+        active.contacts.push_back(static_cast<int>(c));
+        scratch.bodySeen[static_cast<size_t>(pair.bodyA)] = scratch.bodySeen[static_cast<size_t>(pair.bodyB)] = 1;
+    }
+    for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
+        const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+        const bool enabled = bodies.Has(info.bodyA, BodyFlag::enabled) && bodies.Has(info.bodyB, BodyFlag::enabled);
+        if (!enabled || (!bodies.IsActive(info.bodyA) && !bodies.IsActive(info.bodyB))) continue;
+        active.joints.push_back(joint);
+        scratch.bodySeen[static_cast<size_t>(info.bodyA)] = scratch.bodySeen[static_cast<size_t>(info.bodyB)] = 1;
+    }
+    for (const int body : bodies.movers) {
+        if (!bodies.IsActive(body)) continue;
+        (scratch.bodySeen[static_cast<size_t>(body)] != 0 ? active.bodies : active.isolated).push_back(body);
     }
 }
 

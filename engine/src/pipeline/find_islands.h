@@ -28,4 +28,11 @@ struct IslandScratch {
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
                  IslandTable& islands);
 
+/// True if the islands of this step matter: a body may fall asleep within `dt`, or a sleeping one may have to wake
+/// because it is joined to or touches an awake one.
+bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt);
+/// The same lists without the search, and no islands: awake bodies, contacts that push them and their joints, by row.
+void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
+                  IslandScratch& scratch, IslandTable& active);
+
 }  // namespace scree

@@ -22,7 +22,7 @@ void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t
     const ForceRow& force = bodies.force[b];
     const MotionRow& motion = bodies.motion[b];
     Velocity& v = bodies.velocity[b];
-    v.v += (h * mass.invMass) * ((motion.gravityScale * bodies.info[b].mass) * settings.gravity + force.force);
+    v.v += (h * mass.invMass) * ((motion.gravityScale * motion.mass) * settings.gravity + force.force);
     v.w += h * mass.invI * force.torque;
     // Implicit damping, dv/dt = −c·v: stable at any c and h.
     v.v *= 1.0f / (1.0f + h * motion.linearDamping);
@@ -245,10 +245,7 @@ constexpr int wideContactCount = 128;
 bool IsWide(const Island& island) { return island.contactEnd - island.contactBegin >= wideContactCount; }
 
 void GatherWide(const IslandTable& islands, IslandTable& wide) {
-    wide.islands.clear();
-    wide.bodies.clear();
-    wide.contacts.clear();
-    wide.joints.clear();
+    wide.Clear();
     for (const Island& island : islands.islands) {
         if (!IsWide(island)) continue;
         wide.islands.push_back(island);

@@ -32,8 +32,7 @@ SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, i
     const MassRow& mass = bodies.mass[b];
     const ForceRow& force = bodies.force[b];
     const MotionRow& motion = bodies.motion[b];
-    soft.speedUp.v =
-        (h * mass.invMass) * ((motion.gravityScale * bodies.info[b].mass) * settings.gravity + force.force);
+    soft.speedUp.v = (h * mass.invMass) * ((motion.gravityScale * motion.mass) * settings.gravity + force.force);
     soft.speedUp.w = h * mass.invI * force.torque;
     soft.linearDamp = 1.0f / (1.0f + h * motion.linearDamping);
     soft.angularDamp = 1.0f / (1.0f + h * motion.angularDamping);
@@ -167,13 +166,6 @@ public:
         return counts;
     }
 
-    void Sleep() {
-        if (!m_settings.allowSleep) return;
-        for (const Island& island : m_islands.islands) {
-            SleepIsland(m_bodies, Bodies(m_islands, island), m_settings.dt, true);
-        }
-    }
-
 private:
     [[nodiscard]] float SubstepScale() const {
         return m_settings.impulseScale / static_cast<float>(m_settings.substeps);
@@ -242,20 +234,27 @@ private:
 
 }  // namespace
 
-SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
+SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& active,
                        const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
     SolverCounts counts;
-    SolveIsolated(settings, islands, tables.bodies, counts);
-    if (islands.bodies.empty()) return counts;
-    SoftSolver solver(settings, islands, tables, scratch);
+    SolveIsolated(settings, active, tables.bodies, counts);
+    if (active.bodies.empty()) return counts;
+    SoftSolver solver(settings, active, tables, scratch);
     solver.Prepare(fixtures, events.listener != nullptr);
     for (int i = 0; i < settings.substeps; ++i) solver.Substep(i == 0);
     const SolverCounts island = solver.Finish();
     counts.capped += island.capped;
     counts.nonFinite += island.nonFinite;
-    ReportBlockImpulses(scratch, true, islands.contacts, events, tables.contacts);
-    solver.Sleep();
+    ReportBlockImpulses(scratch, true, active.contacts, events, tables.contacts);
     return counts;
+}
+
+void SleepIslands(const SolverSettings& settings, const IslandTable& active, const IslandTable& islands,
+                  BodyTable& bodies) {
+    if (!settings.allowSleep) return;
+    for (const Island& island : islands.islands) SleepIsland(bodies, Bodies(islands, island), settings.dt, true);
+    if (!islands.islands.empty()) return;
+    for (const int body : active.bodies) UpdateSleepTimer(bodies, static_cast<size_t>(body), settings.dt);
 }
 
 }  // namespace scree

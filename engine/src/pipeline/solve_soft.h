@@ -12,9 +12,12 @@
 
 namespace scree {
 
-/// Integrates and solves all islands together in `settings.substeps` sub-steps, and every isolated body. A body whose
-/// state stops being finite is put back to where it was, at rest, and counted.
-SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
+/// Integrates and solves the lists of `active` together in `settings.substeps` sub-steps, and every isolated body. A
+/// body whose state stops being finite is put back to where it was, at rest, and counted.
+SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& active,
                        const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
+/// After SolveSoft: the islands of the step, if it has looked for them, may fall asleep.
+void SleepIslands(const SolverSettings& settings, const IslandTable& active, const IslandTable& islands,
+                  BodyTable& bodies);
 
 }  // namespace scree

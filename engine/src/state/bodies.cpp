@@ -32,7 +32,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     transform[i].Set(def.position, def.angle);
     mass[i] = {0.0f, 0.0f, vec2Zero};
     force[i] = {vec2Zero, 0.0f};
-    motion[i] = {def.linearDamping, def.angularDamping, def.gravityScale};
+    motion[i] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
     sleepTime[i] = 0.0f;
     flags[i] = static_cast<uint16_t>((def.awake && !isStatic ? BodyFlag::awake : 0) |
                                      (def.allowSleep ? BodyFlag::autoSleep : 0) | (def.bullet ? BodyFlag::bullet : 0) |

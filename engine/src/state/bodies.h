@@ -43,6 +43,7 @@ struct ForceRow {
 
 struct MotionRow {
     float linearDamping, angularDamping, gravityScale;
+    float mass;  ///< kg; 0 for static and kinematic bodies
 };
 
 struct BodyFlag {
@@ -51,8 +52,8 @@ struct BodyFlag {
 
 /// Cold data of a body.
 struct BodyInfo {
-    float mass = 0.0f, inertia = 0.0f;  ///< inertia about the centre of mass
-    int fixtureHead = -1;               ///< first fixture, newest first
+    float inertia = 0.0f;  ///< about the centre of mass
+    int fixtureHead = -1;  ///< first fixture, newest first
     int fixtureCount = 0;
     int jointCount = 0;
     int listPrev = -1, listNext = -1;

@@ -23,6 +23,11 @@ struct IslandTable {
     std::vector<int> contacts;  ///< contacts in the order of discovery
     std::vector<int> joints;
     std::vector<int> isolated;  ///< awake bodies without contacts and joints
+
+    void Clear() {
+        islands.clear();
+        for (std::vector<int>* list : {&bodies, &contacts, &joints, &isolated}) list->clear();
+    }
 };
 
 inline std::span<const int> Range(const std::vector<int>& order, int begin, int end) {

@@ -117,11 +117,11 @@ ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
     return ErrorCode::ok;
 }
 
-float Body::GetMass() const { return m_state->bodies.info[Row(m_index)].mass; }
+float Body::GetMass() const { return m_state->bodies.motion[Row(m_index)].mass; }
 float Body::GetInertia() const {
     const BodyInfo& info = m_state->bodies.info[Row(m_index)];
     const Vec2 center = GetLocalCenter();
-    return info.inertia + info.mass * Dot(center, center);
+    return info.inertia + m_state->bodies.motion[Row(m_index)].mass * Dot(center, center);
 }
 void Body::GetMassData(MassData* data) const {
     Guard guard(*m_state, "Body::GetMassData");

@@ -195,7 +195,7 @@ ErrorCode Body::SetMassData(const MassData* data) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, *data);
     const size_t b = Row(m_index);
-    s.bodies.info[b].mass = mass;
+    s.bodies.motion[b].mass = mass;
     s.bodies.info[b].inertia = inertia;
     s.bodies.mass[b] = {1.0f / mass, rotates ? 1.0f / inertia : 0.0f, data->center};
     const Vec2 oldCenter = s.bodies.position[b].c;

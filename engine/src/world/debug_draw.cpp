@@ -16,7 +16,7 @@ namespace {
 
 Color ColorOf(const BodyTable& bodies, int body) {
     const auto b = static_cast<size_t>(body);
-    if (bodies.type[b] == dynamicBody && bodies.info[b].mass == 0.0f)
+    if (bodies.type[b] == dynamicBody && bodies.motion[b].mass == 0.0f)
         return {1.0f, 0.0f, 0.0f};  // will not move: an oversight
     if (!bodies.Has(body, BodyFlag::enabled)) return {0.5f, 0.5f, 0.3f};
     if (bodies.type[b] == staticBody) return {0.5f, 0.9f, 0.5f};

@@ -98,7 +98,8 @@ void ResetMass(WorldState& s, int body) {
     MassRow& row = s.bodies.mass[b];
     Position& position = s.bodies.position[b];
     const Transform& xf = s.bodies.transform[b];
-    info.mass = 0.0f;
+    float& mass = s.bodies.motion[b].mass;
+    mass = 0.0f;
     info.inertia = 0.0f;
     row = {0.0f, 0.0f, vec2Zero};
     if (s.bodies.type[b] != dynamicBody) {
@@ -113,16 +114,16 @@ void ResetMass(WorldState& s, int body) {
         if (density == 0.0f) continue;
         MassData part;
         s.fixtures.shape[fi]->ComputeMass(&part, density);
-        info.mass += part.mass;
+        mass += part.mass;
         center += part.mass * part.center;
         info.inertia += part.I;
     }
-    if (info.mass > 0.0f) {
-        row.invMass = 1.0f / info.mass;
+    if (mass > 0.0f) {
+        row.invMass = 1.0f / mass;
         center *= row.invMass;
     }
     if (info.inertia > 0.0f && !s.bodies.Has(body, BodyFlag::fixedRotation)) {
-        info.inertia -= info.mass * Dot(center, center);
+        info.inertia -= mass * Dot(center, center);
         row.invI = info.inertia > 0.0f ? 1.0f / info.inertia : 0.0f;
     } else {
         info.inertia = 0.0f;

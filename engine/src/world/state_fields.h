@@ -64,11 +64,11 @@ void Fields(Self& row, Visit& visit) {
 }
 template <Is<MotionRow> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.linearDamping), visit(row.angularDamping), visit(row.gravityScale);
+    visit(row.linearDamping), visit(row.angularDamping), visit(row.gravityScale), visit(row.mass);
 }
 template <Is<BodyInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    visit(info.mass), visit(info.inertia), visit(info.fixtureHead), visit(info.fixtureCount), visit(info.jointCount);
+    visit(info.inertia), visit(info.fixtureHead), visit(info.fixtureCount), visit(info.jointCount);
     visit(info.listPrev), visit(info.listNext), visit(info.moverRow), visit(info.userData.pointer);
 }
 template <Is<BodyTable> Self, typename Visit>

@@ -34,7 +34,8 @@ void RunBroadPhase(WorldState& s) {
     }
     // Bodies that fell asleep in this step moved in it, too. (With sub-stepping the islands may be of an earlier step,
     // and their bodies gone.)
-    for (const std::vector<int>* solved : {&s.islands.isolated, &s.islands.bodies}) {
+    for (const std::vector<int>* solved :
+         {&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}) {
         for (const int body : *solved) {
             const bool hasBoxes = s.bodies.slots.IsAlive(body) && s.bodies.Has(body, BodyFlag::enabled);
             if (hasBoxes && !s.bodies.IsActive(body)) UpdateBoxes(s, body);
@@ -91,18 +92,38 @@ void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& re
     report.lostTime = done.lostTime;
 }
 
-void SolveWholeStep(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
+SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings, Stopwatch& watch,
+                                   StepReport& report) {
+    s.active.Clear();
     FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     report.profile.islands = watch.Lap();
-    const auto solve = settings.substeps > 0 ? SolveSoft : SolveIslands;
+    return SolveIslands(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
+}
+
+/// Islands are only looked for when something may fall asleep or wake.
+SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
+    s.islands.Clear();
+    if (NeedsIslands(s.contacts, s.joints, s.bodies, settings.dt)) {
+        FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
+    }
+    GatherActive(s.contacts, s.joints, s.bodies, s.islandScratch, s.active);
+    report.profile.islands = watch.Lap();
     const SolverCounts counts =
-        solve(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
+        SolveSoft(settings, s.fixtures, s.active, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
+    SleepIslands(settings, s.active, s.islands, s.bodies);
+    return counts;
+}
+
+void SolveWholeStep(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
+    const SolverCounts counts = settings.substeps > 0 ? RunSoftStep(s, settings, watch, report)
+                                                      : RunSequentialImpulses(s, settings, watch, report);
     report.profile.solver = watch.Lap();
     report.cappedCount = counts.capped;
     report.nonFiniteCount = counts.nonFinite;
-    report.isolatedBodyCount = static_cast<int>(s.islands.isolated.size());
+    const IslandTable& solved = settings.substeps > 0 ? s.active : s.islands;
+    report.isolatedBodyCount = static_cast<int>(solved.isolated.size());
     report.islandCount = static_cast<int>(s.islands.islands.size());
-    report.awakeBodyCount = report.isolatedBodyCount + static_cast<int>(s.islands.bodies.size());
+    report.awakeBodyCount = report.isolatedBodyCount + static_cast<int>(solved.bodies.size());
 }
 
 void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {

@@ -36,7 +36,8 @@ struct WorldState {
     std::vector<Pair> pairs;                                    ///< of the last pair finding
     bool pairsStale = false;                                    ///< boxes changed since then
 
-    IslandTable islands;
+    IslandTable islands;  ///< of the last step; the soft step may do without
+    IslandTable active;   ///< of the last soft step: what was solved, without islands
     IslandScratch islandScratch;
     SolverScratch solverScratch;
     ContinuousScratch continuousScratch;

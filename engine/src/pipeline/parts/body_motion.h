@@ -36,7 +36,13 @@ inline bool FinishPose(BodyTable& bodies, size_t b) {
         bodies.position[b] = bodies.startPosition[b];
         bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
     }
-    bodies.UpdateTransform(static_cast<int>(b));
+    // Bodies that do not turn keep their rotation: the sine and cosine would be the same.
+    if (bodies.position[b].a == bodies.startPosition[b].a) {
+        Transform& xf = bodies.transform[b];
+        xf.p = bodies.position[b].c - Mul(xf.q, bodies.mass[b].localCenter);
+    } else {
+        bodies.UpdateTransform(static_cast<int>(b));
+    }
     return !finite;
 }
 
