@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Counts the heap bytes that one engine holds while several live in the process: the growth of the C library's heap
-// (mallinfo2: blocks in use and mapped blocks) is added up over that engine's calls only. Other threads must not
-// allocate meanwhile. Under a sanitizer, which replaces the allocator, it counts 0.
+// Counts the heap bytes that one engine holds while several live in the process: the growth of the heap (every call of
+// malloc and its siblings is counted) is added up over that engine's calls only. Other threads that are not the
+// engine's must not allocate meanwhile. Under a sanitizer, which replaces the allocator, it counts 0.
 
 #pragma once
 
@@ -16,18 +16,23 @@ namespace testbed {
 /// Bytes of the process's heap in use now.
 [[nodiscard]] int64_t HeapBytesInUse();
 
+/// The most that was in use at any moment since ResetHeapPeak.
+[[nodiscard]] int64_t HeapBytesPeak();
+void ResetHeapPeak();
+
 class HeapMeter {
 public:
     /// Runs `call` and adds what the heap grew (or shrank) by.
     template <typename Call>
     void Measure(Call&& call) {
         const int64_t before = HeapBytesInUse();
+        ResetHeapPeak();
         std::forward<Call>(call)();
+        m_peak = std::max(m_peak, m_bytes + HeapBytesPeak() - before);
         m_bytes += HeapBytesInUse() - before;
-        m_peak = std::max(m_peak, m_bytes);
     }
     [[nodiscard]] int64_t GetBytes() const { return m_bytes; }
-    /// The most that was held after any of the calls.
+    /// The most that was held at any moment, also within a call.
     [[nodiscard]] int64_t GetPeakBytes() const { return m_peak; }
 
 private:

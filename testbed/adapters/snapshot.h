@@ -80,6 +80,7 @@ struct StepTimes {
     double islands = 0;     ///< the part of `solver` that finds islands; Box2D does not tell it: 0
     double continuous = 0;  ///< times of impact and their events
     double step = 0;
+    double cpu = 0;  ///< processor time of the step, all threads together: not lengthened by other programs
 };
 
 struct Snapshot {

@@ -19,7 +19,7 @@ namespace testbed {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> solverNames = {"si"};
+constexpr std::array<std::string_view, 3> solverNames = {"si", "soft", "both"};
 constexpr int maxThreads = 1;
 constexpr int maxRepeats = 1000;
 
@@ -55,6 +55,7 @@ std::vector<std::string> ChooseSolvers(const std::string& text) {
     if (std::find(solverNames.begin(), solverNames.end(), text) == solverNames.end()) {
         throw UsageError(DescribeUnknown("solver", text, solverNames));
     }
+    if (text == "both") return {"si", "soft"};
     return {text};
 }
 
@@ -110,7 +111,7 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->capture_default_str();
     app.add_option("--engines", arguments.engines, "Engines to run: scree, box2d or both with a comma")
         ->capture_default_str();
-    app.add_option("--solver", arguments.solver, "Solver of the engine scree: si (sequential impulses, 8/3)")
+    app.add_option("--solver", arguments.solver, "Solver of the engine scree: si (sequential impulses, 8/3), soft (soft step, 4 sub-steps), or both")
         ->capture_default_str();
     app.add_option("--threads", arguments.threads, "Threads of the engine scree; at this stage only 1")
         ->capture_default_str();

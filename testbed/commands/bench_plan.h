@@ -19,7 +19,7 @@ struct BenchArguments {
     std::vector<std::string> scenes;
     std::string sizes = "default";
     std::string engines = "scree,box2d";
-    std::string solver = "si";
+    std::string solver = "both";
     std::string threads = "1";
     std::string broadPhase = "auto";
     bool continuous = false;

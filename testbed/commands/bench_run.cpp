@@ -16,6 +16,9 @@ namespace {
 /// Slices of a run: few enough that the cold first step of each stays below the 99th percentile of a run of 1000 steps.
 constexpr int slices = 8;
 
+/// Of the soft step at its default setting.
+constexpr int softSubsteps = 4;
+
 /// One variant under way.
 struct Runner {
     std::unique_ptr<EngineRun> engine;
@@ -30,6 +33,7 @@ Runner MakeRunner(const BenchVariant& variant, const BenchCase& benchCase, const
     RunOptions options;
     options.broadPhase = settings.broadPhase;
     options.threads = variant.threads;
+    options.substeps = variant.solver == "soft" ? softSubsteps : 0;
     options.continuous = benchCase.continuous;
     return {.engine = MakeRun(variant.engine, scene, options), .run = {}};
 }

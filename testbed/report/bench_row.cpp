@@ -51,6 +51,7 @@ template <typename Row, typename Visit>
 void ForEachTime(Row& row, Visit&& visit) {
     visit("create_ms", row.createMs);
     visit("total_ms", row.totalMs);
+    visit("cpu_ms", row.cpuMs);
     visit("median_ms", row.medianMs);
     visit("p99_ms", row.p99Ms);
     visit("max_ms", row.maxMs);
@@ -62,6 +63,7 @@ void ForEachTime(Row& row, Visit&& visit) {
     visit("continuous_ms", row.stages.continuous);
     visit("ns_per_body_step", row.nsPerBodyStep);
     visit("ratio", row.ratio);
+    visit("cpu_ratio", row.cpuRatio);
 }
 
 template <typename Row, typename Visit>
@@ -147,12 +149,13 @@ void SetTimes(BenchRow& row, const BenchRun& run) {
     row.steps = static_cast<int>(run.steps.size());
     row.complete = run.complete;
     row.createMs = run.createMs;
-    row.totalMs = row.maxMs = 0;
+    row.totalMs = row.cpuMs = row.maxMs = 0;
     row.stages = {};
     for (const StepRecord& record : run.steps) {
         const StepTimes& t = record.times;
         times.push_back(t.step);
         row.totalMs += t.step;
+        row.cpuMs += t.cpu;
         if (t.step > row.maxMs) {
             row.maxMs = t.step;
             row.maxStep = record.step;
@@ -180,6 +183,7 @@ void CompareWithBox2d(std::span<BenchRow> rows) {
     for (BenchRow& row : rows) {
         const BenchRow* box2d = FindBox2d(rows, row);
         row.ratio = box2d != nullptr && row.totalMs > 0 ? box2d->totalMs / row.totalMs : 0;
+        row.cpuRatio = box2d != nullptr && row.cpuMs > 0 ? box2d->cpuMs / row.cpuMs : 0;
         row.voidReason = box2d != nullptr ? DescribeDifference(row, *box2d) : std::string();
     }
 }

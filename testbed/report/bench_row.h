@@ -41,6 +41,7 @@ struct BenchRow {
     bool complete = true;  ///< false: stopped at the time limit, all totals are lower bounds
     double createMs = 0;   ///< world, bodies, fixtures, joints; also those that are spawned between steps
     double totalMs = 0;    ///< sum of the single steps, the first included
+    double cpuMs = 0;      ///< processor time of the same steps, all threads together
     double medianMs = 0;   ///< of a step
     double p99Ms = 0;
     double maxMs = 0;
@@ -54,8 +55,14 @@ struct BenchRow {
     int64_t peakBytes = 0;   ///< heap held by the engine
     uint64_t stateHash = 0;  ///< after the last step; written as 16 hexadecimal digits
     double ratio = 0;        ///< Box2D's total / this one's; 0: no such run
+    double cpuRatio = 0;     ///< the same of the processor times: steady on a busy machine
     std::string voidReason;  ///< not empty: the ratio does not compare the same work
 };
+
+/// Debian's libbox2d has its asserts compiled in. Against the same sources built with the same flags and -DNDEBUG it
+/// took 0.96 (slow-explosion), 1.00 (tumbler), 1.03 (falling-squares) and 1.08 times (tiles) the processor time,
+/// medians of three runs: the ratio to a Box2D without asserts is at least about ratio / assertsFactor.
+inline constexpr double assertsFactor = 1.08;
 
 /// One run of a row: what was recorded of every step.
 struct BenchRun {
