@@ -28,7 +28,7 @@ constexpr Look boxTwoDLook{"#0000cc", 7};
 constexpr Look ourLooks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}};
 
 constexpr std::string_view assertsNote =
-    "Box2D 2.4.1 as Debian builds it, with its asserts (1.0 to 1.25 times the time without)";
+    "Box2D 2.4.1 as Debian builds it, with its asserts (seen to cost up to 1.08 times the time without)";
 
 std::string CurveTitle(const BenchRow& row) {
     if (row.engine == "box2d") return "Box2D";
