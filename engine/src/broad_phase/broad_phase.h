@@ -47,6 +47,13 @@ struct BroadPhaseConfig {
     int leafSize = 0;
 };
 
+/// Input of Update.
+struct BoxUpdate {
+    AABB box;
+    Vec2 displacement;
+    uint32_t fixture;
+};
+
 class BroadPhase {
 public:
     virtual ~BroadPhase() = default;
@@ -62,6 +69,10 @@ public:
     /// Gives the fixture a new box; `displacement` is its body's motion since the last update (the fattened tree looks
     /// ahead along it). O(1) except in the fattened tree (O(log n) when the box leaves its margin).
     virtual void Update(uint32_t fixture, const AABB& box, Vec2 displacement) = 0;
+    /// Update for many fixtures, in this order.
+    virtual void UpdateMany(std::span<const BoxUpdate> updates) {
+        for (const BoxUpdate& update : updates) Update(update.fixture, update.box, update.displacement);
+    }
     /// O(1).
     virtual void Remove(uint32_t fixture) = 0;
     /// Writes the complete pair set into `pairs` (cleared first).

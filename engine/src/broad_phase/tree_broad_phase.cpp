@@ -57,6 +57,18 @@ void TreeBroadPhase::Update(uint32_t fixture, const AABB& box, Vec2 /*displaceme
     MarkPending(slot);
 }
 
+void TreeBroadPhase::UpdateMany(std::span<const BoxUpdate> updates) {
+    // More than the trees can leave aside: nothing need be noted one by one.
+    if (!m_moverEdits.stale && updates.size() > m_moverEdits.limit) ForgetEdits(m_moverEdits, true);
+    for (const BoxUpdate& update : updates) {
+        const uint32_t slot = m_store.Find(update.fixture);
+        m_store.SetBox(slot, update.box);
+        if (m_moverEdits.stale && !m_store.IsStatic(slot)) continue;
+        m_staticIndexStale = m_staticIndexStale || m_store.IsStatic(slot);
+        MarkPending(slot);
+    }
+}
+
 void TreeBroadPhase::Remove(uint32_t fixture) {
     const uint32_t slot = m_store.Find(fixture);
     m_staticIndexStale = m_staticIndexStale || m_store.IsStatic(slot);

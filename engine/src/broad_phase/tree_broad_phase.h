@@ -30,6 +30,7 @@ public:
 
     void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override;
     void Update(uint32_t fixture, const AABB& box, Vec2 displacement) override;
+    void UpdateMany(std::span<const BoxUpdate> updates) override;
     void Remove(uint32_t fixture) override;
     void FindPairs(std::vector<Pair>& pairs) override;
 

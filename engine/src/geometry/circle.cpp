@@ -6,6 +6,7 @@
 
 #include <cfloat>
 
+#include "geometry/boxes.h"
 #include "scree/shape.h"
 
 namespace scree {
@@ -35,11 +36,7 @@ bool CircleShape::RayCast(RayCastOutput* output, const RayCastInput& input, cons
     return true;
 }
 
-void CircleShape::ComputeAABB(AABB* aabb, const Transform& xf) const {
-    const Vec2 center = xf.p + Mul(xf.q, m_p);
-    aabb->lowerBound = {center.x - m_radius, center.y - m_radius};
-    aabb->upperBound = {center.x + m_radius, center.y + m_radius};
-}
+void CircleShape::ComputeAABB(AABB* aabb, const Transform& xf) const { *aabb = BoxOf(*this, xf); }
 
 void CircleShape::ComputeMass(MassData* massData, float density) const {
     massData->mass = density * pi * m_radius * m_radius;

@@ -47,7 +47,6 @@ inline Core::Core(const Vec2* verticesIn, int countIn, Vec2 originIn)
     }
 }
 
-inline Float4 Max(Float4 a, Float4 b) { return a > b ? a : b; }
 
 /// The larger of lanes 0 and 2, 1 and 3, then of those.
 inline float Largest(Float4 v) {

@@ -37,6 +37,7 @@ inline Vec2x4 Mul(const Transform& t, Vec2x4 v) {
 inline Float4 Dot(Vec2x4 a, Vec2x4 b) { return a.x * b.x + a.y * b.y; }
 inline Vec2x4 operator-(Vec2x4 a, Vec2x4 b) { return {a.x - b.x, a.y - b.y}; }
 inline Float4 Min(Float4 a, Float4 b) { return a < b ? a : b; }
+inline Float4 Max(Float4 a, Float4 b) { return a > b ? a : b; }
 
 /// Vector `I` of the four, in every lane.
 template <int I>

@@ -7,6 +7,7 @@
 
 #include <cfloat>
 
+#include "geometry/boxes.h"
 #include "geometry/hull.h"
 #include "geometry/moments.h"
 #include "scree/shape.h"
@@ -118,18 +119,7 @@ bool PolygonShape::RayCast(RayCastOutput* output, const RayCastInput& input, con
     return true;
 }
 
-void PolygonShape::ComputeAABB(AABB* aabb, const Transform& xf) const {
-    Vec2 lower = Mul(xf, m_vertices[0]);
-    Vec2 upper = lower;
-    for (int i = 1; i < m_count; ++i) {
-        const Vec2 v = Mul(xf, m_vertices[i]);
-        lower = Min(lower, v);
-        upper = Max(upper, v);
-    }
-    const Vec2 skin{m_radius, m_radius};
-    aabb->lowerBound = lower - skin;
-    aabb->upperBound = upper + skin;
-}
+void PolygonShape::ComputeAABB(AABB* aabb, const Transform& xf) const { *aabb = BoxOf(*this, xf); }
 
 void PolygonShape::ComputeMass(MassData* massData, float density) const {
     *massData = {};

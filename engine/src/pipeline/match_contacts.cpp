@@ -12,29 +12,44 @@
 
 namespace scree {
 
-void MatchContacts(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t) {
-    for (uint8_t& flags : t.contacts.flags) flags = static_cast<uint8_t>(flags & ~ContactFlag::marked);
-    std::vector<uint64_t>& fresh = t.contacts.freshPairs;
-    fresh.clear();
+namespace {
+
+/// Marks the contacts of the pairs; those that have none and may get one go to `fresh`. Follows the order of the last
+/// call and asks the hash where the pairs leave it: a pair that is gone or new is one such place.
+void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t, std::vector<uint64_t>& fresh) {
+    ContactTable& contacts = t.contacts;
+    int* follower = &contacts.firstMatched;
     for (const Pair& pair : pairs) {
-        const int contact = t.contacts.Find(pair.a, pair.b);
+        int contact = *follower;
+        if (!contacts.IsRowOf(contact, pair.a, pair.b)) contact = contacts.Find(pair.a, pair.b);
         if (contact >= 0) {
-            t.contacts.flags[static_cast<size_t>(contact)] |= ContactFlag::marked;
-        } else {
+            contacts.flags[static_cast<size_t>(contact)] |= ContactFlag::marked;
+            *follower = contact;
+            follower = &contacts.successor[static_cast<size_t>(contact)];
+        } else if (events.filter != nullptr || MayHaveContact(static_cast<int>(pair.a), static_cast<int>(pair.b),
+                                                              events, t.fixtures, t.joints)) {
             fresh.push_back(static_cast<uint64_t>(pair.b) << 32 | pair.a);
         }
     }
+}
+
+}  // namespace
+
+void MatchContacts(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t) {
+    std::vector<uint64_t>& fresh = t.contacts.freshPairs;
+    fresh.clear();
+    t.contacts.ClearMarks();
+    MarkPairs(pairs, events, t, fresh);
     // By index, as they come when fixtures are added one by one: callbacks and rows do not depend on the broad phase.
     std::sort(fresh.begin(), fresh.end());
     for (const uint64_t key : fresh) {
         const int a = static_cast<int>(key & 0xFFFFFFFFu);
         const int b = static_cast<int>(key >> 32);
-        if (MayHaveContact(a, b, events, t.fixtures, t.joints)) MakeContact(a, b, t.fixtures, t.contacts);
+        if (events.filter == nullptr || MayHaveContact(a, b, events, t.fixtures, t.joints)) {
+            MakeContact(a, b, t.fixtures, t.contacts);
+        }
     }
-    for (int c = 0; c < t.contacts.Size(); ++c) {
-        constexpr uint8_t kept = ContactFlag::marked | ContactFlag::touching;
-        if (t.contacts.Has(c, ContactFlag::alive) && !t.contacts.Has(c, kept)) t.contacts.Remove(c);
-    }
+    t.contacts.RemoveParted();
     t.contacts.Compact();
 }
 

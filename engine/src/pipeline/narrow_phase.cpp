@@ -24,11 +24,28 @@ bool Stays(int contact, const ContactEvents& events, NarrowPhaseTables t) {
                           t.joints);
 }
 
+/// How many rows ahead the shapes, poses and the manifold of a contact are fetched, and its pair before them.
+constexpr int fetchAhead = 4, fetchPairAhead = 12;
+
+/// Asks for what the update of a coming row reads; rows of neighbours are in memory anywhere.
+void Fetch(int contact, const NarrowPhaseTables& t) {
+    if (contact < fetchPairAhead) return;
+    __builtin_prefetch(&t.contacts.pair[static_cast<size_t>(contact - fetchPairAhead)]);
+    const auto next = static_cast<size_t>(contact - fetchAhead);
+    const ContactPair& pair = t.contacts.pair[next];
+    __builtin_prefetch(&t.contacts.manifold[next], 1);
+    __builtin_prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyA)]);
+    __builtin_prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
+    __builtin_prefetch(t.fixtures.shape[pair.fixtureA]);
+    __builtin_prefetch(t.fixtures.shape[pair.fixtureB]);
+}
+
 }  // namespace
 
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t) {
     int touchingCount = 0;
     for (int contact = t.contacts.Size(); contact-- > 0;) {
+        Fetch(contact, t);
         if (!t.contacts.Has(contact, ContactFlag::alive)) continue;
         if (!Stays(contact, events, t)) {
             DestroyContact(contact, events, t.bodies, t.contacts);

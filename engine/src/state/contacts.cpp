@@ -8,6 +8,7 @@
 #include "state/contacts.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace scree {
 
@@ -17,6 +18,19 @@ namespace {
 uint64_t KeyOf(uint32_t a, uint32_t b) {
     return a < b ? (static_cast<uint64_t>(a) << 32 | b) : (static_cast<uint64_t>(b) << 32 | a);
 }
+
+/// The flags of eight rows as one number.
+uint64_t LoadFlags(const uint8_t* flags) {
+    uint64_t eight;
+    std::memcpy(&eight, flags, sizeof eight);
+    return eight;
+}
+
+/// One flag, or several, in all eight rows.
+constexpr uint64_t InAll(uint8_t flag) { return 0x0101010101010101ull * flag; }
+
+/// Whether as many contacts want a larger hash: linear probing beyond 2/3 would mean long runs.
+bool IsTooFull(int count, size_t slots) { return static_cast<size_t>(count) * 3 > slots * 2; }
 
 constexpr uint64_t goldenRatio = 0x9E3779B97F4A7C15ull;
 
@@ -48,6 +62,7 @@ int ContactTable::Add(const ContactPair& newPair) {
         pair.emplace_back();
         manifold.emplace_back();
         material.emplace_back();
+        successor.push_back(-1);
     } else {
         index = m_free.back();
         m_free.pop_back();
@@ -58,7 +73,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     manifold[i].pointCount = 0;
     m_adjacencyValid = false;
     ++m_count;
-    if (static_cast<size_t>(m_count) * 2 > m_hash.size()) {
+    if (IsTooFull(m_count, m_hash.size())) {
         Grow();
     } else {
         InsertKey(index);
@@ -71,18 +86,54 @@ void ContactTable::Remove(int contact) {
     flags[static_cast<size_t>(contact)] = 0;
     --m_count;
     m_free.push_back(contact);
+    m_isCompact = false;
+}
+
+void ContactTable::ClearMarks() {
+    size_t row = 0;
+    for (; row + 8 <= flags.size(); row += 8) {
+        const uint64_t cleared = LoadFlags(&flags[row]) & ~InAll(ContactFlag::marked);
+        std::memcpy(&flags[row], &cleared, sizeof cleared);
+    }
+    for (; row < flags.size(); ++row) flags[row] = static_cast<uint8_t>(flags[row] & ~ContactFlag::marked);
+}
+
+void ContactTable::RemoveParted() {
+    // Both shifted onto the flag `alive`.
+    static_assert(ContactFlag::alive == 1 && ContactFlag::marked == 2 && ContactFlag::touching == 4);
+    const auto parted = [](uint64_t f) { return f & ~(f >> 1) & ~(f >> 2) & InAll(ContactFlag::alive); };
+    size_t row = 0;
+    for (; row + 8 <= flags.size(); row += 8) {
+        if (parted(LoadFlags(&flags[row])) == 0) continue;
+        for (size_t i = row; i < row + 8; ++i) {
+            if (parted(flags[i]) != 0) Remove(static_cast<int>(i));
+        }
+    }
+    for (; row < flags.size(); ++row) {
+        if (parted(flags[row]) != 0) Remove(static_cast<int>(row));
+    }
 }
 
 void ContactTable::Compact() {
+    if (m_isCompact) return;
+    m_isCompact = true;
     size_t rows = flags.size();
     while (rows > 0 && flags[rows - 1] == 0) --rows;
     flags.resize(rows);
     pair.resize(rows);
     manifold.resize(rows);
     material.resize(rows);
+    successor.resize(rows);
     m_free.clear();
-    for (size_t i = rows; i-- > 0;) {
-        if (flags[i] == 0) m_free.push_back(static_cast<int>(i));
+    size_t i = rows;
+    for (; i % 8 != 0; --i) {
+        if (flags[i - 1] == 0) m_free.push_back(static_cast<int>(i) - 1);
+    }
+    for (; i > 0; i -= 8) {
+        if ((~LoadFlags(&flags[i - 8]) & InAll(ContactFlag::alive)) == 0) continue;
+        for (size_t k = i; k > i - 8; --k) {
+            if (flags[k - 1] == 0) m_free.push_back(static_cast<int>(k) - 1);
+        }
     }
 }
 
@@ -99,7 +150,9 @@ bool ContactTable::Restore() {
         if (alive == (isFree[i] != 0) || (!alive && flags[i] != 0)) return false;
         m_count += alive ? 1 : 0;
     }
-    while (static_cast<size_t>(m_count) * 2 > m_hash.size()) m_hash.resize(std::max<size_t>(32, m_hash.size() * 2));
+    successor.assign(flags.size(), -1);
+    m_isCompact = false;
+    while (IsTooFull(m_count, m_hash.size())) m_hash.resize(std::max<size_t>(32, m_hash.size() * 2));
     if (m_count > 0) {
         m_hash.resize(m_hash.size() / 2);
         Grow();
@@ -186,13 +239,14 @@ void ContactTable::EraseKey(int contact) {
 }
 
 size_t ContactTable::GetBytesPerRow() {
-    // The hash is between a quarter and half full: at most four entries a contact.
+    // The hash is between one and two thirds full: at most three entries a contact. One number more for the successor.
     return sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial) + 4 * sizeof(int) +
            sizeof(Contact);
 }
 
 size_t ContactTable::GetMemoryBytes() const {
-    return flags.size() * (sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial)) +
+    return flags.size() *
+               (sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial) + sizeof(int)) +
            m_hash.size() * sizeof(int) + m_handles.size() * sizeof(Contact);
 }
 

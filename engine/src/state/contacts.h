@@ -43,6 +43,10 @@ struct ContactTable {
     std::vector<Manifold> manifold;
     std::vector<ContactMaterial> material;
 
+    /// The row whose pair came behind this row's pair when pairs were last matched, −1 none: pairs come in nearly the
+    /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
+    std::vector<int> successor;
+    int firstMatched = -1;             ///< where that order begins
     std::vector<uint64_t> freshPairs;  ///< scratch of the matching
 
     [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
@@ -55,10 +59,22 @@ struct ContactTable {
     }
     /// The contact of two fixtures, or −1.
     [[nodiscard]] int Find(uint32_t fixture1, uint32_t fixture2) const;
+    /// True if the row is that of the pair. Any row may be asked.
+    [[nodiscard]] bool IsRowOf(int contact, uint32_t fixture1, uint32_t fixture2) const {
+        if (static_cast<size_t>(static_cast<unsigned>(contact)) >= pair.size()) return false;
+        const ContactPair& p = pair[static_cast<size_t>(contact)];
+        const bool same = ((p.fixtureA == fixture1) & (p.fixtureB == fixture2)) |
+                          ((p.fixtureA == fixture2) & (p.fixtureB == fixture1));
+        return same && IsAlive(contact);
+    }
     /// A new row for a pair that has none; no flags but alive and marked.
     int Add(const ContactPair& newPair);
     /// Frees the row; Compact makes it usable again.
     void Remove(int contact);
+    /// Clears the flag `marked` of all rows.
+    void ClearMarks();
+    /// Removes the rows that have neither the flag `marked` nor `touching`.
+    void RemoveParted();
     /// Frees trailing rows and orders the free ones, so that new contacts take the lowest. O(rows).
     void Compact();
     template <typename Self, typename Visit>
@@ -83,9 +99,10 @@ private:
     void InsertKey(int contact);
     void EraseKey(int contact);
 
-    std::vector<int> m_hash;  ///< open addressing, linear probing, −1 empty; size a power of two, at most half full
+    std::vector<int> m_hash;  ///< open addressing, linear probing, −1 empty; size a power of two, at most 2/3 full
     int m_shift = 64;
-    std::vector<int> m_free;  ///< highest first
+    std::vector<int> m_free;  ///< highest first, when compact
+    bool m_isCompact = true;  ///< no row was removed since Compact
     std::deque<Contact> m_handles;
     int m_count = 0;
 

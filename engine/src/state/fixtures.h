@@ -19,6 +19,12 @@ struct Material {
     float friction, restitution, restitutionThreshold;
 };
 
+/// What filter data say of two fixtures: the rule of ContactFilter.
+inline bool ShouldCollide(const Filter& a, const Filter& b) {
+    if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex > 0;
+    return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
+}
+
 /// Cold data of a fixture.
 struct FixtureInfo {
     float density = 0.0f;

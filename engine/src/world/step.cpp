@@ -22,25 +22,10 @@ namespace scree {
 
 namespace {
 
-void UpdateBoxes(WorldState& s, int body) {
-    const auto b = static_cast<size_t>(body);
-    UpdateBodyBoxes(s.bodies, s.fixtures, body, s.bodies.position[b].c - s.bodies.startPosition[b].c, *s.broadPhase);
-}
-
 /// Boxes of everything that moved, then pairs and contacts of the new poses.
 void RunBroadPhase(WorldState& s) {
-    for (const int body : s.bodies.movers) {
-        if (s.bodies.IsActive(body)) UpdateBoxes(s, body);
-    }
-    // Bodies that fell asleep in this step moved in it, too. (With sub-stepping the islands may be of an earlier step,
-    // and their bodies gone.)
-    for (const std::vector<int>* solved :
-         {&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}) {
-        for (const int body : *solved) {
-            const bool hasBoxes = s.bodies.slots.IsAlive(body) && s.bodies.Has(body, BodyFlag::enabled);
-            if (hasBoxes && !s.bodies.IsActive(body)) UpdateBoxes(s, body);
-        }
-    }
+    UpdateMovedBoxes(s.bodies, s.fixtures,
+                     {&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, *s.broadPhase);
     FindPairsAndMatch(s);
 }
 

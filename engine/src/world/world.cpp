@@ -209,10 +209,7 @@ int World::GetFixtureCount() const { return m_state->fixtures.slots.Count(); }
 int World::GetProxyCount() const { return m_state->broadPhase->GetProxyCount(); }
 
 bool ContactFilter::ShouldCollide(Fixture* fixtureA, Fixture* fixtureB) {
-    const Filter& a = fixtureA->GetFilterData();
-    const Filter& b = fixtureB->GetFilterData();
-    if (a.groupIndex == b.groupIndex && a.groupIndex != 0) return a.groupIndex > 0;
-    return (a.maskBits & b.categoryBits) != 0 && (a.categoryBits & b.maskBits) != 0;
+    return scree::ShouldCollide(fixtureA->GetFilterData(), fixtureB->GetFilterData());
 }
 
 }  // namespace scree

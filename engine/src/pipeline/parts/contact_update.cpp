@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One contact class; the collision function comes from a table by shape types (the dissertation, §4.2.4).
+// One contact class; the collision function comes from a table by shape types (the dissertation, §4.2.4). The pairs that
+// fill worlds are called by name.
 
 #include "pipeline/parts/contact_update.h"
 
@@ -11,29 +12,40 @@ namespace scree {
 
 namespace {
 
-/// Copies the impulses of points that persisted, by feature id.
-void MatchImpulses(const Manifold& old, Manifold& fresh) {
-    for (int i = 0; i < fresh.pointCount; ++i) {
-        ManifoldPoint& p = fresh.points[i];
-        p.normalImpulse = 0.0f;
-        p.tangentImpulse = 0.0f;
-        for (int j = 0; j < old.pointCount; ++j) {
-            if (old.points[j].id.key == p.id.key) {
-                p.normalImpulse = old.points[j].normalImpulse;
-                p.tangentImpulse = old.points[j].tangentImpulse;
-                break;
-            }
-        }
+void Collide(Manifold& manifold, const Shape& shapeA, const Transform& xfA, const Shape& shapeB, const Transform& xfB) {
+    if (shapeA.GetType() == Shape::e_polygon && shapeB.GetType() == Shape::e_polygon) {
+        CollidePolygons(&manifold, static_cast<const PolygonShape*>(&shapeA), xfA,
+                        static_cast<const PolygonShape*>(&shapeB), xfB);
+    } else if (shapeA.GetType() == Shape::e_circle && shapeB.GetType() == Shape::e_circle) {
+        CollideCircles(&manifold, static_cast<const CircleShape*>(&shapeA), xfA,
+                       static_cast<const CircleShape*>(&shapeB), xfB);
+    } else {
+        FindCollide(shapeA.GetType(), shapeB.GetType()).function(manifold, shapeA, xfA, shapeB, xfB);
     }
 }
 
-struct ContactUpdate {
-    bool wasTouching, isTouching, isSensor;
+/// The points of a manifold as it was.
+struct OldPoints {
+    int count;
+    uint32_t key[maxManifoldPoints];
 };
 
-/// New manifold of one contact; the old one goes to `old`.
-ContactUpdate UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int contact, ContactTable& contacts,
-                             Manifold& old) {
+/// Gives each point the impulses of the old point with its feature id, 0 if there was none. Collision functions leave
+/// impulses alone, so those of a point that kept its place are there already.
+void MatchImpulses(const OldPoints& old, Manifold& fresh) {
+    const ManifoldPoint was[maxManifoldPoints] = {fresh.points[0], fresh.points[1]};
+    for (int i = 0; i < fresh.pointCount; ++i) {
+        ManifoldPoint& p = fresh.points[i];
+        int from = 0;
+        while (from < old.count && old.key[from] != p.id.key) ++from;
+        if (from == i && i < old.count) continue;
+        p.normalImpulse = from < old.count ? was[from].normalImpulse : 0.0f;
+        p.tangentImpulse = from < old.count ? was[from].tangentImpulse : 0.0f;
+    }
+}
+
+/// New manifold of one contact; true if the fixtures touch.
+bool UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int contact, ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
     const ContactPair& pair = contacts.pair[c];
     const Shape& shapeA = *fixtures.shape[pair.fixtureA];
@@ -41,43 +53,44 @@ ContactUpdate UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodi
     const Transform& xfA = bodies.transform[static_cast<size_t>(pair.bodyA)];
     const Transform& xfB = bodies.transform[static_cast<size_t>(pair.bodyB)];
     Manifold& manifold = contacts.manifold[c];
-
-    ContactUpdate update{};
-    update.wasTouching = contacts.Has(contact, ContactFlag::touching);
-    update.isSensor = contacts.Has(contact, ContactFlag::sensor);
-    if (update.isSensor) {
-        update.isTouching = TestOverlap(shapeA, xfA, shapeB, xfB);
+    if (contacts.Has(contact, ContactFlag::sensor)) {
         manifold.pointCount = 0;  // sensors push nobody
-    } else {
-        old = manifold;
-        FindCollide(shapeA.GetType(), shapeB.GetType()).function(manifold, shapeA, xfA, shapeB, xfB);
-        MatchImpulses(old, manifold);
-        update.isTouching = manifold.pointCount > 0;
+        return TestOverlap(shapeA, xfA, shapeB, xfB);
     }
-    uint8_t flags = contacts.flags[c];
-    flags = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled);
-    if (update.isTouching) flags |= ContactFlag::touching;
-    contacts.flags[c] = flags;
-    return update;
+    const OldPoints old{manifold.pointCount, {manifold.points[0].id.key, manifold.points[1].id.key}};
+    Collide(manifold, shapeA, xfA, shapeB, xfB);
+    if (manifold.pointCount > 0) MatchImpulses(old, manifold);
+    return manifold.pointCount > 0;
+}
+
+void Tell(ContactListener& listener, Contact* contact, bool wasTouching, bool isTouching, const Manifold* old) {
+    if (!wasTouching && isTouching) listener.BeginContact(contact);
+    if (wasTouching && !isTouching) listener.EndContact(contact);
+    if (old != nullptr && isTouching) listener.PreSolve(contact, old);
 }
 
 }  // namespace
 
 bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
                    ContactTable& contacts) {
+    const auto c = static_cast<size_t>(contact);
+    const uint8_t flags = contacts.flags[c];
+    const bool wasTouching = (flags & ContactFlag::touching) != 0;
+    const bool isSensor = (flags & ContactFlag::sensor) != 0;
     Manifold old;
-    const ContactUpdate update = UpdateManifold(fixtures, bodies, contact, contacts, old);
-    if (update.wasTouching != update.isTouching && !update.isSensor) {
-        bodies.Wake(contacts.pair[static_cast<size_t>(contact)].bodyA);
-        bodies.Wake(contacts.pair[static_cast<size_t>(contact)].bodyB);
+    if (events.listener != nullptr) old = contacts.manifold[c];
+    const bool isTouching = UpdateManifold(fixtures, bodies, contact, contacts);
+    contacts.flags[c] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |
+                                             (isTouching ? ContactFlag::touching : 0));
+    if (wasTouching != isTouching && !isSensor) {
+        bodies.Wake(contacts.pair[c].bodyA);
+        bodies.Wake(contacts.pair[c].bodyB);
     }
-    if (events.listener == nullptr) return update.isTouching;
-    if (!update.wasTouching && update.isTouching) events.listener->BeginContact(contacts.Handle(events.state, contact));
-    if (update.wasTouching && !update.isTouching) events.listener->EndContact(contacts.Handle(events.state, contact));
-    if (!update.isSensor && update.isTouching) {
-        events.listener->PreSolve(contacts.Handle(events.state, contact), &old);
+    if (events.listener != nullptr && (wasTouching || isTouching)) {
+        Tell(*events.listener, contacts.Handle(events.state, contact), wasTouching, isTouching,
+             isSensor ? nullptr : &old);
     }
-    return update.isTouching;
+    return isTouching;
 }
 
 }  // namespace scree

@@ -16,6 +16,7 @@ bool MayHaveContact(int fixtureA, int fixtureB, const ContactEvents& events, Fix
     const auto a = static_cast<size_t>(fixtureA);
     const auto b = static_cast<size_t>(fixtureB);
     if (!joints.MayCollide(fixtures.body[a], fixtures.body[b])) return false;
+    if (events.filter == nullptr) return ShouldCollide(fixtures.filter[a], fixtures.filter[b]);
     return events.filter->ShouldCollide(&fixtures.handles[a], &fixtures.handles[b]);
 }
 
