@@ -122,6 +122,23 @@ TEST_P(InterleavedEdits, CrossingTheStaticThresholdInTurnIsFarBelowQuadratic) {
     });
 }
 
+// Splits kept from the last step would be worth nothing after a jump and the search quadratic.
+TEST(KeptSplits, AJumpOfEverythingCostsWhatANewTreeDoes) {
+    constexpr uint32_t count = 4000;
+    const auto jumped = [](uint32_t i) { return CellBox(i * 1237 % count); };
+    const auto kept = CreateBroadPhase(BroadPhaseKind::keys), fresh = CreateBroadPhase(BroadPhaseKind::keys);
+    std::vector<Pair> pairs;
+    for (uint32_t i = 0; i < count; ++i) kept->Insert(i, i, Motion::dynamic, CellBox(i));
+    for (int step = 0; step < 3; ++step) kept->FindPairs(pairs);
+    for (uint32_t i = 0; i < count; ++i) {
+        kept->Update(i, jumped(i), vec2Zero);
+        fresh->Insert(i, i, Motion::dynamic, jumped(i));
+    }
+    kept->FindPairs(pairs);
+    fresh->FindPairs(pairs);
+    EXPECT_EQ(kept->GetStats().boxTests, fresh->GetStats().boxTests);
+}
+
 TEST_P(Edits, WarmFindPairsAllocatesNothing) {
     for (const float staticShare : {0.0f, 0.05f, 0.5f}) {
         WorldShape shape;

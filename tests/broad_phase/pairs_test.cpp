@@ -73,6 +73,27 @@ TEST_P(Pairs, LargerWorldOverManySteps) {
     }
 }
 
+// Without insertions and removals an algorithm may keep parts of what it built; with a jump it must not believe them.
+TEST_P(Pairs, ManyStepsOfTheSameBoxes) {
+    for (const Layout layout : {Layout::spread, Layout::clusters, Layout::grid, Layout::outlier}) {
+        WorldShape shape;
+        shape.layout = layout;
+        shape.count = 600;
+        shape.seed = 78;
+        TestWorld world(shape);
+        const auto broadPhase = CreateBroadPhase(GetParam());
+        world.Fill(*broadPhase);
+        std::vector<Pair> pairs;
+        for (int step = 0; step < 24; ++step) {
+            broadPhase->FindPairs(pairs);
+            EXPECT_FALSE(HasDuplicates(pairs));
+            EXPECT_EQ(world.TightOnly(pairs), world.TruePairs());
+            world.Drift(*broadPhase, step == 10 ? 100.0f : 0.2f);
+            if (step % 5 == 4) broadPhase->Query(world.RandomBox(), [](uint32_t) { return true; });
+        }
+    }
+}
+
 TEST_P(Pairs, TouchCountsAsOverlap) {
     const auto broadPhase = CreateBroadPhase(GetParam());
     broadPhase->Insert(0, 0, Motion::dynamic, {{0.0f, 0.0f}, {1.0f, 1.0f}});

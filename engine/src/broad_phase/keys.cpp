@@ -19,15 +19,38 @@ constexpr int bestLeafSize = 24;
 /// As many statics as are cheaper to filter from the root than to keep in a tree; few large ones overlap most movers.
 constexpr uint32_t maxRootCandidates = 32;
 
+/// Steps for which splits are kept at most: what they save is then shared out, and their order is nearly as good.
+constexpr int longestUse = 8;
+/// Growth of the nodes' summed half perimeters beyond which splits are given up at once (everything has jumped), and
+/// growth of the box tests beyond which the next step gets new ones (what the sum hides when one box is far away).
+constexpr float largestGrowth = 1.2f;
+constexpr double mostTests = 1.5;
+
 class Keys final : public TreeBroadPhase {
 public:
     explicit Keys(const BroadPhaseConfig& config) : TreeBroadPhase(config, SplitBarycentre, bestLeafSize) {}
 
+    void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
+        m_uses = longestUse;
+        TreeBroadPhase::Insert(fixture, body, motion, box);
+    }
+    void Remove(uint32_t fixture) override {
+        m_uses = longestUse;
+        TreeBroadPhase::Remove(fixture);
+    }
+
 protected:
     void Build(SlotRange slots, FlatTree& tree) override { m_builder.Build(m_store, slots, m_leafSize, tree); }
     void BuildAndDetect(SlotRange slots, FlatTree& tree, PairSink& sink) override {
-        Build(slots, tree);
-        m_stats.boxTests += m_detector.DetectSelf(tree, m_store, RootCandidates(), sink);
+        if (!KeepsSplits(slots, tree)) {
+            Build(slots, tree);
+            m_uses = 0;
+            m_sizeWhenSplit = KeysBuilder::SumHalfPerimeters(tree);
+        }
+        const uint64_t tests = m_detector.DetectSelf(tree, m_store, RootCandidates(), sink);
+        m_stats.boxTests += tests;
+        if (m_uses == 0) m_testsWhenSplit = tests;
+        if (static_cast<double>(tests) > mostTests * static_cast<double>(m_testsWhenSplit)) m_uses = longestUse;
     }
     void DetectBetween(const FlatTree& movers, const FlatTree& statics, PairSink& sink) override {
         m_stats.boxTests += m_detector.DetectBetween(movers, statics, sink);
@@ -38,8 +61,19 @@ protected:
     }
 
 private:
+    /// Gives the main tree the present boxes under its old splits; false if new ones are due.
+    bool KeepsSplits(SlotRange slots, FlatTree& tree) {
+        if (m_uses >= longestUse || tree.Size() != slots.count) return false;
+        ++m_uses;
+        KeysBuilder::Refit(m_store, tree);
+        return KeysBuilder::SumHalfPerimeters(tree) <= largestGrowth * m_sizeWhenSplit;
+    }
+
     KeysBuilder m_builder;
     KeysDetector m_detector;
+    int m_uses = longestUse;        ///< how often the main tree's splits were used again
+    float m_sizeWhenSplit = 0.0f;   ///< half perimeters of the nodes it had then
+    uint64_t m_testsWhenSplit = 0;  ///< box tests of the detection then
 };
 
 }  // namespace

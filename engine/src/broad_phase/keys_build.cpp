@@ -103,6 +103,47 @@ __attribute__((noinline)) uint32_t Partition(const KeyItem* in, uint32_t count, 
     return static_cast<uint32_t>(left);
 }
 
+/// Fetches the boxes of a leaf, four at a time. `slotOf(i)` gives the slot of its i-th position.
+template <typename SlotOf>
+void FillLeafBoxes(const AABB* boxes, FlatTree& tree, TreeNode& node, SlotOf slotOf) {
+    F4 sum = Load(emptyBounds);
+    float* const lanes[4] = {tree.Lane(0) + node.first, tree.Lane(1) + node.first, tree.Lane(2) + node.first,
+                             tree.Lane(3) + node.first};
+    const auto fetch = [&](uint32_t index) {
+        const F4 box = Load(boxes[slotOf(index)]);
+        sum = Min4(sum, box);
+        return box;
+    };
+    const uint32_t count = node.count;
+    uint32_t i = 0;
+    for (; i + 4 <= count; i += 4) {
+        F4 a = fetch(i), b = fetch(i + 1), c = fetch(i + 2), d = fetch(i + 3);
+        Transpose4(a, b, c, d);
+        Store4(lanes[0] + i, a);
+        Store4(lanes[1] + i, b);
+        Store4(lanes[2] + i, c);
+        Store4(lanes[3] + i, d);
+    }
+    for (; i < count; ++i) {
+        Bounds box;
+        Store(box, fetch(i));
+        lanes[0][i] = box.lx;
+        lanes[1][i] = box.ly;
+        lanes[2][i] = box.nux;
+        lanes[3][i] = box.nuy;
+    }
+    Store(node.box, sum);
+}
+
+/// Joins the children's boxes, last nodes first: children stand behind their parents.
+void JoinBoxes(FlatTree& tree) {
+    for (size_t i = tree.nodes.size(); i-- > 0;) {
+        TreeNode& node = tree.nodes[i];
+        if (node.IsLeaf()) continue;
+        Store(node.box, Min4(Load(tree.nodes[node.child].box), Load(tree.nodes[node.child + 1].box)));
+    }
+}
+
 /// What a node knows while it waits to be split.
 struct BuildState {
     uint32_t array = 0;  ///< which of the two arrays holds its items
@@ -151,37 +192,13 @@ struct KeysPass {
         return true;
     }
 
-    /// Fetches the boxes of a leaf, four at a time.
     void FillLeaf(TreeNode& node, const KeyItem* items) {
-        F4 sum = Load(emptyBounds);
-        float* const lanes[4] = {tree.Lane(0) + node.first, tree.Lane(1) + node.first, tree.Lane(2) + node.first,
-                                 tree.Lane(3) + node.first};
         ItemId* const outIds = tree.Ids() + node.first;
-        uint32_t i = 0;
-        const auto fetch = [&](uint32_t index) {
+        FillLeafBoxes(boxes, tree, node, [&](uint32_t index) {
             const uint32_t slot = items[index].slot;
             outIds[index] = ids[slot];
-            const F4 box = Load(boxes[slot]);
-            sum = Min4(sum, box);
-            return box;
-        };
-        for (; i + 4 <= node.count; i += 4) {
-            F4 a = fetch(i), b = fetch(i + 1), c = fetch(i + 2), d = fetch(i + 3);
-            Transpose4(a, b, c, d);
-            Store4(lanes[0] + i, a);
-            Store4(lanes[1] + i, b);
-            Store4(lanes[2] + i, c);
-            Store4(lanes[3] + i, d);
-        }
-        for (; i < node.count; ++i) {
-            Bounds box;
-            Store(box, fetch(i));
-            lanes[0][i] = box.lx;
-            lanes[1][i] = box.ly;
-            lanes[2][i] = box.nux;
-            lanes[3][i] = box.nuy;
-        }
-        Store(node.box, sum);
+            return slot;
+        });
     }
 
     /// Splits a node's items or fills its leaf.
@@ -213,15 +230,6 @@ struct KeysPass {
         tree.nodes.push_back({emptyBounds, first, left, noChild, state.Pack()});
         tree.nodes.push_back({emptyBounds, first + left, count - left, noChild, state.Pack()});
     }
-
-    /// Joins the children's boxes, last nodes first: children stand behind their parents.
-    void Refit() {
-        for (size_t i = tree.nodes.size(); i-- > 0;) {
-            TreeNode& node = tree.nodes[i];
-            if (node.IsLeaf()) continue;
-            Store(node.box, Min4(Load(tree.nodes[node.child].box), Load(tree.nodes[node.child + 1].box)));
-        }
-    }
 };
 
 }  // namespace
@@ -241,7 +249,22 @@ void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafS
     // Level by level: a range is read long after it was written. Depth first, the loads of small ranges would meet
     // stores that have not reached the cache yet.
     for (uint32_t node = 0; node < tree.nodes.size(); ++node) pass.Process(node);
-    pass.Refit();
+    JoinBoxes(tree);
+}
+
+void KeysBuilder::Refit(const ProxyStore& store, FlatTree& tree) {
+    for (TreeNode& node : tree.nodes) {
+        if (!node.IsLeaf()) continue;
+        const ItemId* const ids = tree.Ids() + node.first;
+        FillLeafBoxes(store.Boxes(), tree, node, [&](uint32_t index) { return store.Find(ids[index].fixture); });
+    }
+    JoinBoxes(tree);
+}
+
+float KeysBuilder::SumHalfPerimeters(const FlatTree& tree) {
+    float sum = 0.0f;
+    for (const TreeNode& node : tree.nodes) sum += HalfPerimeter(node.box);
+    return sum;
 }
 
 }  // namespace scree::broadphase

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Tight boxes of placed shapes, inline for loops over many fixtures. The shapes' own ComputeAABB are these functions, so
-// a box has the same bits wherever it is made.
+// Tight boxes of placed shapes, inline for loops over many fixtures. The shapes' own ComputeAABB are these functions,
+// so a box has the same bits wherever it is made.
 
 #pragma once
+
+#include <cstring>
 
 #include "geometry/lanes.h"
 #include "scree/shape.h"
@@ -22,18 +24,26 @@ inline AABB BoxOf(const PolygonShape& polygon, const Transform& xf) {
     Vec2x4 corners = LoadVec2x4(polygon.m_vertices);
     if (polygon.m_count < 4) corners = FillFrom(corners, polygon.m_count, polygon.m_vertices[0]);
     const Vec2x4 placed = Mul(xf, corners);
-    const auto half = [](Float4 v) { return __builtin_shufflevector(v, v, 2, 3, 0, 1); };
-    const Float4 lowX = Min(placed.x, half(placed.x)), lowY = Min(placed.y, half(placed.y));
-    const Float4 highX = Max(placed.x, half(placed.x)), highY = Max(placed.y, half(placed.y));
-    Vec2 lower{Min(lowX[0], lowX[1]), Min(lowY[0], lowY[1])};
-    Vec2 upper{Max(highX[0], highX[1]), Max(highY[0], highY[1])};
+    // Two vertices of one coordinate against the other two, then both coordinates together: {x, y, x, y}.
+    const Float4 low = Min(__builtin_shufflevector(placed.x, placed.y, 0, 1, 4, 5),
+                           __builtin_shufflevector(placed.x, placed.y, 2, 3, 6, 7));
+    const Float4 high = Max(__builtin_shufflevector(placed.x, placed.y, 0, 1, 4, 5),
+                            __builtin_shufflevector(placed.x, placed.y, 2, 3, 6, 7));
+    const Float4 smallest =
+        Min(__builtin_shufflevector(low, low, 0, 2, 0, 2), __builtin_shufflevector(low, low, 1, 3, 1, 3));
+    const Float4 largest =
+        Max(__builtin_shufflevector(high, high, 0, 2, 0, 2), __builtin_shufflevector(high, high, 1, 3, 1, 3));
+    Float4 both = __builtin_shufflevector(smallest, largest, 0, 1, 4, 5);
     for (int i = 4; i < polygon.m_count; ++i) {
         const Vec2 v = Mul(xf, polygon.m_vertices[i]);
-        lower = Min(lower, v);
-        upper = Max(upper, v);
+        const Vec2 lower = Min(Vec2{both[0], both[1]}, v), upper = Max(Vec2{both[2], both[3]}, v);
+        both = Float4{lower.x, lower.y, upper.x, upper.y};
     }
-    const Vec2 skin{polygon.m_radius, polygon.m_radius};
-    return {lower - skin, upper + skin};
+    const float skin = polygon.m_radius;
+    both += Float4{-skin, -skin, skin, skin};
+    AABB box;
+    std::memcpy(&box, &both, sizeof box);
+    return box;
 }
 
 }  // namespace scree

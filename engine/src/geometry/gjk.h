@@ -47,7 +47,6 @@ inline Core::Core(const Vec2* verticesIn, int countIn, Vec2 originIn)
     }
 }
 
-
 /// The larger of lanes 0 and 2, 1 and 3, then of those.
 inline float Largest(Float4 v) {
     const Float4 halves = Max(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));

@@ -14,7 +14,7 @@ struct WorldState;
 struct ContactEvents {
     WorldState* state;          ///< only passed on to make handles
     ContactListener* listener;  ///< may be null
-    ContactFilter* filter;  ///< null: the fixtures' filter data decide alone
+    ContactFilter* filter;      ///< null: the fixtures' filter data decide alone
 };
 
 }  // namespace scree

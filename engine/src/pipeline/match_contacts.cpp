@@ -26,8 +26,8 @@ void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTa
             contacts.flags[static_cast<size_t>(contact)] |= ContactFlag::marked;
             *follower = contact;
             follower = &contacts.successor[static_cast<size_t>(contact)];
-        } else if (events.filter != nullptr || MayHaveContact(static_cast<int>(pair.a), static_cast<int>(pair.b),
-                                                              events, t.fixtures, t.joints)) {
+        } else if (events.filter != nullptr ||
+                   MayHaveContact(static_cast<int>(pair.a), static_cast<int>(pair.b), events, t.fixtures, t.joints)) {
             fresh.push_back(static_cast<uint64_t>(pair.b) << 32 | pair.a);
         }
     }

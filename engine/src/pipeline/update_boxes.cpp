@@ -38,8 +38,10 @@ public:
         const Transform xf = m_bodies.transform[b];
         for (int f = m_bodies.info[b].fixtureHead; f >= 0; f = m_fixtures.info[static_cast<size_t>(f)].next) {
             if (m_count == capacity) Flush();
-            m_updates[m_count++] = {BoxOfFixture(m_fixtures, static_cast<size_t>(f), xf), displacement,
-                                    static_cast<uint32_t>(f)};
+            BoxUpdate& update = m_updates[m_count++];
+            update.box = BoxOfFixture(m_fixtures, static_cast<size_t>(f), xf);
+            update.displacement = displacement;
+            update.fixture = static_cast<uint32_t>(f);
         }
     }
     void Flush() {
@@ -68,8 +70,10 @@ void UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
     // Bodies that fell asleep in this step moved in it, too.
     for (const std::vector<int>* list : solved) {
         for (const int body : *list) {
-            const bool hasBoxes = bodies.slots.IsAlive(body) && bodies.Has(body, BodyFlag::enabled);
-            if (hasBoxes && !bodies.IsActive(body)) batch.Add(body);
+            constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
+            const uint16_t flags = bodies.flags[static_cast<size_t>(body)];
+            if ((flags & active) == active) continue;  // done above
+            if (bodies.slots.IsAlive(body) && (flags & BodyFlag::enabled) != 0) batch.Add(body);
         }
     }
     batch.Flush();

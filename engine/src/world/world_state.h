@@ -56,9 +56,7 @@ struct WorldState {
     float lastInverseDt = 0.0f;
     StepReport report;
 
-    [[nodiscard]] ContactEvents Events() {
-        return {this, listener, filter == &defaultFilter ? nullptr : filter};
-    }
+    [[nodiscard]] ContactEvents Events() { return {this, listener, filter == &defaultFilter ? nullptr : filter}; }
     /// Tells the error handler and gives the code back.
     ErrorCode Refuse(ErrorCode code, const char* function, const char* field, const char* cure) const;
 };

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One contact class; the collision function comes from a table by shape types (the dissertation, §4.2.4). The pairs that
-// fill worlds are called by name.
+// One contact class; the collision function comes from a table by shape types (the dissertation, §4.2.4). The pairs
+// that fill worlds are called by name.
 
 #include "pipeline/parts/contact_update.h"
 
