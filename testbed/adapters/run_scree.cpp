@@ -61,10 +61,10 @@ scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Sh
 scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& options) {
     const auto kind = scree::BroadPhaseFromName(options.broadPhase);
     if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
-    if (options.threads != 1) throw std::invalid_argument("the engine scree runs on one thread: use --threads 1");
     scree::WorldDef def;
     def.gravity = ToScree(scene.gravity);
     def.broadPhase = *kind;
+    def.workerCount = options.threads;
     def.continuousPhysics = options.continuous;
     if (options.boxTwoDCaps) {
         def.maxTranslation = scree::maxTranslation;

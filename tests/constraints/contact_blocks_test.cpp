@@ -64,7 +64,7 @@ TEST(ContactBlocks, NoColourPushesABodyTwice) {
         const WorldState& s = world.GetState();
         const std::vector<int> list = TouchingContacts(s);
         ContactBlocks blocks;
-        blocks.Build({s.bodies, s.fixtures, s.contacts, list, 1.0f});
+        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
         ExpectProper(s, list, blocks.GetColours());
         if (spread < 1.0f) {
             EXPECT_GT(blocks.GetColourCount(), 64);
@@ -78,7 +78,7 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
     WorldState& s = world.GetState();
     const std::vector<int> list = TouchingContacts(s);
     ContactBlocks blocks;
-    blocks.Build({s.bodies, s.fixtures, s.contacts, list, 0.25f});
+    blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 0.25f});
     std::vector<Manifold> stored = s.contacts.manifold;
     for (Manifold& m : stored) m.points[0].normalImpulse = m.points[1].normalImpulse = -1.0f;
     blocks.Store(4.0f, stored);
@@ -94,7 +94,7 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
 /// All kernels in turn on one copy of the bodies; what they leave behind, as bytes.
 std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s, const std::vector<int>& list) {
     ContactBlocks blocks;
-    blocks.Build({s.bodies, s.fixtures, s.contacts, list, 1.0f});
+    blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
     std::vector<Velocity> velocity = s.bodies.velocity;
     std::vector<Velocity> delta(velocity.size());
     KernelTask task = blocks.Task(velocity, delta);
@@ -155,7 +155,7 @@ TEST(ContactKernels, OneContactEqualsTheScalarRows) {
         ContactRows rows;
         PrepareContacts({s.bodies, s.fixtures, s.contacts, list, 1.0f}, rows);
         ContactBlocks blocks;
-        blocks.Build({s.bodies, s.fixtures, s.contacts, list, 1.0f});
+        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
         const KernelTask task = blocks.Task(wide, delta);
         GetContactKernels().finish(task);
         for (int i = 0; i < 8; ++i) {

@@ -113,8 +113,8 @@ void CompareBallisticPath(Solve&& solve, int substeps, bool exactDrift) {
             single.bodies.push_back(body);
             single.islands.push_back({at, at + 1, 0, 0, 0, 0});
         }
-        solve(settings, a.fixtures, isolated, a.Events(), {a.bodies, a.contacts, a.joints}, a.solverScratch);
-        solve(settings, b.fixtures, single, b.Events(), {b.bodies, b.contacts, b.joints}, b.solverScratch);
+        solve(settings, a.fixtures, isolated, a.Events(), {*a.pool, a.bodies, a.contacts, a.joints}, a.solverScratch);
+        solve(settings, b.fixtures, single, b.Events(), {*b.pool, b.bodies, b.contacts, b.joints}, b.solverScratch);
         ASSERT_EQ(inspect::GetStateHash(ballistic), inspect::GetStateHash(island));
     }
 }

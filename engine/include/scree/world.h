@@ -23,6 +23,7 @@
 #include "scree/profile.h"
 #include "scree/queries.h"
 #include "scree/revolute_joint.h"
+#include "scree/tasks.h"
 #include "scree/world_callbacks.h"
 
 namespace scree {
@@ -64,6 +65,10 @@ struct WorldDef {
     /// Which solver runs whatever Step is called: Step(dt, 8, 3) is taken for 4 sub-steps and the other way round.
     SolverKind solver = SolverKind::automatic;
     SoftStepDef softStep;
+    /// Threads that share a step, the one that calls Step included, 1…maxWorkers. Results do not depend on it.
+    int workerCount = 1;
+    /// With callbacks the world makes no threads but hands its loops to the program's task system.
+    TaskCallbacks tasks;
 };
 
 struct WorldState;
@@ -114,6 +119,9 @@ public:
     [[nodiscard]] bool GetContinuousPhysics() const;
     void SetSubStepping(bool flag);
     [[nodiscard]] bool GetSubStepping() const;
+    /// Changes WorldDef::workerCount and WorldDef::tasks, e.g. of a world that was loaded. Refused while locked.
+    ErrorCode SetWorkers(int workerCount, const TaskCallbacks& tasks = {});
+    [[nodiscard]] int GetWorkerCount() const;
     void SetExactDrift(bool flag);
     [[nodiscard]] bool GetExactDrift() const;
     /// Subtracts `newOrigin` from every position: for worlds so large that floats get coarse. Refused while locked.

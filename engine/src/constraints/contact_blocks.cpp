@@ -7,6 +7,7 @@
 
 #include "constraints/contact_blocks.h"
 
+#include <algorithm>
 #include <bit>
 
 #include "scree/settings.h"
@@ -238,10 +239,11 @@ void ContactBlocks::Prefetch(const BlockInput& input, size_t block) const {
 #endif
 }
 
-void ContactBlocks::Fill(const BlockInput& input) {
+/// Fills blocks [begin, end); true if a contact of them bounces.
+bool ContactBlocks::FillRange(const BlockInput& input, size_t begin, size_t end) {
     // Block by block, so that the rows of one stay in the nearest cache while its lanes are written.
-    m_bounces = false;
-    for (size_t k = 0; k < m_blocks.size(); ++k) {
+    bool bounces = false;
+    for (size_t k = begin; k < end; ++k) {
         ContactBlock& block = m_blocks[k];
         Prefetch(input, k);
         for (int l = 0; l < blockLanes; ++l) {
@@ -253,9 +255,19 @@ void ContactBlocks::Fill(const BlockInput& input) {
             const int contact = input.list[static_cast<size_t>(i)];
             const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
             FillLane({input, contact, SidesOf(pair, m_class[static_cast<size_t>(i)])}, block, l, i);
-            m_bounces |= input.contacts.material[static_cast<size_t>(contact)].restitution > 0.0f;
+            bounces |= input.contacts.material[static_cast<size_t>(contact)].restitution > 0.0f;
         }
     }
+    return bounces;
+}
+
+void ContactBlocks::Fill(const BlockInput& input) {
+    constexpr int leastBlocksToFill = 16;
+    bool bounces[maxWorkers] = {};
+    input.pool.For(static_cast<int>(m_blocks.size()), leastBlocksToFill, [&](int begin, int end, int worker) {
+        bounces[worker] = FillRange(input, static_cast<size_t>(begin), static_cast<size_t>(end));
+    });
+    m_bounces = std::find(std::begin(bounces), std::end(bounces), true) != std::end(bounces);
 }
 
 void ContactBlocks::Build(const BlockInput& input) {

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "constraints/contact_block.h"
 #include "scree/collision.h"
 #include "scree/world_callbacks.h"
@@ -20,6 +21,7 @@
 namespace scree {
 
 struct BlockInput {
+    TaskPool& pool;
     const BodyTable& bodies;
     const FixtureTable& fixtures;
     const ContactTable& contacts;
@@ -50,6 +52,7 @@ private:
     void ColourFixed(const BlockInput& input);
     void MakeRanges(const BlockInput& input);
     void Fill(const BlockInput& input);
+    bool FillRange(const BlockInput& input, size_t begin, size_t end);
     void Prefetch(const BlockInput& input, size_t block) const;
 
     std::vector<ContactBlock> m_blocks;

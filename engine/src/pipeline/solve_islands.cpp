@@ -8,6 +8,7 @@
 
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/report_impulses.h"
+#include "pipeline/parts/run_kernel.h"
 
 namespace scree {
 
@@ -140,35 +141,36 @@ public:
 
     void Prepare(const FixtureTable& fixtures) {
         m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
-        for (const int b : m_s.wide.bodies) IntegrateVelocity(m_settings, m_bodies, static_cast<size_t>(b));
-        m_s.blocks.Build({m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale});
+        ForEachOf(Pool(), m_s.wide.bodies.size(),
+                  [&](size_t i) { IntegrateVelocity(m_settings, m_bodies, static_cast<size_t>(m_s.wide.bodies[i])); });
+        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
-        m_kernels.finish(m_task);
-        if (m_settings.impulseScale > 0.0f) m_kernels.warmStart(m_task);
+        RunKernel(Pool(), m_task, m_kernels.finish);
+        if (m_settings.impulseScale > 0.0f) RunKernel(Pool(), m_task, m_kernels.warmStart);
         if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);
     }
 
     void SolveVelocities() {
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
             if (HasJoints()) SolveJointVelocities(JointWork());
-            m_kernels.solveRigid(m_task);
+            RunKernel(Pool(), m_task, m_kernels.solveRigid);
         }
         m_s.blocks.Store(1.0f, m_tables.contacts.manifold);
     }
 
     int IntegratePositions() {
-        int cappedCount = 0;
-        for (const int b : m_s.wide.bodies) {
+        const SolverCounts counts = CountOver(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
+            const auto b = static_cast<size_t>(m_s.wide.bodies[i]);
             bool capped = false;
-            m_s.delta[static_cast<size_t>(b)] = MotionOf(m_settings, m_bodies, static_cast<size_t>(b), capped);
-            cappedCount += capped ? 1 : 0;
-        }
-        return cappedCount;
+            m_s.delta[b] = MotionOf(m_settings, m_bodies, b, capped);
+            return SolverCounts{capped ? 1 : 0, 0};
+        });
+        return counts.capped;
     }
 
     bool SolvePositions() {
         for (int i = 0; i < m_settings.positionIterations; ++i) {
-            bool solved = m_kernels.pushApart(m_task, baumgarte) - linearSlop >= contactTolerance;
+            bool solved = RunPushApart(Pool(), m_task, m_kernels, baumgarte) - linearSlop >= contactTolerance;
             if (HasJoints()) solved = CorrectJoints() && solved;
             if (solved) return true;
         }
@@ -176,14 +178,13 @@ public:
     }
 
     int Finish() {
-        int nonFinite = 0;
-        for (const int body : m_s.wide.bodies) {
-            const auto b = static_cast<size_t>(body);
+        const SolverCounts counts = CountOver(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
+            const auto b = static_cast<size_t>(m_s.wide.bodies[i]);
             Move(b);
             m_s.delta[b] = {};
-            nonFinite += FinishPose(m_bodies, b) ? 1 : 0;
-        }
-        return nonFinite;
+            return SolverCounts{0, FinishPose(m_bodies, b) ? 1 : 0};
+        });
+        return counts.nonFinite;
     }
 
     void Sleep(bool positionsSolved) {
@@ -194,6 +195,7 @@ public:
     }
 
 private:
+    [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
     [[nodiscard]] bool HasJoints() const { return !m_s.wide.joints.empty(); }
     [[nodiscard]] JointTask JointWork() {
         return {{m_settings.dt, 1.0f / m_settings.dt, m_settings.impulseScale}, m_bodies, m_tables.joints, m_s.joints};
@@ -228,15 +230,18 @@ private:
 };
 
 /// The ballistic path: the same arithmetic without constraints, hence the same bits.
-void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, BodyTable& bodies,
-                   SolverCounts& counts) {
-    for (const int body : islands.isolated) {
+SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& islands, TaskPool& pool,
+                           BodyTable& bodies) {
+    return CountOver(pool, islands.isolated.size(), [&](size_t i) {
+        const int body = islands.isolated[i];
         const auto b = static_cast<size_t>(body);
         IntegrateVelocity(settings, bodies, b);
-        counts.capped += IntegratePosition(settings, bodies, b) ? 1 : 0;
-        counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
+        SolverCounts counts;
+        counts.capped = IntegratePosition(settings, bodies, b) ? 1 : 0;
+        counts.nonFinite = FinishPose(bodies, b) ? 1 : 0;
         if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings.dt) >= timeToSleep) bodies.PutToSleep(body);
-    }
+        return counts;
+    });
 }
 
 /// From this many contacts in an island on, colours fill their vectors well enough to pay.
@@ -274,8 +279,7 @@ void SolveWide(const SolverSettings& settings, const FixtureTable& fixtures, con
 
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
-    SolverCounts counts;
-    SolveIsolated(settings, islands, tables.bodies, counts);
+    SolverCounts counts = SolveIsolated(settings, islands, tables.pool, tables.bodies);
     for (const Island& island : islands.islands) {
         if (IsWide(island)) continue;
         IslandSolver solver(settings, islands, island, tables, scratch);

@@ -17,6 +17,7 @@
 
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/report_impulses.h"
+#include "pipeline/parts/run_kernel.h"
 
 namespace scree {
 
@@ -75,10 +76,11 @@ bool MoveBody(const SolverSettings& settings, BodyTable& bodies, size_t b, Veloc
     return cap.Acts();
 }
 
-void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, BodyTable& bodies,
-                   SolverCounts& counts) {
+SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& active, TaskPool& pool,
+                           BodyTable& bodies) {
     const float h = settings.dt / static_cast<float>(settings.substeps);
-    for (const int body : islands.isolated) {
+    return CountOver(pool, active.isolated.size(), [&](size_t at) {
+        const int body = active.isolated[at];
         const auto b = static_cast<size_t>(body);
         bodies.startPosition[b] = bodies.position[b];
         SoftBody soft = MakeSoftBody(settings, bodies, body);
@@ -89,10 +91,12 @@ void SolveIsolated(const SolverSettings& settings, const IslandTable& islands, B
             IntegrateDelta(soft, v, h, delta);
         }
         bodies.velocity[b] = v;
-        counts.capped += MoveBody(settings, bodies, b, delta) ? 1 : 0;
-        counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
+        SolverCounts counts;
+        counts.capped = MoveBody(settings, bodies, b, delta) ? 1 : 0;
+        counts.nonFinite = FinishPose(bodies, b) ? 1 : 0;
         if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings.dt) >= timeToSleep) bodies.PutToSleep(body);
-    }
+        return counts;
+    });
 }
 
 /// All islands together; the methods are the phases in order.
@@ -120,53 +124,61 @@ public:
             m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
         }
         m_s.before.resize(m_s.jointed.size());
-        m_s.blocks.Build({m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale()});
+        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale()});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.sumImpulses = report || m_s.blocks.Bounces();
-        m_kernels.finish(m_task);
+        RunKernel(Pool(), m_task, m_kernels.finish);
     }
 
     void Substep(bool first) {
-        for (SoftBody& soft : m_s.soft) IntegrateVelocity(soft, m_bodies.velocity[static_cast<size_t>(soft.body)]);
-        if (first && m_settings.impulseScale > 0.0f) NotePush([&] { m_kernels.warmStart(m_task); });
+        ForEachSoft([&](SoftBody& soft) {
+            IntegrateVelocity(soft, m_bodies.velocity[static_cast<size_t>(soft.body)]);
+        });
+        if (first && m_settings.impulseScale > 0.0f) NotePush([&] { RunKernel(Pool(), m_task, m_kernels.warmStart); });
         if (HasJoints()) {
             PrepareJoints(JointWork(first ? SubstepScale() : 1.0f), m_islands.joints);
             SolveJointVelocities(JointWork(1.0f));
         }
-        NotePush([&] { m_kernels.solveSoft(m_task); });
-        for (const SoftBody& soft : m_s.soft) {
+        NotePush([&] { RunKernel(Pool(), m_task, m_kernels.solveSoft); });
+        ForEachSoft([&](const SoftBody& soft) {
             const auto b = static_cast<size_t>(soft.body);
             IntegrateDelta(soft, m_bodies.velocity[b], m_h, m_s.delta[b]);
-        }
+        });
         if (HasJoints()) {
             CorrectJoints();
             SolveJointVelocities(JointWork(1.0f));
         }
-        NotePush([&] { m_kernels.relax(m_task); });
-        for (SoftBody& soft : m_s.soft) {
-            if (soft.jointed) continue;  // noted
+        NotePush([&] { RunKernel(Pool(), m_task, m_kernels.relax); });
+        ForEachSoft([&](SoftBody& soft) {
+            if (soft.jointed) return;  // noted
             const Velocity& v = m_bodies.velocity[static_cast<size_t>(soft.body)];
             soft.pushed = {v.v - soft.unpushed.v, v.w - soft.unpushed.w};
-        }
+        });
     }
 
     SolverCounts Finish() {
-        if (m_s.blocks.Bounces()) m_kernels.bounce(m_task);
+        if (m_s.blocks.Bounces()) RunKernel(Pool(), m_task, m_kernels.bounce);
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
         if (HasJoints()) ScaleJointImpulses(JointWork(static_cast<float>(m_settings.substeps)), m_islands.joints);
-        SolverCounts counts;
-        for (const SoftBody& soft : m_s.soft) {
-            const auto b = static_cast<size_t>(soft.body);
-            counts.capped += MoveBody(m_settings, m_bodies, b, m_s.delta[b]) ? 1 : 0;
+        return CountOver(Pool(), m_s.soft.size(), [&](size_t i) {
+            const auto b = static_cast<size_t>(m_s.soft[i].body);
+            SolverCounts counts;
+            counts.capped = MoveBody(m_settings, m_bodies, b, m_s.delta[b]) ? 1 : 0;
             m_s.delta[b] = {};
-            counts.nonFinite += FinishPose(m_bodies, b) ? 1 : 0;
-        }
-        return counts;
+            counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;
+            return counts;
+        });
     }
 
 private:
+    [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
+    template <typename Visit>
+    void ForEachSoft(Visit&& visit) {
+        ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) { visit(m_s.soft[i]); });
+    }
+
     [[nodiscard]] float SubstepScale() const {
         return m_settings.impulseScale / static_cast<float>(m_settings.substeps);
     }
@@ -236,15 +248,13 @@ private:
 
 SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& active,
                        const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
-    SolverCounts counts;
-    SolveIsolated(settings, active, tables.bodies, counts);
+    SolverCounts counts = SolveIsolated(settings, active, tables.pool, tables.bodies);
     if (active.bodies.empty()) return counts;
     SoftSolver solver(settings, active, tables, scratch);
     solver.Prepare(fixtures, events.listener != nullptr);
     for (int i = 0; i < settings.substeps; ++i) solver.Substep(i == 0);
     const SolverCounts island = solver.Finish();
-    counts.capped += island.capped;
-    counts.nonFinite += island.nonFinite;
+    counts += island;
     ReportBlockImpulses(scratch, true, active.contacts, events, tables.contacts);
     return counts;
 }

@@ -82,7 +82,7 @@ SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings
     s.active.Clear();
     FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     report.profile.islands = watch.Lap();
-    return SolveIslands(settings, s.fixtures, s.islands, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
+    return SolveIslands(settings, s.fixtures, s.islands, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
 }
 
 /// Islands are only looked for when something may fall asleep or wake.
@@ -94,7 +94,7 @@ SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, Stopwatc
     GatherActive(s.contacts, s.joints, s.bodies, s.islandScratch, s.active);
     report.profile.islands = watch.Lap();
     const SolverCounts counts =
-        SolveSoft(settings, s.fixtures, s.active, s.Events(), {s.bodies, s.contacts, s.joints}, s.solverScratch);
+        SolveSoft(settings, s.fixtures, s.active, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
     SleepIslands(settings, s.active, s.islands, s.bodies);
     return counts;
 }
@@ -121,6 +121,22 @@ void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, S
     s.lastInverseDt = 1.0f / settings.dt;
 }
 
+/// Keeps the workers awake for the rest of a step that has work for them.
+class PoolRegion {
+public:
+    explicit PoolRegion(WorldState& s) : m_pool(s.bodies.movers.size() >= leastBodies ? s.pool.get() : nullptr) {
+        if (m_pool != nullptr) m_pool->Begin();
+    }
+    ~PoolRegion() {
+        if (m_pool != nullptr) m_pool->End();
+    }
+    PoolRegion(const PoolRegion&) = delete;
+    PoolRegion& operator=(const PoolRegion&) = delete;
+
+private:
+    TaskPool* m_pool;
+};
+
 StepReport Run(World& world, const StepRequest& asked, const Recording& recording) {
     WorldState& s = world.GetState();
     const StepRequest request = Resolve(s, asked);
@@ -132,6 +148,7 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     report.profile.broadPhase = watch.Lap();
     report.touchingCount = UpdateManifolds(s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts});
     report.profile.narrowPhase = watch.Lap();
+    const PoolRegion region(s);
     if (request.dt > 0.0f) Simulate(s, MakeSettings(s, request), watch, report);
     if (s.autoClearForces) world.ClearForces();
 

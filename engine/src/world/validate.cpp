@@ -128,6 +128,10 @@ Finding Check(const WorldDef& def) {
         return {ErrorCode::outOfRange, "WorldDef::softStep.contactDampingRatio", "give a ratio above 0"};
     if (!(def.softStep.contactPushSpeed > 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::softStep.contactPushSpeed", "give a speed above 0"};
+    if (def.workerCount < 1 || def.workerCount > maxWorkers)
+        return {ErrorCode::outOfRange, "WorldDef::workerCount", "give 1 to maxWorkers"};
+    if ((def.tasks.enqueue == nullptr) != (def.tasks.finish == nullptr))
+        return {ErrorCode::nullArgument, "WorldDef::tasks", "give both enqueue and finish, or neither"};
     if (def.solver > SolverKind::softStep) return {ErrorCode::outOfRange, "WorldDef::solver", "give one of SolverKind"};
     if (!(def.maxTranslation > 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};

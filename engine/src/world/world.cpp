@@ -52,6 +52,7 @@ World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
     }
     s.broadPhaseKind = s.def.broadPhase == BroadPhaseKind::automatic ? BroadPhaseKind::keys : s.def.broadPhase;
     s.broadPhase = CreateBroadPhase(s.broadPhaseKind, {.staticShareThreshold = s.def.staticShareThreshold});
+    s.pool = std::make_unique<TaskPool>(s.def.workerCount, s.def.tasks);
 }
 
 World::~World() = default;
@@ -180,6 +181,19 @@ void World::SetExactDrift(bool flag) {
     const Recording recording(*m_state, "World::SetExactDrift", flag);
     m_state->def.exactDrift = flag;
 }
+ErrorCode World::SetWorkers(int workerCount, const TaskCallbacks& tasks) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::SetWorkers");
+    guard.Unlocked("change workers outside of Step and callbacks");
+    WorldDef def = s.def;
+    def.workerCount = workerCount;
+    def.tasks = tasks;
+    if (guard.Accept(Check(def)).Failed()) return guard.Code();
+    s.def = def;
+    s.pool = std::make_unique<TaskPool>(workerCount, tasks);
+    return ErrorCode::ok;
+}
+int World::GetWorkerCount() const { return m_state->def.workerCount; }
 bool World::GetExactDrift() const { return m_state->def.exactDrift; }
 bool World::IsLocked() const { return m_state->locked; }
 

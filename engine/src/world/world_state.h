@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
 #include "pipeline/continuous.h"
 #include "pipeline/find_islands.h"
@@ -33,6 +34,7 @@ struct WorldState {
 
     std::unique_ptr<BroadPhase> broadPhase;
     BroadPhaseKind broadPhaseKind = BroadPhaseKind::automatic;  ///< resolved
+    std::unique_ptr<TaskPool> pool;
     std::vector<Pair> pairs;                                    ///< of the last pair finding
     bool pairsStale = false;                                    ///< boxes changed since then
 

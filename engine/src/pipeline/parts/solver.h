@@ -7,6 +7,7 @@
 
 #include <vector>
 
+#include "base/task_pool.h"
 #include "constraints/contact_blocks.h"
 #include "constraints/contact_rows.h"
 #include "constraints/joint_solver.h"
@@ -64,9 +65,38 @@ struct SolverScratch {
 struct SolverCounts {
     int capped = 0;
     int nonFinite = 0;
+
+    SolverCounts& operator+=(const SolverCounts& other) {
+        capped += other.capped;
+        nonFinite += other.nonFinite;
+        return *this;
+    }
 };
 
+/// Below this many bodies a loop stays on one thread.
+inline constexpr int leastBodies = 256;
+
+/// Runs body(index) → SolverCounts over [0, count) on the workers and returns the sum.
+template <typename Body>
+SolverCounts CountOver(TaskPool& pool, size_t count, Body&& body) {
+    SolverCounts parts[maxWorkers];
+    pool.For(static_cast<int>(count), leastBodies, [&](int begin, int end, int worker) {
+        for (int i = begin; i < end; ++i) parts[worker] += body(static_cast<size_t>(i));
+    });
+    SolverCounts sum;
+    for (const SolverCounts& part : parts) sum += part;
+    return sum;
+}
+/// The same without counting.
+template <typename Body>
+void ForEachOf(TaskPool& pool, size_t count, Body&& body) {
+    pool.For(static_cast<int>(count), leastBodies, [&](int begin, int end, int) {
+        for (int i = begin; i < end; ++i) body(static_cast<size_t>(i));
+    });
+}
+
 struct SolverTables {
+    TaskPool& pool;
     BodyTable& bodies;
     ContactTable& contacts;
     JointTable& joints;
