@@ -24,11 +24,13 @@ struct CaptureParts {
     bool nodes = true;
 };
 
+inline constexpr int maxThreads = 64;
+
 /// How a scene is to be run.
 struct RunOptions {
     std::string broadPhase = "auto";  ///< ours only; a name of scree::broadPhaseNames
-    int threads = 1;
-    int substeps = 0;  ///< ours: of the soft step; 0: sequential impulses with the scene's iterations
+    int threads = 1;                  ///< ours, up to maxThreads
+    int substeps = 0;                 ///< ours: of the soft step; 0: sequential impulses with the scene's iterations
     bool continuous = false;
     bool boxTwoDCaps = true;  ///< ours: cap speed at 2 m and π/2 per step as Box2D does
     /// Whose motion the broad phase sees: "own", or the engine ("scree", "box2d") whose run it follows. A following run

@@ -58,6 +58,8 @@ scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Sh
     return def;
 }
 
+static_assert(maxThreads == scree::maxWorkers);
+
 scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& options) {
     const auto kind = scree::BroadPhaseFromName(options.broadPhase);
     if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");

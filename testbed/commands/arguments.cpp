@@ -141,7 +141,8 @@ void AddRunOptions(CLI::App& app, RunArguments& arguments) {
                    "Motion that drives the trees: own (every engine simulates for itself), scree or box2d (one motion "
                    "drives both, so that pictures differ by the tree alone)")
         ->capture_default_str();
-    app.add_option("--threads", arguments.threads, "Threads of the engine scree; at this stage only 1")
+    app.add_option("--threads", arguments.threads, "Threads of the engine scree")
+        ->check(CLI::Range(1, maxThreads))
         ->capture_default_str();
     app.add_option("-o,--output", arguments.output, "Folder for the files")->capture_default_str()->type_name("DIR");
 }
@@ -149,9 +150,6 @@ void AddRunOptions(CLI::App& app, RunArguments& arguments) {
 RunSetup MakeRunSetup(const RunArguments& arguments) {
     CheckBroadPhase(arguments.broadPhase);
     CheckKnown("kind of poses", arguments.poses, posesNames);
-    if (arguments.threads != 1) {
-        throw UsageError(fmt::format("--threads {}: the engine is serial so far; only 1 is legal", arguments.threads));
-    }
     RunSetup setup;
     setup.engines = ParseEngines(arguments.engines);
     setup.poses = arguments.poses == "own" ? Poses::own : arguments.poses == "scree" ? Poses::scree : Poses::box2d;

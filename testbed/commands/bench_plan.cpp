@@ -20,7 +20,6 @@ namespace testbed {
 namespace {
 
 constexpr std::array<std::string_view, 3> solverNames = {"si", "soft", "both"};
-constexpr int maxThreads = 1;
 constexpr int maxRepeats = 1000;
 
 /// The sizes to run a scene at.
@@ -111,9 +110,10 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->capture_default_str();
     app.add_option("--engines", arguments.engines, "Engines to run: scree, box2d or both with a comma")
         ->capture_default_str();
-    app.add_option("--solver", arguments.solver, "Solver of the engine scree: si (sequential impulses, 8/3), soft (soft step, 4 sub-steps), or both")
+    app.add_option("--solver", arguments.solver,
+                   "Solver of the engine scree: si (sequential impulses, 8/3), soft (soft step, 4 sub-steps), or both")
         ->capture_default_str();
-    app.add_option("--threads", arguments.threads, "Threads of the engine scree; at this stage only 1")
+    app.add_option("--threads", arguments.threads, "Threads of the engine scree, one or more numbers")
         ->capture_default_str();
     app.add_option("--broad-phase", arguments.broadPhase, "Algorithm of the engine scree")->capture_default_str();
     app.add_flag("--continuous", arguments.continuous, "Turn continuous collision on");

@@ -23,11 +23,13 @@ struct Case {
     uint64_t softHash;  ///< soft step, 4 sub-steps
 };
 
-uint64_t HashAfter(const char* name, int size, int steps, const std::string& broadPhase = "auto", int substeps = 0) {
+uint64_t HashAfter(const char* name, int size, int steps, const std::string& broadPhase = "auto", int substeps = 0,
+                   int threads = 1) {
     const scenes::Scene scene = scenes::Build(name, size);
     testbed::RunOptions options;
     options.broadPhase = broadPhase;
     options.substeps = substeps;
+    options.threads = threads;
     auto run = testbed::MakeScreeRun(scene, options);
     for (int i = 0; i < steps; ++i) run->Step();
     testbed::Snapshot snapshot;
@@ -61,6 +63,23 @@ TEST(StateHash, RepeatsAndEqualsItsGoldenValue) {
         EXPECT_EQ(soft, HashAfter(c.scene, c.size, c.steps, "auto", 4)) << c.scene;
         std::snprintf(actual, sizeof actual, "0x%016" PRIx64, soft);
         EXPECT_EQ(soft, c.softHash) << c.scene << ", soft: now " << actual;
+    }
+}
+
+TEST(StateHash, IsTheSameForAnyNumberOfThreads) {
+    constexpr Case large[] = {{"falling-squares", 60, 150, 0, 0},
+                              {"mixed", 1500, 60, 0, 0},
+                              {"n2", 150, 10, 0, 0},
+                              {"slow-explosion", 1000, 30, 0, 0},
+                              {"tumbler", 400, 450, 0, 0}};
+    for (const Case& c : large) {
+        for (const int substeps : {0, 4}) {
+            const uint64_t one = HashAfter(c.scene, c.size, c.steps, "auto", substeps);
+            for (const int threads : {2, 3, 5}) {
+                EXPECT_EQ(HashAfter(c.scene, c.size, c.steps, "auto", substeps, threads), one)
+                    << c.scene << ", " << threads << " threads, sub-steps " << substeps;
+            }
+        }
     }
 }
 

@@ -40,9 +40,12 @@ public:
             return;
         }
         using BodyType = std::remove_reference_t<Body>;
-        Run(count, [](void* context, int begin, int end, int worker) {
-            (*static_cast<BodyType*>(context))(begin, end, worker);
-        }, const_cast<std::remove_const_t<BodyType>*>(&body));
+        Run(
+            count,
+            [](void* context, int begin, int end, int worker) {
+                (*static_cast<BodyType*>(context))(begin, end, worker);
+            },
+            const_cast<std::remove_const_t<BodyType>*>(&body));
     }
 
 private:
@@ -64,9 +67,9 @@ private:
     TaskFunction m_function = nullptr;
     void* m_context = nullptr;
 
-    alignas(64) std::atomic<uint32_t> m_turn{0};      ///< counts loops
-    alignas(64) std::atomic<int> m_running{0};        ///< workers still busy with the loop
-    alignas(64) std::atomic<uint32_t> m_awake{0};     ///< odd: inside a step
+    alignas(64) std::atomic<uint32_t> m_turn{0};   ///< counts loops
+    alignas(64) std::atomic<int> m_running{0};     ///< workers still busy with the loop
+    alignas(64) std::atomic<uint32_t> m_awake{0};  ///< odd: inside a step
     std::atomic<bool> m_quit{false};
 };
 

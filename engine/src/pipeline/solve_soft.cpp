@@ -132,9 +132,8 @@ public:
     }
 
     void Substep(bool first) {
-        ForEachSoft([&](SoftBody& soft) {
-            IntegrateVelocity(soft, m_bodies.velocity[static_cast<size_t>(soft.body)]);
-        });
+        ForEachSoft(
+            [&](SoftBody& soft) { IntegrateVelocity(soft, m_bodies.velocity[static_cast<size_t>(soft.body)]); });
         if (first && m_settings.impulseScale > 0.0f) NotePush([&] { RunKernel(Pool(), m_task, m_kernels.warmStart); });
         if (HasJoints()) {
             PrepareJoints(JointWork(first ? SubstepScale() : 1.0f), m_islands.joints);

@@ -82,7 +82,8 @@ SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings
     s.active.Clear();
     FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     report.profile.islands = watch.Lap();
-    return SolveIslands(settings, s.fixtures, s.islands, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
+    return SolveIslands(settings, s.fixtures, s.islands, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints},
+                        s.solverScratch);
 }
 
 /// Islands are only looked for when something may fall asleep or wake.
@@ -93,8 +94,8 @@ SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, Stopwatc
     }
     GatherActive(s.contacts, s.joints, s.bodies, s.islandScratch, s.active);
     report.profile.islands = watch.Lap();
-    const SolverCounts counts =
-        SolveSoft(settings, s.fixtures, s.active, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
+    const SolverCounts counts = SolveSoft(settings, s.fixtures, s.active, s.Events(),
+                                          {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
     SleepIslands(settings, s.active, s.islands, s.bodies);
     return counts;
 }

@@ -92,7 +92,7 @@ TEST(ScreeRun, RefusesWhatItDoesNotHave) {
     unknown.broadPhase = "no-such-algorithm";
     EXPECT_THROW(MakeScreeRun(scene, unknown), std::invalid_argument);
     RunOptions threads;
-    threads.threads = 2;
+    threads.threads = 0;
     EXPECT_THROW(MakeScreeRun(scene, threads), std::invalid_argument);
     scenes::Scene bad = scene;
     bad.bodies[1].position.x = std::numeric_limits<float>::quiet_NaN();

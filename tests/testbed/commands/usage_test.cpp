@@ -79,7 +79,7 @@ constexpr UsageCase usageCases[] = {
     {"overlap tiles --image 8x8", "--image"},
     {"overlap tiles --camera 1,2", "camera"},
     {"overlap tiles --camera 1,2,-3", "camera"},
-    {"overlap tiles --threads 2", "only 1 is legal"},
+    {"overlap tiles --threads 0", "--threads"},
     {"render tiles --layers bodies,contact", "contacts"},
     {"render tiles add-pair-400", "too many arguments"},
     {"metrics tiles --steps 0", "from 1 to 1000000"},
