@@ -63,6 +63,9 @@ static_assert(maxThreads == scree::maxWorkers);
 scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& options) {
     const auto kind = scree::BroadPhaseFromName(options.broadPhase);
     if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
+    if (options.threads < 1 || options.threads > maxThreads) {
+        throw std::invalid_argument("give 1 to " + std::to_string(maxThreads) + " threads");
+    }
     scree::WorldDef def;
     def.gravity = ToScree(scene.gravity);
     def.broadPhase = *kind;

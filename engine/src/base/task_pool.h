@@ -39,13 +39,11 @@ public:
             body(0, count, 0);
             return;
         }
-        using BodyType = std::remove_reference_t<Body>;
+        using Loop = std::remove_reference_t<Body>;
         Run(
             count,
-            [](void* context, int begin, int end, int worker) {
-                (*static_cast<BodyType*>(context))(begin, end, worker);
-            },
-            const_cast<std::remove_const_t<BodyType>*>(&body));
+            [](void* context, int begin, int end, int worker) { (*static_cast<Loop*>(context))(begin, end, worker); },
+            const_cast<std::remove_const_t<Loop>*>(&body));
     }
 
 private:
