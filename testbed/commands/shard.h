@@ -12,10 +12,13 @@
 
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstddef>
 #include <string>
 #include <string_view>
+
+namespace CLI {
+class App;  // its header costs seconds in every file
+}
 
 namespace testbed {
 

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "testbed/commands/shard.h"
 #include "testbed/commands/snapshot_catalog.h"
 #include "testbed/context/context.h"
 

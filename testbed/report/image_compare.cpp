@@ -6,6 +6,8 @@
 #include "testbed/report/image_compare.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
@@ -49,8 +51,9 @@ PixelDifference ComparePixels(const Image& expected, const Image& actual, const 
     for (int y = 0; y < expected.height; ++y) {
         if (IsRowEqual(expected, actual, y)) continue;
         for (int x = 0; x < expected.width; ++x) {
-            const int distance = Distance(expected.At(x, y), actual.At(x, y));
-            if (distance == 0) continue;
+            const Color &before = expected.At(x, y), &after = actual.At(x, y);
+            if (std::bit_cast<uint32_t>(before) == std::bit_cast<uint32_t>(after)) continue;
+            const int distance = Distance(before, after);
             if (IsMasked(rule, x, y)) {
                 ++result.masked;
             } else if (distance <= rule.tolerance) {

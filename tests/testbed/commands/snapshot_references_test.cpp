@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The references themselves: they are complete, small, and every two of them are told apart by the comparison.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "scenes/catalog.h"
+#include "testbed/commands/snapshot_catalog.h"
+#include "testbed/report/image_compare.h"
+#include "testbed/report/reference_folder.h"
+
+namespace testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path folder = SCREE_REFERENCE_FOLDER;
+
+TEST(SnapshotCatalog, ShowsEverySceneAtTwoStepsAndEachLayerInManyScenes) {
+    std::map<std::string, std::set<int>> steps;
+    std::map<std::string, std::set<std::string>> scenesOf;
+    std::set<std::string> ids;
+    for (const SnapshotCase& snapshotCase : GetSnapshotCatalog()) {
+        steps[snapshotCase.scene].insert(snapshotCase.step);
+        scenesOf[snapshotCase.layers].insert(snapshotCase.scene);
+        EXPECT_TRUE(ids.insert(snapshotCase.GetId()).second) << snapshotCase.GetId() << " is listed twice";
+        const scenes::SceneInfo* info = scenes::Find(snapshotCase.scene);
+        ASSERT_NE(info, nullptr);
+        EXPECT_GE(snapshotCase.size, info->minSize);
+        EXPECT_LE(snapshotCase.size, info->defaultSize);
+    }
+    for (const scenes::SceneInfo& info : scenes::Catalog()) {
+        EXPECT_EQ(steps[std::string(info.name)].size(), 2u) << info.name;
+    }
+    // A third of the scenes each, as far as a hash of their names shares them out.
+    for (const auto& [layers, names] : scenesOf) EXPECT_GE(names.size(), scenes::Catalog().size() / 5) << layers;
+}
+
+TEST(SnapshotReferences, AreSmall) {
+    std::uintmax_t total = 0;
+    for (const std::string& id : ListReferences(folder)) {
+        const std::uintmax_t picture = fs::file_size(folder / (id + ".png"));
+        EXPECT_LT(picture, 30'000u) << id;
+        total += picture + fs::file_size(folder / (id + ".json"));
+        const Reference reference = ReadReference(folder, id);
+        EXPECT_LE(reference.image.width, 640) << id;
+        EXPECT_LE(reference.image.height, 400) << id;
+    }
+    EXPECT_LT(total, 2'500'000u);
+}
+
+// A comparison that cannot fail is worthless: each reference must fail against each other one.
+TEST(SnapshotReferences, EveryPairOfThemDiffers) {
+    const std::set<std::string> ids = ListReferences(folder);
+    std::vector<Image> images;
+    for (const std::string& id : ids) images.push_back(ReadReference(folder, id).image);
+    ASSERT_EQ(images.size(), GetSnapshotCatalog().size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        EXPECT_EQ(ComparePixels(images[i], images[i], {}).changed, 0);
+        for (std::size_t j = i + 1; j < images.size(); ++j) {
+            ASSERT_EQ(images[i].width, images[j].width);
+            ASSERT_GT(ComparePixels(images[i], images[j], {}).changed, 0)
+                << *std::next(ids.begin(), static_cast<std::ptrdiff_t>(i)) << " and "
+                << *std::next(ids.begin(), static_cast<std::ptrdiff_t>(j)) << " are one picture";
+        }
+    }
+}
+
+}  // namespace
+}  // namespace testbed
