@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <bit>
 #include <chrono>
 #include <stdexcept>
 #include <utility>
@@ -61,11 +63,14 @@ Json DescribeCase(const SnapshotCase& snapshotCase, const Snapshot& snapshot, co
 
 SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& snapshot, PictureMaker& maker) {
     const Clock::time_point start = Clock::now();
-    const PictureOptions options = MakeOptions(snapshotCase);
+    PictureOptions options = MakeOptions(snapshotCase);
     const PaneInput input{&snapshot, {}};
     SnapshotPicture picture;
     picture.sidecar = DescribeCase(snapshotCase, snapshot, maker);
     if (snapshotCase.kind == "overlap") {
+        // A scale that ends at the largest count would recolour the whole picture when that count changes by one.
+        const Camera camera = ChooseCamera(std::array<const Snapshot*, 1>{&snapshot}, options);
+        options.scaleMax = std::bit_ceil(CountOverlap(snapshot, camera, options).stats.max);
         OverlapResult result = maker.MakeOverlap(std::span(&input, 1), options);
         const OverlapStats& stats = result.panes[0].count.stats;
         picture.sidecar["overlap"] = {
