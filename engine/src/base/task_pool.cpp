@@ -13,6 +13,9 @@ namespace scree {
 
 namespace {
 
+/// More: better balance; fewer: less taking turns.
+constexpr int chunksPerWorker = 4;
+
 inline void Pause() {
 #if defined(__SSE2__)
     _mm_pause();
@@ -33,7 +36,7 @@ void Await(Done&& done) {
 }  // namespace
 
 TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
-    : m_workerCount(workerCount), m_callbacks(callbacks) {
+    : m_workerCount(workerCount), m_chunkCount(workerCount * chunksPerWorker), m_callbacks(callbacks) {
     if (m_callbacks.enqueue != nullptr) return;
     for (int worker = 1; worker < workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
 }
@@ -65,10 +68,21 @@ void TaskPool::Run(int count, TaskFunction function, void* context) {
         RunWithCallbacks();
         return;
     }
-    m_running.store(m_workerCount - 1, std::memory_order_relaxed);
-    m_turn.fetch_add(1, std::memory_order_release);
-    RunRange(0);
-    Await([&] { return m_running.load(std::memory_order_acquire) == 0; });
+    m_done.store(0, std::memory_order_relaxed);
+    m_next.store(static_cast<uint64_t>(++m_turn) << 32, std::memory_order_release);
+    RunChunks(m_turn, 0);
+    Await([&] { return m_done.load(std::memory_order_acquire) == m_chunkCount; });
+}
+
+void TaskPool::RunChunks(uint32_t turn, int worker) {
+    uint64_t next = m_next.load(std::memory_order_acquire);
+    while (static_cast<uint32_t>(next >> 32) == turn && static_cast<int>(next & 0xFFFFFFFFu) < m_chunkCount) {
+        if (!m_next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
+            continue;
+        RunRange(static_cast<int>(next & 0xFFFFFFFFu), m_chunkCount, worker);
+        m_done.fetch_add(1, std::memory_order_release);
+        next = m_next.load(std::memory_order_acquire);
+    }
 }
 
 void TaskPool::RunWithCallbacks() {
@@ -84,11 +98,11 @@ void TaskPool::RunWithCallbacks() {
         range.handle = m_callbacks.enqueue(
             [](void* context) {
                 const auto* own = static_cast<Range*>(context);
-                own->pool->RunRange(own->worker);
+                own->pool->RunRange(own->worker, own->pool->m_workerCount, own->worker);
             },
             &range, m_callbacks.context);
     }
-    RunRange(0);
+    RunRange(0, m_workerCount, 0);
     for (int worker = 1; worker < m_workerCount; ++worker) {
         // Null: the task was already run.
         if (ranges[worker].handle != nullptr) m_callbacks.finish(ranges[worker].handle, m_callbacks.context);
@@ -98,15 +112,13 @@ void TaskPool::RunWithCallbacks() {
 void TaskPool::Work(int worker) {
     uint32_t turn = 0;
     for (;;) {
-        // Between steps: sleep. A loop can only be started inside of a step, and is waited for before its end.
+        // Between steps: sleep.
         for (uint32_t awake = m_awake.load(); awake % 2 == 0 && !m_quit; awake = m_awake.load()) m_awake.wait(awake);
         if (m_quit) return;
-        Await([&] { return m_turn.load(std::memory_order_acquire) != turn || m_awake.load() % 2 == 0 || m_quit; });
-        const uint32_t now = m_turn.load(std::memory_order_acquire);
-        if (now == turn) continue;
-        turn = now;
-        RunRange(worker);
-        m_running.fetch_sub(1, std::memory_order_release);
+        const auto current = [&] { return static_cast<uint32_t>(m_next.load(std::memory_order_acquire) >> 32); };
+        Await([&] { return current() != turn || m_awake.load() % 2 == 0 || m_quit; });
+        turn = current();
+        RunChunks(turn, worker);
     }
 }
 

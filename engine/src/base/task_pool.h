@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Loops over independent items on several threads. A loop is cut into one range per worker, by position alone, so the
-// same worker meets the same items in every loop of a step, and no result can depend on who was faster. Loops below a
-// size stay on the caller: that is decided from counts, never from clocks.
+// Loops over independent items on several threads. A loop is cut into chunks by position alone, and each thread takes
+// the next chunk that nobody has: a thread that lost its core to another process delays a loop by one chunk at most.
+// Items are independent, so no result depends on who took what. Loops below a size stay on the caller: that is decided
+// from counts, never from clocks.
 //
 // Workers sleep between steps (Begin wakes them once, End lets them sleep) and wait between the loops of a step by
-// spinning for a while and then yielding, so that a core taken by another process does not stop the others.
+// spinning for a while and then yielding.
 
 #pragma once
 
@@ -31,8 +32,9 @@ public:
     void Begin();
     void End();
 
-    /// Calls body(begin, end, worker) for the ranges of [0, count), the first on this thread. One call with everything
-    /// if count < least, outside of Begin and End, or with one worker.
+    /// Calls body(begin, end, worker) for chunks of [0, count); worker < GetWorkerCount(), 0 is this thread, and one
+    /// worker has one chunk at a time. One call with everything if count < least, outside of Begin and End, or with one
+    /// worker.
     template <typename Body>
     void For(int count, int least, Body&& body) {
         if (!m_inStep || count < least) {
@@ -50,23 +52,26 @@ private:
     void Run(int count, TaskFunction function, void* context);
     void RunWithCallbacks();
     void Work(int worker);
-    [[nodiscard]] int Start(int worker) const {
-        return static_cast<int>(static_cast<int64_t>(m_count) * worker / m_workerCount);
+    void RunChunks(uint32_t turn, int worker);
+    void RunRange(int index, int parts, int worker) {
+        const auto at = [&](int i) { return static_cast<int>(static_cast<int64_t>(m_count) * i / parts); };
+        m_function(m_context, at(index), at(index + 1), worker);
     }
-    void RunRange(int worker) { m_function(m_context, Start(worker), Start(worker + 1), worker); }
 
     const int m_workerCount;
+    const int m_chunkCount;
     const TaskCallbacks m_callbacks;
     std::vector<std::thread> m_threads;
 
-    // The loop at hand; written before m_turn changes.
+    // The loop at hand; written before its turn is published, and only read by who holds a chunk of it.
     bool m_inStep = false;  ///< and with more than one worker
     int m_count = 0;
     TaskFunction m_function = nullptr;
     void* m_context = nullptr;
 
-    alignas(64) std::atomic<uint32_t> m_turn{0};   ///< counts loops
-    alignas(64) std::atomic<int> m_running{0};     ///< workers still busy with the loop
+    uint32_t m_turn = 0;                           ///< counts loops
+    alignas(64) std::atomic<uint64_t> m_next{0};   ///< turn · 2³² + first chunk that nobody has
+    alignas(64) std::atomic<int> m_done{0};        ///< chunks of the loop that are finished
     alignas(64) std::atomic<uint32_t> m_awake{0};  ///< odd: inside a step
     std::atomic<bool> m_quit{false};
 };

@@ -265,7 +265,7 @@ void ContactBlocks::Fill(const BlockInput& input) {
     constexpr int leastBlocksToFill = 16;
     bool bounces[maxWorkers] = {};
     input.pool.For(static_cast<int>(m_blocks.size()), leastBlocksToFill, [&](int begin, int end, int worker) {
-        bounces[worker] = FillRange(input, static_cast<size_t>(begin), static_cast<size_t>(end));
+        bounces[worker] |= FillRange(input, static_cast<size_t>(begin), static_cast<size_t>(end));
     });
     m_bounces = std::find(std::begin(bounces), std::end(bounces), true) != std::end(bounces);
 }
