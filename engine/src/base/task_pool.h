@@ -70,7 +70,7 @@ private:
     void* m_context = nullptr;
 
     uint32_t m_turn = 0;                                    ///< counts loops
-    alignas(64) std::atomic<uint64_t> m_next{0xFFFFFFFFu};  ///< turn · 2³² + first chunk that nobody has; none at first
+    alignas(64) std::atomic<uint64_t> m_next{0x7FFFFFFFu};  ///< turn · 2³² + first chunk that nobody has; none at first
     alignas(64) std::atomic<int> m_done{0};                 ///< chunks of the loop that are finished
     alignas(64) std::atomic<uint32_t> m_awake{0};           ///< odd: inside a step
     std::atomic<bool> m_quit{false};
