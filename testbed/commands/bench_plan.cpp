@@ -71,7 +71,9 @@ std::vector<int> ChooseThreads(const std::string& text) {
 std::vector<BenchVariant> MakeVariants(const BenchArguments& arguments) {
     std::vector<BenchVariant> variants;
     const std::vector<std::string> solvers = ChooseSolvers(arguments.solver);
-    const std::vector<int> threads = ChooseThreads(arguments.threads);
+    const std::vector<int> threads = ChooseThreads(!arguments.threads.empty() ? arguments.threads
+                                                   : arguments.targets        ? "1,2"
+                                                                              : "1");
     for (const std::string& engine : ParseEngines(arguments.engines)) {
         if (engine == "box2d") {
             variants.push_back({engine});
@@ -113,7 +115,8 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--solver", arguments.solver,
                    "Solver of the engine scree: si (sequential impulses, 8/3), soft (soft step, 4 sub-steps), or both")
         ->capture_default_str();
-    app.add_option("--threads", arguments.threads, "Threads of the engine scree, one or more numbers")
+    app.add_option("--threads", arguments.threads,
+                   "Threads of the engine scree, one or more numbers; 1 if not given, 1,2 with --targets")
         ->capture_default_str();
     app.add_option("--broad-phase", arguments.broadPhase, "Algorithm of the engine scree")->capture_default_str();
     app.add_flag("--continuous", arguments.continuous, "Turn continuous collision on");

@@ -20,7 +20,7 @@ struct BenchArguments {
     std::string sizes = "default";
     std::string engines = "scree,box2d";
     std::string solver = "both";
-    std::string threads = "1";
+    std::string threads;  ///< empty: 1, with targets 1,2
     std::string broadPhase = "auto";
     bool continuous = false;
     int repeats = 1;

@@ -114,7 +114,10 @@ TEST(BenchPlan, TheSuiteIsTheDefaultAndSizesAreChecked) {
     EXPECT_EQ(MakeBenchPlan(arguments).cases.size(), 14u);
     arguments.targets = true;
     EXPECT_EQ(MakeBenchPlan(arguments).cases.size(), 17u) << "three scenes with continuous collision on";
+    EXPECT_EQ(MakeBenchPlan(arguments).cases.front().variants.size(), 5u)
+        << "two solvers at one and two threads, Box2D";
     arguments.targets = false;
+    EXPECT_EQ(MakeBenchPlan(arguments).cases.front().variants.size(), 3u);
     arguments.scenes = {"n2", "big-mobile", "n2"};
     arguments.sizes = "sweep";
     const BenchPlan plan = MakeBenchPlan(arguments);
@@ -133,7 +136,7 @@ TEST(BenchPlan, TheSuiteIsTheDefaultAndSizesAreChecked) {
 TEST(BenchCommand, WritesWhatItPrints) {
     const ScratchFolder folder;
     const ProgramResult result =
-        folder.Run("bench n2 --sizes 25,50 --steps 5 --json rows.json -o out --targets --time-limit 60");
+        folder.Run("bench n2 --sizes 25,50 --steps 5 --threads 1 --json rows.json -o out --targets --time-limit 60");
     ASSERT_EQ(result.exitCode, 0) << result.output;
     EXPECT_NE(result.output.find("bytes each"), std::string::npos);
     EXPECT_NE(result.output.find("0 missed"), std::string::npos) << "five steps judge nothing";
