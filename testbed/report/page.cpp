@@ -159,9 +159,7 @@ private:
     static std::string MakeFigure(const PageFigure& figure) {
         const std::string alternative = EscapeHtml(figure.alternative.empty() ? figure.title : figure.alternative);
         std::string picture;
-        if (figure.svg.starts_with("<svg class=\"chart\"")) {
-            picture = figure.svg;
-        } else if (!figure.svg.empty()) {
+        if (!figure.svg.empty()) {
             picture = fmt::format("<img class=\"plot\" src=\"{}\" alt=\"{}\">", MakeSvgUri(figure.svg), alternative);
         } else if (!figure.file.empty()) {
             picture = fmt::format("<img{} src=\"{}\" alt=\"{}\">",

@@ -63,7 +63,7 @@ struct PageTable {
 struct PageFigure {
     std::string title{};
     std::string caption{};
-    std::string svg{};  ///< a whole <svg> document (gnuplot's, or MakeChart's): set inline, follows the theme
+    std::string svg{};             ///< a whole <svg> document such as gnuplot's; its lightness is inverted in the dark
     std::filesystem::path file{};  ///< or: a .png or .svg file, embedded
     std::string alternative{};     ///< what it shows, for those who cannot see it; empty: the title
 };

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The page of a comparison of pictures: results, pictures, sidecars and colour tables as JSON in the page, shown by
+// report/page/snapshot.js.
+
+#include "testbed/report/snapshot_page.h"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "testbed/render/palette.h"
+#include "testbed/render/png.h"
+#include "testbed/report/page_markup.h"
+#include "testbed_generated/page_sources.h"
+
+namespace testbed {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json ReadSidecar(const fs::path& file) {
+    std::ifstream stream(file);
+    if (!stream) throw FileError(fmt::format("cannot read {}", file.string()));
+    try {
+        return Json::parse(stream);
+    } catch (const Json::exception& error) {
+        throw FileError(fmt::format("{} is no JSON: {}", file.string(), error.what()));
+    }
+}
+
+/// The colours of counts 0, 1, 2, … in an overlap picture, six hex digits each: what turns a pixel back into its count.
+/// Null when the sidecar does not say how counts were coloured.
+Json DescribeCountColors(const Json& sidecar) {
+    if (sidecar.value("kind", "") != "overlap") return nullptr;
+    try {
+        const Style style = ParseStyle(sidecar.value("style", GetStyleName(Style::heat)));
+        const uint32_t scaleMax = sidecar.contains("scale_max") ? sidecar["scale_max"].get<uint32_t>()
+                                                                : sidecar.at("overlap").at("max").get<uint32_t>();
+        // The page needs only as many as a reader can tell apart, and a damaged sidecar may name any number.
+        if (scaleMax > 4096) return nullptr;
+        std::string digits;
+        for (const Color& color : MakePalette(style, sidecar.value("opacity", 0.04), scaleMax)) {
+            digits += fmt::format("{:02x}{:02x}{:02x}", color.r, color.g, color.b);
+        }
+        return digits;
+    } catch (const Json::exception&) {
+        return nullptr;
+    }
+}
+
+/// What a sidecar says in a line each: everything but the lists.
+Json DescribeMaker(const Json& sidecar) {
+    Json maker = Json::object();
+    for (const auto& [key, value] : sidecar.items()) {
+        if (value.is_primitive() && key != "schema") maker[key] = value;
+    }
+    if (sidecar.contains("overlap") && sidecar["overlap"].is_object()) {
+        for (const auto& [key, value] : sidecar["overlap"].items()) maker["overlap " + key] = value;
+    }
+    return maker;
+}
+
+Json DescribeSideFiles(const fs::path& folder, const std::optional<SnapshotSide>& side) {
+    if (!side) return nullptr;
+    Json json = {{"picture", nullptr}, {"maker", nullptr}, {"colors", nullptr}};
+    if (!side->image.empty()) json["picture"] = MakeDataUri(folder / side->image);
+    if (!side->sidecar.empty()) {
+        const Json sidecar = ReadSidecar(folder / side->sidecar);
+        json["maker"] = DescribeMaker(sidecar);
+        json["colors"] = DescribeCountColors(sidecar);
+    }
+    return json;
+}
+
+Json DescribeCase(const fs::path& folder, const SnapshotResult& result) {
+    Json json = DescribeResult(result);
+    json["embedded"] = {
+        {"expected", DescribeSideFiles(folder, result.expected)},
+        {"actual", DescribeSideFiles(folder, result.actual)},
+        {"difference", result.difference.empty() ? Json(nullptr) : Json(MakeDataUri(folder / result.difference))}};
+    return json;
+}
+
+std::string MakeDuration(double ms) { return ms < 1000 ? fmt::format("{:.0f}", ms) : fmt::format("{:.1f}", ms / 1000); }
+
+PageTiles MakeTiles(std::span<const SnapshotResult> results) {
+    std::map<SnapshotStatus, int> counts;
+    double ms = 0;
+    for (const SnapshotResult& result : results) {
+        ++counts[result.status];
+        ms += result.simulateMs + result.renderMs + result.compareMs;
+    }
+    PageTiles block;
+    const int equal = counts[SnapshotStatus::equal], all = static_cast<int>(results.size());
+    block.tiles.push_back({.label = "equal",
+                           .value = fmt::format("{}", equal),
+                           .unit = fmt::format("of {}", all),
+                           .tone = equal == all ? PageTone::good : PageTone::plain});
+    for (const auto& [status, count] : counts) {
+        if (status == SnapshotStatus::equal || count == 0) continue;
+        block.tiles.push_back(
+            {.label = std::string(GetStatusName(status)), .value = fmt::format("{}", count), .tone = PageTone::bad});
+    }
+    block.tiles.push_back({.label = "work", .value = MakeDuration(ms), .unit = ms < 1000 ? "ms" : "s"});
+    return block;
+}
+
+}  // namespace
+
+Page MakeSnapshotPage(const fs::path& folder, const SnapshotOrigin& origin, std::span<const SnapshotResult> results) {
+    Json data = {
+        {"renderer", {{"backend", origin.backend}, {"gl_renderer", origin.renderer}, {"gl_version", origin.version}}},
+        {"cases", Json::array()}};
+    for (const SnapshotResult& result : results) data["cases"].push_back(DescribeCase(folder, result));
+
+    Page page{.title = IsClean(results) ? "Pictures: all equal" : "Pictures: differences",
+              .intro = fmt::format("`{}`", origin.command)};
+    page.style = page_sources::snapshotCss;
+    page.script = page_sources::snapshotJs;
+    page.sections.push_back({.blocks = {MakeTiles(results)}});
+    page.sections.push_back(
+        {.blocks = {PageHtml{std::string(page_sources::snapshotHtml) +
+                             "<script type=\"application/json\" id=\"snapshot-data\">" +
+                             ProtectJson(data.dump(-1, ' ', false, Json::error_handler_t::replace)) + "</script>"}}});
+    page.facts = {{"renderer", fmt::format("{}: {} {}", origin.backend, origin.renderer, origin.version)},
+                  {"keys",
+                   "↑ ↓ another case · 1 2 3 4 another view · space pauses blinking · arrow keys on the picture "
+                   "move the cursor · / filter"}};
+    return page;
+}
+
+fs::path WriteSnapshotPage(const fs::path& folder, const SnapshotOrigin& origin,
+                           std::span<const SnapshotResult> results) {
+    fs::path path = folder / "index.html";
+    WritePage(path, MakeSnapshotPage(folder, origin, results));
+    return path;
+}
+
+}  // namespace testbed
