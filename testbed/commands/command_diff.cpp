@@ -137,8 +137,10 @@ int RunDiff(const DiffArguments& arguments) {
             fmt::print("{}", FormatResult(results.back()));
         }
     }
-    if (report) report->Finish({"scree diff", "", "", ""}, results);
+    std::filesystem::path page;
+    if (report) page = report->Finish({"scree diff", "", "", ""}, results);
     if (pairs.size() > 1) fmt::print("{} pictures: {}\n", pairs.size(), FormatCounts(results));
+    if (report) fmt::print("report: {}\n", page.string());
     return IsClean(results) ? exitDone : exitDiffers;
 }
 
@@ -149,7 +151,9 @@ void AddDiffCommand(CLI::App& app, Request& request) {
     auto arguments = std::make_shared<DiffArguments>();
     command->add_option("A", arguments->first, "PNG picture or folder: what is expected")->required();
     command->add_option("B", arguments->second, "PNG picture or folder: what is there")->required();
-    command->add_option("-o,--output", arguments->output, "Folder for actual/, expected/, diff/ and results.json")
+    command
+        ->add_option("-o,--output", arguments->output,
+                     "Folder for index.html, actual/, expected/, diff/ and results.json")
         ->type_name("DIR");
     command
         ->add_option(

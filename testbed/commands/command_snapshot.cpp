@@ -89,7 +89,7 @@ void PrintOutcome(const SnapshotOutcome& outcome, const SnapshotJob& job) {
             "{} equal in their pixels alone: the state changed by less (`snapshot update` renews the sidecars)\n",
             outcome.structureOnly);
     }
-    if (outcome.hasReport) fmt::print("report: {}\n", job.report.string());
+    if (!outcome.page.empty()) fmt::print("report: {}\n", outcome.page.string());
 }
 
 int RunCheck(const SnapshotArguments& arguments, const Request& request) {
@@ -251,10 +251,11 @@ void AddSnapshotCommand(CLI::App& app, Request& request) {
         ->add_option("--references", arguments->references, "Folder of the references; the checkout's own if not given")
         ->type_name("DIR");
     command
-        ->add_option("--report", arguments->report,
-                     fmt::format("Folder for actual/, expected/, diff/ and results.json; without it {}, only when "
-                                 "something differs",
-                                 defaultReport))
+        ->add_option(
+            "--report", arguments->report,
+            fmt::format("Folder for index.html, actual/, expected/, diff/ and results.json; without it {}, only when "
+                        "something differs",
+                        defaultReport))
         ->type_name("DIR");
     command->add_option("--junit", arguments->junit, "Write the results as JUnit XML")->type_name("FILE");
     command->add_flag("--annotations", arguments->annotations, "Print a line `::error file=…` per difference, for CI");

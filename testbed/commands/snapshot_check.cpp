@@ -230,11 +230,10 @@ SnapshotOutcome Checker::Run() {
         ++number;
     }
     if (m_report) {
-        m_report->Finish(
+        m_outcome.page = m_report->Finish(
             {m_job.command, GetBackendName(m_maker.GetBackend()), m_maker.GetRendererName(), m_maker.GetVersion()},
             m_outcome.results);
     }
-    m_outcome.hasReport = m_report.has_value();
     return std::move(m_outcome);
 }
 

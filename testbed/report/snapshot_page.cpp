@@ -72,12 +72,13 @@ Json DescribeMaker(const Json& sidecar) {
 
 Json DescribeSideFiles(const fs::path& folder, const std::optional<SnapshotSide>& side) {
     if (!side) return nullptr;
-    Json json = {{"picture", nullptr}, {"maker", nullptr}, {"colors", nullptr}};
+    Json json = {{"picture", nullptr}, {"maker", nullptr}, {"colors", nullptr}, {"structured", false}};
     if (!side->image.empty()) json["picture"] = MakeDataUri(folder / side->image);
     if (!side->sidecar.empty()) {
         const Json sidecar = ReadSidecar(folder / side->sidecar);
         json["maker"] = DescribeMaker(sidecar);
         json["colors"] = DescribeCountColors(sidecar);
+        json["structured"] = sidecar.contains("structure");
     }
     return json;
 }
@@ -132,10 +133,12 @@ Page MakeSnapshotPage(const fs::path& folder, const SnapshotOrigin& origin, std:
         {.blocks = {PageHtml{std::string(page_sources::snapshotHtml) +
                              "<script type=\"application/json\" id=\"snapshot-data\">" +
                              ProtectJson(data.dump(-1, ' ', false, Json::error_handler_t::replace)) + "</script>"}}});
-    page.facts = {{"renderer", fmt::format("{}: {} {}", origin.backend, origin.renderer, origin.version)},
-                  {"keys",
-                   "↑ ↓ another case · 1 2 3 4 another view · space pauses blinking · arrow keys on the picture "
-                   "move the cursor · / filter"}};
+    if (!origin.backend.empty()) {
+        page.facts.push_back({"renderer", fmt::format("{}: {} {}", origin.backend, origin.renderer, origin.version)});
+    }
+    page.facts.push_back({"keys",
+                          "↑ ↓ another case · 1 to 5 another view · space pauses blinking · arrow keys on the picture "
+                          "move the cursor · / filter"});
     return page;
 }
 

@@ -16,6 +16,7 @@
 #include "testbed/render/png.h"
 #include "testbed/report/image_compare.h"
 #include "testbed/report/output.h"
+#include "testbed/report/snapshot_page.h"
 
 namespace testbed {
 
@@ -113,8 +114,9 @@ void SnapshotReport::Add(SnapshotResult& result, const ReportedPair& pair) {
     output.WriteImage(result.difference, MakeDifferencePicture(*pair.expected, *pair.actual, result.rule));
 }
 
-void SnapshotReport::Finish(const SnapshotOrigin& origin, std::span<const SnapshotResult> results) {
+fs::path SnapshotReport::Finish(const SnapshotOrigin& origin, std::span<const SnapshotResult> results) {
     WriteTextFile(m_folder / resultsName, WriteResults(origin, results));
+    return WriteSnapshotPage(m_folder, origin, results);
 }
 
 std::string WriteJunit(const std::string& suite, std::span<const SnapshotResult> results) {

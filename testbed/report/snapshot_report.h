@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Where the results of a comparison go: the report folder (actual/, expected/, diff/ and results.json), JUnit XML,
+// Where the results of a comparison go: the report folder (actual/, expected/, diff/, results.json and index.html),
+// JUnit XML,
 // `::error` annotations for CI, and lines for a reader.
 
 #pragma once
@@ -30,8 +31,8 @@ public:
 
     /// Writes the files of a result that is not equal, and enters their names into it.
     void Add(SnapshotResult& result, const ReportedPair& pair);
-    /// Writes results.json.
-    void Finish(const SnapshotOrigin& origin, std::span<const SnapshotResult> results);
+    /// Writes results.json and the page that shows all this; returns the page's path.
+    std::filesystem::path Finish(const SnapshotOrigin& origin, std::span<const SnapshotResult> results);
     [[nodiscard]] const std::filesystem::path& GetFolder() const { return m_folder; }
 
 private:

@@ -8,7 +8,8 @@
 (() => {
 const data = JSON.parse(document.getElementById('snapshot-data').textContent);
 const sides = ['expected', 'actual'];
-const modes = [['side', 'Side by side'], ['slider', 'Slider'], ['blink', 'Blink'], ['difference', 'Difference']];
+const modes = [['side', 'Side by side'], ['slider', 'Slider'], ['blink', 'Blink'], ['difference', 'Difference'],
+  ['counts', 'Counts']];
 const blinkMs = 600;
 const cases = data.cases;
 const statuses = [...new Set(cases.map((one) => one.status))];
@@ -16,7 +17,7 @@ const isClean = statuses.every((status) => status === 'equal');
 const view = {
   search: '', statuses: new Set(statuses.filter((status) => isClean || status !== 'equal')), order: 'list',
   open: null, mode: 'side', zoom: 'fit', marks: true, slide: 50, blinking: true, shown: 'expected',
-  cursor: null, timer: 0, pixels: {}, colors: {},
+  cursor: null, timer: 0, pixels: {}, colors: {}, most: 0,
 };
 const byId = (id) => document.getElementById(id);
 
@@ -33,8 +34,12 @@ function make(name, attributes = {}, ...children) {
 }
 /** Text with code in back quotes. */
 const inline = (text) => text.split('`').map((part, i) => (i % 2 ? make('code', {}, part) : part));
-const badge = (status) =>
-  make('span', {class: `badge ${status === 'equal' ? 'good' : 'bad'}`}, `${status === 'equal' ? '✓' : '✗'} ${status}`);
+/** Equal pixels over another state are worth a warning: the next change may show. */
+function badge(one) {
+  if (one.status !== 'equal') return make('span', {class: 'badge bad'}, `✗ ${one.status}`);
+  if (one.structure && !one.structure.equal) return make('span', {class: 'badge warning'}, '! equal, state changed');
+  return make('span', {class: 'badge good'}, '✓ equal');
+}
 const number = (value) => value.toLocaleString('en');
 const picture = (one, side) => one.embedded[side]?.picture ?? null;
 const time = (one) => one.ms.simulate + one.ms.render + one.ms.compare;
@@ -56,7 +61,7 @@ function makeRow(one) {
     'data-status': one.status, 'aria-selected': one === view.open ? 'true' : 'false', onclick: () => open(one)},
     source ? make('img', {class: 'thumb', src: source, alt: '', loading: 'lazy'}) : make('span', {class: 'thumb none'}),
     make('div', {class: 'words'}, make('div', {class: 'name'}, ...one.id.split(/(?<=[/-])/).flatMap((w) => [w, make('wbr')])),
-      make('div', {class: 'note'}, badge(one.status), note)));
+      make('div', {class: 'note'}, badge(one), note)));
 }
 
 function showList() {
@@ -92,6 +97,10 @@ function step(by) {
 function isPossible(mode) {
   if (mode === 'side') return true;
   if (mode === 'difference') return view.open.embedded.difference !== null;
+  if (mode === 'counts') {
+    const {expected, actual} = view.open;
+    return sides.every((side) => view.colors[side]) && expected.width === actual.width && expected.height === actual.height;
+  }
   return picture(view.open, 'expected') !== null && picture(view.open, 'actual') !== null;
 }
 
@@ -105,6 +114,7 @@ function open(one) {
     readPixels(one, side);
   }
   if (!isPossible(view.mode)) view.mode = 'side';
+  delete byId('detail').dataset.ready;
   history.replaceState(null, '', `#${encodeURIComponent(one.id)}`);
   showList();
   showDetail();
@@ -126,14 +136,21 @@ function showDetail() {
     one.layers && (one.kind === 'overlap' ? `overlap of ${one.layers} nodes` : one.layers.replaceAll(',', ', ')),
     one.changed_pixels > 0 && `${number(one.changed_pixels)} pixels changed, a channel by up to ${one.max_difference}`];
   byId('detail').replaceChildren(
-    make('header', {}, make('h2', {}, one.id, ' ', badge(one.status)),
+    make('header', {}, make('h2', {}, one.id, ' ', badge(one)),
       make('p', {class: 'message'}, ...inline(one.message)),
       make('p', {class: 'facts'}, facts.filter(Boolean).join(' · '))),
-    makeToolbar(), make('div', {id: 'readout', role: 'status'}), make('div', {id: 'stage', tabindex: '0', role: 'group',
-      'aria-label': 'Pictures; arrow keys move the cursor'}),
-    makeAccept(one) ?? '', make('div', {class: 'below'}, makeStructure(one), makeMakers(one)));
+    ...makeViewer(one), makeAccept(one) ?? '', make('div', {class: 'below'}, makeStructure(one), makeMakers(one)));
   showStage();
   moveCursor(null);
+}
+
+function makeViewer(one) {
+  if (!sides.some((side) => picture(one, side))) {
+    return [make('p', {class: 'none'}, one.status === 'equal' ? 'The pictures are equal and were not kept in the report.'
+      : 'There is no picture to show.')];
+  }
+  return [makeToolbar(), make('div', {id: 'readout', role: 'status'}), make('div', {id: 'stage', tabindex: '0', role: 'group',
+    'aria-label': 'Pictures; arrow keys move the cursor'})];
 }
 
 function makeToolbar() {
@@ -182,9 +199,9 @@ function makeFrame(side, title, images) {
   const marks = !view.marks || side === 'none' ? [] : [
     ...(one.box ? [makeMark(one.box, 'changed', 'around the changed pixels', width, height)] : []),
     ...one.rule.mask.map((area) => makeMark(area, 'masked', 'mask: does not count', width, height))];
-  const own = (name) => (name === 'difference' ? frameSize('both') : frameSize(name));
+  const own = (name) => frameSize(sides.includes(name) ? name : 'both');
   const pictures = images.map((name) => {
-    const source = name === 'difference' ? one.embedded.difference : picture(one, name);
+    const source = {difference: () => one.embedded.difference, counts: drawCounts}[name]?.() ?? picture(one, name);
     const [w, h] = own(name);
     return make('img', {'data-side': name, src: source, alt: `${name} picture of ${one.id}`, draggable: 'false',
       style: `width:${(100 * w) / width}%;height:${(100 * h) / height}%`});
@@ -210,14 +227,19 @@ const stages = {
       make('button', {type: 'button', class: 'chip', id: 'swap', onclick: () => { stopBlinking(); swap(); }}, 'Swap'))],
   difference: () => [makeFrame('both', 'yellow to red: changed, little to much · blue: within the tolerance · green: under the mask',
     ['difference'])],
+  counts: () => (sides.every((side) => view.pixels[side]) ? [makeFrame('both', '', ['counts'])] : []),
 };
 
 function showStage() {
   clearInterval(view.timer);
   const stage = byId('stage');
+  if (!stage) return;
   stage.dataset.mode = view.mode;
   stage.replaceChildren(...stages[view.mode]());
   if (view.mode === 'slider') slideTo(view.slide);
+  if (view.mode === 'counts' && stage.firstChild) {
+    stage.querySelector('.frame-title').textContent = `tree nodes over each pixel, actual − expected: blue fewer, red more, by up to ${view.most}`;
+  }
   if (view.mode === 'blink') {
     view.blinking = !matchMedia('(prefers-reduced-motion: reduce)').matches;
     show('expected');
@@ -292,7 +314,36 @@ async function readPixels(one, side) {
   if (view.open !== one) return;
   view.pixels[side] = pixels;
   byId('detail').dataset.ready = one.id;
+  if (view.mode === 'counts') showStage();
   showReadout();
+}
+
+/** The difference of counts as a picture: dark where none, blue to light for fewer, red to light for more nodes now, grey
+ *  where a colour stands for no single count. Unlike the colours it does not depend on the scale of either picture. */
+function drawCounts() {
+  const {expected, actual} = view.pixels, {width, height} = expected;
+  const colorAt = (pixels, at) => (1 << 24 | pixels.data[at] << 16 | pixels.data[at + 1] << 8 | pixels.data[at + 2]).toString(16).slice(1);
+  const countAt = (side, at) => {
+    const range = view.colors[side].get(colorAt(view.pixels[side], at));
+    return range && range[0] === range[1] ? range[0] : null;
+  };
+  const changes = new Array(width * height);
+  for (let i = 0; i < changes.length; ++i) {
+    const before = countAt('expected', 4 * i), after = countAt('actual', 4 * i);
+    changes[i] = before === null || after === null ? null : after - before;
+  }
+  view.most = changes.reduce((most, change) => Math.max(most, Math.abs(change)), 0);
+  const image = new ImageData(width, height);
+  const fewer = [[49, 106, 196], [170, 214, 255]], more = [[200, 52, 42], [255, 206, 170]];
+  changes.forEach((change, i) => {
+    const ends = change < 0 ? fewer : more, share = view.most > 1 ? (Math.abs(change) - 1) / (view.most - 1) : 0;
+    const color = change === null ? [90, 90, 90] : change === 0 ? [40, 40, 40]
+      : [0, 1, 2].map((k) => ends[0][k] + (ends[1][k] - ends[0][k]) * share);
+    image.data.set([...color, 255], 4 * i);
+  });
+  const canvas = make('canvas', {width, height});
+  canvas.getContext('2d').putImageData(image, 0, 0);
+  return canvas.toDataURL();
 }
 
 /** {color: 'rrggbb', count: text or null} of one place; null outside. */
@@ -308,6 +359,7 @@ function sample(side) {
 
 function showReadout() {
   const readout = byId('readout');
+  if (!readout) return;
   if (!view.cursor) {
     readout.replaceChildren(make('span', {class: 'none'}, 'Point at a picture to read its pixels' +
       (view.colors.actual || view.colors.expected ? ' and the number of tree nodes over them.' : '.')));
@@ -381,11 +433,12 @@ const kinds = [['bodies', (e) => `body ${e.index}`, formatBody], ['nodes', (e) =
 
 function makeStructure(one) {
   const box = make('div', {id: 'structure'}, make('h3', {}, 'Structure'));
-  if (!one.structure) {
-    box.append(make('p', {class: 'none'}, 'Not compared: a sidecar is missing.'));
+  const isCompared = sides.every((side) => one.embedded[side]?.structured);
+  if (!one.structure && !isCompared) {
+    box.append(make('p', {class: 'none'}, one.status === 'equal' ? 'Equal.' : 'Not compared: a side has no description of its structure.'));
     return box;
   }
-  if (one.structure.equal) {
+  if (!one.structure || one.structure.equal) {
     box.append(make('p', {}, 'Bodies, tree nodes and contacts are the same bit for bit: what differs is how they were drawn.'));
     return box;
   }

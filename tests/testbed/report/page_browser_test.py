@@ -188,6 +188,19 @@ def test_views(browser):
     check(browser.run("document.querySelector('#stage img').dataset.side"), 'difference', 'difference picture')
     shoot(browser, 'snapshot-difference')
 
+    browser.press('5')
+    browser.wait("document.querySelector('#stage img[data-side=counts]')?.complete")
+    check('by up to' in browser.run("document.querySelector('#stage .frame-title').textContent"), True, 'legend of the counts')
+    # Red where the run itself says that more nodes lie over the pixel now, blue where fewer, dark where as many.
+    for pixel in json.loads((FOLDER / 'counts.json').read_text()):
+        red, _, blue = browser.run('''(() => {
+            const context = Object.assign(document.createElement('canvas'), {width: 480, height: 300}).getContext('2d');
+            context.drawImage(document.querySelector('#stage img[data-side=counts]'), 0, 0);
+            return [...context.getImageData(a, b, 1, 1).data].slice(0, 3);
+        })()''', pixel['x'], pixel['y'])
+        change = pixel['actual'] - pixel['expected']
+        check((red > blue) - (red < blue), (change > 0) - (change < 0), f'colour of the change of counts at {pixel}')
+
 
 def test_words(browser):
     check(browser.run("document.getElementById('update').textContent"), f"scree snapshot update -g '^{OVERLAP}$'", 'update command')
@@ -213,15 +226,20 @@ def test_others(browser):
     check(browser.run("document.querySelector('.case[aria-selected=true]').dataset.id"), 'tumbler/step-0120-contacts', 'next by key')
     rule = browser.run("document.getElementById('rule').textContent")
     check(all(word in rule for word in ('differ by 2', '1 masked area', '31 differing', 'names the machine')), True, f'rule: {rule}')
-    check(browser.run("document.querySelectorAll('#stage .mark.masked').length"), 1, 'mask outlined')
+    check(browser.run("document.querySelectorAll('#stage .mark.masked').length"), 2, 'mask outlined in both pictures')
+    check(browser.run("document.querySelector('.modes [data-mode=counts]').disabled"), True, 'counts only of overlap pictures')
     check('bit for bit' in browser.run("document.getElementById('structure').textContent"), True, 'equal structure')
     open_case(browser, 'pyramid/step-0120-joints')
-    check(browser.run("[...document.querySelectorAll('.modes button')].map(b => b.disabled)"), [False, True, True, True], 'views without a reference')
+    check(browser.run("[...document.querySelectorAll('.modes button')].map(b => b.disabled)"), [False, True, True, True, True], 'views without a reference')
     check(browser.run("document.querySelector('#stage .empty').textContent"), 'no reference picture', 'missing side')
     open_case(browser, 'pyramid/step-0040-contacts')
     browser.click('.modes [data-mode=slider]')
     width = "document.querySelector('#stage [data-side=expected]').style.width"
     check(browser.run(width), '50%', 'the smaller picture keeps its size')
+    browser.click('.chip[data-status=equal]')
+    browser.click('.case[data-id="diagonal/step-0030-overlap"]')
+    check('not kept' in browser.run("document.getElementById('detail').textContent"), True, 'an equal case without pictures')
+    open_case(browser, 'tumbler/step-0120-contacts')
 
 
 def test_snapshots(browser):

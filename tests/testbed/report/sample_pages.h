@@ -29,7 +29,7 @@ inline constexpr const char* sampleOverlapId = "tumbler/step-0120-overlap";
 struct SampleComparison {
     SnapshotOrigin origin;
     std::vector<SnapshotResult> results;
-    std::vector<SampleCount> counts;  ///< at pixels where they differ; outside the labels
+    std::vector<SampleCount> counts;  ///< grown, fallen, kept; outside the labels
 };
 
 /// Leaves expected/, actual/ and diff/ in the folder.
