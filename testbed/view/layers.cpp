@@ -9,23 +9,24 @@
 #include <array>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace testbed {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, bool Layers::*>, 9> layerNames{{{"bodies", &Layers::bodies},
-                                                                                 {"contacts", &Layers::contacts},
-                                                                                 {"normals", &Layers::normals},
-                                                                                 {"impulses", &Layers::impulses},
-                                                                                 {"joints", &Layers::joints},
-                                                                                 {"aabbs", &Layers::aabbs},
-                                                                                 {"islands", &Layers::islands},
-                                                                                 {"bvh", &Layers::bvh},
-                                                                                 {"labels", &Layers::labels}}};
+constexpr std::array<LayerName, 9> layerNames{{{"bodies", &Layers::bodies},
+                                               {"contacts", &Layers::contacts},
+                                               {"normals", &Layers::normals},
+                                               {"impulses", &Layers::impulses},
+                                               {"joints", &Layers::joints},
+                                               {"aabbs", &Layers::aabbs},
+                                               {"islands", &Layers::islands},
+                                               {"bvh", &Layers::bvh},
+                                               {"labels", &Layers::labels}}};
 
 }  // namespace
+
+std::span<const LayerName> GetLayerNames() { return layerNames; }
 
 Layers ParseLayers(std::string_view text) {
     Layers layers;

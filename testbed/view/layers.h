@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace testbed {
@@ -26,6 +27,15 @@ struct Layers {
         return layers;
     }
 };
+
+/// A layer's name and its switch.
+struct LayerName {
+    std::string_view name;
+    bool Layers::*isOn;
+};
+
+/// All layers, in the order in which users see them: the one list of the command line, the window and the messages.
+[[nodiscard]] std::span<const LayerName> GetLayerNames();
 
 /// Names separated by commas, "bodies,contacts"; throws std::invalid_argument listing the names for an unknown one.
 [[nodiscard]] Layers ParseLayers(std::string_view text);
