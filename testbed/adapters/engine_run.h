@@ -22,6 +22,7 @@ struct CaptureParts {
     bool contacts = true;
     bool joints = true;
     bool nodes = true;
+    bool pairs = true;  ///< Box2D's reported pairs, which take a search; 0 without
 };
 
 inline constexpr int maxThreads = 64;
@@ -69,12 +70,50 @@ public:
     EngineRun& operator=(const EngineRun&) = delete;
 };
 
+/// What may change while a scene runs. Changes take effect in the next step.
+struct SolverSettings {
+    float timeStep = 1.0f / 60.0f;  ///< s, 0.0001 … 0.1
+    int velocityIterations = 8;     ///< 1 … 200
+    int positionIterations = 3;     ///< 0 … 200
+    int substeps = 0;               ///< ours: of the soft step, 0 … 64; 0: sequential impulses with the iterations
+    Vec2 gravity{0.0f, -10.0f};     ///< m/s²
+    bool sleeping = true;
+    bool warmStarting = true;
+    bool continuous = false;
+
+    friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
+};
+
+/// A run that takes what a user does with the mouse and the keyboard.
+class InteractiveRun : public EngineRun {
+public:
+    [[nodiscard]] virtual SolverSettings GetSettings() const = 0;
+    /// Throws std::invalid_argument for a value outside its range, and changes nothing then.
+    virtual void Apply(const SolverSettings& settings) = 0;
+    /// Pulls a point of a dynamic body (in its coordinates) by a spring; a drag that was going on ends. Throws
+    /// std::invalid_argument for another body. At first the spring pulls to where the point is.
+    virtual void BeginDrag(int body, Vec2 localPoint) = 0;
+    /// Where to, world, m. Nothing without a drag.
+    virtual void MoveDrag(Vec2 target) = 0;
+    virtual void EndDrag() = 0;
+    /// Adds a small heavy circle that nothing lets through; returns its body index. It takes the index of the scene's
+    /// next spawn, and those that are still to come move up.
+    virtual int ShootBullet(Vec2 position, Vec2 velocity) = 0;
+};
+
+/// Radius of a bullet, m.
+inline constexpr float bulletRadius = 0.25f;
+
 /// Loads a copy of a scene. Throws std::invalid_argument for an unknown broad phase, an option that the engine does not
 /// have, or a scene that it refuses.
-std::unique_ptr<EngineRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options);
-std::unique_ptr<EngineRun> MakeBox2dRun(const scenes::Scene& scene, const RunOptions& options);
+std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options);
+std::unique_ptr<InteractiveRun> MakeBox2dRun(const scenes::Scene& scene, const RunOptions& options);
 
 /// By name, "scree" or "box2d", following RunOptions::poses. Throws std::invalid_argument for another name.
 std::unique_ptr<EngineRun> MakeRun(std::string_view engine, const scenes::Scene& scene, const RunOptions& options);
+
+/// The same for a run with a motion of its own; RunOptions::poses is not read.
+std::unique_ptr<InteractiveRun> MakeInteractiveRun(std::string_view engine, const scenes::Scene& scene,
+                                                   const RunOptions& options);
 
 }  // namespace testbed

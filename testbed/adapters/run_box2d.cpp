@@ -76,7 +76,7 @@ bool IsSimulated(const b2Body& body) { return body.GetType() != b2_staticBody &&
 
 class Box2dRun final : public SceneRun {
 public:
-    Box2dRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene) {
+    Box2dRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene, options) {
         m_bodies.reserve(scene.bodies.size());
         m_fixtures.reserve(scene.fixtures.size());
         m_joints.reserve(scene.joints.size());
@@ -101,6 +101,10 @@ protected:
     void CaptureHeader(Snapshot& snapshot) override;
     void CaptureBodies(std::vector<BodyState>& bodies) override;
     void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) override;
+    void ApplyToWorld(const SolverSettings& settings) override;
+    void CreateDrag(int body, Vec2 localPoint) override;
+    void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToB2(target)); }
+    void DestroyDrag() override;
 
 private:
     /// A fixture, its index into the scene's fixtures, and which child of it is meant.
@@ -132,14 +136,16 @@ private:
     void CaptureFixtures(std::vector<FixtureState>& fixtures) const;
     void CaptureContacts(std::vector<ContactState>& contacts) const;
     void CaptureJoints(std::vector<JointState>& joints) const;
-    void CaptureNodes(Snapshot& snapshot) const;
+    void CaptureNodes(Snapshot& snapshot, bool pairs) const;
 
     Conveyor m_conveyor{*this};
     std::unique_ptr<b2World> m_world;
-    Box2dBodies m_bodies;           ///< by body index
-    std::vector<Entry> m_fixtures;  ///< by index into Snapshot::fixtures
-    Box2dJoints m_joints;           ///< by joint index
-    std::vector<bool> m_wasAwake;   ///< by body index, after the step that was counted last
+    Box2dBodies m_bodies;            ///< by body index
+    std::vector<Entry> m_fixtures;   ///< by index into Snapshot::fixtures
+    Box2dJoints m_joints;            ///< by joint index
+    std::vector<bool> m_wasAwake;    ///< by body index, after the step that was counted last
+    b2Body* m_dragGround = nullptr;  ///< carries the spring that drags
+    b2MouseJoint* m_drag = nullptr;
 };
 
 void Box2dRun::CreateFixture(b2Body& body, int sceneIndex) {
@@ -175,9 +181,9 @@ void Box2dRun::CreateJoint(const scenes::Joint& joint) {
 }
 
 StepTimes Box2dRun::StepEngine(bool newFixtures) {
-    const scenes::Scene& scene = GetScene();
+    const SolverSettings s = GetSettings();
     const Stopwatch watch;
-    m_world->Step(scene.timeStep, scene.velocityIterations, scene.positionIterations);
+    m_world->Step(s.timeStep, s.velocityIterations, s.positionIterations);
     StepTimes times;
     times.step = watch.GetMilliseconds();
     const b2Profile& p = m_world->GetProfile();
@@ -202,6 +208,32 @@ StepCounts Box2dRun::CountStep() {
     for (const b2Contact* c = m_world->GetContactList(); c; c = c->GetNext()) counts.touching += c->IsTouching();
     counts.contacts = m_world->GetContactCount();
     return counts;
+}
+
+void Box2dRun::ApplyToWorld(const SolverSettings& settings) {
+    m_world->SetGravity(ToB2(settings.gravity));
+    m_world->SetAllowSleeping(settings.sleeping);
+    m_world->SetWarmStarting(settings.warmStarting);
+    m_world->SetContinuousPhysics(settings.continuous);
+}
+
+void Box2dRun::CreateDrag(int body, Vec2 localPoint) {
+    const b2BodyDef groundDef;
+    if (!m_dragGround) m_dragGround = m_world->CreateBody(&groundDef);
+    b2Body* dragged = m_bodies[static_cast<size_t>(body)];
+    b2MouseJointDef def;
+    def.bodyA = m_dragGround;
+    def.bodyB = dragged;
+    def.target = dragged->GetWorldPoint(ToB2(localPoint));
+    def.maxForce = dragAcceleration * dragged->GetMass();
+    b2LinearStiffness(def.stiffness, def.damping, dragHertz, dragDampingRatio, m_dragGround, dragged);
+    m_drag = static_cast<b2MouseJoint*>(m_world->CreateJoint(&def));
+    dragged->SetAwake(true);
+}
+
+void Box2dRun::DestroyDrag() {
+    m_world->DestroyJoint(m_drag);
+    m_drag = nullptr;
 }
 
 void Box2dRun::CaptureHeader(Snapshot& snapshot) {
@@ -281,23 +313,23 @@ void Box2dRun::CaptureJoints(std::vector<JointState>& joints) const {
     }
 }
 
-void Box2dRun::CaptureNodes(Snapshot& snapshot) const {
+void Box2dRun::CaptureNodes(Snapshot& snapshot, bool pairs) const {
     DumpBox2dTree(m_world->GetContactManager().m_broadPhase, FixtureOfProxy, snapshot.nodes);
     snapshot.treeHeight = m_world->GetTreeHeight();
     snapshot.leafSize = snapshot.nodes.empty() ? 0 : 1;
-    if (!snapshot.fixtures.empty()) snapshot.pairsReported = CountPairs(LeafBoxes(snapshot));
+    if (pairs && !snapshot.fixtures.empty()) snapshot.pairsReported = CountPairs(LeafBoxes(snapshot));
 }
 
 void Box2dRun::CaptureRest(Snapshot& snapshot, const CaptureParts& parts) {
     if (parts.fixtures) CaptureFixtures(snapshot.fixtures);
     if (parts.contacts) CaptureContacts(snapshot.contacts);
     if (parts.joints) CaptureJoints(snapshot.joints);
-    if (parts.nodes) CaptureNodes(snapshot);
+    if (parts.nodes) CaptureNodes(snapshot, parts.pairs);
 }
 
 }  // namespace
 
-std::unique_ptr<EngineRun> MakeBox2dRun(const scenes::Scene& scene, const RunOptions& options) {
+std::unique_ptr<InteractiveRun> MakeBox2dRun(const scenes::Scene& scene, const RunOptions& options) {
     return std::make_unique<Box2dRun>(scene, options);
 }
 

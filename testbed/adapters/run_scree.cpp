@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "scree/inspect.h"
+#include "scree/mouse_joint.h"
 #include "scree/world.h"
 #include "testbed/adapters/scene_run.h"
 #include "testbed/adapters/scree_joint.h"
@@ -103,8 +104,7 @@ private:
 
 class ScreeRun final : public SceneRun {
 public:
-    ScreeRun(const scenes::Scene& scene, const RunOptions& options)
-        : SceneRun(scene), m_substeps(options.substeps), m_conveyor(GetScene()) {
+    ScreeRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene, options), m_conveyor(GetScene()) {
         const scree::WorldDef def = MakeWorldDef(scene, options);
         m_bodies.reserve(scene.bodies.size());
         m_fixtures.reserve(scene.fixtures.size());
@@ -131,6 +131,10 @@ protected:
     void CaptureHeader(Snapshot& snapshot) override;
     void CaptureBodies(std::vector<BodyState>& bodies) override;
     void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) override;
+    void ApplyToWorld(const SolverSettings& settings) override;
+    void CreateDrag(int body, Vec2 localPoint) override;
+    void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToScree(target)); }
+    void DestroyDrag() override;
 
 private:
     /// A fixture of the engine, the index of its fixture in the scene, and which edge of that it is.
@@ -151,13 +155,14 @@ private:
     void CaptureJoints(std::vector<JointState>& joints) const;
     void CaptureNodes(Snapshot& snapshot) const;
 
-    const int m_substeps;
     Conveyor m_conveyor;
     std::unique_ptr<scree::World> m_world;
-    ScreeBodies m_bodies;           ///< by body index
-    std::vector<Entry> m_fixtures;  ///< by index into Snapshot::fixtures
-    std::vector<int> m_indexOf;     ///< Fixture::GetIndex → index into Snapshot::fixtures
-    ScreeJoints m_joints;           ///< by joint index
+    ScreeBodies m_bodies;                 ///< by body index
+    std::vector<Entry> m_fixtures;        ///< by index into Snapshot::fixtures
+    std::vector<int> m_indexOf;           ///< Fixture::GetIndex → index into Snapshot::fixtures
+    ScreeJoints m_joints;                 ///< by joint index
+    scree::Body* m_dragGround = nullptr;  ///< carries the spring that drags
+    scree::MouseJoint* m_drag = nullptr;
 };
 
 void ScreeRun::AddEntry(const Entry& entry) {
@@ -205,11 +210,11 @@ void ScreeRun::CreateJoint(const scenes::Joint& joint) {
 }
 
 StepTimes ScreeRun::StepEngine(bool) {
-    const scenes::Scene& scene = GetScene();
+    const SolverSettings s = GetSettings();
     const Stopwatch watch;
-    const scree::StepReport report =
-        m_substeps > 0 ? m_world->Step(scene.timeStep, m_substeps)
-                       : m_world->Step(scene.timeStep, scene.velocityIterations, scene.positionIterations);
+    const scree::StepReport report = s.substeps > 0
+                                         ? m_world->Step(s.timeStep, s.substeps)
+                                         : m_world->Step(s.timeStep, s.velocityIterations, s.positionIterations);
     const scree::Profile& p = report.profile;
     return {.broadPhase = double{p.broadPhase},
             .narrowPhase = double{p.narrowPhase},
@@ -217,6 +222,32 @@ StepTimes ScreeRun::StepEngine(bool) {
             .islands = double{p.islands},
             .continuous = double{p.continuous},
             .step = watch.GetMilliseconds()};
+}
+
+void ScreeRun::ApplyToWorld(const SolverSettings& settings) {
+    m_world->SetGravity(ToScree(settings.gravity));
+    m_world->SetAllowSleeping(settings.sleeping);
+    m_world->SetWarmStarting(settings.warmStarting);
+    m_world->SetContinuousPhysics(settings.continuous);
+}
+
+void ScreeRun::CreateDrag(int body, Vec2 localPoint) {
+    const scree::BodyDef groundDef;
+    if (!m_dragGround) m_dragGround = m_world->CreateBody(&groundDef);
+    scree::Body* dragged = m_bodies[static_cast<size_t>(body)];
+    scree::MouseJointDef def;
+    def.bodyA = m_dragGround;
+    def.bodyB = dragged;
+    def.target = dragged->GetWorldPoint(ToScree(localPoint));
+    def.maxForce = dragAcceleration * dragged->GetMass();
+    scree::LinearStiffness(def.stiffness, def.damping, dragHertz, dragDampingRatio, m_dragGround, dragged);
+    m_drag = static_cast<scree::MouseJoint*>(m_world->CreateJoint(&def));
+    dragged->SetAwake(true);
+}
+
+void ScreeRun::DestroyDrag() {
+    m_world->DestroyJoint(m_drag);
+    m_drag = nullptr;
 }
 
 void ScreeRun::CaptureHeader(Snapshot& snapshot) {
@@ -317,7 +348,7 @@ void ScreeRun::CaptureRest(Snapshot& snapshot, const CaptureParts& parts) {
 
 }  // namespace
 
-std::unique_ptr<EngineRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options) {
+std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options) {
     return std::make_unique<ScreeRun>(scene, options);
 }
 

@@ -6,10 +6,33 @@
 #include "testbed/adapters/scene_run.h"
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 
 #include "testbed/adapters/state_hash.h"
 
 namespace testbed {
+
+namespace {
+
+constexpr float bulletDensity = 20.0f;  // kg/m²: heavy among the scenes' bodies, most of which have 1
+
+bool IsInRange(const SolverSettings& s) {
+    return s.timeStep >= 0.0001f && s.timeStep <= 0.1f && s.velocityIterations >= 1 && s.velocityIterations <= 200 &&
+           s.positionIterations >= 0 && s.positionIterations <= 200 && s.substeps >= 0 && s.substeps <= 64 &&
+           std::isfinite(s.gravity.x) && std::isfinite(s.gravity.y);
+}
+
+}  // namespace
+
+SceneRun::SceneRun(const scenes::Scene& scene, const RunOptions& options) : m_scene(scene) {
+    m_settings.timeStep = scene.timeStep;
+    m_settings.velocityIterations = scene.velocityIterations;
+    m_settings.positionIterations = scene.positionIterations;
+    m_settings.substeps = options.substeps;
+    m_settings.gravity = scene.gravity;
+    m_settings.continuous = options.continuous;
+}
 
 void SceneRun::Load() {
     CreateBodiesUpTo(m_scene.InitialBodyCount());
@@ -41,6 +64,54 @@ void SceneRun::Step() {
         due = m_scene.spawns[m_spawnCount++].body + 1;
     }
     if (due > m_bodyCount) Create([&] { CreateBodiesUpTo(due); });
+}
+
+void SceneRun::Apply(const SolverSettings& settings) {
+    if (!IsInRange(settings)) {
+        throw std::invalid_argument(
+            "solver settings: the time step is legal from 0.0001 to 0.1 s, velocity iterations from 1 to 200, position "
+            "iterations from 0 to 200, substeps from 0 to 64, and gravity must be finite");
+    }
+    m_settings = settings;
+    ApplyToWorld(settings);
+}
+
+void SceneRun::BeginDrag(int body, Vec2 localPoint) {
+    if (body < 0 || body >= m_bodyCount ||
+        m_scene.bodies[static_cast<size_t>(body)].type != scenes::BodyType::dynamic) {
+        throw std::invalid_argument("body " + std::to_string(body) + " cannot be dragged: it is not a dynamic body");
+    }
+    EndDrag();
+    CreateDrag(body, localPoint);
+    m_isDragging = true;
+}
+
+void SceneRun::MoveDrag(Vec2 target) {
+    if (m_isDragging) MoveDragTo(target);
+}
+
+void SceneRun::EndDrag() {
+    if (m_isDragging) DestroyDrag();
+    m_isDragging = false;
+}
+
+int SceneRun::ShootBullet(Vec2 position, Vec2 velocity) {
+    scenes::Fixture fixture;
+    fixture.shape.type = scenes::ShapeType::circle;
+    fixture.shape.radius = bulletRadius;
+    fixture.density = bulletDensity;
+    scenes::Body body;
+    body.type = scenes::BodyType::dynamic;
+    body.bullet = true;
+    body.position = position;
+    body.linearVelocity = velocity;
+    body.firstFixture = static_cast<int>(m_scene.fixtures.size());
+    body.fixtureCount = 1;
+    m_scene.fixtures.push_back(fixture);
+    m_scene.bodies.insert(m_scene.bodies.begin() + m_bodyCount, body);
+    for (size_t i = m_spawnCount; i < m_scene.spawns.size(); ++i) ++m_scene.spawns[i].body;
+    Create([&] { CreateBodiesUpTo(m_bodyCount + 1); });
+    return m_bodyCount - 1;
 }
 
 void SceneRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {

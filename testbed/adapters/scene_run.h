@@ -12,7 +12,7 @@
 
 namespace testbed {
 
-class SceneRun : public EngineRun {
+class SceneRun : public InteractiveRun {
 public:
     void Step() final;
     [[nodiscard]] int GetStep() const final { return m_step; }
@@ -21,8 +21,15 @@ public:
     [[nodiscard]] int64_t GetPeakBytes() const final { return m_heap.GetPeakBytes(); }
     void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
 
+    [[nodiscard]] SolverSettings GetSettings() const final { return m_settings; }
+    void Apply(const SolverSettings& settings) final;
+    void BeginDrag(int body, Vec2 localPoint) final;
+    void MoveDrag(Vec2 target) final;
+    void EndDrag() final;
+    int ShootBullet(Vec2 position, Vec2 velocity) final;
+
 protected:
-    explicit SceneRun(const scenes::Scene& scene) : m_scene(scene) {}
+    SceneRun(const scenes::Scene& scene, const RunOptions& options);
     /// Creates what exists before the first step; for the constructor of the engine's class, inside Create.
     void Load();
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
@@ -49,6 +56,16 @@ protected:
     virtual void CaptureBodies(std::vector<BodyState>& bodies) = 0;
     /// Fixtures, contacts, joints, nodes (with height, leaf size and reported pairs), as far as `parts` asks for them.
     virtual void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) = 0;
+    /// Gravity, sleeping, warm starting and continuous collision into the world; steps read the rest.
+    virtual void ApplyToWorld(const SolverSettings& settings) = 0;
+    /// A mouse joint on the body at `localPoint`; none exists. Its strength is that of the dragSpring… below.
+    virtual void CreateDrag(int body, Vec2 localPoint) = 0;
+    virtual void MoveDragTo(Vec2 target) = 0;
+    virtual void DestroyDrag() = 0;
+
+    static constexpr float dragHertz = 5.0f;         ///< of the spring that pulls a body
+    static constexpr float dragDampingRatio = 0.7f;  ///< of the spring
+    static constexpr float dragAcceleration = 1000;  ///< largest force over the body's mass, m/s²
 
 private:
     void CreateBodiesUpTo(int count);
@@ -61,6 +78,8 @@ private:
     int m_bodyCount = 0;
     size_t m_spawnCount = 0;
     bool m_newFixtures = false;
+    SolverSettings m_settings;
+    bool m_isDragging = false;
 };
 
 }  // namespace testbed

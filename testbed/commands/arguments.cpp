@@ -11,6 +11,7 @@
 #include <array>
 #include <charconv>
 #include <span>
+#include <tuple>
 
 #include "scree/broad_phase_kind.h"
 #include "testbed/commands/nearest.h"
@@ -48,17 +49,6 @@ std::vector<std::string_view> Split(std::string_view text, char separator) {
     return parts;
 }
 
-void ParseImageSize(std::string_view text, PictureOptions& options) {
-    const std::vector<std::string_view> parts = Split(text, 'x');
-    const std::optional<int> width = ParseInt(parts[0]);
-    const std::optional<int> height = parts.size() == 2 ? ParseInt(parts[1]) : std::nullopt;
-    if (!width || !height) {
-        throw UsageError(fmt::format("--image {}: give width and height in pixels, for example 1920x1080", text));
-    }
-    options.width = *width;
-    options.height = *height;
-}
-
 }  // namespace
 
 std::vector<std::string> ParseEngines(std::string_view text) {
@@ -86,6 +76,16 @@ std::vector<int> ParseIntList(std::string_view option, std::string_view text, st
 }
 
 void CheckBroadPhase(std::string_view name) { CheckKnown("broad phase", name, scree::broadPhaseNames); }
+
+std::pair<int, int> ParseSize(std::string_view option, std::string_view text) {
+    const std::vector<std::string_view> parts = Split(text, 'x');
+    const std::optional<int> width = ParseInt(parts[0]);
+    const std::optional<int> height = parts.size() == 2 ? ParseInt(parts[1]) : std::nullopt;
+    if (!width || !height) {
+        throw UsageError(fmt::format("{} {}: give width and height in pixels, for example 1920x1080", option, text));
+    }
+    return {*width, *height};
+}
 
 StepRange ParseSteps(std::string_view text, bool countAllowed) {
     std::vector<int> numbers;
@@ -188,7 +188,7 @@ void AddLookOptions(CLI::App& app, PictureArguments& arguments) {
 PictureOptions MakePictureOptions(const PictureArguments& arguments) {
     PictureOptions options;
     CheckKnown("style", arguments.style, styleNames);
-    ParseImageSize(arguments.image, options);
+    std::tie(options.width, options.height) = ParseSize("--image", arguments.image);
     options.nodes = ParseNodeSelection(arguments.nodes);
     options.style = ParseStyle(arguments.style);
     options.opacity = arguments.opacity;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scenes/catalog.h"
@@ -43,6 +44,9 @@ inline constexpr int maxStep = 1'000'000;
 
 /// Throws UsageError with the nearest name for an unknown algorithm.
 void CheckBroadPhase(std::string_view name);
+
+/// "1920x1080" of an option; UsageError naming the option for anything else.
+[[nodiscard]] std::pair<int, int> ParseSize(std::string_view option, std::string_view text);
 
 /// The row of the catalogue; UsageError with the nearest name for an unknown scene.
 [[nodiscard]] const scenes::SceneInfo& FindScene(const std::string& name);

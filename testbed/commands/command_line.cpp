@@ -108,6 +108,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddSnapshotCommand(app, request);
     AddDiffCommand(app, request);
     AddMergeCommand(app, request);
+    AddViewCommand(app, request);
     AddEnvCommand(app, request);
     try {
         Parse(app, arguments);

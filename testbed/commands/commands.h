@@ -30,6 +30,7 @@ void AddBenchCommand(CLI::App& app, Request& request);
 void AddSnapshotCommand(CLI::App& app, Request& request);
 void AddDiffCommand(CLI::App& app, Request& request);
 void AddMergeCommand(CLI::App& app, Request& request);
+void AddViewCommand(CLI::App& app, Request& request);
 void AddEnvCommand(CLI::App& app, Request& request);
 
 }  // namespace testbed

@@ -47,6 +47,9 @@ public:
     [[nodiscard]] virtual Backend GetBackend() const = 0;
 };
 
+/// Finds a GL function for a `user`, null when there is none: the shape in which renderers take a context or a window.
+using FindFunction = Context::Function (*)(void* user, const char* name);
+
 /// Opens a context and makes it current. `automatic` tries OSMesa, then EGL. Throws BackendError; `cpu` has no context
 /// and is a std::invalid_argument.
 [[nodiscard]] std::unique_ptr<Context> MakeContext(Backend backend, const ContextOptions& options = {});

@@ -6,8 +6,6 @@
 
 #include "testbed/render/gl_renderer.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -15,6 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "testbed/render/gl_program.h"
 #include "testbed_generated/shader_sources.h"
 
 namespace testbed {
@@ -28,59 +27,6 @@ struct TriangleVertex {
     Color color;
 };
 
-GLuint CompileShader(const GladGLContext& gl, GLenum kind, const char* source) {
-    const GLuint shader = gl.CreateShader(kind);
-    gl.ShaderSource(shader, 1, &source, nullptr);
-    gl.CompileShader(shader);
-    GLint compiled = GL_FALSE;
-    gl.GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled != GL_TRUE) {
-        std::array<char, 1024> log{};
-        gl.GetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), nullptr, log.data());
-        throw BackendError(std::string("the OpenGL driver refuses a shader: ") + log.data());
-    }
-    return shader;
-}
-
-GLuint LinkProgram(const GladGLContext& gl, const char* vertexSource, const char* fragmentSource) {
-    const GLuint vertex = CompileShader(gl, GL_VERTEX_SHADER, vertexSource);
-    const GLuint fragment = CompileShader(gl, GL_FRAGMENT_SHADER, fragmentSource);
-    const GLuint program = gl.CreateProgram();
-    gl.AttachShader(program, vertex);
-    gl.AttachShader(program, fragment);
-    gl.LinkProgram(program);
-    gl.DeleteShader(vertex);
-    gl.DeleteShader(fragment);
-    GLint linked = GL_FALSE;
-    gl.GetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked != GL_TRUE) throw BackendError("the OpenGL driver cannot link a shader program");
-    return program;
-}
-
-/// A framebuffer object with one colour texture that grows to what is asked.
-struct Target {
-    GLuint framebuffer = 0, texture = 0;
-    int width = 0, height = 0;
-
-    void Bind(const GladGLContext& gl, GLint format, int wantedWidth, int wantedHeight) {
-        if (framebuffer == 0) {
-            gl.GenFramebuffers(1, &framebuffer);
-            gl.GenTextures(1, &texture);
-        }
-        gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        if (width == wantedWidth && height == wantedHeight) return;
-        gl.BindTexture(GL_TEXTURE_2D, texture);
-        gl.TexImage2D(GL_TEXTURE_2D, 0, format, wantedWidth, wantedHeight, 0, GL_RED, GL_UNSIGNED_BYTE, nullptr);
-        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-        if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-            throw BackendError("the OpenGL driver cannot make a framebuffer of " + std::to_string(wantedWidth) + "x" +
-                               std::to_string(wantedHeight) + " pixels: ask for a smaller --image");
-        }
-        width = wantedWidth;
-        height = wantedHeight;
-    }
-};
-
 }  // namespace
 
 struct GlRenderer::State {
@@ -90,7 +36,7 @@ struct GlRenderer::State {
     GLint boxScale = -1, triangleScale = -1;
     GLuint boxArray = 0, triangleArray = 0, boxBuffer = 0, boxIndices = 0, triangleBuffer = 0;
     size_t indexedBoxes = 0;  // boxes that boxIndices reaches
-    Target countTarget, layerTarget;
+    GlTarget countTarget, layerTarget;
     std::vector<float> floats;
     std::vector<TriangleVertex> vertices;
 
@@ -102,9 +48,7 @@ struct GlRenderer::State {
 
 void GlRenderer::State::Load() {
     const auto find = [](void* user, const char* name) { return static_cast<const Context*>(user)->GetFunction(name); };
-    if (gladLoadGLContextUserPtr(&gl, find, context.get()) == 0 || gl.VERSION_3_3 == 0) {
-        throw BackendError("the OpenGL driver offers less than version 3.3");
-    }
+    LoadGl(gl, find, context.get());
     boxProgram = LinkProgram(gl, shaders::boxesVertex, shaders::boxesFragment);
     boxScale = gl.GetUniformLocation(boxProgram, "inverseHalfSide");
     triangleProgram = LinkProgram(gl, shaders::trianglesVertex, shaders::trianglesFragment);
