@@ -25,7 +25,8 @@ bool IsInRange(const SolverSettings& s) {
 
 }  // namespace
 
-SceneRun::SceneRun(const scenes::Scene& scene, const RunOptions& options) : m_scene(scene) {
+SceneRun::SceneRun(const scenes::Scene& scene, const RunOptions& options)
+    : m_scene(scene), m_keepBoxes(options.sweptBoxes) {
     m_settings.timeStep = scene.timeStep;
     m_settings.velocityIterations = scene.velocityIterations;
     m_settings.positionIterations = scene.positionIterations;
@@ -51,7 +52,25 @@ void SceneRun::CreateBodiesUpTo(int count) {
     }
 }
 
+void SceneRun::KeepBoxes() {
+    Snapshot before;
+    CaptureRest(before, {.fixtures = true, .contacts = false, .joints = false, .nodes = false});
+    m_boxesBefore.clear();
+    for (const FixtureState& fixture : before.fixtures) m_boxesBefore.push_back(fixture.tight);
+}
+
+void SceneRun::AddKeptBoxes(std::vector<FixtureState>& fixtures) const {
+    for (size_t i = 0; i < fixtures.size(); ++i) {
+        const Box& after = fixtures[i].tight;
+        // What was spawned after the step has no box before it.
+        const Box& before = i < m_boxesBefore.size() ? m_boxesBefore[i] : after;
+        fixtures[i].swept = {{std::min(before.lower.x, after.lower.x), std::min(before.lower.y, after.lower.y)},
+                             {std::max(before.upper.x, after.upper.x), std::max(before.upper.y, after.upper.y)}};
+    }
+}
+
 void SceneRun::Step() {
+    if (m_keepBoxes) KeepBoxes();
     m_heap.Measure([&] {
         const CpuStopwatch watch;
         m_times = StepEngine(m_newFixtures);
@@ -132,6 +151,7 @@ void SceneRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {
     snapshot.treeHeight = 0;
     snapshot.leafSize = 0;
     CaptureRest(snapshot, parts);
+    AddKeptBoxes(snapshot.fixtures);
 }
 
 }  // namespace testbed

@@ -69,6 +69,9 @@ protected:
 
 private:
     void CreateBodiesUpTo(int count);
+    /// Tight boxes are kept before a step, and joined with those after it in the capture.
+    void KeepBoxes();
+    void AddKeptBoxes(std::vector<FixtureState>& fixtures) const;
 
     scenes::Scene m_scene;
     HeapMeter m_heap;
@@ -80,6 +83,8 @@ private:
     bool m_newFixtures = false;
     SolverSettings m_settings;
     bool m_isDragging = false;
+    bool m_keepBoxes;
+    std::vector<Box> m_boxesBefore;  ///< by index into Snapshot::fixtures, before the last step
 };
 
 }  // namespace testbed

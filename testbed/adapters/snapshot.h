@@ -43,6 +43,8 @@ struct FixtureState {
     scenes::Shape shape;
     bool sensor;
     Box tight;  ///< tight AABB at the snapshot's pose, skin included
+    /// Around `tight` and the tight box before the last step; equals `tight` unless RunOptions::sweptBoxes asks for it.
+    Box swept{};
 };
 
 /// A contact (touching or not) with its manifold in world coordinates.
@@ -55,6 +57,9 @@ struct ContactState {
     float separations[2];
     float normalImpulses[2];  ///< N·s
     float tangentImpulses[2];
+    /// The group in which the solver works on it: contacts of one colour share no dynamic body. −1: the engine does not
+    /// tell, or the solver does not see this contact.
+    int color = -1;
 };
 
 struct JointState {

@@ -23,6 +23,7 @@ namespace {
 constexpr std::array<std::string_view, 2> engineNames = {"scree", "box2d"};
 constexpr std::array<std::string_view, 3> posesNames = {"own", "scree", "box2d"};
 constexpr std::array<std::string_view, 4> styleNames = {"alpha", "heat", "bands", "log"};
+constexpr std::array<std::string_view, 2> themeNames = {"dark", "light"};
 constexpr std::array<std::string_view, 4> backendNames = {"auto", "osmesa", "egl", "cpu"};
 
 void CheckKnown(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
@@ -174,12 +175,16 @@ void AddCountOptions(CLI::App& app, PictureArguments& arguments) {
 void AddLookOptions(CLI::App& app, PictureArguments& arguments) {
     app.add_option("--style", arguments.style, "Colours of the counts: alpha, heat, bands or log")
         ->capture_default_str();
+    app.add_option("--theme", arguments.theme, "Colours for a dark or a light background: dark or light")
+        ->capture_default_str();
     app.add_option("--opacity", arguments.opacity, "Opacity of one layer in the style alpha, above 0, at most 1")
         ->capture_default_str();
     app.add_option("--scale-max", arguments.scaleMax, "Count at the end of the colour scale: auto or a number")
         ->capture_default_str();
-    app.add_option("--backend", arguments.backend,
-                   "What makes the pixels: auto (OSMesa, else EGL), osmesa, egl, or cpu, which needs no OpenGL")
+    app.add_option(
+           "--backend", arguments.backend,
+           "What makes the pixels, the same ones in every case: cpu (built in and fastest where OpenGL is software), "
+           "auto (OSMesa, else EGL), osmesa or egl")
         ->capture_default_str();
     app.add_flag("--skip-missing-backend", arguments.skipMissingBackend,
                  "Exit with 77 instead of 3 when the backend is missing");
@@ -189,8 +194,10 @@ PictureOptions MakePictureOptions(const PictureArguments& arguments) {
     PictureOptions options;
     CheckKnown("style", arguments.style, styleNames);
     std::tie(options.width, options.height) = ParseSize("--image", arguments.image);
+    CheckKnown("theme", arguments.theme, themeNames);
     options.nodes = ParseNodeSelection(arguments.nodes);
     options.style = ParseStyle(arguments.style);
+    options.theme = ParseTheme(arguments.theme);
     options.opacity = arguments.opacity;
     options.querySize = arguments.querySize;
     options.camera = ParseCamera(arguments.camera);

@@ -70,12 +70,13 @@ void AddRunOptions(CLI::App& app, RunArguments& arguments);
 struct PictureArguments {
     std::string nodes = "internal";
     std::string style = "alpha";
+    std::string theme = "dark";
     double opacity = 0.04;
     std::string scaleMax = "auto";
     double querySize = 0;
     std::string image = "1920x1080";
     std::string camera = "fit";
-    std::string backend = "auto";
+    std::string backend = "cpu";
     bool skipMissingBackend = false;
 };
 /// The options that decide what is counted and from where; `metrics` needs no others.

@@ -33,6 +33,7 @@ struct OverlapArguments {
     RunArguments run;
     PictureArguments picture;
     StepArguments steps;
+    SequenceArguments sequence;
 };
 
 /// The plot shows at least the steps that the dissertation's figures show.
@@ -48,7 +49,7 @@ std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Sna
         all.rows.push_back(MeasureSnapshot(snapshot, {}));
         inputs.push_back({&snapshot, fmt::format("sibling overlap {:.3f}", all.rows.back().siblingOverlap)});
     }
-    const OverlapResult result = session.maker.MakeOverlap(inputs, session.options);
+    OverlapResult result = session.maker.MakeOverlap(inputs, session.options, session.ChooseCamera(all.snapshots));
     all.camera = result.camera;
     all.scaleMax = result.scaleMax;
     for (std::size_t i = 0; i < result.panes.size(); ++i) {
@@ -59,21 +60,20 @@ std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Sna
         all.rows[i].overlapP99 = stats.p99;
     }
 
-    const std::filesystem::path folder = StepFolder(snapshots.front());
     for (std::size_t i = 0; i < result.panes.size(); ++i) {
         PictureRecord one = all;
         one.kind = "overlap";
         one.snapshots = {all.snapshots[i]};
         one.rows = {all.rows[i]};
         one.stats = {all.stats[i]};
-        session.Save(folder / result.panes[i].engine, result.panes[i].image, one);
+        session.Save(result.panes[i].engine, std::move(result.panes[i].image), one);
     }
     if (result.panes.size() == 2) {
-        session.Save(folder / "compare", result.compare, all);
+        session.Save("compare", std::move(result.compare), all);
         PictureRecord difference = all;
         difference.kind = "difference";
         difference.difference = &result.differenceStats;
-        session.Save(folder / "difference", result.difference, difference);
+        session.Save("difference", std::move(result.difference), difference);
     }
     return all.rows;
 }
@@ -92,16 +92,20 @@ void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<
 void RunScene(PictureSession& session, const SceneJob& job, const RunSetup& setup) {
     Progress progress(std::string(job.info->name),
                       std::max(plotSteps, job.selection.range.last) + workPerPicture * job.selection.Count());
+    session.Begin(job.selection.Count());
     SideBySide engines(scenes::Build(job.info->name, job.size), setup);
     RunSummary summary{std::string(job.info->name), job.size, {}, {}};
     ShowSteps(engines, job.selection, plotSteps, progress, [&](std::span<const Snapshot> snapshots) {
-        const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots);
-        summary.rows.insert(summary.rows.end(), rows.begin(), rows.end());
+        session.Make([&] {
+            const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots);
+            summary.rows.insert(summary.rows.end(), rows.begin(), rows.end());
+        });
     });
+    session.Finish();
     summary.timing = engines.GetTiming();
     SaveMetrics(session.output, job.info->name, {summary.scene, job.size, session.origin.command}, summary.rows);
     SaveTiming(session, job, summary.timing);
-    progress.Finish(fmt::format("{} steps, {} shown", engines.GetStep(), job.selection.Count()));
+    progress.Finish(session.Describe(engines.GetStep(), job.selection.Count()));
     fmt::print("{}\n", FormatSummary(summary));
     std::fflush(stdout);
 }
@@ -112,7 +116,9 @@ int RunOverlap(const OverlapArguments& arguments, const Request& request) {
     const PictureOptions options = MakePictureOptions(arguments.picture);
     CheckGnuplot();
     PictureSession session = MakePictureSession(
-        {arguments.picture, arguments.run, options, DescribeCommand(request.arguments)}, request.contextOptions);
+        {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
+        request.contextOptions);
+    for (const SceneJob& job : jobs) CheckSheet(session.sequences.GetOptions(), job.selection.Count());
     for (const SceneJob& job : jobs) RunScene(session, job, setup);
     fmt::print("{}", FormatFiles(session.output.GetFiles()));
     return exitDone;
@@ -127,6 +133,7 @@ void AddOverlapCommand(CLI::App& app, Request& request) {
     auto arguments = std::make_shared<OverlapArguments>();
     command->add_option("SCENE", arguments->scenes, "Scenes; `scree list` shows them");
     AddStepOptions(*command, arguments->steps);
+    AddSequenceOptions(*command, arguments->sequence);
     AddRunOptions(*command, arguments->run);
     AddCountOptions(*command, arguments->picture);
     AddLookOptions(*command, arguments->picture);

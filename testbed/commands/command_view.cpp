@@ -195,7 +195,7 @@ void AddOptions(CLI::App& app, ViewArguments& arguments) {
                    fmt::format("Algorithm of the engine scree: {}", fmt::join(scree::broadPhaseNames, ", ")))
         ->capture_default_str();
     std::string names;
-    for (const LayerName& layer : GetLayerNames()) names += (names.empty() ? "" : ", ") + std::string(layer.name);
+    for (const LayerInfo& layer : layerTable) names += (names.empty() ? "" : ", ") + std::string(layer.name);
     app.add_option("--layers", arguments.layers, "What to draw, with commas: " + names)->capture_default_str();
     app.add_option("--nodes", arguments.nodes, "Tree nodes: internal, leaves, all, level=K or levels=A..B")
         ->capture_default_str();

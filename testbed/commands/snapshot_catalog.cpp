@@ -31,7 +31,7 @@ constexpr SnapshotSet snapshotSets[] = {
     {"overlap", "overlap", "internal", anyGroup, When::both},
     {"contacts", "render", "bodies,contacts,normals,impulses", 0, When::late},
     {"labels", "render", "bodies,labels", 0, When::early},
-    {"islands", "render", "islands,contacts", 1, When::late},
+    {"islands", "render", "bodies,islands,contacts", 1, When::late},
     {"boxes", "render", "bodies,aabbs", 1, When::early},
     {"bvh", "render", "bodies,bvh", 2, When::late},
     {"joints", "render", "bodies,joints", 2, When::early},

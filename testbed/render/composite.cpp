@@ -48,10 +48,10 @@ bool IsEmpty(const Color* samples, std::ptrdiff_t stride) {
 }
 
 template <int supersampling>
-void Composite(const Image& samples, Image& picture) {
+void Composite(const Image& samples, Image& picture, int top) {
     const std::ptrdiff_t stride = samples.width;
-    for (int y = 0; y < picture.height; ++y) {
-        Color* out = &picture.At(0, y);
+    for (int y = 0; y < samples.height / supersampling; ++y) {
+        Color* out = &picture.At(0, top + y);
         const Color* sample = &samples.At(0, y * supersampling);
         for (int x = 0; x < picture.width; ++x, sample += supersampling) {
             if (IsEmpty<supersampling>(sample, stride)) continue;
@@ -67,16 +67,24 @@ void Composite(const Image& samples, Image& picture) {
 }  // namespace
 
 void CompositeSamples(const Image& samples, int supersampling, Image& picture) {
-    if (samples.width != picture.width * supersampling || samples.height != picture.height * supersampling) {
+    if (samples.height != picture.height * supersampling) {
+        throw std::invalid_argument("a layer does not fit its picture");
+    }
+    CompositeRows(samples, supersampling, picture, 0);
+}
+
+void CompositeRows(const Image& samples, int supersampling, Image& picture, int top) {
+    const bool isInside = top >= 0 && samples.height <= (picture.height - top) * supersampling;
+    if (samples.width != picture.width * supersampling || !isInside) {
         throw std::invalid_argument("a layer does not fit its picture");
     }
     switch (supersampling) {
         case 1:
-            return Composite<1>(samples, picture);
+            return Composite<1>(samples, picture, top);
         case 2:
-            return Composite<2>(samples, picture);
+            return Composite<2>(samples, picture, top);
         case 4:
-            return Composite<4>(samples, picture);
+            return Composite<4>(samples, picture, top);
         default:
             throw std::invalid_argument("supersampling is 1, 2 or 4");
     }

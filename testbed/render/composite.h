@@ -14,6 +14,9 @@ namespace testbed {
 /// Throws std::invalid_argument when the sizes do not fit.
 void CompositeSamples(const Image& samples, int supersampling, Image& picture);
 
+/// The same for the picture's rows from `top` on, as many as there are samples for.
+void CompositeRows(const Image& samples, int supersampling, Image& picture, int top);
+
 /// One colour over a rectangle, clipped to the picture; the colour's opacity counts.
 void BlendRect(Image& picture, const PixelBox& box, Color color);
 

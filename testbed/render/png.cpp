@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Chunks are written here; zlib deflates (its fastest level: stb's own compressor takes several times as long and its
-// files are larger), stb_image reads.
+// Chunks in their order, and the palette; stb_image reads.
 
 #include "testbed/render/png.h"
-
-#include <zlib.h>
 
 #include <array>
 #include <cstdint>
@@ -14,6 +11,8 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+
+#include "testbed/render/png_chunks.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -29,28 +28,10 @@ namespace testbed {
 
 namespace {
 
-using Bytes = std::vector<unsigned char>;
+using namespace png;
 
-constexpr std::array<unsigned char, 8> signature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr size_t maxPaletteSize = 256;
-constexpr unsigned char colorTypeRgb = 2, colorTypePalette = 3, colorTypeRgba = 6;
-constexpr unsigned char filterNone = 0, filterUp = 2;
-
-void AppendNumber(Bytes& bytes, uint32_t value) {
-    for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<unsigned char>(value >> shift));
-}
-
-uint32_t ReadNumber(const unsigned char* bytes) {
-    return uint32_t{bytes[0]} << 24 | uint32_t{bytes[1]} << 16 | uint32_t{bytes[2]} << 8 | uint32_t{bytes[3]};
-}
-
-void AppendChunk(Bytes& file, const char* type, std::span<const unsigned char> data) {
-    AppendNumber(file, static_cast<uint32_t>(data.size()));
-    const size_t start = file.size();
-    file.insert(file.end(), type, type + 4);
-    file.insert(file.end(), data.begin(), data.end());
-    AppendNumber(file, static_cast<uint32_t>(crc32(0, file.data() + start, static_cast<uInt>(file.size() - start))));
-}
+constexpr unsigned char filterNone = 0;
 
 /// The picture's colours when there are few enough for a palette, with an open-addressing table from colour to index.
 class ColorTable {
@@ -99,62 +80,11 @@ Bytes MakePaletteRows(const Image& image, ColorTable& table) {
     return rows;
 }
 
-/// RGB or RGBA, each row as its difference from the row above: overlap pictures consist of tall rectangles.
-Bytes MakeColorRows(const Image& image, size_t channels) {
-    Bytes rows;
-    const auto width = static_cast<size_t>(image.width);
-    rows.resize((width * channels + 1) * static_cast<size_t>(image.height));
-    unsigned char* out = rows.data();
-    const std::vector<Color> black(width, Color{0, 0, 0, 0});
-    const Color* above = black.data();
-    for (int y = 0; y < image.height; ++y) {
-        const Color* row = &image.At(0, y);
-        *out++ = filterUp;
-        for (size_t x = 0; x < width; ++x) {
-            *out++ = static_cast<unsigned char>(row[x].r - above[x].r);
-            *out++ = static_cast<unsigned char>(row[x].g - above[x].g);
-            *out++ = static_cast<unsigned char>(row[x].b - above[x].b);
-            if (channels == 4) *out++ = static_cast<unsigned char>(row[x].a - above[x].a);
-        }
-        above = row;
-    }
-    return rows;
-}
-
-Bytes Deflate(const Bytes& rows) {
-    uLongf size = compressBound(static_cast<uLong>(rows.size()));
-    Bytes compressed(size);
-    if (compress2(compressed.data(), &size, rows.data(), static_cast<uLong>(rows.size()), Z_BEST_SPEED) != Z_OK) {
-        throw FileError("out of memory while compressing a picture");
-    }
-    compressed.resize(size);
-    return compressed;
-}
-
 bool IsOpaque(const Image& image) {
     for (const Color& color : image.pixels) {
         if (color.a != 255) return false;
     }
     return true;
-}
-
-void AppendHeader(Bytes& file, const Image& image, unsigned char colorType) {
-    Bytes header;
-    AppendNumber(header, static_cast<uint32_t>(image.width));
-    AppendNumber(header, static_cast<uint32_t>(image.height));
-    header.insert(header.end(), {8, colorType, 0, 0, 0});
-    AppendChunk(file, "IHDR", header);
-}
-
-void AppendText(Bytes& file, const PngText& text) {
-    const bool keyIsGood = !text.key.empty() && text.key.size() <= 79 && text.key.find('\0') == std::string::npos;
-    if (!keyIsGood || text.value.find('\0') != std::string::npos) {
-        throw std::invalid_argument("bad PNG text entry '" + text.key + "'");
-    }
-    Bytes data(text.key.begin(), text.key.end());
-    data.push_back(0);
-    data.insert(data.end(), text.value.begin(), text.value.end());
-    AppendChunk(file, "tEXt", data);
 }
 
 Bytes ReadBytes(const std::filesystem::path& path) {
@@ -172,14 +102,15 @@ std::vector<unsigned char> EncodePng(const Image& image, std::span<const PngText
     ColorTable table;
     Bytes rows = opaque ? MakePaletteRows(image, table) : Bytes{};
     const bool usesPalette = !rows.empty();
-    AppendHeader(file, image, usesPalette ? colorTypePalette : (opaque ? colorTypeRgb : colorTypeRgba));
+    const ColorType type = usesPalette ? ColorType::palette : opaque ? ColorType::rgb : ColorType::rgba;
+    AppendHeader(file, image.width, image.height, type);
     for (const PngText& entry : text) AppendText(file, entry);
     if (usesPalette) {
         Bytes palette;
         for (const Color& color : table.GetColors()) palette.insert(palette.end(), {color.r, color.g, color.b});
         AppendChunk(file, "PLTE", palette);
     } else {
-        rows = MakeColorRows(image, opaque ? 3 : 4);
+        rows = MakeColorRows(image, {0, 0, image.width, image.height}, opaque ? 3 : 4);
     }
     AppendChunk(file, "IDAT", Deflate(rows));
     AppendChunk(file, "IEND", {});

@@ -24,11 +24,16 @@ public:
     [[nodiscard]] virtual CountImage Count(std::span<const PixelRect> rects, int width, int height) = 0;
     /// Fills `samples` (its size is the target's, in samples) with transparent black and draws the triangles in order.
     virtual void Draw(std::span<const Triangle> triangles, Image& samples) = 0;
+    /// The list's triangles over an opaque picture of its size.
+    virtual void DrawOver(const DrawList& list, Image& picture);
     [[nodiscard]] virtual Backend GetBackend() const = 0;
     /// GL_RENDERER, or "built in".
     [[nodiscard]] virtual std::string GetName() const = 0;
     /// GL_VERSION, or empty.
     [[nodiscard]] virtual std::string GetVersion() const = 0;
+
+private:
+    Image m_samples;  ///< of DrawOver, kept for the next picture
 };
 
 /// Throws BackendError when the backend, or for `automatic` any GL backend, does not work here.

@@ -11,7 +11,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <system_error>
@@ -56,11 +55,7 @@ int Run(const fs::path& script, const fs::path& log) {
 }  // namespace
 
 void CheckGnuplot() {
-    const char* path = std::getenv("PATH");
-    std::istringstream folders(path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin");
-    for (std::string folder; std::getline(folders, folder, ':');) {
-        if (access((fs::path(folder) / "gnuplot").c_str(), X_OK) == 0) return;
-    }
+    if (IsInstalled("gnuplot")) return;
     throw ToolError("gnuplot draws the plots and is not installed; install it with: apt-get install gnuplot-nox");
 }
 

@@ -7,17 +7,12 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
-namespace testbed {
+#include "testbed/report/tool.h"
 
-/// A program that the testbed runs is not installed; the message names the Debian package. The CLI exits 4.
-class ToolError : public std::runtime_error {
-public:
-    using std::runtime_error::runtime_error;
-};
+namespace testbed {
 
 /// Throws ToolError unless gnuplot is on PATH: call it before a long run.
 void CheckGnuplot();

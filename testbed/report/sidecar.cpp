@@ -72,6 +72,8 @@ std::string WriteSidecar(const PictureOrigin& origin, const PictureOptions& opti
                      {"gl_renderer", origin.renderer},
                      {"gl_version", origin.version},
                      {"camera", DescribeCamera(record.camera, !options.camera.has_value())}};
+    document["theme"] = GetThemeName(options.theme);
+    document["layers"] = GetLayerNames(options.layers);
     if (record.kind != "render") {
         document["nodes"] = GetNodeSelectionName(options.nodes);
         document["query_size"] = options.querySize;

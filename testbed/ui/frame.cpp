@@ -82,8 +82,8 @@ void DrawFrame(Viewer& viewer, Gui& gui, Items& items, WindowRenderer& renderer,
 std::string WriteState(const Viewer& viewer) {
     const SolverSettings& s = viewer.settings;
     ordered_json layers = ordered_json::array();
-    for (const LayerName& layer : GetLayerNames()) {
-        if (viewer.look.layers.*layer.isOn) layers.push_back(layer.name);
+    for (const LayerInfo& layer : layerTable) {
+        if (viewer.look.layers.Has(layer.layer)) layers.push_back(layer.name);
     }
     ordered_json json{{"scene", viewer.info->name},
                       {"size", viewer.size},

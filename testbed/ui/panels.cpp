@@ -131,8 +131,9 @@ void DrawSolver(Viewer& viewer, Items& items) {
 void DrawLayerSwitches(Viewer& viewer, Items& items) {
     Layers& layers = viewer.look.layers;
     ImGui::Columns(2, nullptr, false);
-    for (const LayerName& layer : GetLayerNames()) {
-        ImGui::Checkbox(std::string(layer.name).c_str(), &(layers.*layer.isOn));
+    for (const LayerInfo& layer : layerTable) {
+        bool isOn = layers.Has(layer.layer);
+        if (ImGui::Checkbox(layer.name, &isOn)) layers.Set(layer.layer, isOn);
         MarkItem(items, fmt::format("layer.{}", layer.name));
         ImGui::NextColumn();
     }

@@ -234,7 +234,7 @@ void HandleInput(Viewer& viewer) {
 
 void UpdateFindings(Viewer& viewer) {
     const EnginePane* pointed = viewer.press ? nullptr : FindPane(viewer);
-    const bool showsNodes = viewer.look.overlap || viewer.look.layers.bvh;
+    const bool showsNodes = viewer.look.overlap || viewer.look.layers.Has(Layer::bvh);
     for (EnginePane& pane : viewer.panes) {
         pane.hoveredNode = -1;
         if (&pane == pointed && showsNodes) {

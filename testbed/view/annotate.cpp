@@ -28,17 +28,18 @@ int FitScale(const std::string& text, int scale, int width) {
     return scale;
 }
 
-void DrawColorBar(Image& image, const ColorBar& bar, int scale) {
+void DrawColorBar(Image& image, const ColorBar& bar, int scale, Theme theme) {
+    const ThemeColors& colors = GetTheme(theme);
     const PixelBox& box = bar.box;
     const int width = box.x1 - box.x0;
-    BlendRect(image, {box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1}, faintTextColor);
+    BlendRect(image, {box.x0 - 1, box.y0 - 1, box.x1 + 1, box.y1 + 1}, colors.faintText);
     for (int x = 0; x < width; ++x) {
         BlendRect(image, {box.x0 + x, box.y0, box.x0 + x + 1, box.y1}, bar.color((x + 0.5) / width));
     }
     std::vector<std::pair<int, int>> taken;
     for (const BarMark& mark : bar.marks) {
         const int x = box.x0 + static_cast<int>(mark.position * (width - 1) + 0.5);
-        BlendRect(image, {x, box.y1 - 3 * scale, x + scale, box.y1 + 2 * scale}, Color{255, 255, 255, 255});
+        BlendRect(image, {x, box.y1 - 3 * scale, x + scale, box.y1 + 2 * scale}, colors.label);
         const int textWidth = GetTextWidth(mark.text, scale);
         const int room = 2 * glyphAdvance * scale;
         // Under its tick if possible, else to the right of it, else to the left, else after another mark's text.
@@ -50,7 +51,7 @@ void DrawColorBar(Image& image, const ColorBar& bar, int scale) {
                 return left < range.second + room && range.first < left + textWidth + room;
             });
             if (overlaps) continue;
-            DrawText(image, left, box.y1 + 3 * scale, mark.text, scale, textColor);
+            DrawText(image, left, box.y1 + 3 * scale, mark.text, scale, colors.text);
             taken.emplace_back(left, left + textWidth);
             break;
         }

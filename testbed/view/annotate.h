@@ -10,12 +10,9 @@
 #include <vector>
 
 #include "testbed/render/image.h"
+#include "testbed/view/theme.h"
 
 namespace testbed {
-
-inline constexpr Color textColor{232, 232, 232, 255};
-inline constexpr Color faintTextColor{170, 170, 170, 255};
-inline constexpr Color stripColor{24, 24, 24, 255};
 
 /// Font scale of a picture's labels: twice the font's size from 1280 pixels on.
 [[nodiscard]] int GetLabelScale(int width);
@@ -37,6 +34,6 @@ struct ColorBar {
 };
 
 /// Draws the bar, a tick per mark, and the text of those marks that find room.
-void DrawColorBar(Image& image, const ColorBar& bar, int scale);
+void DrawColorBar(Image& image, const ColorBar& bar, int scale, Theme theme = Theme::dark);
 
 }  // namespace testbed

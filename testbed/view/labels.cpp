@@ -13,6 +13,7 @@
 #include "testbed/render/composite.h"
 #include "testbed/render/font.h"
 #include "testbed/view/annotate.h"
+#include "testbed/view/legend.h"
 
 namespace testbed {
 
@@ -24,7 +25,7 @@ constexpr double barShare = 0.36;  // of a pane's width
 
 /// The bar of a count scale. In the alpha style it ends where more layers no longer change the colour.
 ColorBar MakeCountBar(const PixelBox& box, uint32_t scaleMax, const PictureOptions& options) {
-    std::vector<Color> palette = MakePalette(options.style, options.opacity, scaleMax);
+    std::vector<Color> palette = MakePalette(options.style, options.opacity, scaleMax, options.theme);
     uint32_t end = std::max(scaleMax, 1u);
     if (options.style == Style::alpha) {
         const auto saturated = std::find(palette.begin(), palette.end(), palette.back());
@@ -61,9 +62,9 @@ void AddMean(ColorBar& bar, double mean, const std::string& name, uint32_t scale
 }
 
 /// Draws the dark strip of `lines` lines along the lower edge; returns its top row.
-int FillFooter(Image& image, int lines, int scale) {
+int FillFooter(Image& image, int lines, int scale, const ThemeColors& colors) {
     const int top = image.height - GetStripHeight(lines, scale);
-    BlendRect(image, {0, top, image.width, image.height}, stripColor);
+    BlendRect(image, {0, top, image.width, image.height}, colors.strip);
     return top;
 }
 
@@ -72,17 +73,15 @@ PixelBox GetFooterBar(const Image& image, int top, int scale) {
     return {image.width - width - 6 * scale, top + 3 * scale, image.width - 6 * scale, top + (lineHeight - 1) * scale};
 }
 
-void DrawLineAt(Image& image, int x, int y, const std::string& text, int scale) {
-    DrawText(image, x, y, text, scale, textColor);
-}
-
 }  // namespace
 
 Margins GetPictureMargins(const PictureOptions& options) {
     const int scale = GetLabelScale(options.width);
     const int side = options.width / 64;
     if (!options.labels) return {side, side, side, side};
-    return {side, GetStripHeight(1, scale) + side / 2, side, GetStripHeight(footerLines, scale) + side / 2};
+    const int footer =
+        options.legend ? GetLegendHeight(options.layers, options.width) : GetStripHeight(footerLines, scale);
+    return {side, GetStripHeight(1, scale) + side / 2, side, footer + side / 2};
 }
 
 std::string MakeTitle(const Snapshot& snapshot) {
@@ -108,59 +107,64 @@ std::string MakeStatsText(const OverlapStats& stats, const std::string& note) {
     return text;
 }
 
-void DrawHeader(Image& image, const std::string& left, const std::string& right) {
+void DrawHeader(Image& image, const std::string& left, const std::string& right, Theme theme) {
+    const ThemeColors& colors = GetTheme(theme);
     const int wanted = GetLabelScale(image.width);
     const int height = GetStripHeight(1, wanted);
     const int scale = FitScale(left + gap + right, wanted, image.width - 12 * wanted);
-    BlendRect(image, {0, 0, image.width, height}, stripColor);
+    BlendRect(image, {0, 0, image.width, height}, colors.strip);
     const int y = (height - 7 * scale) / 2;  // capitals are 7 font pixels high
-    DrawText(image, image.width - GetTextWidth(right, scale) - 6 * wanted, y, right, scale, faintTextColor);
-    DrawLineAt(image, 6 * wanted, y, left, scale);
+    DrawText(image, image.width - GetTextWidth(right, scale) - 6 * wanted, y, right, scale, colors.faintText);
+    DrawText(image, 6 * wanted, y, left, scale, colors.text);
 }
 
 void DrawPaneFooter(Image& image, const OverlapPane& pane, const std::string& note, uint32_t scaleMax,
                     const PictureOptions& options) {
+    const ThemeColors& colors = GetTheme(options.theme);
     const int scale = GetLabelScale(image.width);
-    const int top = FillFooter(image, footerLines, scale);
+    const int top = FillFooter(image, footerLines, scale, colors);
     const OverlapStats& stats = pane.count.stats;
     ColorBar bar = MakeCountBar(GetFooterBar(image, top, scale), scaleMax, options);
     AddMean(bar, stats.mean, "mean", scaleMax, options);
-    DrawColorBar(image, bar, scale);
+    DrawColorBar(image, bar, scale, options.theme);
     const int room = bar.box.x0 - 12 * scale;
     const std::string text = MakeStatsText(stats, "");
-    DrawLineAt(image, 6 * scale, top + 3 * scale, text, FitScale(text, scale, room));
+    DrawText(image, 6 * scale, top + 3 * scale, text, FitScale(text, scale, room), colors.text);
     const std::string secondLine = MakeNodesText(stats, options) + (note.empty() ? "" : gap + note);
-    DrawLineAt(image, 6 * scale, top + (3 + lineHeight) * scale, secondLine, FitScale(secondLine, scale, room));
+    DrawText(image, 6 * scale, top + (3 + lineHeight) * scale, secondLine, FitScale(secondLine, scale, room),
+             colors.text);
 }
 
 void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, const std::string& firstName,
-                          const std::string& secondName) {
+                          const std::string& secondName, Theme theme) {
+    const ThemeColors& colors = GetTheme(theme);
     const int scale = GetLabelScale(image.width);
-    const int top = FillFooter(image, footerLines, scale);
+    const int top = FillFooter(image, footerLines, scale, colors);
     const int64_t end = std::max<int64_t>({-stats.min, stats.max, 1});
-    const auto color = [end](double position) {
+    const auto color = [end, theme](double position) {
         const double value = (position * 2 - 1) * static_cast<double>(end);
-        return GetDifferenceColor(static_cast<int64_t>(value < 0 ? value - 0.5 : value + 0.5), end);
+        return GetDifferenceColor(static_cast<int64_t>(value < 0 ? value - 0.5 : value + 0.5), end, theme);
     };
     ColorBar bar{GetFooterBar(image, top, scale), color, {}};
     bar.marks = {{0, fmt::format("-{} {}", end, secondName)}, {1, fmt::format("{} +{}", firstName, end)}, {0.5, "0"}};
-    DrawColorBar(image, bar, scale);
+    DrawColorBar(image, bar, scale, theme);
     const std::string text =
         fmt::format("difference min {}{}max {}{}mean {:.3f}", stats.min, gap, stats.max, gap, stats.mean);
-    DrawLineAt(image, 6 * scale, top + 3 * scale, text, FitScale(text, scale, bar.box.x0 - 12 * scale));
+    DrawText(image, 6 * scale, top + 3 * scale, text, FitScale(text, scale, bar.box.x0 - 12 * scale), colors.text);
     const std::string legend = fmt::format("blue: {} counts more, red: {} counts more", secondName, firstName);
-    DrawLineAt(image, 6 * scale, top + (3 + lineHeight) * scale, legend,
-               FitScale(legend, scale, bar.box.x0 - 12 * scale));
+    DrawText(image, 6 * scale, top + (3 + lineHeight) * scale, legend, FitScale(legend, scale, bar.box.x0 - 12 * scale),
+             colors.text);
 }
 
 Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane> panes,
                   std::span<const Image> pictures, uint32_t scaleMax, const PictureOptions& options) {
+    const ThemeColors& colors = GetTheme(options.theme);
     const int scale = GetLabelScale(options.width);
     const int titleHeight = options.labels ? GetStripHeight(1, scale) : 0;
     const int captionHeight = options.labels ? GetStripHeight(2, scale) : 0;
     const int barHeight = options.labels ? GetStripHeight(2, scale) : 0;
     const int paneBottom = titleHeight + pictures[0].height;
-    Image image(options.width, paneBottom + captionHeight + barHeight, stripColor);
+    Image image(options.width, paneBottom + captionHeight + barHeight, colors.strip);
     for (size_t i = 0; i < pictures.size(); ++i) {
         const Image& picture = pictures[i];
         const int x = static_cast<int>(i) * (picture.width + compareGap);
@@ -173,17 +177,17 @@ Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane
         const std::string second = MakeStatsText(panes[i].count.stats, inputs[i].note);
         const int captionScale =
             FitScale(first.size() > second.size() ? first : second, scale, picture.width - 12 * scale);
-        DrawText(image, x + 6 * scale, paneBottom + 4 * scale, first, captionScale, textColor);
-        DrawText(image, x + 6 * scale, paneBottom + (4 + lineHeight) * scale, second, captionScale, textColor);
+        DrawText(image, x + 6 * scale, paneBottom + 4 * scale, first, captionScale, colors.text);
+        DrawText(image, x + 6 * scale, paneBottom + (4 + lineHeight) * scale, second, captionScale, colors.text);
     }
     if (!options.labels) return image;
-    DrawHeader(image, MakeTitle(*inputs[0].snapshot), "tree nodes over each pixel");
+    DrawHeader(image, MakeTitle(*inputs[0].snapshot), "tree nodes over each pixel", options.theme);
     const int barTop = paneBottom + captionHeight;
     ColorBar bar =
         MakeCountBar({24 * scale, barTop + 3 * scale, options.width - 24 * scale, barTop + (lineHeight - 1) * scale},
                      scaleMax, options);
     for (const OverlapPane& pane : panes) AddMean(bar, pane.count.stats.mean, pane.engine + " mean", scaleMax, options);
-    DrawColorBar(image, bar, scale);
+    DrawColorBar(image, bar, scale, options.theme);
     return image;
 }
 

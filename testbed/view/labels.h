@@ -28,7 +28,7 @@ namespace testbed {
 [[nodiscard]] std::string MakeStatsText(const OverlapStats& stats, const std::string& note);
 
 /// A strip along the picture's upper edge with one line: `left` at its left end, `right` at its right end.
-void DrawHeader(Image& image, const std::string& left, const std::string& right);
+void DrawHeader(Image& image, const std::string& left, const std::string& right, Theme theme = Theme::dark);
 
 /// The strip along the lower edge of an overlap pane: numbers and colour bar.
 void DrawPaneFooter(Image& image, const OverlapPane& pane, const std::string& note, uint32_t scaleMax,
@@ -36,7 +36,7 @@ void DrawPaneFooter(Image& image, const OverlapPane& pane, const std::string& no
 
 /// The strip along the lower edge of a difference picture.
 void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, const std::string& firstName,
-                          const std::string& secondName);
+                          const std::string& secondName, Theme theme);
 
 /// Puts two pane pictures of one size side by side under a title, with captions and the common colour bar.
 [[nodiscard]] Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane> panes,

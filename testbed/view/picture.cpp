@@ -12,10 +12,10 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "testbed/render/composite.h"
 #include "testbed/render/font.h"
 #include "testbed/render/renderer.h"
 #include "testbed/view/labels.h"
+#include "testbed/view/legend.h"
 #include "testbed/view/scene_layers.h"
 
 namespace testbed {
@@ -124,20 +124,18 @@ OverlapCount CountOverlap(const Snapshot& snapshot, const Camera& camera, const 
 struct PictureMaker::Implementation {
     std::unique_ptr<Renderer> renderer;
     PictureTimes times;
-    Image samples;
 
     CountImage Count(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options) {
         const Timer timer(times.counts);
         return renderer->Count(ProjectNodes(snapshot, camera, options), camera.width, camera.height);
     }
 
-    void AddLayers(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options, Image& picture) {
+    void AddLayers(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options, bool isOverCounts,
+                   Image& picture) {
         const Timer timer(times.layers);
-        const DrawList list = BuildDrawList(snapshot, camera, options.layers, options.nodes, options.supersampling);
-        const int width = camera.width * list.supersampling, height = camera.height * list.supersampling;
-        if (samples.width != width || samples.height != height) samples = Image(width, height, Color{0, 0, 0, 0});
-        renderer->Draw(list.triangles, samples);
-        CompositeSamples(samples, list.supersampling, picture);
+        const DrawList list = BuildDrawList(
+            snapshot, camera, {options.layers, options.nodes, options.supersampling, options.theme, isOverCounts});
+        renderer->DrawOver(list, picture);
         for (const TextItem& text : list.texts) DrawText(picture, text.x, text.y, text.text, text.scale, text.color);
     }
 
@@ -148,7 +146,7 @@ struct PictureMaker::Implementation {
             const Timer timer(times.colours);
             image = ColorCounts(counts, palette);
         }
-        AddLayers(snapshot, camera, options, image);
+        AddLayers(snapshot, camera, options, true, image);
         return image;
     }
 
@@ -173,12 +171,13 @@ void PictureMaker::Implementation::AddComparison(std::span<const PaneInput> inpu
     const CountImage& second = result.panes[1].count.counts;
     result.differenceStats = MeasureDifference(first, second);
     const DifferenceStats& stats = result.differenceStats;
-    result.difference = ColorDifference(first, second, std::max<int64_t>({-stats.min, stats.max, 1}));
+    result.difference = ColorDifference(first, second, std::max<int64_t>({-stats.min, stats.max, 1}), options.theme);
     if (!options.labels) return;
     DrawHeader(result.difference, MakeTitle(*inputs[0].snapshot),
                fmt::format("{} minus {}, {} nodes", result.panes[0].engine, result.panes[1].engine,
-                           GetNodeSelectionName(options.nodes)));
-    DrawDifferenceFooter(result.difference, stats, result.panes[0].engine, result.panes[1].engine);
+                           GetNodeSelectionName(options.nodes)),
+               options.theme);
+    DrawDifferenceFooter(result.difference, stats, result.panes[0].engine, result.panes[1].engine, options.theme);
 }
 
 PictureMaker::PictureMaker(Backend backend, const ContextOptions& contextOptions)
@@ -195,14 +194,15 @@ std::string PictureMaker::GetRendererName() const { return m_implementation->ren
 std::string PictureMaker::GetVersion() const { return m_implementation->renderer->GetVersion(); }
 const PictureTimes& PictureMaker::GetTimes() const { return m_implementation->times; }
 
-OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options) {
+OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options,
+                                        const std::optional<Camera>& camera) {
     CheckOptions(options);
     if (inputs.empty() || inputs.size() > 2) throw std::invalid_argument("an overlap picture shows one or two engines");
     Implementation& implementation = *m_implementation;
     OverlapResult result;
     std::vector<const Snapshot*> snapshots;
     for (const PaneInput& input : inputs) snapshots.push_back(input.snapshot);
-    result.camera = ChooseCamera(snapshots, options);
+    result.camera = camera ? *camera : ChooseCamera(snapshots, options);
     for (const PaneInput& input : inputs) {
         OverlapPane pane;
         pane.engine = input.snapshot->engine;
@@ -213,13 +213,13 @@ OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const
         result.panes.push_back(std::move(pane));
     }
     result.scaleMax = options.scaleMax.value_or(std::max(result.scaleMax, 1u));
-    const std::vector<Color> palette = MakePalette(options.style, options.opacity, result.scaleMax);
+    const std::vector<Color> palette = MakePalette(options.style, options.opacity, result.scaleMax, options.theme);
     for (size_t i = 0; i < inputs.size(); ++i) {
         OverlapPane& pane = result.panes[i];
         const Snapshot& snapshot = *inputs[i].snapshot;
         pane.image = implementation.ColorPane(snapshot, pane.count.counts, palette, result.camera, options);
         if (!options.labels) continue;
-        DrawHeader(pane.image, MakeTitle(snapshot), MakeEngineText(snapshot));
+        DrawHeader(pane.image, MakeTitle(snapshot), MakeEngineText(snapshot), options.theme);
         DrawPaneFooter(pane.image, pane, inputs[i].note, result.scaleMax, options);
     }
     if (inputs.size() == 2) implementation.AddComparison(inputs, palette, options, result);
@@ -231,11 +231,12 @@ Image PictureMaker::MakeRender(const PaneInput& input, const PictureOptions& opt
     CheckOptions(options);
     const Snapshot* const snapshot = input.snapshot;
     const Camera chosen = camera ? *camera : ChooseCamera(std::span(&snapshot, 1), options);
-    Image image(chosen.width, chosen.height, backgroundColor);
-    m_implementation->AddLayers(*snapshot, chosen, options, image);
+    Image image(chosen.width, chosen.height, GetTheme(options.theme).background);
+    m_implementation->AddLayers(*snapshot, chosen, options, false, image);
     if (options.labels) {
         const std::string note = input.note.empty() ? "" : "   " + input.note;
-        DrawHeader(image, MakeTitle(*snapshot), MakeEngineText(*snapshot) + note);
+        DrawHeader(image, MakeTitle(*snapshot), MakeEngineText(*snapshot) + note, options.theme);
+        if (options.legend) DrawLegend(image, MakeLegend(*snapshot, options.layers, options.theme), options.theme);
     }
     return image;
 }

@@ -22,6 +22,7 @@
 #include "testbed/view/camera.h"
 #include "testbed/view/layers.h"
 #include "testbed/view/nodes.h"
+#include "testbed/view/theme.h"
 
 namespace testbed {
 
@@ -34,8 +35,10 @@ struct PictureOptions {
     double querySize = 0;                 ///< every node grows by half of it on each side, m, ≥ 0
     std::optional<CameraRequest> camera;  ///< none: fit
     Layers layers = Layers::Bodies();     ///< drawn over the counts
-    int supersampling = 2;                ///< samples along a pixel's edge for the layers: 1, 2 or 4
-    bool labels = true;                   ///< title, numbers and colour bar
+    Theme theme = Theme::dark;
+    int supersampling = 2;  ///< samples along a pixel's edge for the layers: 1, 2 or 4
+    bool labels = true;     ///< title, numbers and colour bar
+    bool legend = false;    ///< of a render: what the layers' colours mean, with `labels`
 };
 
 /// Throws std::invalid_argument with the option's command-line name for a value outside its range.
@@ -110,12 +113,13 @@ public:
     [[nodiscard]] std::string GetRendererName() const;
     [[nodiscard]] std::string GetVersion() const;
 
-    /// One or two engines at one step. The difference is inputs[0] − inputs[1]: pass scree first.
+    /// One or two engines at one step. For all pictures: an optional camera overrides the fit (for animations, whose
+    /// frames must share one). The difference is inputs[0] − inputs[1]: pass scree first.
     /// Throws std::invalid_argument for another number of inputs or bad options.
-    [[nodiscard]] OverlapResult MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options);
+    [[nodiscard]] OverlapResult MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options,
+                                            const std::optional<Camera>& camera = std::nullopt);
 
-    /// The scene itself, no counts: `options.layers` over the plain background. An optional camera overrides the fit
-    /// (for animations, whose frames must share one).
+    /// The scene itself, no counts: `options.layers` over the plain background.
     [[nodiscard]] Image MakeRender(const PaneInput& input, const PictureOptions& options,
                                    const std::optional<Camera>& camera = std::nullopt);
 

@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 
 #include "testbed/render/font.h"
 #include "testbed/view/canvas.h"
+#include "testbed/view/islands.h"
 
 namespace testbed {
 
@@ -22,46 +22,44 @@ using scenes::BodyType;
 using scenes::JointType;
 using scenes::ShapeType;
 
-struct Look {
-    Color fill, border;
-};
-
-constexpr Look dynamicLook{{240, 176, 176, 84}, {250, 200, 200, 140}};
-constexpr Look sleepingLook{{150, 150, 172, 80}, {170, 170, 196, 165}};
-constexpr Look staticLook{{126, 190, 96, 72}, {156, 214, 120, 140}};
-constexpr Look kinematicLook{{128, 140, 236, 84}, {166, 176, 250, 180}};
-constexpr Look bulletLook{{255, 214, 92, 120}, {255, 232, 150, 220}};
-constexpr Look sensorLook{{84, 206, 220, 36}, {110, 222, 236, 160}};
-
-constexpr Color contactColor{255, 226, 64, 255}, normalColor{108, 204, 255, 255}, impulseColor{255, 142, 44, 255};
-constexpr Color jointColor{112, 226, 214, 210}, aabbColor{132, 176, 255, 150}, labelColor{255, 255, 255, 255};
-
-/// Levels and islands take these in turn; told apart with common colour blindness (after Okabe and Ito, "Color
-/// universal design", 2008, lightened for a dark background).
-constexpr std::array<Color, 7> cycle{Color{240, 176, 40, 255}, Color{104, 190, 240, 255}, Color{38, 186, 140, 255},
-                                     Color{244, 232, 90, 255}, Color{70, 140, 214, 255},  Color{232, 116, 50, 255},
-                                     Color{220, 144, 188, 255}};
-
-constexpr double minRadius = 1.25;    // pixels, of a body
-constexpr double pointRadius = 2.5;   // pixels, of a contact
-constexpr double normalLength = 14;   // pixels
-constexpr double impulseLength = 44;  // pixels, of the largest impulse of the picture
-constexpr double turnMarkRadius = 5;  // pixels, of the smallest circle that shows how it is turned
+constexpr double minRadius = 1.25;      // pixels, of a body
+constexpr double pointRadius = 2.5;     // pixels, of a contact
+constexpr double normalLength = 14;     // pixels
+constexpr double impulseLength = 44;    // pixels, of the largest impulse of the picture
+constexpr double velocityLength = 60;   // pixels, of the fastest body of the picture
+constexpr double arrowHead = 5;         // pixels, at most a third of the arrow
+constexpr double turnRadius = 9;        // pixels, of the arc of angular velocity
+constexpr double partitionReach = 0.6;  // of the way from a contact to its bodies
+constexpr double turnMarkRadius = 5;    // pixels, of the smallest circle that shows how it is turned
 constexpr size_t maxBodiesAllLabelled = 200;
 
 class SceneDrawer {
 public:
-    SceneDrawer(const Snapshot& snapshot, const Camera& camera, DrawList& list)
-        : m_snapshot(snapshot), m_camera(camera), m_list(list), m_canvas(list) {}
+    SceneDrawer(const Snapshot& snapshot, const Camera& camera, const SceneLook& look, DrawList& list)
+        : m_snapshot(snapshot),
+          m_camera(camera),
+          m_sceneLook(look),
+          m_colors(GetTheme(look.theme)),
+          m_list(list),
+          m_canvas(list) {}
 
-    void DrawBodies(bool byIsland);
-    void DrawBoxes();
-    void DrawNodes(const NodeSelection& nodes);
-    void DrawJoints();
-    void DrawContacts(const Layers& layers);
-    void DrawLabels();
+    void Draw(Layer layer);
 
 private:
+    void DrawBodies();
+    void DrawIslands();
+    void DrawPartitions();
+    void DrawBox(const Box& box, const Color& color);
+    void DrawNodes();
+    void DrawFattenedBoxes();
+    void DrawJoints();
+    void DrawVelocities();
+    void DrawTurn(Point center, double share);
+    void DrawContacts(Layer layer);
+    void DrawLabels();
+    [[nodiscard]] const Color& Cycle(int index) const {
+        return m_colors.cycle[static_cast<size_t>(index) % m_colors.cycle.size()];
+    }
     [[nodiscard]] Point ToPixel(double x, double y) const { return {m_camera.ToPixelX(x), m_camera.ToPixelY(y)}; }
     [[nodiscard]] Point ToPixel(const scenes::Vec2& v) const { return ToPixel(v.x, v.y); }
     [[nodiscard]] Point ToPixel(const BodyState& body, double localX, double localY) const {
@@ -72,6 +70,7 @@ private:
         return m_snapshot.bodies[static_cast<size_t>(fixture.body)];
     }
     [[nodiscard]] Look GetLook(const FixtureState& fixture) const;
+    [[nodiscard]] const Look& GetStateLook(const FixtureState& fixture) const;
     void DrawArm(int body, Point anchor);
     void DrawFixture(const FixtureState& fixture, const Look& look);
     void DrawCircleFixture(const BodyState& body, const scenes::Shape& shape, const Look& look);
@@ -79,6 +78,8 @@ private:
 
     const Snapshot& m_snapshot;
     const Camera& m_camera;
+    const SceneLook& m_sceneLook;
+    const ThemeColors& m_colors;
     DrawList& m_list;
     Canvas m_canvas;
     std::vector<Point> m_points;
@@ -88,12 +89,21 @@ private:
 double GetBorderWidth(double radius) { return std::min(1.0, radius / 3); }
 
 Look SceneDrawer::GetLook(const FixtureState& fixture) const {
+    Look look = GetStateLook(fixture);
+    if (m_sceneLook.isOverCounts) {
+        look.fill.a /= 2;
+        look.border.a /= 2;
+    }
+    return look;
+}
+
+const Look& SceneDrawer::GetStateLook(const FixtureState& fixture) const {
     const BodyState& body = GetBody(fixture);
-    if (fixture.sensor) return sensorLook;
-    if (body.type == BodyType::isStatic) return staticLook;
-    if (body.type == BodyType::kinematic) return kinematicLook;
-    if (!body.awake) return sleepingLook;
-    return body.bullet ? bulletLook : dynamicLook;
+    if (fixture.sensor) return m_colors.sensor;
+    if (body.type == BodyType::isStatic) return m_colors.isStatic;
+    if (body.type == BodyType::kinematic) return m_colors.kinematic;
+    if (!body.awake) return m_colors.sleeping;
+    return body.bullet ? m_colors.bullet : m_colors.awake;
 }
 
 void SceneDrawer::DrawCircleFixture(const BodyState& body, const scenes::Shape& shape, const Look& look) {
@@ -156,45 +166,73 @@ void SceneDrawer::DrawFixture(const FixtureState& fixture, const Look& look) {
     }
 }
 
-void SceneDrawer::DrawBodies(bool byIsland) {
-    const std::vector<int> islands = byIsland ? FindIslands(m_snapshot) : std::vector<int>{};
-    // Dynamic bodies come last, over the scenery.
+void SceneDrawer::DrawBodies() {
+    // Dynamic bodies come last, over the scenery. The layer of islands draws them itself.
     for (const bool isDynamicTurn : {false, true}) {
+        if (isDynamicTurn && m_sceneLook.layers.Has(Layer::islands)) continue;
         for (const FixtureState& fixture : m_snapshot.fixtures) {
-            if ((GetBody(fixture).type == BodyType::dynamic) != isDynamicTurn) continue;
-            Look look = GetLook(fixture);
-            if (byIsland && isDynamicTurn) {
-                const auto island = static_cast<size_t>(islands[static_cast<size_t>(fixture.body)]);
-                const bool isAwake = GetBody(fixture).awake;
-                look.fill = look.border = cycle[island % cycle.size()];
-                look.fill.a = isAwake ? 150 : 60;
-                look.border.a = isAwake ? 230 : 110;
-            }
-            DrawFixture(fixture, look);
+            if ((GetBody(fixture).type == BodyType::dynamic) == isDynamicTurn) DrawFixture(fixture, GetLook(fixture));
         }
     }
 }
 
-void SceneDrawer::DrawBoxes() {
+void SceneDrawer::DrawIslands() {
+    const std::vector<int> islands = FindIslands(m_snapshot);
     for (const FixtureState& fixture : m_snapshot.fixtures) {
-        const PixelRect rect = ProjectBox(fixture.tight, 0, m_camera);
-        m_canvas.DrawFrame({rect.x0, rect.y0}, {rect.x1, rect.y1}, 1, aabbColor);
+        if (GetBody(fixture).type != BodyType::dynamic) continue;
+        Look look{Cycle(islands[static_cast<size_t>(fixture.body)]), {}};
+        look.border = look.fill;
+        const bool isAwake = GetBody(fixture).awake;
+        look.fill.a = isAwake ? 150 : 60;
+        look.border.a = isAwake ? 230 : 110;
+        DrawFixture(fixture, look);
     }
 }
 
-void SceneDrawer::DrawNodes(const NodeSelection& nodes) {
+void SceneDrawer::DrawPartitions() {
+    const Partitions partitions = FindPartitions(m_snapshot);
+    for (size_t i = 0; i < m_snapshot.contacts.size(); ++i) {
+        const ContactState& contact = m_snapshot.contacts[i];
+        if (partitions.contactColors[i] < 0 || contact.pointCount == 0) continue;
+        Point middle{0, 0};
+        for (int k = 0; k < contact.pointCount; ++k) {
+            const Point point = ToPixel(contact.points[k]);
+            middle.x += point.x / contact.pointCount;
+            middle.y += point.y / contact.pointCount;
+        }
+        for (const int index : {contact.fixtureA, contact.fixtureB}) {
+            const FixtureState& fixture = m_snapshot.fixtures[static_cast<size_t>(index)];
+            if (GetBody(fixture).type != BodyType::dynamic) continue;
+            const PixelRect rect = ProjectBox(fixture.tight, 0, m_camera);
+            const Point center{(rect.x0 + rect.x1) * 0.5, (rect.y0 + rect.y1) * 0.5};
+            const Point end{middle.x + (center.x - middle.x) * partitionReach,
+                            middle.y + (center.y - middle.y) * partitionReach};
+            m_canvas.DrawLine(middle, end, 2.5, Cycle(partitions.contactColors[i]));
+        }
+    }
+}
+
+void SceneDrawer::DrawBox(const Box& box, const Color& color) {
+    const PixelRect rect = ProjectBox(box, 0, m_camera);
+    m_canvas.DrawFrame({rect.x0, rect.y0}, {rect.x1, rect.y1}, 1, color);
+}
+
+void SceneDrawer::DrawNodes() {
     for (const NodeState& node : m_snapshot.nodes) {
-        if (!IsSelected(nodes, node)) continue;
-        const PixelRect rect = ProjectBox(node.box, 0, m_camera);
-        m_canvas.DrawFrame({rect.x0, rect.y0}, {rect.x1, rect.y1}, 1,
-                           cycle[static_cast<size_t>(node.level) % cycle.size()]);
+        if (IsSelected(m_sceneLook.nodes, node)) DrawBox(node.box, Cycle(node.level));
+    }
+}
+
+void SceneDrawer::DrawFattenedBoxes() {
+    for (const NodeState& node : m_snapshot.nodes) {
+        if (node.fixture >= 0) DrawBox(node.box, m_colors.fattenedBox);
     }
 }
 
 void SceneDrawer::DrawArm(int body, Point anchor) {
     const BodyState& state = m_snapshot.bodies[static_cast<size_t>(body)];
     // The origin of scenery is no place to point at.
-    if (state.type != BodyType::isStatic) m_canvas.DrawLine(ToPixel(state.position), anchor, 1, jointColor);
+    if (state.type != BodyType::isStatic) m_canvas.DrawLine(ToPixel(state.position), anchor, 1, m_colors.joint);
 }
 
 void SceneDrawer::DrawJoints() {
@@ -202,38 +240,75 @@ void SceneDrawer::DrawJoints() {
         const Point a = ToPixel(joint.anchorA), b = ToPixel(joint.anchorB);
         DrawArm(joint.bodyA, a);
         DrawArm(joint.bodyB, b);
-        m_canvas.DrawDisk(a, pointRadius, jointColor);
+        m_canvas.DrawDisk(a, pointRadius, m_colors.joint);
         if (joint.type == JointType::gear) continue;  // a line between its wheels would hide more than it tells
         if (joint.type == JointType::pulley) {
             const Point groundA = ToPixel(joint.groundAnchorA), groundB = ToPixel(joint.groundAnchorB);
-            m_canvas.DrawLine(a, groundA, 1, jointColor);
-            m_canvas.DrawLine(groundA, groundB, 1, jointColor);
-            m_canvas.DrawLine(groundB, b, 1, jointColor);
+            m_canvas.DrawLine(a, groundA, 1, m_colors.joint);
+            m_canvas.DrawLine(groundA, groundB, 1, m_colors.joint);
+            m_canvas.DrawLine(groundB, b, 1, m_colors.joint);
         } else {
-            m_canvas.DrawLine(a, b, 1, jointColor);
+            m_canvas.DrawLine(a, b, 1, m_colors.joint);
         }
-        if (joint.type != JointType::revolute) m_canvas.DrawDisk(b, pointRadius, jointColor);
+        if (joint.type != JointType::revolute) m_canvas.DrawDisk(b, pointRadius, m_colors.joint);
     }
 }
 
-void SceneDrawer::DrawContacts(const Layers& layers) {
-    float largestImpulse = 0;
-    for (const ContactState& contact : m_snapshot.contacts) {
-        for (int i = 0; i < contact.pointCount; ++i)
-            largestImpulse = std::max(largestImpulse, contact.normalImpulses[i]);
+/// An arc of up to three quarters of a circle from the right, counter-clockwise for a positive share, as short lines.
+void SceneDrawer::DrawTurn(Point center, double share) {
+    constexpr int steps = 24;
+    constexpr double sine = 0.1950903220161282, cosine = 0.9807852804032304;  // of a 32nd of a turn
+    const int count = std::min(steps, static_cast<int>(std::abs(share) * steps + 0.5));
+    Point arm{turnRadius, 0};
+    for (int i = 0; i < count; ++i) {
+        const double turn = share > 0 ? -sine : sine;  // y is down on the picture
+        const Point next{arm.x * cosine - arm.y * turn, arm.x * turn + arm.y * cosine};
+        m_canvas.DrawLine({center.x + arm.x, center.y + arm.y}, {center.x + next.x, center.y + next.y}, 1.5,
+                          m_colors.velocity);
+        arm = next;
     }
+    if (count > 0) m_canvas.DrawDisk({center.x + arm.x, center.y + arm.y}, 1.5, m_colors.velocity);
+}
+
+void SceneDrawer::DrawVelocities() {
+    const Peaks peaks = FindPeaks(m_snapshot);
+    for (const BodyState& body : m_snapshot.bodies) {
+        if (body.type == BodyType::isStatic) continue;
+        const Point from = ToPixel(body.position);
+        if (peaks.turn > 0) DrawTurn(from, body.angularVelocity / peaks.turn);
+        if (!(peaks.speed > 0)) continue;
+        const double scale = velocityLength / peaks.speed;
+        const Point arrow{body.linearVelocity.x * scale, -body.linearVelocity.y * scale};
+        const double length = std::sqrt(arrow.x * arrow.x + arrow.y * arrow.y);
+        if (!(length >= 1)) continue;
+        const double head = std::min(arrowHead, length / 3);
+        const Point along{arrow.x / length, arrow.y / length};
+        const Point tip{from.x + arrow.x, from.y + arrow.y};
+        const Point neck{tip.x - along.x * head, tip.y - along.y * head};
+        m_canvas.DrawLine(from, neck, 1.5, m_colors.velocity);
+        m_canvas.FillConvex(
+            std::array<Point, 3>{tip, Point{neck.x - along.y * head * 0.6, neck.y + along.x * head * 0.6},
+                                 Point{neck.x + along.y * head * 0.6, neck.y - along.x * head * 0.6}},
+            m_colors.velocity);
+    }
+}
+
+void SceneDrawer::DrawContacts(Layer layer) {
+    const double largestImpulse = FindPeaks(m_snapshot).impulse;
     for (const ContactState& contact : m_snapshot.contacts) {
         for (int i = 0; i < contact.pointCount; ++i) {
             const Point point = ToPixel(contact.points[i]);
             const auto along = [&](double length) {
                 return Point{point.x + contact.normal.x * length, point.y - contact.normal.y * length};
             };
-            if (layers.normals) m_canvas.DrawLine(point, along(normalLength), 1, normalColor);
-            if (layers.impulses && largestImpulse > 0) {
+            if (layer == Layer::contacts) {
+                m_canvas.DrawDisk(point, pointRadius, m_colors.contact);
+            } else if (layer == Layer::normals) {
+                m_canvas.DrawLine(point, along(normalLength), 1, m_colors.normal);
+            } else if (largestImpulse > 0) {
                 m_canvas.DrawLine(point, along(impulseLength * contact.normalImpulses[i] / largestImpulse), 2,
-                                  impulseColor);
+                                  m_colors.impulse);
             }
-            if (layers.contacts) m_canvas.DrawDisk(point, pointRadius, contactColor);
         }
     }
 }
@@ -250,58 +325,69 @@ void SceneDrawer::DrawLabels() {
         if (!(center.x >= 0 && center.x < m_list.width && center.y >= 0 && center.y < m_list.height)) continue;
         const std::string text = std::to_string(m_snapshot.bodies[index].index);
         m_list.texts.push_back({static_cast<int>(center.x) - GetTextWidth(text, 1) / 2, static_cast<int>(center.y) - 4,
-                                1, labelColor, text});
+                                1, m_colors.label, text});
         isLabelled[index] = true;
+    }
+}
+
+void SceneDrawer::Draw(Layer layer) {
+    switch (layer) {
+        case Layer::bodies:
+            return DrawBodies();
+        case Layer::islands:
+            return DrawIslands();
+        case Layer::partitions:
+            return DrawPartitions();
+        case Layer::bvh:
+            return DrawNodes();
+        case Layer::fattened:
+            return DrawFattenedBoxes();
+        case Layer::swept:
+            for (const FixtureState& fixture : m_snapshot.fixtures) DrawBox(fixture.swept, m_colors.sweptBox);
+            return;
+        case Layer::aabbs:
+            for (const FixtureState& fixture : m_snapshot.fixtures) DrawBox(fixture.tight, m_colors.tightBox);
+            return;
+        case Layer::joints:
+            return DrawJoints();
+        case Layer::velocities:
+            return DrawVelocities();
+        case Layer::impulses:
+        case Layer::normals:
+        case Layer::contacts:
+            return DrawContacts(layer);
+        case Layer::labels:
+            return DrawLabels();
     }
 }
 
 }  // namespace
 
-std::vector<int> FindIslands(const Snapshot& snapshot) {
-    std::vector<int> parents(snapshot.bodies.size());
-    std::iota(parents.begin(), parents.end(), 0);
-    const auto find = [&parents](int body) {
-        while (parents[static_cast<size_t>(body)] != body) {
-            int& parent = parents[static_cast<size_t>(body)];
-            parent = parents[static_cast<size_t>(parent)];
-            body = parent;
-        }
-        return body;
-    };
-    const auto isDynamic = [&snapshot](int body) {
-        return snapshot.bodies[static_cast<size_t>(body)].type == BodyType::dynamic;
-    };
-    const auto join = [&](int bodyA, int bodyB) {
-        if (!isDynamic(bodyA) || !isDynamic(bodyB)) return;
-        const int a = find(bodyA), b = find(bodyB);
-        parents[static_cast<size_t>(std::max(a, b))] = std::min(a, b);  // the root is the smallest index
-    };
+Peaks FindPeaks(const Snapshot& snapshot) {
+    Peaks peaks;
     for (const ContactState& contact : snapshot.contacts) {
-        const FixtureState& a = snapshot.fixtures[static_cast<size_t>(contact.fixtureA)];
-        const FixtureState& b = snapshot.fixtures[static_cast<size_t>(contact.fixtureB)];
-        if (contact.touching && !a.sensor && !b.sensor) join(a.body, b.body);
+        for (int i = 0; i < contact.pointCount; ++i) {
+            peaks.impulse = std::max(peaks.impulse, double{contact.normalImpulses[i]});
+        }
     }
-    for (const JointState& joint : snapshot.joints) join(joint.bodyA, joint.bodyB);
-    std::vector<int> islands(parents.size(), -1);
-    for (int body = 0; body < static_cast<int>(parents.size()); ++body) {
-        if (isDynamic(body)) islands[static_cast<size_t>(body)] = find(body);
+    for (const BodyState& body : snapshot.bodies) {
+        if (body.type == BodyType::isStatic) continue;
+        const double x = body.linearVelocity.x, y = body.linearVelocity.y;
+        peaks.speed = std::max(peaks.speed, std::sqrt(x * x + y * y));
+        peaks.turn = std::max(peaks.turn, std::abs(double{body.angularVelocity}));
     }
-    return islands;
+    return peaks;
 }
 
-DrawList BuildDrawList(const Snapshot& snapshot, const Camera& camera, const Layers& layers, const NodeSelection& nodes,
-                       int supersampling) {
+DrawList BuildDrawList(const Snapshot& snapshot, const Camera& camera, const SceneLook& look) {
     DrawList list;
     list.width = camera.width;
     list.height = camera.height;
-    list.supersampling = supersampling;
-    SceneDrawer drawer(snapshot, camera, list);
-    if (layers.bodies || layers.islands) drawer.DrawBodies(layers.islands);
-    if (layers.aabbs) drawer.DrawBoxes();
-    if (layers.bvh) drawer.DrawNodes(nodes);
-    if (layers.joints) drawer.DrawJoints();
-    if (layers.contacts || layers.normals || layers.impulses) drawer.DrawContacts(layers);
-    if (layers.labels) drawer.DrawLabels();
+    list.supersampling = look.supersampling;
+    SceneDrawer drawer(snapshot, camera, look, list);
+    for (const LayerInfo& info : layerTable) {
+        if (look.layers.Has(info.layer)) drawer.Draw(info.layer);
+    }
     return list;
 }
 

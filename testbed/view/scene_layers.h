@@ -5,22 +5,32 @@
 
 #pragma once
 
-#include <vector>
-
 #include "testbed/adapters/snapshot.h"
 #include "testbed/view/camera.h"
 #include "testbed/view/draw_list.h"
 #include "testbed/view/layers.h"
 #include "testbed/view/nodes.h"
+#include "testbed/view/theme.h"
 
 namespace testbed {
 
-/// For each body the smallest index of a body in its island; −1 for static and kinematic ones. Dynamic bodies are of
-/// one island when touching contacts (sensors excepted) or joints connect them. O(bodies + contacts).
-[[nodiscard]] std::vector<int> FindIslands(const Snapshot& snapshot);
+/// What to draw and in which colours.
+struct SceneLook {
+    Layers layers = Layers::Bodies();
+    NodeSelection nodes;    ///< those that the layer bvh outlines
+    int supersampling = 2;  ///< 1, 2 or 4
+    Theme theme = Theme::dark;
+    bool isOverCounts = false;  ///< bodies half as opaque, so that the counts under them are read
+};
 
-/// `nodes` are those that the bvh layer outlines.
-[[nodiscard]] DrawList BuildDrawList(const Snapshot& snapshot, const Camera& camera, const Layers& layers,
-                                     const NodeSelection& nodes, int supersampling);
+/// The largest values of a snapshot, which lines of impulses and arrows of velocities are drawn in proportion to.
+struct Peaks {
+    double impulse = 0;  ///< N·s
+    double speed = 0;    ///< m/s
+    double turn = 0;     ///< rad/s
+};
+[[nodiscard]] Peaks FindPeaks(const Snapshot& snapshot);
+
+[[nodiscard]] DrawList BuildDrawList(const Snapshot& snapshot, const Camera& camera, const SceneLook& look);
 
 }  // namespace testbed

@@ -152,6 +152,34 @@ TEST(EnginesAgree, RestingBoxToAMillimetreAndBothSleep) {
     EXPECT_NEAR(ours.contacts[0].normal.y, groundFirst ? 1.0f : -1.0f, 1e-6f);
 }
 
+TEST(EnginesAgree, SweptBoxesHoldTheBoxesBeforeAndAfterTheStep) {
+    const scenes::Scene scene = scenes::Build("tiles", 5);
+    for (const bool isTracked : {true, false}) {
+        RunOptions options;
+        options.sweptBoxes = isTracked;
+        for (const char* engine : {"scree", "box2d"}) {
+            const auto run = MakeRun(engine, scene, options);
+            for (int i = 0; i < 10; ++i) run->Step();
+            Snapshot before, after;
+            run->Capture(before);
+            run->Step();
+            run->Capture(after);
+            bool hasMoved = false;
+            for (size_t i = 0; i < after.fixtures.size(); ++i) {
+                const Box& old = before.fixtures[i].tight;
+                const Box& tight = after.fixtures[i].tight;
+                const Box& swept = after.fixtures[i].swept;
+                EXPECT_EQ(swept.lower.y, isTracked ? std::min(old.lower.y, tight.lower.y) : tight.lower.y);
+                EXPECT_EQ(swept.upper.y, isTracked ? std::max(old.upper.y, tight.upper.y) : tight.upper.y);
+                EXPECT_EQ(swept.lower.x, isTracked ? std::min(old.lower.x, tight.lower.x) : tight.lower.x);
+                EXPECT_EQ(swept.upper.x, isTracked ? std::max(old.upper.x, tight.upper.x) : tight.upper.x);
+                hasMoved = hasMoved || old.upper.y != tight.upper.y;
+            }
+            EXPECT_TRUE(hasMoved);
+        }
+    }
+}
+
 TEST(EnginesAgree, JointAnchorsStayTogetherInBoth) {
     const scenes::Scene scene = scenes::Build("big-mobile", 3);
     for (const char* engine : {"scree", "box2d"}) {

@@ -51,6 +51,10 @@ constexpr UsageCase usageCases[] = {
     {"overlap tiles --engines ''", "unknown engine ''"},
     {"overlap tiles --poses scre", "did you mean 'scree'"},
     {"overlap tiles --backend osmes", "did you mean 'osmesa'"},
+    {"overlap tiles --theme lite", "did you mean 'light'"},
+    {"overlap tiles --animate apg", "did you mean 'apng'"},
+    {"render tiles --animate apng --fps 0", "from 1 to 120"},
+    {"render tiles --contact-sheet --steps 1:500", "first:last:stride"},
     {"overlap tiles --size 0", "from 1 to 2000"},
     {"overlap tiles --size 2001", "from 1 to 2000"},
     {"overlap tiles --size many", "many"},
@@ -105,8 +109,9 @@ TEST(Usage, HelpAndVersionExitWithZero) {
     const ProgramResult help = folder.Run("overlap --help");
     EXPECT_EQ(help.exitCode, 0);
     for (const char* option :
-         {"--size", "--step", "--steps", "--worst", "--worst-by", "--nodes", "--style", "--opacity", "--scale-max",
-          "--query-size", "--broad-phase", "--poses", "--engines", "--image", "--camera", "--backend", "--output"}) {
+         {"--size",    "--step",      "--steps",      "--worst",       "--worst-by", "--nodes",   "--style",
+          "--opacity", "--scale-max", "--query-size", "--broad-phase", "--poses",    "--engines", "--image",
+          "--camera",  "--backend",   "--output",     "--theme",       "--animate",  "--fps",     "--contact-sheet"}) {
         EXPECT_NE(help.output.find(option), std::string::npos) << option;
     }
 }
@@ -144,7 +149,8 @@ protected:
 
 TEST_F(MissingBackend, ExitsWithThreeAndNamesThePackage) {
     testing::internal::CaptureStderr();
-    const int code = RunCommandLine({"overlap", "tiles", "-o", m_folder.GetPath().string()}, m_options);
+    const int code =
+        RunCommandLine({"overlap", "tiles", "--backend", "auto", "-o", m_folder.GetPath().string()}, m_options);
     const std::string message = testing::internal::GetCapturedStderr();
     EXPECT_EQ(code, 3);
     EXPECT_NE(message.find("libosmesa6"), std::string::npos) << message;
@@ -152,21 +158,21 @@ TEST_F(MissingBackend, ExitsWithThreeAndNamesThePackage) {
 
 TEST_F(MissingBackend, ExitsWithSeventySevenWhenAskedToSkip) {
     testing::internal::CaptureStderr();
-    const int code =
-        RunCommandLine({"render", "tiles", "--skip-missing-backend", "-o", m_folder.GetPath().string()}, m_options);
+    const int code = RunCommandLine(
+        {"render", "tiles", "--backend", "osmesa", "--skip-missing-backend", "-o", m_folder.GetPath().string()},
+        m_options);
     EXPECT_NE(testing::internal::GetCapturedStderr().find("skipped"), std::string::npos);
     EXPECT_EQ(code, 77);
 }
 
-TEST_F(MissingBackend, DoesNotMatterToTheCpuBackendAndToMetrics) {
+TEST_F(MissingBackend, DoesNotMatterToTheBuiltInOneAndToMetrics) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     const std::string out = m_folder.GetPath().string();
     EXPECT_EQ(RunCommandLine({"metrics", "tiles", "--size", "5", "--steps", "2", "-o", out}, m_options), 0);
-    EXPECT_EQ(RunCommandLine({"overlap", "tiles", "--size", "5", "--step", "2", "--backend", "cpu", "--image",
-                              "320x200", "-o", out},
-                             m_options),
-              0);
+    EXPECT_EQ(
+        RunCommandLine({"overlap", "tiles", "--size", "5", "--step", "2", "--image", "320x200", "-o", out}, m_options),
+        0);
     testing::internal::GetCapturedStdout();
     testing::internal::GetCapturedStderr();
 }

@@ -40,6 +40,23 @@ TEST(Palette, StylesRunFromTheBackgroundToTheirEnd) {
     EXPECT_EQ(GetScalePosition(Style::log, 0, 300), 0);
 }
 
+TEST(Palette, OnALightBackgroundLightnessFalls) {
+    for (const Style style : {Style::alpha, Style::heat, Style::log}) {
+        const std::vector<Color> palette = MakePalette(style, 0.04, 300, Theme::light);
+        EXPECT_EQ(palette.front(), GetTheme(Theme::light).background);
+        const auto lightness = [](const Color& color) {
+            return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b;
+        };
+        for (size_t n = 1; n < palette.size(); ++n) {
+            // Each channel is rounded once.
+            EXPECT_LE(lightness(palette[n]), lightness(palette[n - 1]) + 1) << GetStyleName(style) << " " << n;
+        }
+    }
+    EXPECT_EQ(GetDifferenceColor(0, 50, Theme::light), GetTheme(Theme::light).background);
+    EXPECT_GT(GetDifferenceColor(-20, 50, Theme::light).b, GetDifferenceColor(-20, 50, Theme::light).r);
+    EXPECT_GT(GetDifferenceColor(20, 50, Theme::light).r, GetDifferenceColor(20, 50, Theme::light).b);
+}
+
 TEST(Palette, BandsHaveHardEdgesAndEqualWidth) {
     const std::vector<Color> palette = MakePalette(Style::bands, 0.04, 80);
     EXPECT_EQ(palette[0], backgroundColor);

@@ -7,7 +7,9 @@
 #include "testbed/render/png.h"
 
 #include <gtest/gtest.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <random>
 
@@ -44,6 +46,17 @@ Image MakeNoise(int width, int height, unsigned colors, bool opaque) {
     return image;
 }
 
+/// Bytes of the IDAT chunk's contents by zlib, which checks the sum at their end; 0 when anything is wrong.
+size_t InflateData(const std::vector<unsigned char>& file) {
+    const std::string name = "IDAT";
+    const auto found = std::search(file.begin(), file.end(), name.begin(), name.end());
+    if (found == file.end()) return 0;
+    std::vector<unsigned char> rows(size_t{1} << 23);
+    uLongf size = rows.size();
+    const auto length = static_cast<uLong>(file.end() - found - 4 - 16);  // a checksum and the IEND chunk follow
+    return uncompress(rows.data(), &size, &*found + 4, length) == Z_OK ? size : 0;
+}
+
 TEST_F(Png, PixelsAndTextComeBack) {
     const std::vector<PngText> text{{"scene", "tiles"}, {"command", "scree overlap tiles -o out"}, {"empty", ""}};
     for (const bool opaque : {true, false}) {
@@ -63,6 +76,18 @@ TEST_F(Png, PixelsAndTextComeBack) {
         }
     }
     EXPECT_EQ(CountFiles(), 1u) << "temporary files are gone, the picture was replaced";
+}
+
+TEST_F(Png, LargePicturesAreCompressedInPartsThatFit) {
+    // 3 MB of rows and 1 MB of indices and a few odd sizes about the limit; stb_image checks no checksum, zlib does.
+    for (const unsigned colors : {200u, 2000u}) {
+        for (const int height : {349, 350, 699, 1050}) {
+            const Image image = MakeNoise(1000, height, colors, true);
+            WritePng(GetPath("a.png"), image);
+            EXPECT_TRUE(ReadPng(GetPath("a.png")).pixels == image.pixels);
+            EXPECT_EQ(InflateData(EncodePng(image)), static_cast<size_t>(height) * (colors > 256 ? 3001 : 1001));
+        }
+    }
 }
 
 TEST_F(Png, OnePixel) {

@@ -27,7 +27,7 @@ public:
         m_renderer.SetFont(font, fontWidth, fontHeight);
         viewer.showTimes = false;
         viewer.isPaused = true;
-        viewer.look.layers.bodies = true;
+        viewer.look.layers.Set(Layer::bodies);
         const scenes::SceneInfo& info = *scenes::Find("pyramid");
         LoadScene(viewer, info, 4);
         for (int i = 0; i < 3; ++i) StepAll(viewer);
@@ -98,22 +98,21 @@ TEST(Frame, AValueChangesTheWidgetThatShowsIt) {
 TEST(Frame, EveryLayerOfTheListHasASwitch) {
     Screen screen;
     (void)DrawSettled(screen);
-    for (const LayerName& layer : GetLayerNames()) {
-        bool& isOn = screen.viewer.look.layers.*layer.isOn;
-        const bool wasOn = isOn;
+    for (const LayerInfo& layer : layerTable) {
+        const bool wasOn = screen.viewer.look.layers.Has(layer.layer);
         ASSERT_TRUE(screen.items.contains("layer." + std::string(layer.name))) << layer.name;
         const ItemBox item = screen.items.at("layer." + std::string(layer.name));
         const InputEvent move{InputEvent::Kind::move, item.x0 + 8, (item.y0 + item.y1) / 2, 0, false};
         (void)screen.Draw({move, {InputEvent::Kind::button, 0, 0, 0, true}});
         (void)screen.Draw({{InputEvent::Kind::button, 0, 0, 0, false}});
-        EXPECT_NE(isOn, wasOn) << layer.name;
+        EXPECT_NE(screen.viewer.look.layers.Has(layer.layer), wasOn) << layer.name;
     }
 }
 
 TEST(Frame, ALayerIsDrawnInThePanes) {
     Screen screen;
     const Image with = DrawSettled(screen);
-    screen.viewer.look.layers.bodies = false;
+    screen.viewer.look.layers.Set(Layer::bodies, false);
     const PixelBox pane = screen.viewer.panes[0].area;
     const Image without = screen.Draw();
     int changed = 0;

@@ -26,7 +26,7 @@ Image DrawBar(const std::vector<BarMark>& marks) {
 int CountInk(const Image& image) {
     int ink = 0;
     for (int y = 17; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) ink += image.At(x, y) == textColor ? 1 : 0;
+        for (int x = 0; x < image.width; ++x) ink += image.At(x, y) == GetTheme(Theme::dark).text ? 1 : 0;
     }
     return ink;
 }

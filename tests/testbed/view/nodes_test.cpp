@@ -10,7 +10,6 @@
 
 #include <string>
 
-#include "testbed/view/layers.h"
 #include "tests/testbed/view/sample_snapshot.h"
 
 namespace testbed {
@@ -34,17 +33,6 @@ TEST(Nodes, InternalAndLeavesShareOutTheTree) {
     EXPECT_EQ(SelectBoxes(snapshot, ParseNodeSelection("level=0")).size(), 1u);
     EXPECT_EQ(SelectBoxes(snapshot, ParseNodeSelection("levels=1..2")).size(), 6u);
     EXPECT_EQ(SelectBoxes(snapshot, ParseNodeSelection("level=99")).size(), 0u);
-}
-
-TEST(Layers, EveryNameSetsItsLayer) {
-    EXPECT_TRUE(ParseLayers("bodies").bodies);
-    const Layers layers = ParseLayers("contacts,normals,impulses,joints,aabbs,islands,bvh,labels");
-    EXPECT_FALSE(layers.bodies);
-    EXPECT_TRUE(layers.contacts && layers.normals && layers.impulses && layers.joints && layers.aabbs);
-    EXPECT_TRUE(layers.islands && layers.bvh && layers.labels);
-    for (const char* bad : {"", "body", "bodies,", ",bodies", "bodies contacts"}) {
-        EXPECT_THROW((void)ParseLayers(bad), std::invalid_argument) << bad;
-    }
 }
 
 }  // namespace

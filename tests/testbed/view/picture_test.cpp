@@ -51,7 +51,8 @@ TEST(Picture, EveryBackendMakesTheSamePixels) {
             EXPECT_TRUE(actual.difference.pixels == expected.difference.pixels);
         }
         PictureOptions options = SmallOptions();
-        options.layers = ParseLayers("islands,contacts,normals,impulses,joints,aabbs,bvh,labels");
+        options.legend = true;
+        options.layers = ParseLayers("islands,partitions,velocities,contacts,normals,impulses,joints,aabbs,bvh,labels");
         EXPECT_TRUE(gl.MakeRender(inputs[0], options).pixels == cpu.MakeRender(inputs[0], options).pixels);
     }
 }

@@ -14,12 +14,14 @@
 
 #include "testbed/render/renderer.h"
 #include "testbed/view/canvas.h"
+#include "testbed/view/islands.h"
 #include "tests/testbed/view/sample_snapshot.h"
 
 namespace testbed {
 namespace {
 
-constexpr const char* allLayers = "bodies,contacts,normals,impulses,joints,aabbs,bvh,labels";
+constexpr const char* allLayers =
+    "bodies,partitions,bvh,aabbs-fattened,aabbs-swept,aabbs,joints,velocities,impulses,normals,contacts,labels";
 constexpr Color transparent{0, 0, 0, 0};
 
 std::vector<Camera> MakeCameras() {
@@ -38,7 +40,8 @@ TEST(SceneLayers, CornersStayInsideThePicture) {
     for (const Camera& camera : MakeCameras()) {
         for (const int supersampling : {1, 2, 4}) {
             const DrawList list =
-                BuildDrawList(snapshot, camera, ParseLayers(allLayers), ParseNodeSelection("all"), supersampling);
+                BuildDrawList(snapshot, camera,
+                              {ParseLayers(allLayers), ParseNodeSelection("all"), supersampling, Theme::dark, false});
             const int32_t right = list.width * supersampling * fixedPointOne;
             const int32_t bottom = list.height * supersampling * fixedPointOne;
             for (const Triangle& triangle : list.triangles) {
@@ -59,7 +62,8 @@ TEST_P(SceneLayersOnGl, EqualTheCpu) {
     for (const Camera& camera : MakeCameras()) {
         for (const int supersampling : {1, 2, 4}) {
             const DrawList list =
-                BuildDrawList(snapshot, camera, ParseLayers(allLayers), ParseNodeSelection("all"), supersampling);
+                BuildDrawList(snapshot, camera,
+                              {ParseLayers(allLayers), ParseNodeSelection("all"), supersampling, Theme::dark, false});
             Image expected(list.width * supersampling, list.height * supersampling, transparent);
             Image actual = expected;
             cpu->Draw(list.triangles, expected);
@@ -85,7 +89,8 @@ TEST(SceneLayers, KindsOfBodiesDifferInColour) {
         snapshot.bodies[0].awake = kind != 3;
         snapshot.bodies[0].bullet = kind == 4;
         snapshot.fixtures[0].sensor = kind == 5;
-        const DrawList list = BuildDrawList(snapshot, MakeCamera({0, 0, 4}, 64, 64), Layers::Bodies(), {}, 1);
+        const DrawList list =
+            BuildDrawList(snapshot, MakeCamera({0, 0, 4}, 64, 64), {Layers::Bodies(), {}, 1, Theme::dark, false});
         const Color& fill = list.triangles.back().color;
         colors.insert({fill.r, fill.g, fill.b, fill.a});
     }
@@ -97,7 +102,8 @@ TEST(SceneLayers, SmallBodiesAreStillSeen) {
     circle.radius = 0.01f;
     Snapshot snapshot;
     AddBody(snapshot, scenes::BodyType::dynamic, {0, 0}, circle);
-    const DrawList list = BuildDrawList(snapshot, MakeCamera({0, 0, 1000}, 64, 64), Layers::Bodies(), {}, 1);
+    const DrawList list =
+        BuildDrawList(snapshot, MakeCamera({0, 0, 1000}, 64, 64), {Layers::Bodies(), {}, 1, Theme::dark, false});
     Image image(64, 64, transparent);
     MakeRenderer(Backend::cpu)->Draw(list.triangles, image);
     EXPECT_NE(image.At(32, 32).a, 0);
@@ -157,10 +163,11 @@ TEST(SceneLayers, IslandsAreConnectedByTouchingContactsAndJointsOfDynamicBodies)
 
 TEST(SceneLayers, LabelsCarryBodyIndices) {
     const Snapshot snapshot = MakeSampleSnapshot(8, 4, "scree");
-    const DrawList list = BuildDrawList(snapshot, MakeCameras()[0], ParseLayers("labels"), {}, 1);
+    const DrawList list = BuildDrawList(snapshot, MakeCameras()[0], {ParseLayers("labels"), {}, 1, Theme::dark, false});
     ASSERT_EQ(list.texts.size(), 32u);
     EXPECT_EQ(list.texts[17].text, "17");
-    EXPECT_TRUE(BuildDrawList(snapshot, MakeCameras()[4], ParseLayers("labels"), {}, 1).texts.empty());
+    EXPECT_TRUE(
+        BuildDrawList(snapshot, MakeCameras()[4], {ParseLayers("labels"), {}, 1, Theme::dark, false}).texts.empty());
 }
 
 }  // namespace

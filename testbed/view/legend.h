@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What the colours of layers mean, as swatches and words in a grid along a picture's lower edge. How many entries there
+// are depends on the layers alone, so that the frames of an animation share one camera.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "testbed/view/picture.h"
+
+namespace testbed {
+
+struct LegendEntry {
+    std::vector<Color> swatches;  ///< one, or the colours that are taken in turn
+    std::string text;             ///< at most 25 characters
+};
+
+[[nodiscard]] std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme);
+
+/// Height of the legend's strip on a picture of this width, pixels; 0 without entries.
+[[nodiscard]] int GetLegendHeight(const Layers& layers, int width);
+
+void DrawLegend(Image& image, const std::vector<LegendEntry>& entries, Theme theme);
+
+}  // namespace testbed
