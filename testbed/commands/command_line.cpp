@@ -109,6 +109,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddDiffCommand(app, request);
     AddMergeCommand(app, request);
     AddViewCommand(app, request);
+    AddTradeoffCommand(app, request);
     AddEnvCommand(app, request);
     try {
         Parse(app, arguments);

@@ -31,6 +31,7 @@ void AddSnapshotCommand(CLI::App& app, Request& request);
 void AddDiffCommand(CLI::App& app, Request& request);
 void AddMergeCommand(CLI::App& app, Request& request);
 void AddViewCommand(CLI::App& app, Request& request);
+void AddTradeoffCommand(CLI::App& app, Request& request);
 void AddEnvCommand(CLI::App& app, Request& request);
 
 }  // namespace testbed

@@ -24,7 +24,7 @@ inline constexpr double noBound = std::numeric_limits<double>::infinity();
 /// One error that a law measures; 0 is exact.
 struct LawError {
     std::string name{};
-    std::string unit;          ///< empty: relative or a number
+    std::string unit{};        ///< empty: relative or a number
     double game = noBound;     ///< at most this at the dial's `game`
     double precise = noBound;  ///< at most this at the dial's `precise`
     /// Errors below are the rounding of floats: they differ by luck and are plotted and compared as if they were this.
@@ -35,9 +35,9 @@ struct LawError {
 enum class Effort { quick, full };
 
 struct Law {
-    std::string name;              ///< of files and columns, "two-disks"
-    std::string title;             ///< "Two disks collide, masses 1:1 to 1:1000"
-    std::string exact;             ///< the exact result in words
+    std::string name{};              ///< of files and columns, "two-disks"
+    std::string title{};             ///< "Two disks collide, masses 1:1 to 1:1000"
+    std::string exact{};             ///< the exact result in words
     std::vector<LawError> errors{};  ///< the first one is plotted
     /// One value per entry of `errors`.
     std::vector<double> (*measure)(const EngineSetting& setting, Effort effort) = nullptr;

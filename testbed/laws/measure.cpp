@@ -44,12 +44,15 @@ void FallingPasses::Add(double time, double value) {
 
 void ApexFinder::Add(double height, double speed) {
     if (speed > 0.0) {
+        if (!m_rising || height > m_highest) {
+            // Far from the apex the discrete parabola has another energy; the last sample before it is the best.
+            m_highest = height;
+            m_apex = height + speed * speed / (2.0 * gravity);
+        }
         m_rising = true;
-        m_highest = std::max(m_highest, height + speed * speed / (2.0 * gravity));
     } else if (m_rising) {
-        m_apexes.push_back(m_highest);
+        m_apexes.push_back(m_apex);
         m_rising = false;
-        m_highest = 0.0;
     }
 }
 

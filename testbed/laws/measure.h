@@ -68,7 +68,7 @@ public:
 
 private:
     bool m_rising = false;
-    double m_highest = 0.0;
+    double m_highest = 0.0, m_apex = 0.0;
     std::vector<double> m_apexes;
 };
 

@@ -183,7 +183,7 @@ std::vector<Law> MakeMotionLaws() {
                     {.name = "energy", .rounding = 1e-5}},
          .measure = MeasureProjectile,
          .costScene = MakeProjectile,
-         .pitch = {1.0, 1.0}},
+         .pitch = {10.0, 10.0}},
         {.name = "free-spin",
          .title = "A box spinning at 5, 20 and 40 rad/s, after 10 s",
          .exact = "turned by ωt",
