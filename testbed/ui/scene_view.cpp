@@ -249,8 +249,11 @@ void UpdateFindings(Viewer& viewer) {
 std::vector<DrawList> BuildPaneLists(const Viewer& viewer) {
     std::vector<DrawList> lists;
     for (const EnginePane& pane : viewer.panes) {
-        lists.push_back(BuildDrawList(pane.snapshot, GetCamera(viewer, pane), viewer.look.layers, viewer.look.nodes,
-                                      viewer.look.smooth ? 2 : 1));
+        lists.push_back(BuildDrawList(pane.snapshot, GetCamera(viewer, pane),
+                                      {.layers = viewer.look.layers,
+                                       .nodes = viewer.look.nodes,
+                                       .supersampling = viewer.look.smooth ? 2 : 1,
+                                       .isOverCounts = viewer.look.overlap}));
     }
     return lists;
 }
