@@ -91,19 +91,21 @@ b2Contact* b2Bridge::Mirror(b2WorldData& data, scree::Contact* contact) {
     mirror->m_indexB = b.childIndex;
     mirror->m_manifold = {};
     mirror->m_manifoldExposed = false;
+    mirror->m_nodeA.contact = mirror->m_nodeB.contact = mirror;
+    mirror->m_nodeA.other = b.fixture->m_body;
+    mirror->m_nodeB.other = a.fixture->m_body;
+    Link(data, mirror);
+    data.contactOfRow[row] = mirror;
+    return mirror;
+}
+
+void b2Bridge::Link(b2WorldData& data, b2Contact* mirror) {
     mirror->m_prev = nullptr;
     mirror->m_next = data.contacts;
     if (data.contacts != nullptr) data.contacts->m_prev = mirror;
     data.contacts = mirror;
-    b2Body* bodyA = a.fixture->GetBody();
-    b2Body* bodyB = b.fixture->GetBody();
-    mirror->m_nodeA.contact = mirror->m_nodeB.contact = mirror;
-    mirror->m_nodeA.other = bodyB;
-    mirror->m_nodeB.other = bodyA;
-    LinkEdge(bodyA->m_contactList, mirror->m_nodeA);
-    LinkEdge(bodyB->m_contactList, mirror->m_nodeB);
-    data.contactOfRow[row] = mirror;
-    return mirror;
+    LinkEdge(mirror->m_fixtureA->m_body->m_contactList, mirror->m_nodeA);
+    LinkEdge(mirror->m_fixtureB->m_body->m_contactList, mirror->m_nodeB);
 }
 
 void b2Bridge::FreeContact(b2WorldData& data, b2Contact* contact) {
@@ -124,20 +126,31 @@ void b2Bridge::FreeContactsOf(b2WorldData& data, const b2Fixture* fixture) {
     }
 }
 
+void b2Bridge::OrderContacts(b2WorldData& data) {
+    for (b2Contact* contact : data.listed) {
+        contact->m_fixtureA->m_body->m_contactList = nullptr;
+        contact->m_fixtureB->m_body->m_contactList = nullptr;
+    }
+    data.contacts = nullptr;
+    for (size_t i = data.listed.size(); i-- > 0;) Link(data, data.listed[i]);
+}
+
 void b2Bridge::SyncContacts(b2WorldData& data) {
     // In a step the engine's table changes under the callbacks.
     if (!data.contactsStale && !data.stepping) return;
     data.contactsStale = false;
     data.rowSeen.assign(data.contactOfRow.size(), 0);
+    data.listed.clear();
     for (scree::Contact* contact = data.engine.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         if (HasEnded(data, static_cast<size_t>(contact->GetIndex()))) continue;
-        Mirror(data, contact);
+        data.listed.push_back(Mirror(data, contact));
         if (data.rowSeen.size() < data.contactOfRow.size()) data.rowSeen.resize(data.contactOfRow.size(), 0);
         data.rowSeen[static_cast<size_t>(contact->GetIndex())] = 1;
     }
     for (size_t row = 0; row < data.contactOfRow.size(); ++row) {
         if (data.contactOfRow[row] != nullptr && data.rowSeen[row] == 0) FreeContact(data, data.contactOfRow[row]);
     }
+    OrderContacts(data);
 }
 
 void b2Bridge::EndCallback(b2Contact& contact) {

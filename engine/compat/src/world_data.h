@@ -50,6 +50,7 @@ struct b2WorldData {
     b2Contact* contacts = nullptr;
     std::vector<b2Contact*> contactOfRow;  ///< by the engine's contact index; null where nobody looked yet
     std::vector<uint8_t> rowSeen;          ///< scratch of SyncContacts
+    std::vector<b2Contact*> listed;        ///< scratch of SyncContacts: newest first
     bool contactsStale = false;            ///< the engine's contacts may have changed since SyncContacts
     bool stepping = false;
     int destructions = 0;            ///< calls that destroy, and have callbacks under way
@@ -96,6 +97,9 @@ struct b2Bridge {
     /// The program's object of an engine's contact, made on first use.
     static b2Contact* Mirror(b2WorldData& data, scree::Contact* contact);
     static void FreeContact(b2WorldData& data, b2Contact* contact);
+    static void Link(b2WorldData& data, b2Contact* mirror);
+    /// Links what is listed anew: newest first, whoever was looked at first.
+    static void OrderContacts(b2WorldData& data);
     /// Makes the lists agree with the engine's contacts. Free when nothing changed.
     static void SyncContacts(b2WorldData& data);
     static void FreeContactsOf(b2WorldData& data, const b2Fixture* fixture);

@@ -35,13 +35,14 @@ void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTa
 
 }  // namespace
 
-void MatchContacts(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t) {
+void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactEvents& events, MatchTables t) {
     std::vector<uint64_t>& fresh = t.contacts.freshPairs;
     fresh.clear();
     t.contacts.ClearMarks();
     MarkPairs(pairs, events, t, fresh);
-    // By index, as they come when fixtures are added one by one: callbacks and rows do not depend on the broad phase.
+    // By index, so that callbacks and rows do not depend on the broad phase.
     std::sort(fresh.begin(), fresh.end());
+    if (order == FreshOrder::newestFirst) std::reverse(fresh.begin(), fresh.end());
     for (const uint64_t key : fresh) {
         const int a = static_cast<int>(key & 0xFFFFFFFFu);
         const int b = static_cast<int>(key >> 32);

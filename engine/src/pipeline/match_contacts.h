@@ -25,7 +25,12 @@ struct MatchTables {
     ContactTable& contacts;
 };
 
+/// The order in which new contacts are made, by fixture index. Events and solving go through contacts newest first, so
+/// this order shows; it is Box2D's: proxies of edits are matched as they came, after a step those of the newest body
+/// first.
+enum class FreshOrder : uint8_t { oldestFirst, newestFirst };
+
 /// Marks, creates, sweeps. Contacts of bodies that joints or filters keep apart are not made.
-void MatchContacts(std::span<const Pair> pairs, const ContactEvents& events, MatchTables tables);
+void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactEvents& events, MatchTables tables);
 
 }  // namespace scree

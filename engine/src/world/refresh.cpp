@@ -5,7 +5,6 @@
 
 #include "world/refresh.h"
 
-#include "pipeline/match_contacts.h"
 #include "pipeline/parts/destroy_contact.h"
 #include "world/guard.h"
 
@@ -39,9 +38,9 @@ Motion MotionOf(BodyType type) {
 
 }  // namespace
 
-void FindPairsAndMatch(WorldState& s) {
+void FindPairsAndMatch(WorldState& s, FreshOrder order) {
     s.broadPhase->FindPairs(s.pairs);
-    MatchContacts(s.pairs, s.Events(), Tables(s));
+    MatchContacts(s.pairs, order, s.Events(), Tables(s));
     s.pairsStale = false;
 }
 

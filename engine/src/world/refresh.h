@@ -5,12 +5,13 @@
 
 #pragma once
 
+#include "pipeline/match_contacts.h"
 #include "world/world_state.h"
 
 namespace scree {
 
 /// Finds all pairs of the stored boxes and marks or makes their contacts.
-void FindPairsAndMatch(WorldState& state);
+void FindPairsAndMatch(WorldState& state, FreshOrder order);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
 void AddProxy(WorldState& state, int fixture);
 void RemoveProxy(WorldState& state, int fixture);

@@ -26,7 +26,7 @@ namespace {
 void RunBroadPhase(WorldState& s) {
     UpdateMovedBoxes(s.bodies, s.fixtures,
                      {&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, *s.broadPhase);
-    FindPairsAndMatch(s);
+    FindPairsAndMatch(s, FreshOrder::newestFirst);
 }
 
 /// Number of sub-steps that stands for this many velocity iterations, and the other way round.
@@ -145,7 +145,7 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     Stopwatch watch;
     StepReport report;
     const WorldLock lock(s);
-    if (s.pairsStale) FindPairsAndMatch(s);
+    if (s.pairsStale) FindPairsAndMatch(s, FreshOrder::oldestFirst);
     report.profile.broadPhase = watch.Lap();
     report.touchingCount = UpdateManifolds(s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts});
     report.profile.narrowPhase = watch.Lap();
