@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 #
 # check.sh SOURCE WORK COMPILER: builds the engine alone, installs it below WORK, and builds and runs a program outside
-# the project against it, once found by find_package(scree) and once by pkg-config. Fails too if the engine's library
+# the project against it, once found by find_package(scree) and once by pkg-config, and one written for Box2D. Fails too if the engine's library
 # exports Box2D's names or needs anything but the C++ runtime.
 
 set -euo pipefail
@@ -33,6 +33,7 @@ echo "== find_package(scree)"
 cmake -S "$consumer" -B "$work/consumer" "${options[@]}" "-DCMAKE_PREFIX_PATH=$work/prefix"
 cmake --build "$work/consumer"
 "$work/consumer/consumer"
+"$work/consumer/consumer_box2d"
 
 echo "== pkg-config"
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name scree.pc)")

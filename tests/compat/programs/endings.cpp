@@ -98,8 +98,8 @@ void CallbackEdits() {
     far->DestroyFixture(far->GetFixtureList());
     Say("bodies %d fixtures %d", world.GetBodyCount(), far->GetFixtureList() != nullptr);
     Run(world, 60);
-    for (b2Body* spark : spawner.sparks) Number("spark", spark->GetPosition(), 2e-3);
-    Number("above", above->GetPosition(), 2e-3);
+    for (b2Body* spark : spawner.sparks) Number("spark", spark->GetPosition());
+    Number("above", above->GetPosition());
 }
 
 namespace {

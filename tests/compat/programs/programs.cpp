@@ -19,7 +19,8 @@
     X(ThinWall) X(Revolute) X(Prismatic) X(Distance) X(Pulley) X(Gears) X(Mouse) X(Car) X(Weld) \
     X(FrictionAndMotor) X(Ragdoll) X(Bridge) X(RayCasts) X(BoxQueries) X(ShapeCasts) X(Distances) \
     X(TimesOfImpact) X(Manifolds) X(DynamicTree) X(BroadPhase) X(Allocators) X(Math) X(Drawing) X(Pyramid) \
-    X(Dominoes) X(Character) X(OriginShift) X(Overlaps) X(CallbackEdits) X(QueryEdits)
+    X(Dominoes) X(Character) X(OriginShift) X(Overlaps) X(CallbackEdits) X(QueryEdits) X(BeginOrder) \
+    X(Platformer) X(BreakableCrates) X(TopDownCar) X(Buoyancy) X(SensorDoor) X(JointBreak) X(LevelTool) X(TerrainDrive)
 // clang-format on
 
 #define SCREE_DECLARE(name) void name();

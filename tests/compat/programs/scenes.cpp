@@ -18,7 +18,7 @@ void Pyramid() {
         }
     }
     Run(world, 300);
-    Number("top", top->GetPosition().y, 2e-3);
+    Number("top", top->GetPosition().y);
     Number("angle", top->GetAngle(), 5e-3);  // it creeps until all sleep
     int awake = 0;
     for (b2Body* b = world.GetBodyList(); b; b = b->GetNext()) awake += b->GetType() == b2_dynamicBody && b->IsAwake();
@@ -81,10 +81,10 @@ void Character() {
         hero->ApplyLinearImpulseToCenter(b2Vec2(hero->GetMass() * change, 0.0f), true);
         world.Step(1.0f / 60.0f, 8, 3);
     }
-    Number("walked", hero->GetPosition(), 5e-3);
+    Number("walked", hero->GetPosition());
     Say("upright %d", hero->GetAngle() == 0.0f && hero->IsFixedRotation());
     Run(world, 120);
-    Number("before the step", hero->GetPosition(), 2e-2);
+    Number("before the step", hero->GetPosition());
     hero->ApplyLinearImpulse(b2Vec2(0.0f, 6.0f * hero->GetMass()), hero->GetWorldCenter(), true);
     for (int i = 0; i < 60; ++i) {
         hero->SetLinearVelocity(b2Vec2(2.0f, hero->GetLinearVelocity().y));
@@ -100,11 +100,11 @@ void OriginShift() {
     b2Body* falling = MakeDisk(world, 12.0f, 6.0f, 0.5f);
     Run(world, 30);
     world.ShiftOrigin(b2Vec2(8.0f, -3.0f));
-    Pose("box", box, 2e-3);
-    Pose("disk", falling, 2e-3);
+    Pose("box", box);
+    Pose("disk", falling);
     Run(world, 120);
-    Pose("box", box, 2e-3);
-    Number("disk", falling->GetPosition(), 2e-3);
+    Pose("box", box);
+    Number("disk", falling->GetPosition());
 }
 
 void Overlaps() {
