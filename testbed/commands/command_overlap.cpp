@@ -114,11 +114,12 @@ int RunOverlap(const OverlapArguments& arguments, const Request& request) {
     const std::vector<SceneJob> jobs = MakeJobs(arguments.scenes, arguments.run, arguments.steps);
     const RunSetup setup = MakeRunSetup(arguments.run);
     const PictureOptions options = MakePictureOptions(arguments.picture);
+    const SequenceOptions sequence = MakeSequenceOptions(arguments.sequence, options.width, options.theme);
+    for (const SceneJob& job : jobs) CheckSheet(sequence, job.selection.Count());
     CheckGnuplot();
     PictureSession session = MakePictureSession(
         {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
         request.contextOptions);
-    for (const SceneJob& job : jobs) CheckSheet(session.sequences.GetOptions(), job.selection.Count());
     for (const SceneJob& job : jobs) RunScene(session, job, setup);
     fmt::print("{}", FormatFiles(session.output.GetFiles()));
     return exitDone;

@@ -54,11 +54,11 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
     options.layers = ParseLayers(arguments.layers);
     options.legend = !arguments.noLegend;
     setup.options.sweptBoxes = options.layers.Has(Layer::swept);
+    CheckSheet(MakeSequenceOptions(arguments.sequence, options.width, options.theme), job.selection.Count());
     PictureSession session = MakePictureSession(
         {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
         request.contextOptions);
 
-    CheckSheet(session.sequences.GetOptions(), job.selection.Count());
     session.Begin(job.selection.Count());
     Progress progress(std::string(job.info->name), job.selection.range.last + workPerPicture * job.selection.Count());
     SideBySide engines(scenes::Build(job.info->name, job.size), setup);

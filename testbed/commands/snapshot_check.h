@@ -44,7 +44,7 @@ struct SnapshotOutcome {
     int structureOnly = 0;                 ///< equal pixels, other structure
     std::vector<std::string> rewritten;    ///< ids
     std::vector<std::string> removed;      ///< ids
-    std::filesystem::path page;  ///< of the report; empty: none was needed
+    std::filesystem::path page;            ///< of the report; empty: none was needed
 };
 
 /// Cases whose id matches. Throws UsageError for a bad expression.

@@ -39,7 +39,8 @@ void AppendText(Bytes& file, const PngText& text);
 /// pictures consist of tall rectangles. `box` is not empty and lies inside the image.
 [[nodiscard]] Bytes MakeColorRows(const Image& image, const PixelBox& box, size_t channels);
 
-/// The zlib stream of these rows, large ones by two threads in parts that are compressed apart. Throws FileError when memory runs out.
+/// The zlib stream of these rows, large ones by two threads in parts that are compressed apart. Throws FileError when
+/// memory runs out.
 [[nodiscard]] Bytes Deflate(const Bytes& rows);
 
 }  // namespace testbed::png

@@ -17,8 +17,7 @@ namespace {
 constexpr Color orange{230, 159, 0}, skyBlue{86, 180, 233}, green{0, 158, 115}, yellow{240, 228, 66}, blue{0, 114, 178},
     vermilion{213, 94, 0}, purple{204, 121, 167};
 // Blue, green and vermilion are too dark for lines on dark grey, yellow too pale for lines on white.
-constexpr Color lightBlue{60, 120, 220}, lightGreen{36, 196, 150}, lightVermilion{240, 120, 48},
-    darkYellow{100, 96, 0};
+constexpr Color lightBlue{60, 120, 220}, lightGreen{36, 196, 150}, lightVermilion{240, 120, 48}, darkYellow{100, 96, 0};
 
 constexpr Color WithAlpha(const Color& color, uint8_t alpha) { return {color.r, color.g, color.b, alpha}; }
 

@@ -5,7 +5,7 @@
 
 #define SCREE_KERNEL_SET baseContactKernels
 #define SCREE_KERNEL_NAME "base"
-#include "constraints/contact_kernels.inl.h"
+#include "constraints/contact_kernels.inc"
 
 namespace scree {
 

@@ -6,5 +6,5 @@
 #if defined(__AVX2__)
 #define SCREE_KERNEL_SET avx2ContactKernels
 #define SCREE_KERNEL_NAME "avx2"
-#include "constraints/contact_kernels.inl.h"
+#include "constraints/contact_kernels.inc"
 #endif

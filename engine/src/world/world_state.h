@@ -35,8 +35,8 @@ struct WorldState {
     std::unique_ptr<BroadPhase> broadPhase;
     BroadPhaseKind broadPhaseKind = BroadPhaseKind::automatic;  ///< resolved
     std::unique_ptr<TaskPool> pool;
-    std::vector<Pair> pairs;                                    ///< of the last pair finding
-    bool pairsStale = false;                                    ///< boxes changed since then
+    std::vector<Pair> pairs;  ///< of the last pair finding
+    bool pairsStale = false;  ///< boxes changed since then
 
     IslandTable islands;  ///< of the last step; the soft step may do without
     IslandTable active;   ///< of the last soft step: what was solved, without islands

@@ -119,7 +119,7 @@ TEST(View, ScrubsLevelsPicksANodeAndTracesAQuery) {
 )");
     ASSERT_EQ(result.exitCode, 0) << result.output;
     EXPECT_EQ(ReadState(folder, "all.json")["nodes"], "internal");
-    EXPECT_EQ(ReadState(folder, "all.json")["layers"], (json{"bodies", "joints", "bvh"}));
+    EXPECT_EQ(ReadState(folder, "all.json")["layers"], (json{"bodies", "bvh", "joints"}));
     EXPECT_EQ(ReadState(folder, "root.json")["nodes"], "level=0");
     const json hovered = ReadState(folder, "hovered.json")["engines"];
     EXPECT_FALSE(hovered[0].contains("hovered")) << "the pointer is in the other pane";

@@ -8,6 +8,7 @@
 
 #include "base/task_pool.h"
 #include "constraints/contact_block.h"
+#include "scree/math.h"
 
 namespace scree {
 
