@@ -40,7 +40,9 @@ EngineSetting GetDial(Dial dial, int rate) {
     return GetSoft(4, rate);
 }
 
-bool IsAvailable(const EngineSetting& setting) { return setting.solver == SolverKind::sequential; }
+bool IsAvailable(const EngineSetting& setting) {
+    return setting.engine == "scree" || setting.solver == SolverKind::sequential;
+}
 
 std::string NameSolver(const EngineSetting& setting) {
     if (setting.solver == SolverKind::soft) return fmt::format("soft {}", setting.substeps);

@@ -73,7 +73,9 @@ struct ScreeNames {
     }
 
     static StepFacts Step(World& world, const EngineSetting& setting, float dt) {
-        const scree::StepReport report = world.Step(dt, setting.velocityIterations, setting.positionIterations);
+        const scree::StepReport report = setting.solver == SolverKind::soft
+                                             ? world.Step(dt, setting.substeps)
+                                             : world.Step(dt, setting.velocityIterations, setting.positionIterations);
         StepFacts facts;
         facts.capped = report.cappedCount;
         facts.nonFinite = report.nonFiniteCount;
