@@ -73,8 +73,11 @@ SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& sn
         options.scaleMax = std::bit_ceil(CountOverlap(snapshot, camera, options).stats.max);
         OverlapResult result = maker.MakeOverlap(std::span(&input, 1), options);
         const OverlapStats& stats = result.panes[0].count.stats;
-        picture.sidecar["overlap"] = {
-            {"max", stats.max}, {"mean", stats.mean}, {"p99", stats.p99}, {"nodes_drawn", stats.nodesDrawn}};
+        picture.sidecar["overlap"] = {{"max", stats.max},
+                                      {"mean", stats.mean},
+                                      {"p99", stats.p99},
+                                      {"nodes_drawn", stats.nodesDrawn},
+                                      {"scale_max", *options.scaleMax}};
         picture.image = std::move(result.panes[0].image);
     } else {
         picture.image = maker.MakeRender(input, options);

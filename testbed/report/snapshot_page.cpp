@@ -41,11 +41,11 @@ Json ReadSidecar(const fs::path& file) {
 /// The colours of counts 0, 1, 2, … in an overlap picture, six hex digits each: what turns a pixel back into its count.
 /// Null when the sidecar does not say how counts were coloured.
 Json DescribeCountColors(const Json& sidecar) {
-    if (sidecar.value("kind", "") != "overlap") return nullptr;
     try {
+        if (sidecar.value("kind", "") != "overlap") return nullptr;
         const Style style = ParseStyle(sidecar.value("style", GetStyleName(Style::heat)));
-        const uint32_t scaleMax = sidecar.contains("scale_max") ? sidecar["scale_max"].get<uint32_t>()
-                                                                : sidecar.at("overlap").at("max").get<uint32_t>();
+        const Json& scale = sidecar.contains("scale_max") ? sidecar : sidecar.at("overlap");
+        const auto scaleMax = scale.at("scale_max").get<uint32_t>();
         // The page needs only as many as a reader can tell apart, and a damaged sidecar may name any number.
         if (scaleMax > 4096) return nullptr;
         std::string digits;
@@ -53,7 +53,7 @@ Json DescribeCountColors(const Json& sidecar) {
             digits += fmt::format("{:02x}{:02x}{:02x}", color.r, color.g, color.b);
         }
         return digits;
-    } catch (const Json::exception&) {
+    } catch (const std::exception&) {
         return nullptr;
     }
 }

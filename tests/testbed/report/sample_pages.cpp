@@ -67,8 +67,10 @@ SamplePicture DrawSample(PictureMaker& maker, const Snapshot& snapshot, const ch
         return picture;
     }
     options.layers = Layers{};
+    options.scaleMax = 32;
     OverlapResult result = maker.MakeOverlap(std::span(&input, 1), options);
-    picture.sidecar["overlap"] = {{"max", result.panes[0].count.stats.max}, {"mean", result.panes[0].count.stats.mean}};
+    picture.sidecar["overlap"] = {
+        {"max", result.panes[0].count.stats.max}, {"mean", result.panes[0].count.stats.mean}, {"scale_max", 32}};
     picture.image = std::move(result.panes[0].image);
     picture.counts = std::move(result.panes[0].count.counts);
     return picture;

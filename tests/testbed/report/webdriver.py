@@ -60,7 +60,7 @@ class Browser:
         # No proxy of the environment may stand between this and the driver beside it.
         opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         try:
-            with opener.open(request, timeout=120) as answer:
+            with opener.open(request, timeout=300) as answer:
                 return json.load(answer)['value']
         except urllib.error.HTTPError as error:
             raise RuntimeError(f'{method} {path}: ' + json.load(error)['value']['message']) from None
