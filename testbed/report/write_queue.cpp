@@ -30,6 +30,7 @@ void WriteQueue::Work() {
         m_isBusy = true;
         const bool isDropped = m_failure != nullptr;
         lock.unlock();
+        m_changed.notify_all();  // there is room: whoever adds need not wait for this job's end
         std::exception_ptr failure;
         try {
             if (!isDropped) job();
