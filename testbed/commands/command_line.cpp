@@ -110,6 +110,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddMergeCommand(app, request);
     AddViewCommand(app, request);
     AddTradeoffCommand(app, request);
+    AddExtremesCommand(app, request);
     AddEnvCommand(app, request);
     try {
         Parse(app, arguments);

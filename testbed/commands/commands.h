@@ -32,6 +32,7 @@ void AddDiffCommand(CLI::App& app, Request& request);
 void AddMergeCommand(CLI::App& app, Request& request);
 void AddViewCommand(CLI::App& app, Request& request);
 void AddTradeoffCommand(CLI::App& app, Request& request);
+void AddExtremesCommand(CLI::App& app, Request& request);
 void AddEnvCommand(CLI::App& app, Request& request);
 
 }  // namespace testbed

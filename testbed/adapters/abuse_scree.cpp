@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The bad calls to our engine, which reports each with the name of the field.
+
+#include "scree/scree.h"
+#include "testbed/adapters/abuse_world.h"
+
+namespace testbed {
+namespace {
+
+struct ScreeAbuse {
+    using World = scree::World;
+    using Body = scree::Body;
+    using BodyDef = scree::BodyDef;
+    using FixtureDef = scree::FixtureDef;
+    using Circle = scree::CircleShape;
+    using Edge = scree::EdgeShape;
+    using Polygon = scree::PolygonShape;
+    using Vec = scree::Vec2;
+    using Contact = scree::Contact;
+    using ContactListener = scree::ContactListener;
+    static constexpr auto isDynamic = scree::dynamicBody;
+
+    static std::unique_ptr<World> MakeWorld(AbuseErrors& errors) {
+        auto world = std::make_unique<World>(scree::Vec2{0.0f, -10.0f});
+        world->SetErrorHandler(
+            [](const scree::Error& error, void* context) {
+                auto& count = *static_cast<AbuseErrors*>(context);
+                ++count.count;
+                count.named += error.field != nullptr && error.field[0] != '\0';
+            },
+            &errors);
+        return world;
+    }
+    static bool SetPolygon(Polygon& polygon, const std::vector<Vec>& points) {
+        return polygon.Set(points.data(), static_cast<int>(points.size()));
+    }
+    static scree::BodyId GetId(World& world, const Body& body) { return world.GetId(&body); }
+    static bool IsAlive(World& world, scree::BodyId id) { return world.Find(id) != nullptr; }
+};
+
+}  // namespace
+
+AbuseResult AbuseScree(Abuse abuse) { return Abuser<ScreeAbuse>().Run(abuse); }
+
+}  // namespace testbed
