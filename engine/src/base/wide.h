@@ -46,9 +46,10 @@ SCREE_KERNEL F8 Or8(F8 a, F8 b) { return {_mm256_or_ps(a.v, b.v)}; }
 /// `yes` where the mask is set, else `no`.
 SCREE_KERNEL F8 Select8(F8 mask, F8 yes, F8 no) { return {_mm256_blendv_ps(no.v, yes.v, mask.v)}; }
 SCREE_KERNEL bool AnySet8(F8 mask) { return _mm256_movemask_ps(mask.v) != 0; }
+SCREE_KERNEL bool AllSet8(F8 mask) { return _mm256_movemask_ps(mask.v) == 0xFF; }
 
-/// The first, second and third number of eight rows of four.
-SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z) {
+/// The numbers of eight rows of four.
+SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
     const auto row = [&](int i) { return _mm_load_ps(rows + 4 * static_cast<int64_t>(index[i])); };
     const auto pair = [&](int i) { return _mm256_insertf128_ps(_mm256_castps128_ps256(row(i)), row(i + 4), 1); };
     const __m256 r0 = pair(0), r1 = pair(1), r2 = pair(2), r3 = pair(3);
@@ -57,12 +58,12 @@ SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y,
     x.v = _mm256_shuffle_ps(xy01, xy23, _MM_SHUFFLE(1, 0, 1, 0));
     y.v = _mm256_shuffle_ps(xy01, xy23, _MM_SHUFFLE(3, 2, 3, 2));
     z.v = _mm256_shuffle_ps(zw01, zw23, _MM_SHUFFLE(1, 0, 1, 0));
+    w.v = _mm256_shuffle_ps(zw01, zw23, _MM_SHUFFLE(3, 2, 3, 2));
 }
-/// Writes eight rows of four, the fourth number 0, the last lane first: where lanes name the same row, the first wins.
-SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z) {
-    const __m256 zero = _mm256_setzero_ps();
+/// Writes eight rows of four, the last lane first: where lanes name the same row, the first wins.
+SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z, F8 w) {
     const __m256 xyLow = _mm256_unpacklo_ps(x.v, y.v), xyHigh = _mm256_unpackhi_ps(x.v, y.v);
-    const __m256 zwLow = _mm256_unpacklo_ps(z.v, zero), zwHigh = _mm256_unpackhi_ps(z.v, zero);
+    const __m256 zwLow = _mm256_unpacklo_ps(z.v, w.v), zwHigh = _mm256_unpackhi_ps(z.v, w.v);
     const __m256 r[4] = {_mm256_shuffle_ps(xyLow, zwLow, _MM_SHUFFLE(1, 0, 1, 0)),
                          _mm256_shuffle_ps(xyLow, zwLow, _MM_SHUFFLE(3, 2, 3, 2)),
                          _mm256_shuffle_ps(xyHigh, zwHigh, _MM_SHUFFLE(1, 0, 1, 0)),
@@ -98,28 +99,28 @@ SCREE_KERNEL F8 Select8(F8 mask, F8 yes, F8 no) {
     return {Select4(mask.lo, yes.lo, no.lo), Select4(mask.hi, yes.hi, no.hi)};
 }
 SCREE_KERNEL bool AnySet8(F8 mask) { return (_mm_movemask_ps(mask.lo) | _mm_movemask_ps(mask.hi)) != 0; }
+SCREE_KERNEL bool AllSet8(F8 mask) { return (_mm_movemask_ps(mask.lo) & _mm_movemask_ps(mask.hi)) == 0xF; }
 
-SCREE_KERNEL void Gather4(const float* rows, const int32_t* index, __m128& x, __m128& y, __m128& z) {
+SCREE_KERNEL void Gather4(const float* rows, const int32_t* index, __m128& x, __m128& y, __m128& z, __m128& w) {
     const auto row = [&](int i) { return _mm_load_ps(rows + 4 * static_cast<int64_t>(index[i])); };
     __m128 r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
     _MM_TRANSPOSE4_PS(r0, r1, r2, r3);
-    x = r0, y = r1, z = r2;
+    x = r0, y = r1, z = r2, w = r3;
 }
-SCREE_KERNEL void Scatter4(float* rows, const int32_t* index, __m128 x, __m128 y, __m128 z) {
-    __m128 w = _mm_setzero_ps();
+SCREE_KERNEL void Scatter4(float* rows, const int32_t* index, __m128 x, __m128 y, __m128 z, __m128 w) {
     _MM_TRANSPOSE4_PS(x, y, z, w);
     _mm_store_ps(rows + 4 * static_cast<int64_t>(index[3]), w);
     _mm_store_ps(rows + 4 * static_cast<int64_t>(index[2]), z);
     _mm_store_ps(rows + 4 * static_cast<int64_t>(index[1]), y);
     _mm_store_ps(rows + 4 * static_cast<int64_t>(index[0]), x);
 }
-SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z) {
-    Gather4(rows, index, x.lo, y.lo, z.lo);
-    Gather4(rows, index + 4, x.hi, y.hi, z.hi);
+SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
+    Gather4(rows, index, x.lo, y.lo, z.lo, w.lo);
+    Gather4(rows, index + 4, x.hi, y.hi, z.hi, w.hi);
 }
-SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z) {
-    Scatter4(rows, index + 4, x.hi, y.hi, z.hi);
-    Scatter4(rows, index, x.lo, y.lo, z.lo);
+SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z, F8 w) {
+    Scatter4(rows, index + 4, x.hi, y.hi, z.hi, w.hi);
+    Scatter4(rows, index, x.lo, y.lo, z.lo, w.lo);
 }
 
 #else
@@ -182,19 +183,35 @@ SCREE_KERNEL bool AnySet8(F8 mask) {
     }
     return false;
 }
-SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z) {
+SCREE_KERNEL bool AllSet8(F8 mask) {
+    for (const float m : mask.v) {
+        if (m == 0.0f) return false;
+    }
+    return true;
+}
+SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
     for (int i = 0; i < laneCount; ++i) {
         const float* row = rows + 4 * static_cast<int64_t>(index[i]);
-        x.v[i] = row[0], y.v[i] = row[1], z.v[i] = row[2];
+        x.v[i] = row[0], y.v[i] = row[1], z.v[i] = row[2], w.v[i] = row[3];
     }
 }
-SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z) {
+SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z, F8 w) {
     for (int i = laneCount; i-- > 0;) {
         float* row = rows + 4 * static_cast<int64_t>(index[i]);
-        row[0] = x.v[i], row[1] = y.v[i], row[2] = z.v[i], row[3] = 0.0f;
+        row[0] = x.v[i], row[1] = y.v[i], row[2] = z.v[i], row[3] = w.v[i];
     }
 }
 
 #endif
+
+/// The first three numbers of eight rows of four.
+SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z) {
+    F8 unused;
+    Gather8(rows, index, x, y, z, unused);
+}
+/// The same rows with 0 as the fourth number.
+SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z) {
+    Scatter8(rows, index, x, y, z, Splat8(0.0f));
+}
 
 }  // namespace scree

@@ -15,21 +15,25 @@ constexpr uint8_t solvedFlags = ContactFlag::alive | ContactFlag::touching | Con
 /// Contacts that push: touching, enabled, no sensor.
 bool Pushes(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::sensor)) == solvedFlags; }
 
-/// Contacts of each mover, the newest row first.
+/// Contacts of each mover, the newest row first. Rows of static bodies are neither cleared nor read: in mostly static
+/// worlds they would cost more than the rest.
 void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
-    s.first.assign(static_cast<size_t>(bodies.slots.Size()) + 1, 0);
+    s.first.resize(static_cast<size_t>(bodies.slots.Size()));
+    s.end.resize(s.first.size());
+    for (const int body : bodies.movers) s.end[static_cast<size_t>(body)] = 0;
     const size_t count = contacts.flags.size();
     const auto isMover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody; };
     for (size_t c = 0; c < count; ++c) {
         if (!Pushes(contacts.flags[c])) continue;
         const ContactPair& pair = contacts.pair[c];
-        if (isMover(pair.bodyA)) ++s.first[static_cast<size_t>(pair.bodyA)];
-        if (isMover(pair.bodyB)) ++s.first[static_cast<size_t>(pair.bodyB)];
+        if (isMover(pair.bodyA)) ++s.end[static_cast<size_t>(pair.bodyA)];
+        if (isMover(pair.bodyB)) ++s.end[static_cast<size_t>(pair.bodyB)];
     }
     int total = 0;
-    for (int& first : s.first) {
-        total += first;
-        first = total;  // the end for now; filling turns it into the start
+    for (const int body : bodies.movers) {
+        const auto b = static_cast<size_t>(body);
+        total += s.end[b];
+        s.first[b] = s.end[b] = total;  // filling moves the start down
     }
     s.entries.resize(static_cast<size_t>(total));
     for (size_t c = 0; c < count; ++c) {
@@ -40,6 +44,12 @@ void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, Islan
         if (isMover(pair.bodyB))
             s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyB)])] = static_cast<int>(c);
     }
+}
+
+/// Makes `bodySeen` false for all movers.
+void ForgetSeen(const BodyTable& bodies, IslandScratch& s) {
+    s.bodySeen.resize(static_cast<size_t>(bodies.slots.Size()));
+    for (const int body : bodies.movers) s.bodySeen[static_cast<size_t>(body)] = 0;
 }
 
 class IslandSearch {
@@ -82,7 +92,7 @@ private:
 
     void VisitContacts(int body) {
         const auto b = static_cast<size_t>(body);
-        for (int e = m_scratch.first[b]; e < m_scratch.first[b + 1]; ++e) {
+        for (int e = m_scratch.first[b]; e < m_scratch.end[b]; ++e) {
             const int contact = m_scratch.entries[static_cast<size_t>(e)];
             if (m_scratch.contactSeen[static_cast<size_t>(contact)]) continue;
             m_scratch.contactSeen[static_cast<size_t>(contact)] = 1;
@@ -118,16 +128,17 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
                  IslandTable& islands) {
     islands.Clear();
     BuildAdjacency(contacts, bodies, scratch);
-    scratch.bodySeen.assign(static_cast<size_t>(bodies.slots.Size()), 0);
+    ForgetSeen(bodies, scratch);
     scratch.contactSeen.assign(contacts.flags.size(), 0);
     scratch.jointSeen.assign(joints.info.size(), 0);
 
+    const bool anyJoints = joints.listHead >= 0;
     IslandSearch search(contacts, joints, bodies, scratch, islands);
     for (size_t m = bodies.movers.size(); m-- > 0;) {  // newest first, as Box2D walks its body list
         const int body = bodies.movers[m];
         const auto b = static_cast<size_t>(body);
         if (!bodies.IsActive(body) || scratch.bodySeen[b]) continue;
-        if (scratch.first[b] == scratch.first[b + 1] && bodies.info[b].jointCount == 0) {
+        if (scratch.first[b] == scratch.end[b] && (!anyJoints || bodies.info[b].jointCount == 0)) {
             scratch.bodySeen[b] = 1;
             islands.isolated.push_back(body);
         } else {
@@ -165,7 +176,7 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
                   IslandScratch& scratch, IslandTable& active) {
     active.Clear();
-    scratch.bodySeen.assign(static_cast<size_t>(bodies.slots.Size()), 0);
+    ForgetSeen(bodies, scratch);
     for (size_t c = 0; c < contacts.flags.size(); ++c) {
         if (!Pushes(contacts.flags[c])) continue;
         const ContactPair& pair = contacts.pair[c];

@@ -16,9 +16,10 @@ namespace scree {
 
 /// Scratch of the search, kept between steps to save allocation.
 struct IslandScratch {
-    std::vector<int> first;    ///< per body: start of its contacts in `entries`; one more at the end
-    std::vector<int> entries;  ///< contacts by body
-    std::vector<uint8_t> bodySeen, contactSeen, jointSeen;
+    std::vector<int> first, end;    ///< per mover: range of its contacts in `entries`
+    std::vector<int> entries;       ///< contacts by body
+    std::vector<uint8_t> bodySeen;  ///< per mover
+    std::vector<uint8_t> contactSeen, jointSeen;
     std::vector<int> stack;
 };
 

@@ -7,6 +7,7 @@
 #include "pipeline/solve_islands.h"
 
 #include "pipeline/parts/body_motion.h"
+#include "pipeline/parts/free_bodies.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
 
@@ -230,18 +231,89 @@ private:
 };
 
 /// The ballistic path: the same arithmetic without constraints, hence the same bits.
+class BallisticPath {
+public:
+    BallisticPath(const SolverSettings& settings, BodyTable& bodies)
+        : m_settings(settings), m_bodies(bodies), m_moveFree(GetMoveFree()) {
+        m_task = {&bodies.velocity[0].v.x,
+                  &bodies.position[0].c.x,
+                  &bodies.startPosition[0].c.x,
+                  &bodies.transform[0].p.x,
+                  &bodies.mass[0].invMass,
+                  &bodies.force[0].force.x,
+                  &bodies.motion[0].linearDamping,
+                  settings.dt,
+                  settings.gravity.x,
+                  settings.gravity.y,
+                  settings.maxTranslation,
+                  settings.maxRotation,
+                  linearSleepTolerance * linearSleepTolerance,
+                  angularSleepTolerance * angularSleepTolerance,
+                  [](float angle, float* sineCosine) {
+                      const SinCosResult r = SinCos(angle);
+                      sineCosine[0] = r.sin, sineCosine[1] = r.cos;
+                  }};
+    }
+
+    SolverCounts Move(std::span<const int> rows) const {
+        SolverCounts counts;
+        size_t done = 0;
+        for (; !m_settings.exactDrift && done + laneCount <= rows.size(); done += laneCount) {
+            counts += MoveEight(rows.subspan(done, laneCount));
+        }
+        for (; done < rows.size(); ++done) counts += MoveOne(rows[done]);
+        return counts;
+    }
+
+private:
+    static constexpr size_t laneCount = 8;
+
+    SolverCounts MoveEight(std::span<const int> rows) const {
+        SolverCounts counts;
+        switch (m_moveFree(m_task, rows.data())) {
+            case FreeMove::refused:
+                for (const int body : rows) counts += MoveOne(body);
+                break;
+            case FreeMove::fast:
+                if (!m_settings.allowSleep) break;
+                for (const int body : rows) m_bodies.sleepTime[static_cast<size_t>(body)] = 0.0f;
+                break;
+            case FreeMove::slow:
+                for (const int body : rows) Sleep(body);
+                break;
+        }
+        return counts;
+    }
+
+    SolverCounts MoveOne(int body) const {
+        const auto b = static_cast<size_t>(body);
+        IntegrateVelocity(m_settings, m_bodies, b);
+        SolverCounts counts;
+        counts.capped = IntegratePosition(m_settings, m_bodies, b) ? 1 : 0;
+        counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;
+        Sleep(body);
+        return counts;
+    }
+
+    void Sleep(int body) const {
+        if (!m_settings.allowSleep) return;
+        if (UpdateSleepTimer(m_bodies, static_cast<size_t>(body), m_settings.dt) >= timeToSleep) {
+            m_bodies.PutToSleep(body);
+        }
+    }
+
+    const SolverSettings& m_settings;
+    BodyTable& m_bodies;
+    MoveFreeFunction m_moveFree;
+    FreeBodiesTask m_task;
+};
+
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& islands, TaskPool& pool,
                            BodyTable& bodies) {
-    return CountOver(pool, islands.isolated.size(), [&](size_t i) {
-        const int body = islands.isolated[i];
-        const auto b = static_cast<size_t>(body);
-        IntegrateVelocity(settings, bodies, b);
-        SolverCounts counts;
-        counts.capped = IntegratePosition(settings, bodies, b) ? 1 : 0;
-        counts.nonFinite = FinishPose(bodies, b) ? 1 : 0;
-        if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings.dt) >= timeToSleep) bodies.PutToSleep(body);
-        return counts;
-    });
+    if (islands.isolated.empty()) return {};
+    const BallisticPath path(settings, bodies);
+    return CountRanges(pool, islands.isolated.size(),
+                       [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
 }
 
 /// From this many contacts in an island on, colours fill their vectors well enough to pay.

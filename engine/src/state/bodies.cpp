@@ -31,7 +31,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     startPosition[i] = position[i];
     transform[i].Set(def.position, def.angle);
     mass[i] = {0.0f, 0.0f, vec2Zero};
-    force[i] = {vec2Zero, 0.0f};
+    force[i] = {vec2Zero, 0.0f, 0.0f};
     motion[i] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
     sleepTime[i] = 0.0f;
     flags[i] = static_cast<uint16_t>((def.awake && !isStatic ? BodyFlag::awake : 0) |
@@ -62,7 +62,7 @@ void BodyTable::PutToSleep(int body) {
     flags[i] = static_cast<uint16_t>(flags[i] & ~BodyFlag::awake);
     sleepTime[i] = 0.0f;
     velocity[i] = {vec2Zero, 0.0f, 0.0f};
-    force[i] = {vec2Zero, 0.0f};
+    force[i] = {vec2Zero, 0.0f, 0.0f};
 }
 
 void BodyTable::UpdateTransform(int body) {

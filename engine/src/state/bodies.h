@@ -36,12 +36,15 @@ struct alignas(16) MassRow {
     Vec2 localCenter;
 };
 
-struct ForceRow {
+/// 16 bytes.
+struct alignas(16) ForceRow {
     Vec2 force;  ///< N
     float torque;
+    float unused;
 };
 
-struct MotionRow {
+/// 16 bytes.
+struct alignas(16) MotionRow {
     float linearDamping, angularDamping, gravityScale;
     float mass;  ///< kg; 0 for static and kinematic bodies
 };

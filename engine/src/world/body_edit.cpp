@@ -153,7 +153,7 @@ ErrorCode Body::SetType(BodyType type) {
     } else {
         s.bodies.Wake(m_index);
     }
-    s.bodies.force[b] = {vec2Zero, 0.0f};
+    s.bodies.force[b] = {vec2Zero, 0.0f, 0.0f};
     DestroyContactsOfBody(s, m_index);
     // The broad phase sorts its boxes by motion type.
     for (int f = s.bodies.info[b].fixtureHead; f >= 0; f = s.fixtures.info[Row(f)].next) {

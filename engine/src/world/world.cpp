@@ -141,7 +141,7 @@ bool World::GetAutoClearForces() const { return m_state->autoClearForces; }
 
 void World::ClearForces() {
     const Recording recording(*m_state, "World::ClearForces");
-    for (const int body : m_state->bodies.movers) m_state->bodies.force[static_cast<size_t>(body)] = {vec2Zero, 0.0f};
+    for (const int body : m_state->bodies.movers) m_state->bodies.force[static_cast<size_t>(body)] = {vec2Zero, 0.0f, 0.0f};
 }
 
 ErrorCode World::SetGravity(Vec2 gravity) {

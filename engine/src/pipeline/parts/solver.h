@@ -76,16 +76,24 @@ struct SolverCounts {
 /// Below this many bodies a loop stays on one thread.
 inline constexpr int leastBodies = 256;
 
-/// Runs body(index) → SolverCounts over [0, count) on the workers and returns the sum.
-template <typename Body>
-SolverCounts CountOver(TaskPool& pool, size_t count, Body&& body) {
+/// Runs range(begin, end) → SolverCounts over parts of [0, count) on the workers and returns the sum.
+template <typename OfRange>
+SolverCounts CountRanges(TaskPool& pool, size_t count, OfRange&& range) {
     SolverCounts parts[maxWorkers];
-    pool.For(static_cast<int>(count), leastBodies, [&](int begin, int end, int worker) {
-        for (int i = begin; i < end; ++i) parts[worker] += body(static_cast<size_t>(i));
-    });
+    pool.For(static_cast<int>(count), leastBodies,
+             [&](int begin, int end, int worker) { parts[worker] += range(begin, end); });
     SolverCounts sum;
     for (const SolverCounts& part : parts) sum += part;
     return sum;
+}
+/// Runs body(index) → SolverCounts over [0, count) on the workers and returns the sum.
+template <typename Body>
+SolverCounts CountOver(TaskPool& pool, size_t count, Body&& body) {
+    return CountRanges(pool, count, [&](int begin, int end) {
+        SolverCounts sum;
+        for (int i = begin; i < end; ++i) sum += body(static_cast<size_t>(i));
+        return sum;
+    });
 }
 /// The same without counting.
 template <typename Body>

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Bodies that nothing touches, eight at a time: forces, damping, motion, pose. The same arithmetic as body by body in
+// solve_islands.cpp, hence the same bits (the dissertation, §5.2.1). Plain data only, because translation units for
+// different instruction sets share it.
+
+#pragma once
+
+#include <cstdint>
+
+namespace scree {
+
+/// Columns of the body table, four floats a row, and the constants of the step.
+struct FreeBodiesTask {
+    float* velocity;       ///< v, w
+    float* position;       ///< centre of mass, angle
+    float* startPosition;  ///< written: the position before
+    float* transform;      ///< origin, sine, cosine
+    const float* mass;     ///< 1/mass, 1/inertia, local centre
+    const float* force;    ///< force, torque
+    const float* motion;   ///< linear damping, angular damping, gravity scale, mass
+    float dt;
+    float gravityX, gravityY;
+    float maxTranslation, maxRotation;
+    float slowLinear, slowAngular;  ///< squares of the speeds up to which a body counts as slow
+    /// Sine and cosine of `angle`, the engine's own.
+    void (*sinCos)(float angle, float* sineCosine);
+};
+
+enum class FreeMove : int32_t {
+    refused,  ///< nothing was written: one of them is not dynamic, or fast enough for a cap, or not finite afterwards
+    fast,     ///< moved, and none is slow
+    slow,     ///< moved, and some are slow enough for the sleep timer to run
+};
+
+/// Moves the bodies of eight different rows through one step of sequential impulses without constraints.
+using MoveFreeFunction = FreeMove (*)(const FreeBodiesTask& task, const int32_t* eight);
+
+/// The best form this processor has. All forms give the same bits.
+MoveFreeFunction GetMoveFree();
+
+}  // namespace scree
