@@ -296,11 +296,14 @@ void ScreeRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
 
 void ScreeRun::CaptureContacts(std::vector<ContactState>& contacts) const {
     contacts.reserve(static_cast<size_t>(m_world->GetContactCount()));
+    std::vector<int> colours;
+    scree::inspect::GetContactColours(*m_world, colours);
     for (scree::Contact* c = m_world->GetContactList(); c; c = c->GetNext()) {
         ContactState state{};
         state.fixtureA = IndexOf(c->GetFixtureA());
         state.fixtureB = IndexOf(c->GetFixtureB());
         state.touching = c->IsTouching();
+        state.color = colours[static_cast<size_t>(c->GetIndex())];
         const scree::Manifold& manifold = *c->GetManifold();
         state.pointCount = manifold.pointCount;
         if (state.pointCount > 0) {

@@ -13,6 +13,7 @@
 #include <random>
 #include <set>
 
+#include "scree/inspect.h"
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
 
@@ -55,6 +56,51 @@ void ExpectProper(const WorldState& s, const std::vector<int>& list, std::span<c
             EXPECT_TRUE(pushed.insert({colours[i], body}).second) << "contact " << list[i] << " colour " << colours[i];
         }
     }
+}
+
+/// What inspect tells after a step: every contact that was solved has a colour, and no colour pushes a body twice.
+void ExpectToldColours(const World& world, const std::vector<int>& list, int leastColours) {
+    std::vector<int> told;
+    inspect::GetContactColours(world, told);
+    ASSERT_EQ(told.size(), static_cast<size_t>(world.GetState().contacts.Size()));
+    std::vector<int> solved;
+    std::vector<int> colours;
+    for (const int contact : list) {
+        if (told[static_cast<size_t>(contact)] < 0) continue;
+        solved.push_back(contact);
+        colours.push_back(told[static_cast<size_t>(contact)]);
+    }
+    EXPECT_EQ(static_cast<ptrdiff_t>(solved.size()),
+              std::count_if(told.begin(), told.end(), [](int c) { return c >= 0; }));
+    EXPECT_EQ(solved.size() > 0, leastColours > 0);
+    EXPECT_GE(static_cast<int>(std::set<int>(colours.begin(), colours.end()).size()), leastColours);
+    ExpectProper(world.GetState(), solved, colours);
+}
+
+TEST(ContactBlocks, InspectTellsTheColoursOfTheLastStep) {
+    World world({0.0f, -10.0f});
+    MakeHeap(world, 300, 6.0f);
+    const auto solvedNow = [&] {
+        std::vector<int> list;
+        for (const Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
+            if (c->IsTouching()) list.push_back(c->GetIndex());
+        }
+        return list;
+    };
+    ExpectToldColours(world, solvedNow(), 4);
+    world.Step(1.0f / 60.0f, 4);
+    ExpectToldColours(world, solvedNow(), 4);
+
+    World small({0.0f, -10.0f});
+    AddGround(small);
+    AddBox(AddBody(small, dynamicBody, {0.0f, 0.5f}), 0.5f, 0.5f);
+    for (int i = 0; i < 2; ++i) small.Step(1.0f / 60.0f, 8, 3);
+    std::vector<int> told;
+    inspect::GetContactColours(small, told);
+    EXPECT_EQ(told, std::vector<int>{-1}) << "small islands are solved contact by contact";
+    small.Step(1.0f / 60.0f, 4);
+    inspect::GetContactColours(small, told);
+    EXPECT_EQ(told, std::vector<int>{0});
 }
 
 TEST(ContactBlocks, NoColourPushesABodyTwice) {

@@ -90,7 +90,7 @@ protected:
     b2Contact() {}
     virtual ~b2Contact() {}
 
-    scree::Contact* m_handle;
+    scree::Contact* m_handle;  ///< null: the engine's contact is gone, what it was is copied below
     b2Contact* m_prev;
     b2Contact* m_next;
     b2ContactEdge m_nodeA;
@@ -99,7 +99,12 @@ protected:
     b2Fixture* m_fixtureB;
     int32 m_indexA;
     int32 m_indexB;
+    float m_friction;
+    float m_restitution;
+    float m_restitutionThreshold;
+    float m_tangentSpeed;
     mutable b2Manifold m_manifold;
+    bool m_enabled;
     bool m_ending = false;           ///< its end is being told outside of a step
     mutable bool m_manifoldExposed;  ///< the program may have changed m_manifold since the callback began
 };

@@ -3,6 +3,7 @@
 //
 // Manifolds of two shapes, world manifolds, point states, clipping, rays against boxes.
 
+#include "../box2d/b2_distance.h"
 #include "convert.h"
 #include "scree/distance.h"
 
@@ -129,8 +130,16 @@ int32 b2ClipSegmentToLine(b2ClipVertex vOut[2], const b2ClipVertex vIn[2], const
 
 bool b2TestOverlap(const b2Shape* shapeA, int32 indexA, const b2Shape* shapeB, int32 indexB, const b2Transform& xfA,
                    const b2Transform& xfB) {
-    return WithChild(*shapeA, indexA, [&](const auto& a) {
-        return WithChild(*shapeB, indexB,
-                         [&](const auto& b) { return scree::TestOverlap(&a, 0, &b, 0, ToScree(xfA), ToScree(xfB)); });
-    });
+    b2DistanceInput input;
+    input.proxyA.Set(shapeA, indexA);
+    input.proxyB.Set(shapeB, indexB);
+    if (input.proxyA.m_count < 1 || input.proxyB.m_count < 1) return false;  // refused with the reason
+    input.transformA = xfA;
+    input.transformB = xfB;
+    input.useRadii = true;
+    b2SimplexCache cache;
+    cache.count = 0;
+    b2DistanceOutput output;
+    b2Distance(&output, &cache, &input);
+    return output.distance < 10.0f * b2_epsilon;
 }

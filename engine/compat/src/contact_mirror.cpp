@@ -114,8 +114,25 @@ void b2Bridge::FreeContact(b2WorldData& data, b2Contact* contact) {
     if (data.contacts == contact) data.contacts = contact->m_next;
     UnlinkEdge(contact->m_fixtureA->GetBody()->m_contactList, contact->m_nodeA);
     UnlinkEdge(contact->m_fixtureB->GetBody()->m_contactList, contact->m_nodeB);
-    data.contactOfRow[static_cast<size_t>(contact->m_handle->GetIndex())] = nullptr;
+    if (contact->m_handle != nullptr) {
+        data.contactOfRow[static_cast<size_t>(contact->m_handle->GetIndex())] = nullptr;
+    } else {
+        data.detached.erase(contact);
+    }
     delete static_cast<PairContact*>(contact);
+}
+
+void b2Bridge::Detach(b2WorldData& data, b2Contact* contact) {
+    const scree::Contact& from = *contact->m_handle;
+    contact->m_manifold = ToBox2d(*contact->m_handle->GetManifold());
+    contact->m_enabled = from.IsEnabled();
+    contact->m_friction = from.GetFriction();
+    contact->m_restitution = from.GetRestitution();
+    contact->m_restitutionThreshold = from.GetRestitutionThreshold();
+    contact->m_tangentSpeed = from.GetTangentSpeed();
+    data.contactOfRow[static_cast<size_t>(from.GetIndex())] = nullptr;
+    contact->m_handle = nullptr;
+    data.detached.insert(contact);
 }
 
 void b2Bridge::FreeContactsOf(b2WorldData& data, const b2Fixture* fixture) {
@@ -141,6 +158,9 @@ void b2Bridge::SyncContacts(b2WorldData& data) {
     data.contactsStale = false;
     data.rowSeen.assign(data.contactOfRow.size(), 0);
     data.listed.clear();
+    for (b2Contact* c = data.detached.empty() ? nullptr : data.contacts; c != nullptr; c = c->m_next) {
+        if (c->m_handle == nullptr) data.listed.push_back(c);
+    }
     for (scree::Contact* contact = data.engine.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
         if (HasEnded(data, static_cast<size_t>(contact->GetIndex()))) continue;
         data.listed.push_back(Mirror(data, contact));

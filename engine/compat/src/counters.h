@@ -11,6 +11,7 @@
 namespace scree::box2d {
 
 void CountDistance(int calls, int iterations, int maxIterations);
-void CountToi(const TOIStats& stats);
+/// `time`: ms spent on it. Within a step that is the whole stage, whose single calls no clock looks at.
+void CountToi(const TOIStats& stats, float time);
 
 }  // namespace scree::box2d

@@ -125,9 +125,8 @@ void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input) {
     output->t = out.t;
     scree::TOIStats stats;
     stats.Add(out);
-    CountToi(stats);
     const float time = std::chrono::duration<float, std::milli>(std::chrono::steady_clock::now() - start).count();
-    b2_toiTime += time;
+    CountToi(stats, time);
     b2_toiMaxTime = b2Max(b2_toiMaxTime, time);
 }
 
@@ -139,7 +138,8 @@ void CountDistance(int calls, int iterations, int maxIterations) {
     b2_gjkMaxIters = b2Max(b2_gjkMaxIters, maxIterations);
 }
 
-void CountToi(const TOIStats& stats) {
+void CountToi(const TOIStats& stats, float time) {
+    if (stats.calls > 0) b2_toiTime += time;
     CountDistance(stats.distanceCalls, stats.distanceIterations, stats.maxDistanceIterations);
     b2_toiCalls += stats.calls;
     b2_toiIters += stats.iterations;

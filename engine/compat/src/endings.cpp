@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // What ends outside of a step: contacts of what is destroyed, disabled or given another type, then the objects. The
-// listeners hear of it while the engine is not locked, as in Box2D, so they may create and destroy. Therefore each
-// callback comes before the engine's edit; a contact that was told leaves the lists at once (the engine keeps its row
-// until the edit), and what is about to go is marked busy, so that nobody destroys it a second time.
+// listeners hear of it while the engine is not locked, as in Box2D, so they may create and destroy. Of what is
+// destroyed they hear before the engine's edit; a contact that was told leaves the lists at once (the engine keeps its
+// row until the edit). Of a body that is disabled or given another type they hear after it, when the body says what it
+// now is; its contacts are cut off the engine's first and remember what they were. What is about to go is marked busy,
+// so that nobody destroys it a second time.
 
 #include <algorithm>
 
@@ -44,28 +46,49 @@ b2Joint* GearOn(b2WorldData& data, const b2Joint* joint) {
 
 }  // namespace
 
-void b2Bridge::EndContacts(b2WorldData& data, b2Body& body, const b2Fixture* only) {
-    if (data.listener == nullptr) return;
-    std::vector<std::pair<size_t, b2Contact*>> ends;
+std::vector<b2Bridge::Ending> b2Bridge::FindEndings(b2WorldData& data, b2Body& body, const b2Fixture* only) {
+    std::vector<Ending> endings;
+    if (data.listener == nullptr) return endings;
+    const auto add = [&](b2Contact* contact, size_t row) {
+        const bool concerned = only == nullptr || contact->m_fixtureA == only || contact->m_fixtureB == only;
+        if (concerned && !contact->m_ending) endings.push_back({contact, row});
+    };
     body.m_handle->VisitContacts([&](scree::Contact* contact) {
         const auto row = static_cast<size_t>(contact->GetIndex());
-        if (!contact->IsTouching() || HasEnded(data, row)) return true;
-        b2Contact* mirror = Mirror(data, contact);
-        const bool concerned = only == nullptr || mirror->m_fixtureA == only || mirror->m_fixtureB == only;
-        if (concerned && !mirror->m_ending) ends.emplace_back(row, mirror);
+        if (contact->IsTouching() && !HasEnded(data, row)) add(Mirror(data, contact), row);
         return true;
     });
-    for (const auto& [row, contact] : ends) {
+    for (b2ContactEdge* edge = data.detached.empty() ? nullptr : body.m_contactList; edge != nullptr;
+         edge = edge->next) {
+        if (edge->contact->m_handle == nullptr) add(edge->contact, detachedRow);
+    }
+    return endings;
+}
+
+void b2Bridge::TellEndings(b2WorldData& data, const std::vector<Ending>& endings) {
+    for (const auto& [contact, row] : endings) {
         // A callback may have destroyed the contact's other body meanwhile, or taken the listener away.
-        const auto lives = [&, r = row, c = contact] { return data.contactOfRow[r] == c; };
+        const auto lives = [&, c = contact, r = row] {
+            return r == detachedRow ? data.detached.contains(c) : data.contactOfRow[r] == c;
+        };
         if (!lives() || contact->m_ending) continue;
         contact->m_ending = true;
         if (data.listener != nullptr) data.listener->EndContact(contact);
         if (!lives()) continue;
         FreeContact(data, contact);
+        if (row == detachedRow) continue;
         if (data.endedRows.size() <= row) data.endedRows.resize(row + 1, 0);
         data.endedRows[row] = 1;
     }
+}
+
+std::vector<b2Bridge::Ending> b2Bridge::DetachContacts(b2WorldData& data, b2Body& body) {
+    std::vector<Ending> endings = FindEndings(data, body, nullptr);
+    for (auto& [contact, row] : endings) {
+        if (row != detachedRow) Detach(data, contact);
+        row = detachedRow;
+    }
+    return endings;
 }
 
 void b2Bridge::DestroyFixture(b2WorldData& data, b2Body& body, b2Fixture* fixture) {
@@ -73,7 +96,8 @@ void b2Bridge::DestroyFixture(b2WorldData& data, b2Body& body, b2Fixture* fixtur
     {
         const Busy bodyBusy(data, body.m_busy);
         fixture->m_busy = 1;  // for good
-        EndContacts(data, body, fixture);
+        Unlink(fixture);
+        TellEndings(data, FindEndings(data, body, fixture));
         RemoveFixture(data, body, fixture);
     }
     Refresh(body);
@@ -94,8 +118,11 @@ void b2Bridge::RemoveFixture(b2WorldData& data, b2Body& body, b2Fixture* fixture
 void b2Bridge::SetEnabled(b2WorldData& data, b2Body& body, bool flag) {
     {
         const Busy busy(data, body.m_busy);
-        if (!flag && !data.stepping) EndContacts(data, body, nullptr);
+        std::vector<Ending> endings;
+        if (!flag && !data.stepping) endings = DetachContacts(data, body);
         body.m_handle->SetEnabled(flag);
+        Touch(data);
+        TellEndings(data, endings);
     }
     Touch(data);
 }
@@ -103,10 +130,14 @@ void b2Bridge::SetEnabled(b2WorldData& data, b2Body& body, bool flag) {
 void b2Bridge::SetType(b2WorldData& data, b2Body& body, b2BodyType type) {
     {
         const Busy busy(data, body.m_busy);
-        if (!data.stepping && body.GetType() != type) EndContacts(data, body, nullptr);
+        std::vector<Ending> endings;
+        const bool changes = type <= b2_dynamicBody && body.GetType() != type;
+        if (changes && !data.stepping) endings = DetachContacts(data, body);
         body.m_handle->SetType(static_cast<scree::BodyType>(type));
+        Refresh(body);
+        Touch(data);
+        TellEndings(data, endings);
     }
-    Refresh(body);
     Touch(data);
 }
 
@@ -125,7 +156,7 @@ void b2Bridge::DestroyBody(b2WorldData& data, b2Body* body) {
             const bool isStillThere = body->m_jointList != nullptr && body->m_jointList->joint == joint;
             if (isStillThere) DestroyJoint(data, joint);
         }
-        EndContacts(data, *body, nullptr);
+        TellEndings(data, FindEndings(data, *body, nullptr));
         body->m_goesBare = true;
         while (b2Fixture* fixture = data.destruction != nullptr ? body->m_fixtureList : nullptr) {
             data.destruction->SayGoodbye(fixture);

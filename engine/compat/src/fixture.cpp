@@ -82,15 +82,19 @@ b2Fixture* b2Bridge::MakeFixture(b2Body& body, const b2FixtureDef& def) {
     return fixture;
 }
 
+void b2Bridge::Unlink(const b2Fixture* fixture) {
+    b2Fixture** link = &fixture->m_body->m_fixtureList;
+    while (*link != nullptr && *link != fixture) link = &(*link)->m_next;
+    if (*link != nullptr) *link = fixture->m_next;
+}
+
 void b2Bridge::FreeFixture(b2Fixture* fixture) {
     b2WorldData& data = Data(*fixture->m_body);
     FreeContactsOf(data, fixture);
     ForgetShape(data, fixture);
     ForgetReports(data, fixture);
     if (fixture->GetType() == b2Shape::e_chain) --data.chainCount;
-    b2Fixture** link = &fixture->m_body->m_fixtureList;
-    while (*link != fixture) link = &(*link)->m_next;
-    *link = fixture->m_next;
+    Unlink(fixture);
     DestroyClone(fixture->m_shape, data.allocator);
     delete[] fixture->m_handles;
     delete[] fixture->m_proxies;

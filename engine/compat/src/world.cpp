@@ -6,6 +6,8 @@
 #include "../box2d/b2_world.h"
 
 #include "convert.h"
+#include "counters.h"
+#include "scree/inspect.h"
 #include "world_data.h"
 
 using namespace scree::box2d;
@@ -141,6 +143,7 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
     data.profile.solveVelocity = report.profile.solver;
     data.profile.broadphase = report.profile.broadPhase;
     data.profile.solveTOI = report.profile.continuous;
+    CountToi(scree::inspect::GetDistanceWork(data.engine), report.profile.continuous);
 }
 
 void b2World::ClearForces() { m_data->engine.ClearForces(); }
@@ -170,7 +173,7 @@ int32 b2World::GetProxyCount() const { return m_data->engine.GetProxyCount(); }
 int32 b2World::GetBodyCount() const { return m_data->engine.GetBodyCount(); }
 int32 b2World::GetJointCount() const { return m_data->engine.GetJointCount(); }
 int32 b2World::GetContactCount() const {
-    if (m_data->endedRows.empty()) return m_data->engine.GetContactCount();
+    if (m_data->endedRows.empty() && m_data->detached.empty()) return m_data->engine.GetContactCount();
     b2Bridge::SyncContacts(*m_data);
     int32 count = 0;
     for (const b2Contact* contact = m_data->contacts; contact != nullptr; contact = contact->GetNext()) ++count;

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <unordered_set>
 #include <vector>
 
 #include "../box2d/box2d.h"
@@ -48,10 +49,11 @@ struct b2WorldData {
     b2Body* bodies = nullptr;
     b2Joint* joints = nullptr;
     b2Contact* contacts = nullptr;
-    std::vector<b2Contact*> contactOfRow;  ///< by the engine's contact index; null where nobody looked yet
-    std::vector<uint8_t> rowSeen;          ///< scratch of SyncContacts
-    std::vector<b2Contact*> listed;        ///< scratch of SyncContacts: newest first
-    bool contactsStale = false;            ///< the engine's contacts may have changed since SyncContacts
+    std::unordered_set<b2Contact*> detached;  ///< their end is about to be told, the engine's contact is gone
+    std::vector<b2Contact*> contactOfRow;     ///< by the engine's contact index; null where nobody looked yet
+    std::vector<uint8_t> rowSeen;             ///< scratch of SyncContacts
+    std::vector<b2Contact*> listed;           ///< scratch of SyncContacts: newest first
+    bool contactsStale = false;               ///< the engine's contacts may have changed since SyncContacts
     bool stepping = false;
     int destructions = 0;            ///< calls that destroy, and have callbacks under way
     std::vector<uint8_t> endedRows;  ///< engine's contacts whose end was told before the engine removes them
@@ -83,6 +85,8 @@ struct b2Bridge {
 
     // fixture.cpp
     static b2Fixture* MakeFixture(b2Body& body, const b2FixtureDef& def);
+    /// Takes a fixture off its body's list, where it may be missing already.
+    static void Unlink(const b2Fixture* fixture);
     /// The mirror only: takes it off its body's list and frees it. The engine's fixtures are gone or will be.
     static void FreeFixture(b2Fixture* fixture);
     static scree::Fixture* FirstHandle(const b2Fixture& fixture) { return fixture.m_handles[0]; }
@@ -102,6 +106,8 @@ struct b2Bridge {
     static void OrderContacts(b2WorldData& data);
     /// Makes the lists agree with the engine's contacts. Free when nothing changed.
     static void SyncContacts(b2WorldData& data);
+    /// Cuts a touching contact off the engine's, which is about to go: it keeps what it was, and its place in lists.
+    static void Detach(b2WorldData& data, b2Contact* contact);
     static void FreeContactsOf(b2WorldData& data, const b2Fixture* fixture);
     static bool HasEnded(const b2WorldData& data, size_t row) {
         return row < data.endedRows.size() && data.endedRows[row] != 0;
@@ -118,8 +124,17 @@ struct b2Bridge {
     static void FreeJoint(b2WorldData& data, b2Joint* joint);
 
     // endings.cpp
-    /// Tells the listener that the touching contacts of a body, or of one fixture of it, end.
-    static void EndContacts(b2WorldData& data, b2Body& body, const b2Fixture* only);
+    /// A contact whose end is to be told, and the engine's row of it, or `detachedRow`.
+    struct Ending {
+        b2Contact* contact;
+        size_t row;
+    };
+    static constexpr size_t detachedRow = ~size_t{0};
+    /// The touching contacts of a body, or of one fixture of it. None when nobody listens.
+    static std::vector<Ending> FindEndings(b2WorldData& data, b2Body& body, const b2Fixture* only);
+    static void TellEndings(b2WorldData& data, const std::vector<Ending>& endings);
+    /// Cuts a body's touching contacts off the engine's, to tell their ends after the engine's edit.
+    static std::vector<Ending> DetachContacts(b2WorldData& data, b2Body& body);
     static void DestroyFixture(b2WorldData& data, b2Body& body, b2Fixture* fixture);
     /// Both sides of a fixture, without callbacks.
     static void RemoveFixture(b2WorldData& data, b2Body& body, b2Fixture* fixture);

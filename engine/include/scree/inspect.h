@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "scree/bvh_node.h"
+#include "scree/time_of_impact.h"
 #include "scree/world.h"
 
 namespace scree::inspect {
@@ -25,6 +26,13 @@ bool IsStaticTreeSeparate(const World& world);
 BroadPhaseKind GetBroadPhase(const World& world);
 /// Box–box comparisons of the last pair finding.
 uint64_t GetBoxTests(const World& world);
+
+/// Distance and time-of-impact searches of the last step: sensors and continuous collision.
+const TOIStats& GetDistanceWork(const World& world);
+/// By Contact::GetIndex: the colour in which the vector kernels worked on a contact in the last step, or −1 for
+/// contacts that they did not see (not touching then, sensors, islands solved contact by contact). Contacts of one
+/// colour push no body twice. O(contacts).
+void GetContactColours(const World& world, std::vector<int>& colours);
 
 /// Bytes in use by each table.
 struct MemoryUse {

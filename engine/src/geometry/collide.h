@@ -6,6 +6,7 @@
 #pragma once
 
 #include "scree/collision.h"
+#include "scree/distance.h"
 #include "scree/shape.h"
 
 namespace scree {
@@ -23,5 +24,13 @@ CollideEntry FindCollide(Shape::Type typeA, Shape::Type typeB);
 
 /// True if the shapes, with their skins, overlap: what a sensor reports.
 bool TestOverlap(const Shape& shapeA, const Transform& xfA, const Shape& shapeB, const Transform& xfB);
+
+/// The same, and how many rounds GJK took.
+struct OverlapResult {
+    bool overlaps;
+    int iterations;
+};
+OverlapResult FindOverlap(const DistanceProxy& proxyA, const Transform& xfA, const DistanceProxy& proxyB,
+                          const Transform& xfB);
 
 }  // namespace scree

@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Who is asked and told about contacts; handed to the stages that create, update and destroy them.
+// Who is asked and told about contacts, and where their distance work is counted; handed to the stages that create,
+// update and destroy them.
 
 #pragma once
 
+#include <algorithm>
+#include <atomic>
+
+#include "scree/time_of_impact.h"
 #include "scree/world_callbacks.h"
 
 namespace scree {
@@ -15,6 +20,18 @@ struct ContactEvents {
     WorldState* state;          ///< only passed on to make handles
     ContactListener* listener;  ///< may be null
     ContactFilter* filter;      ///< null: the fixtures' filter data decide alone
+    TOIStats* work;             ///< distance and time-of-impact work of the step
 };
+
+/// Counts one run of GJK. Sums and a maximum: the same in any order, from any thread.
+inline void CountDistance(TOIStats& work, int iterations) {
+    constexpr auto order = std::memory_order_relaxed;
+    std::atomic_ref(work.distanceCalls).fetch_add(1, order);
+    std::atomic_ref(work.distanceIterations).fetch_add(iterations, order);
+    const std::atomic_ref most(work.maxDistanceIterations);
+    int seen = most.load(order);
+    while (seen < iterations && !most.compare_exchange_weak(seen, iterations, order)) {
+    }
+}
 
 }  // namespace scree

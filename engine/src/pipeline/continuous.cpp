@@ -240,6 +240,7 @@ private:
         input.tMax = 1.0f;
         TOIOutput output;
         TimeOfImpact(&output, &input);
+        m_events.work->Add(output);
         // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
         if (output.state != TOIOutput::e_touching && output.state != TOIOutput::e_failed) return 1.0f;
         return Min(alpha0 + (1.0f - alpha0) * output.t, 1.0f);

@@ -133,6 +133,21 @@ int GetLeafSize(const World& world) { return world.GetState().broadPhase->GetLea
 bool IsStaticTreeSeparate(const World& world) { return world.GetState().broadPhase->GetStats().staticTreeSeparate; }
 BroadPhaseKind GetBroadPhase(const World& world) { return world.GetState().broadPhaseKind; }
 uint64_t GetBoxTests(const World& world) { return world.GetState().broadPhase->GetStats().boxTests; }
+const TOIStats& GetDistanceWork(const World& world) { return world.GetState().distanceWork; }
+
+void GetContactColours(const World& world, std::vector<int>& colours) {
+    const WorldState& s = world.GetState();
+    colours.assign(static_cast<size_t>(s.contacts.Size()), -1);
+    // The soft step solves all active contacts, sequential impulses those of large islands.
+    const std::vector<int>& list = s.active.contacts.empty() ? s.solverScratch.wide.contacts : s.active.contacts;
+    const std::span<const int> found = s.solverScratch.blocks.GetColours();
+    if (list.empty() || found.size() != list.size()) return;
+    for (size_t i = 0; i < list.size(); ++i) {
+        const auto contact = static_cast<size_t>(list[i]);
+        // A row that another contact has taken since does not touch yet.
+        if (s.contacts.IsAlive(list[i]) && s.contacts.Has(list[i], ContactFlag::touching)) colours[contact] = found[i];
+    }
+}
 
 MemoryUse GetMemoryUse(const World& world) {
     const WorldState& s = world.GetState();

@@ -144,6 +144,7 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     Stopwatch total;
     Stopwatch watch;
     StepReport report;
+    s.distanceWork = {};
     const WorldLock lock(s);
     if (s.pairsStale) FindPairsAndMatch(s, FreshOrder::oldestFirst);
     report.profile.broadPhase = watch.Lap();

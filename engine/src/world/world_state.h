@@ -57,8 +57,11 @@ struct WorldState {
     bool autoClearForces = true;
     float lastInverseDt = 0.0f;
     StepReport report;
+    TOIStats distanceWork;  ///< of the last step
 
-    [[nodiscard]] ContactEvents Events() { return {this, listener, filter == &defaultFilter ? nullptr : filter}; }
+    [[nodiscard]] ContactEvents Events() {
+        return {this, listener, filter == &defaultFilter ? nullptr : filter, &distanceWork};
+    }
     /// Tells the error handler and gives the code back.
     ErrorCode Refuse(ErrorCode code, const char* function, const char* field, const char* cure) const;
 };

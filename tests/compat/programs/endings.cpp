@@ -147,3 +147,109 @@ void QueryEdits() {
         Number("at", b->GetPosition());
     }
 }
+
+namespace {
+
+/// Says what the bodies of an ending contact are at that moment.
+class StateTeller : public b2ContactListener {
+public:
+    explicit StateTeller(b2World& world) : m_world(world) {}
+    void EndContact(b2Contact* contact) override {
+        b2Body* bodies[] = {contact->GetFixtureA()->GetBody(), contact->GetFixtureB()->GetBody()};
+        for (b2Body* b : bodies) {
+            int fixtures = 0;
+            for (b2Fixture* f = b->GetFixtureList(); f; f = f->GetNext()) ++fixtures;
+            Say("end at %d: enabled %d type %d bullet %d fixtures %d touching %d", IdOf(b), b->IsEnabled(),
+                b->GetType(), b->IsBullet(), fixtures, TouchingOf(b));
+            if (b->GetType() != b2_staticBody) Say("awake %d", b->IsAwake());
+            Number("mass", b->GetMass(), 1e-4);
+            Number("inertia", b->GetInertia(), 1e-4);
+            Number("velocity", b->GetLinearVelocity());
+        }
+        int listed = 0;
+        for (b2Contact* c = m_world.GetContactList(); c; c = c->GetNext()) listed += c->IsTouching();
+        Say("points %d enabled %d listed %d", contact->GetManifold()->pointCount, contact->IsEnabled(), listed);
+        b2WorldManifold manifold;
+        contact->GetWorldManifold(&manifold);
+        Number("up", manifold.normal.y);
+        Number("friction", contact->GetFriction(), 1e-6);
+        Number("restitution", contact->GetRestitution(), 1e-6);
+        Number("tangent speed", contact->GetTangentSpeed(), 1e-6);
+        if (victim == nullptr) return;
+        b2Body* gone = victim;
+        victim = nullptr;
+        m_world.DestroyBody(gone);
+    }
+
+    b2Body* victim = nullptr;
+
+private:
+    b2World& m_world;
+};
+
+}  // namespace
+
+namespace {
+
+/// Three boxes on each other, and one beside them, after ten steps.
+struct Stack {
+    explicit Stack(b2BodyType middleType) {
+        MakeGround(world)->GetUserData().pointer = 1;
+        for (int i = 0; i < 3; ++i) bodies[i] = MakeBox(world, 0.0f, 0.5f + static_cast<float>(i), 0.5f, 0.5f);
+        bodies[3] = MakeBox(world, 5.0f, 0.5f, 0.5f, 0.5f);
+        for (int i = 0; i < 4; ++i) bodies[i]->GetUserData().pointer = static_cast<uintptr_t>(2 + i);
+        bodies[1]->SetType(middleType);
+        world.SetContactListener(&teller);
+        Run(world, 10);
+    }
+
+    b2World world{b2Vec2(0.0f, -10.0f)};
+    StateTeller teller{world};
+    b2Body* bodies[4];
+};
+
+}  // namespace
+
+/// A body of two touching neighbours is disabled, gets other types, loses a fixture: what do the callbacks see?
+void EditedBodies() {
+    {
+        Say("disable");
+        Stack stack(b2_dynamicBody);
+        stack.bodies[1]->SetEnabled(false);
+        stack.bodies[1]->SetEnabled(false);
+        stack.bodies[1]->SetEnabled(true);
+        Run(stack.world, 2);
+        Say("contacts %d", TouchingOf(stack.bodies[1]));
+    }
+    const b2BodyType types[][2] = {{b2_dynamicBody, b2_kinematicBody}, {b2_dynamicBody, b2_staticBody},
+                                   {b2_kinematicBody, b2_dynamicBody}, {b2_staticBody, b2_dynamicBody},
+                                   {b2_staticBody, b2_kinematicBody},  {b2_dynamicBody, b2_dynamicBody}};
+    for (const auto& [from, to] : types) {
+        Say("type %d to %d", from, to);
+        Stack stack(from);
+        if (from == b2_dynamicBody) stack.bodies[1]->SetLinearVelocity(b2Vec2(0.5f, -0.25f));
+        stack.bodies[1]->ApplyForceToCenter(b2Vec2(1000.0f, 0.0f), true);
+        stack.bodies[1]->SetType(to);
+        Run(stack.world, 3);
+        Say("contacts %d", TouchingOf(stack.bodies[1]));
+    }
+    {
+        Say("fixture");
+        Stack stack(b2_dynamicBody);
+        b2PolygonShape second;
+        second.SetAsBox(0.5f, 0.5f);
+        b2Body* middle = stack.bodies[1];
+        middle->CreateFixture(&second, 1.0f);
+        middle->DestroyFixture(middle->GetFixtureList()->GetNext());
+        Run(stack.world, 2);
+    }
+    {
+        Say("destroy another body meanwhile");
+        Stack stack(b2_dynamicBody);
+        stack.teller.victim = stack.bodies[3];
+        stack.bodies[0]->SetEnabled(false);
+        Say("bodies %d contacts %d", stack.world.GetBodyCount(), TouchingOf(stack.bodies[1]));
+        Run(stack.world, 5);
+        Number("above", stack.bodies[2]->GetPosition());
+    }
+}

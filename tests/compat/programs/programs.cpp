@@ -20,7 +20,7 @@
     X(FrictionAndMotor) X(Ragdoll) X(Bridge) X(RayCasts) X(BoxQueries) X(ShapeCasts) X(Distances) \
     X(TimesOfImpact) X(Manifolds) X(DynamicTree) X(BroadPhase) X(Allocators) X(Math) X(Drawing) X(Pyramid) \
     X(Dominoes) X(Character) X(OriginShift) X(Overlaps) X(CallbackEdits) X(QueryEdits) X(BeginOrder) \
-    X(Platformer) X(BreakableCrates) X(TopDownCar) X(Buoyancy) X(SensorDoor) X(JointBreak) X(LevelTool) X(TerrainDrive)
+    X(EditedBodies) X(Counters) X(Platformer) X(BreakableCrates) X(TopDownCar) X(Buoyancy) X(SensorDoor) X(JointBreak) X(LevelTool) X(TerrainDrive)
 // clang-format on
 
 #define SCREE_DECLARE(name) void name();

@@ -45,7 +45,8 @@ void MatchImpulses(const OldPoints& old, Manifold& fresh) {
 }
 
 /// New manifold of one contact; true if the fixtures touch.
-bool UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int contact, ContactTable& contacts) {
+bool UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int contact, TOIStats& work,
+                    ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
     const ContactPair& pair = contacts.pair[c];
     const Shape& shapeA = *fixtures.shape[pair.fixtureA];
@@ -55,7 +56,12 @@ bool UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int c
     Manifold& manifold = contacts.manifold[c];
     if (contacts.Has(contact, ContactFlag::sensor)) {
         manifold.pointCount = 0;  // sensors push nobody
-        return TestOverlap(shapeA, xfA, shapeB, xfB);
+        DistanceProxy proxyA, proxyB;
+        proxyA.Set(&shapeA, 0);
+        proxyB.Set(&shapeB, 0);
+        const OverlapResult result = FindOverlap(proxyA, xfA, proxyB, xfB);
+        CountDistance(work, result.iterations);
+        return result.overlaps;
     }
     const OldPoints old{manifold.pointCount, {manifold.points[0].id.key, manifold.points[1].id.key}};
     Collide(manifold, shapeA, xfA, shapeB, xfB);
@@ -79,7 +85,7 @@ bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvent
     const bool isSensor = (flags & ContactFlag::sensor) != 0;
     Manifold old;
     if (events.listener != nullptr) old = contacts.manifold[c];
-    const bool isTouching = UpdateManifold(fixtures, bodies, contact, contacts);
+    const bool isTouching = UpdateManifold(fixtures, bodies, contact, *events.work, contacts);
     contacts.flags[c] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |
                                              (isTouching ? ContactFlag::touching : 0));
     if (wasTouching != isTouching && !isSensor) {
