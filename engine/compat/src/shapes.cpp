@@ -154,6 +154,9 @@ void b2PolygonShape::Set(const b2Vec2* points, int32 count) {
     if (points == nullptr || count < 3 || count > b2_maxPolygonVertices) {
         return Complain("b2PolygonShape::Set", "give 3 to b2_maxPolygonVertices points");
     }
+    if (count > scree::maxPolygonVertices) {
+        return Complain("b2PolygonShape::Set", "the engine has polygons of at most 8 vertices: split it into several");
+    }
     scree::Vec2 copies[b2_maxPolygonVertices];
     std::transform(points, points + count, copies, [](const b2Vec2& p) { return ToScree(p); });
     scree::PolygonShape polygon;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a Box2D program may replace (B2_USER_SETTINGS): here larger polygons, typed user data, its own memory and log.
+// What a Box2D program may replace (B2_USER_SETTINGS): here larger polygon arrays, typed user data, its own memory and log.
 
 #pragma once
 
