@@ -47,7 +47,10 @@ private:
                         const Transform& xfB) {
         CollideEdgeAndPolygon(m, &a, xfA, &b, xfB);
     }
-    static void Collide(Manifold*, const Shape&, const Transform&, const Shape&, const Transform&) {}
+    static void Collide(Manifold* m, const Shape& a, const Transform& xfA, const Shape& b, const Transform& xfB) {
+        // A polygon of more than 8 vertices; two edges never meet.
+        if (a.GetType() == Shape::e_convex || b.GetType() == Shape::e_convex) CollideConvex(m, &a, xfA, &b, xfB);
+    }
 };
 
 void LinkEdge(b2ContactEdge*& list, b2ContactEdge& edge) {

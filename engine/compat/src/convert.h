@@ -16,6 +16,7 @@
 #include "../box2d/b2_polygon_shape.h"
 #include "scree/chain_shape.h"
 #include "scree/collision.h"
+#include "scree/convex_shape.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
@@ -117,6 +118,15 @@ CircleShape ToScree(const b2CircleShape& circle);
 EdgeShape ToScree(const b2EdgeShape& edge);
 PolygonShape ToScree(const b2PolygonShape& polygon);
 ChainShape ToScree(const b2ChainShape& chain);
+/// The engine's form of a polygon of any size; more vertices than its PolygonShape has make a ConvexShape.
+ConvexShape ToConvex(const b2PolygonShape& polygon);
+template <typename Use>
+auto WithPolygon(const b2PolygonShape& polygon, Use&& use) {
+    if (b2_maxPolygonVertices > maxPolygonVertices && polygon.m_count > maxPolygonVertices) {
+        return use(ToConvex(polygon));
+    }
+    return use(ToScree(polygon));
+}
 /// The edge that stands for child `index` of an edge or a chain.
 EdgeShape ChildEdge(const b2Shape& shape, int index);
 /// Destroys a clone made with `allocator`.
@@ -129,7 +139,7 @@ auto WithChild(const b2Shape& shape, int index, Use&& use) {
         case b2Shape::e_circle:
             return use(ToScree(static_cast<const b2CircleShape&>(shape)));
         case b2Shape::e_polygon:
-            return use(ToScree(static_cast<const b2PolygonShape&>(shape)));
+            return WithPolygon(static_cast<const b2PolygonShape&>(shape), use);
         default:
             return use(ChildEdge(shape, index));
     }

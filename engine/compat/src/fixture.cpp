@@ -116,6 +116,11 @@ bool Equal(const scree::PolygonShape& a, const scree::PolygonShape& b) {
            std::equal(a.m_normals, a.m_normals + a.m_count, b.m_normals);
 }
 
+bool Equal(const scree::ConvexShape& a, const scree::ConvexShape& b) {
+    return a.m_count == b.m_count && a.m_radius == b.m_radius &&
+           std::equal(a.m_vertices, a.m_vertices + a.m_count, b.m_vertices);
+}
+
 }  // namespace
 
 void b2Bridge::SyncShapes(b2WorldData& data) {
@@ -123,8 +128,12 @@ void b2Bridge::SyncShapes(b2WorldData& data) {
         const int32 count = std::min(fixture->m_childCount, fixture->m_shape->GetChildCount());
         for (int32 child = 0; child < count; ++child) {
             WithChild(*fixture->m_shape, child, [&]<typename S>(const S& shape) {
-                auto& target = static_cast<S&>(*fixture->m_handles[child]->GetShape());
-                if (!Equal(shape, target)) target = shape;
+                scree::Shape& target = *fixture->m_handles[child]->GetShape();
+                if (target.GetType() != shape.GetType()) {
+                    return Complain("b2Fixture::GetShape",
+                                    "a polygon in use cannot go from 8 to more vertices or back: make a new fixture");
+                }
+                if (!Equal(shape, static_cast<S&>(target))) static_cast<S&>(target) = shape;
             });
         }
     }

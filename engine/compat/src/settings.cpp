@@ -12,12 +12,6 @@
 
 #include "../box2d/b2_timer.h"
 
-// The engine's constants are lengths in metres; a program with another unit would simulate with wrong ones.
-static_assert(
-    b2_lengthUnitsPerMeter == 1.0f,
-    "scree::box2d works in metres: set b2_lengthUnitsPerMeter to 1 in b2_user_settings.h and scale what is drawn");
-static_assert(b2_maxPolygonVertices >= 4, "b2_maxPolygonVertices must leave room for a box");
-
 // What the library of 2.4.1 says of itself.
 b2Version b2_version = {2, 4, 0};
 

@@ -4,6 +4,7 @@
 // Circles, edges and polygons: every function is the engine's on a converted copy.
 
 #include <new>
+#include <type_traits>
 
 #include "../box2d/b2_block_allocator.h"
 #include "convert.h"
@@ -40,6 +41,13 @@ PolygonShape ToScree(const b2PolygonShape& polygon) {
     return out;
 }
 
+ConvexShape ToConvex(const b2PolygonShape& polygon) {
+    Vec2 points[b2_maxPolygonVertices];
+    const int count = std::clamp(polygon.m_count, 0, int{b2_maxPolygonVertices});
+    std::transform(polygon.m_vertices, polygon.m_vertices + count, points, [](const b2Vec2& p) { return ToScree(p); });
+    return MakePolygon(points, count);
+}
+
 EdgeShape ChildEdge(const b2Shape& shape, int index) {
     if (shape.GetType() == b2Shape::e_edge) return ToScree(static_cast<const b2EdgeShape&>(shape));
     b2EdgeShape edge;
@@ -49,8 +57,12 @@ EdgeShape ChildEdge(const b2Shape& shape, int index) {
 
 namespace {
 
-void Assign(b2PolygonShape& out, const PolygonShape& polygon) {
-    out.m_centroid = ToBox2d(polygon.m_centroid);
+Vec2 CentroidOf(const PolygonShape& polygon) { return polygon.m_centroid; }
+Vec2 CentroidOf(const ConvexShape& polygon) { return polygon.m_unitMass.center; }
+
+template <typename S>
+void Assign(b2PolygonShape& out, const S& polygon) {
+    out.m_centroid = ToBox2d(CentroidOf(polygon));
     out.m_count = polygon.m_count;
     for (int i = 0; i < polygon.m_count; ++i) {
         out.m_vertices[i] = ToBox2d(polygon.m_vertices[i]);
@@ -64,10 +76,20 @@ b2Shape* CloneShape(const S& shape, b2BlockAllocator* allocator) {
     return memory != nullptr ? new (memory) S(shape) : nullptr;
 }
 
+/// Calls use(shape) with the engine's form.
+template <typename S, typename Use>
+auto With(const S& shape, Use&& use) {
+    if constexpr (std::is_same_v<S, b2PolygonShape>) {
+        return WithPolygon(shape, use);
+    } else {
+        return use(ToScree(shape));
+    }
+}
+
 template <typename S>
 bool CastRay(const S& shape, b2RayCastOutput* output, const b2RayCastInput& input, const b2Transform& transform) {
     RayCastOutput hit{};
-    if (!ToScree(shape).RayCast(&hit, ToScree(input), ToScree(transform))) return false;
+    if (!With(shape, [&](const auto& s) { return s.RayCast(&hit, ToScree(input), ToScree(transform)); })) return false;
     output->normal = ToBox2d(hit.normal);
     output->fraction = hit.fraction;
     return true;
@@ -76,14 +98,14 @@ bool CastRay(const S& shape, b2RayCastOutput* output, const b2RayCastInput& inpu
 template <typename S>
 b2AABB BoxOf(const S& shape, const b2Transform& transform) {
     AABB box;
-    ToScree(shape).ComputeAABB(&box, ToScree(transform));
+    With(shape, [&](const auto& s) { s.ComputeAABB(&box, ToScree(transform)); });
     return ToBox2d(box);
 }
 
 template <typename S>
 b2MassData MassOf(const S& shape, float density) {
     MassData data;
-    ToScree(shape).ComputeMass(&data, density);
+    With(shape, [&](const auto& s) { s.ComputeMass(&data, density); });
     return ToBox2d(data);
 }
 
@@ -154,15 +176,15 @@ void b2PolygonShape::Set(const b2Vec2* points, int32 count) {
     if (points == nullptr || count < 3 || count > b2_maxPolygonVertices) {
         return Complain("b2PolygonShape::Set", "give 3 to b2_maxPolygonVertices points");
     }
-    if (count > scree::maxPolygonVertices) {
-        return Complain("b2PolygonShape::Set", "the engine has polygons of at most 8 vertices: split it into several");
-    }
     scree::Vec2 copies[b2_maxPolygonVertices];
     std::transform(points, points + count, copies, [](const b2Vec2& p) { return ToScree(p); });
-    scree::PolygonShape polygon;
-    if (!polygon.Set(copies, count)) {
-        return Complain("b2PolygonShape::Set", "give finite points that do not lie on one line");
+    const auto complain = [] { Complain("b2PolygonShape::Set", "give finite points that do not lie on one line"); };
+    if (count > scree::maxPolygonVertices) {
+        const scree::ConvexShape large = scree::MakePolygon(copies, count);
+        return large.Validate() ? Assign(*this, large) : complain();
     }
+    scree::PolygonShape polygon;
+    if (!polygon.Set(copies, count)) return complain();
     Assign(*this, polygon);
 }
 void b2PolygonShape::SetAsBox(float hx, float hy) {
@@ -177,7 +199,7 @@ void b2PolygonShape::SetAsBox(float hx, float hy, const b2Vec2& center, float an
 }
 b2Shape* b2PolygonShape::Clone(b2BlockAllocator* allocator) const { return CloneShape(*this, allocator); }
 bool b2PolygonShape::TestPoint(const b2Transform& transform, const b2Vec2& p) const {
-    return ToScree(*this).TestPoint(ToScree(transform), ToScree(p));
+    return WithPolygon(*this, [&](const auto& s) { return s.TestPoint(ToScree(transform), ToScree(p)); });
 }
 bool b2PolygonShape::RayCast(b2RayCastOutput* output, const b2RayCastInput& input, const b2Transform& transform,
                              int32) const {
@@ -187,4 +209,6 @@ void b2PolygonShape::ComputeAABB(b2AABB* aabb, const b2Transform& transform, int
     *aabb = BoxOf(*this, transform);
 }
 void b2PolygonShape::ComputeMass(b2MassData* massData, float density) const { *massData = MassOf(*this, density); }
-bool b2PolygonShape::Validate() const { return ToScree(*this).Validate(); }
+bool b2PolygonShape::Validate() const {
+    return WithPolygon(*this, [](const auto& s) { return s.Validate(); });
+}

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a Box2D program may replace (B2_USER_SETTINGS): here larger polygon arrays, typed user data, its own memory and log.
+// What a Box2D program may replace (B2_USER_SETTINGS): here larger polygon arrays, typed user data, its own memory and
+// log.
 
 #pragma once
 
@@ -10,8 +11,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#if defined(REFUSED_LENGTH_UNITS)
+#define b2_lengthUnitsPerMeter 32.0f
+#define b2_maxPolygonVertices 8
+#elif defined(REFUSED_POLYGON_VERTICES)
+#define b2_lengthUnitsPerMeter 1.0f
+#define b2_maxPolygonVertices 100
+#else
 #define b2_lengthUnitsPerMeter 1.0f
 #define b2_maxPolygonVertices 12
+#endif
 
 struct b2BodyUserData {
     const char* name = "";

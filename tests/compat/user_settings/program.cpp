@@ -39,19 +39,46 @@ b2Body* MakePlayer(b2World& world, const char* name, int team, float x) {
     return body;
 }
 
-void TryLargePolygon() {
+/// A wheel of twelve corners: its mass against the closed form, a ray, a box, and how it rests.
+void TryLargePolygon(b2World& world) {
     static_assert(sizeof(b2PolygonShape::m_vertices) == 12 * sizeof(b2Vec2));
     b2Vec2 ring[12];
     for (int i = 0; i < 12; ++i) {
-        const float angle = 2.0f * b2_pi * static_cast<float>(i) / 12.0f;
+        const float angle = 2.0f * b2_pi * (static_cast<float>(i) + 0.5f) / 12.0f;
         ring[i].Set(cosf(angle), sinf(angle));
     }
     b2PolygonShape polygon;
-    polygon.SetAsBox(1.0f, 1.0f);
     polygon.Set(ring, 12);
-    Expect(polygon.m_count == 4, "more vertices than the engine has are refused and change nothing");
-    polygon.Set(ring, 8);
-    Expect(polygon.m_count == 8, "8 vertices are taken");
+    Expect(polygon.m_count == 12 && polygon.Validate(), "12 vertices are taken");
+    b2MassData mass;
+    polygon.ComputeMass(&mass, 2.0f);
+    Expect(b2Abs(mass.mass - 6.0f) < 1e-4f, "area of a regular 12-gon: 3");
+    Expect(b2Distance(mass.center, b2Vec2_zero) < 1e-5f &&
+               b2Abs(mass.I - 6.0f * (2.0f + cosf(b2_pi / 6.0f)) / 6.0f) < 1e-3f,
+           "and its inertia: m(2 + cos(2π/12))/6");
+    b2Transform xf;
+    xf.SetIdentity();
+    b2RayCastInput ray{b2Vec2(-3.0f, 0.0f), b2Vec2(3.0f, 0.0f), 1.0f};
+    b2RayCastOutput hit{};
+    Expect(polygon.RayCast(&hit, ray, xf, 0) && b2Abs(hit.fraction - (3.0f - cosf(b2_pi / 12.0f)) / 6.0f) < 1e-5f,
+           "a ray hits its side");
+    Expect(polygon.TestPoint(xf, b2Vec2(0.9f, 0.0f)) && !polygon.TestPoint(xf, b2Vec2(0.99f, 0.0f)), "points");
+    b2Body* wheel = MakePlayer(world, "wheel", 3, -6.0f);
+    wheel->DestroyFixture(wheel->GetFixtureList());
+    wheel->CreateFixture(&polygon, 1.0f);
+    for (int i = 0; i < 180; ++i) world.Step(1.0f / 60.0f, 8, 3);
+    Expect(b2Abs(wheel->GetPosition().y - cosf(b2_pi / 12.0f)) < 0.03f, "it rests on a side");
+    b2ContactEdge* edge = wheel->GetContactList();
+    Expect(edge && edge->contact->GetManifold()->pointCount == 2, "with two points");
+    b2Manifold again;
+    edge->contact->Evaluate(&again, edge->contact->GetFixtureA()->GetBody()->GetTransform(), wheel->GetTransform());
+    Expect(again.pointCount == 2, "evaluated anew too");
+    Expect(static_cast<b2PolygonShape*>(wheel->GetFixtureList()->GetShape())->m_count == 12,
+           "the fixture's copy has 12");
+    polygon.SetAsBox(1.0f, 1.0f);
+    ring[3].Set(NAN, 0.0f);
+    polygon.Set(ring, 12);
+    Expect(polygon.m_count == 4, "bad points change nothing");
 }
 
 }  // namespace
@@ -74,7 +101,7 @@ int main() {
     Expect(a->GetFixtureList()->GetUserData().material == 11, "fixtures keep their material");
     Expect(joint->GetUserData().strength == 7, "joints keep their strength");
     Expect(b2Abs(a->GetPosition().y - 0.5f) < 0.03f, "boxes rest on the ground");
-    TryLargePolygon();
+    TryLargePolygon(world);
     b2Log("%d failures\n", failures);
     return failures;
 }
