@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "scree/inspect.h"
 #include "scree/mouse_joint.h"
@@ -282,7 +283,7 @@ void ScreeRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
     for (const Entry& entry : m_fixtures) {
         scree::AABB tight;
         scree::Body* body = entry.fixture->GetBody();
-        entry.fixture->GetShape()->ComputeAABB(&tight, body->GetTransform());
+        std::as_const(*entry.fixture).GetShape()->ComputeAABB(&tight, body->GetTransform());
         fixtures.push_back(
             {.body = BodyIndexOf(body),
              .fixture = entry.sceneIndex,

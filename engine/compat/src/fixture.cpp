@@ -5,6 +5,8 @@
 
 #include "../box2d/b2_fixture.h"
 
+#include <utility>
+
 #include "convert.h"
 #include "world_data.h"
 
@@ -128,12 +130,13 @@ void b2Bridge::SyncShapes(b2WorldData& data) {
         const int32 count = std::min(fixture->m_childCount, fixture->m_shape->GetChildCount());
         for (int32 child = 0; child < count; ++child) {
             WithChild(*fixture->m_shape, child, [&]<typename S>(const S& shape) {
-                scree::Shape& target = *fixture->m_handles[child]->GetShape();
-                if (target.GetType() != shape.GetType()) {
+                scree::Fixture& handle = *fixture->m_handles[child];
+                const scree::Shape& present = *std::as_const(handle).GetShape();
+                if (present.GetType() != shape.GetType()) {
                     return Complain("b2Fixture::GetShape",
                                     "a polygon in use cannot go from 8 to more vertices or back: make a new fixture");
                 }
-                if (!Equal(shape, static_cast<S&>(target))) static_cast<S&>(target) = shape;
+                if (!Equal(shape, static_cast<const S&>(present))) static_cast<S&>(*handle.GetShape()) = shape;
             });
         }
     }

@@ -43,7 +43,11 @@ struct FixtureDef {
 class Fixture {
 public:
     [[nodiscard]] Shape::Type GetType() const;
+    /// The fixture's own copy, which may be changed between steps; the new form counts from the next step on (call
+    /// Body::ResetMassData for the mass). Fixtures with equal shapes share one until this is called: to look only, take
+    /// the const form, which costs nothing.
     [[nodiscard]] Shape* GetShape();
+    /// Valid until the fixture is destroyed or the form above is first called on it.
     [[nodiscard]] const Shape* GetShape() const;
     /// Sensors stop (or start) pushing at once; the body wakes up.
     ErrorCode SetSensor(bool sensor);

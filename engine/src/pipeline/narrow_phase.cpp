@@ -40,21 +40,51 @@ void Fetch(int contact, const NarrowPhaseTables& t) {
     __builtin_prefetch(t.fixtures.shape[pair.fixtureB]);
 }
 
+bool IsActive(int contact, const NarrowPhaseTables& t) {
+    const ContactPair& pair = t.contacts.pair[static_cast<size_t>(contact)];
+    return t.bodies.IsActive(pair.bodyA) || t.bodies.IsActive(pair.bodyB);
+}
+
+/// Below this many contacts the manifolds are not worth waking workers for.
+constexpr int leastContacts = 128;
+
+/// Computes the manifolds that are sure to be wanted. Bodies that wake on the way may add some, which follow in order.
+void ComputeAhead(const NarrowPhaseTables& t, TOIStats& work, std::vector<uint8_t>& findings) {
+    findings.assign(static_cast<size_t>(t.contacts.Size()), NarrowPhaseScratch::nothing);
+    t.pool.For(t.contacts.Size(), leastContacts, [&](int begin, int end, int) {
+        for (int contact = end; contact-- > begin;) {
+            Fetch(contact, t);
+            constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
+            const auto c = static_cast<size_t>(contact);
+            if ((t.contacts.flags[c] & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, t)) continue;
+            const bool touches = ComputeManifold(contact, t.fixtures, t.bodies, work, t.contacts);
+            findings[c] = touches ? NarrowPhaseScratch::touching : NarrowPhaseScratch::apart;
+        }
+    });
+}
+
 }  // namespace
 
-int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t) {
+int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
+    const bool ahead = events.listener == nullptr && t.pool.GetWorkerCount() > 1 && t.contacts.Size() >= leastContacts;
+    if (ahead) ComputeAhead(t, *events.work, scratch.findings);
     int touchingCount = 0;
     for (int contact = t.contacts.Size(); contact-- > 0;) {
-        Fetch(contact, t);
+        if (!ahead) Fetch(contact, t);
         if (!t.contacts.Has(contact, ContactFlag::alive)) continue;
         if (!Stays(contact, events, t)) {
             DestroyContact(contact, events, t.bodies, t.contacts);
             continue;
         }
-        const ContactPair& pair = t.contacts.pair[static_cast<size_t>(contact)];
-        const bool active = t.bodies.IsActive(pair.bodyA) || t.bodies.IsActive(pair.bodyB);
-        const bool touching = active ? UpdateContact(contact, t.fixtures, events, t.bodies, t.contacts)
-                                     : t.contacts.Has(contact, ContactFlag::touching);
+        uint8_t finding = NarrowPhaseScratch::nothing;
+        if (ahead) finding = scratch.findings[static_cast<size_t>(contact)];
+        bool touching = finding == NarrowPhaseScratch::touching;
+        if (finding != NarrowPhaseScratch::nothing) {
+            NoteTouching(contact, touching, t.bodies, t.contacts);
+        } else {
+            touching = IsActive(contact, t) ? UpdateContact(contact, t.fixtures, events, t.bodies, t.contacts)
+                                            : t.contacts.Has(contact, ContactFlag::touching);
+        }
         if (touching) ++touchingCount;
     }
     return touchingCount;

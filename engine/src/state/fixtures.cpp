@@ -30,54 +30,59 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     return index;
 }
 
-void FixtureTable::SetShape(int fixture, const Shape& value) {
+template <typename Use>
+void FixtureTable::WithPool(int fixture, Use&& use) {
     const auto i = static_cast<size_t>(fixture);
-    type[i] = value.GetType();
     switch (type[i]) {
         case Shape::e_circle:
-            shape[i] = m_circles.Add(static_cast<const CircleShape&>(value));
+            use(m_circles, m_shapeRow[i]);
             break;
         case Shape::e_edge:
-            shape[i] = m_edges.Add(static_cast<const EdgeShape&>(value));
+            use(m_edges, m_shapeRow[i]);
             break;
         case Shape::e_convex:
-            shape[i] = m_convexes.Add(static_cast<const ConvexShape&>(value));
+            use(m_convexes, m_shapeRow[i]);
             break;
         default:
-            shape[i] = m_polygons.Add(static_cast<const PolygonShape&>(value));
+            use(m_polygons, m_shapeRow[i]);
             break;
     }
 }
 
-void FixtureTable::Remove(int fixture) {
+void FixtureTable::SetShape(int fixture, const Shape& value) {
     const auto i = static_cast<size_t>(fixture);
-    switch (type[i]) {
-        case Shape::e_circle:
-            m_circles.free.push_back(static_cast<CircleShape*>(shape[i]));
-            break;
-        case Shape::e_edge:
-            m_edges.free.push_back(static_cast<EdgeShape*>(shape[i]));
-            break;
-        case Shape::e_convex:
-            m_convexes.free.push_back(static_cast<ConvexShape*>(shape[i]));
-            break;
-        default:
-            m_polygons.free.push_back(static_cast<PolygonShape*>(shape[i]));
-            break;
-    }
-    shape[i] = nullptr;
+    type[i] = value.GetType();
+    EnsureRow(m_shapeRow, fixture);
+    WithPool(fixture, [&]<typename T>(ShapePool<T>& pool, int& row) {
+        row = pool.Take(static_cast<const T&>(value));
+        shape[i] = pool.At(row);
+    });
+}
+
+Shape* FixtureTable::GetOwnShape(int fixture) {
+    const auto i = static_cast<size_t>(fixture);
+    WithPool(fixture, [&](auto& pool, int& row) {
+        row = pool.MakeOwn(row);
+        shape[i] = pool.At(row);
+    });
+    return shape[i];
+}
+
+void FixtureTable::Remove(int fixture) {
+    WithPool(fixture, [](auto& pool, int row) { pool.Release(row); });
+    shape[static_cast<size_t>(fixture)] = nullptr;
     slots.Free(fixture);
 }
 
 size_t FixtureTable::GetBytesPerRow() {
-    return sizeof(int) + sizeof(Shape*) + sizeof(Shape::Type) + sizeof(uint8_t) + sizeof(Filter) + sizeof(Material) +
-           sizeof(FixtureInfo) + sizeof(Fixture) + sizeof(PolygonShape);
+    return 2 * sizeof(int) + sizeof(Shape*) + sizeof(Shape::Type) + sizeof(uint8_t) + sizeof(Filter) +
+           sizeof(Material) + sizeof(FixtureInfo) + sizeof(Fixture) + sizeof(PolygonShape);
 }
 
 size_t FixtureTable::GetMemoryBytes() const {
     const size_t row = GetBytesPerRow() - sizeof(PolygonShape);
-    return body.size() * row + m_circles.items.size() * sizeof(CircleShape) + m_edges.items.size() * sizeof(EdgeShape) +
-           m_polygons.items.size() * sizeof(PolygonShape) + m_convexes.items.size() * sizeof(ConvexShape);
+    return body.size() * row + m_circles.GetMemoryBytes() + m_edges.GetMemoryBytes() + m_polygons.GetMemoryBytes() +
+           m_convexes.GetMemoryBytes();
 }
 
 }  // namespace scree

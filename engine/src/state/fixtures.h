@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The table of fixtures. Shapes are values in pools of their type, so that a loop over fixtures reads them in a row.
+// The table of fixtures. Shapes are values in pools of their type.
 
 #pragma once
 
@@ -12,6 +12,7 @@
 #include "scree/convex_shape.h"
 #include "scree/fixture.h"
 #include "scree/shape.h"
+#include "state/shape_pool.h"
 
 namespace scree {
 
@@ -38,7 +39,7 @@ struct FixtureInfo {
 struct FixtureTable {
     Slots slots;
     std::vector<int> body;
-    std::vector<Shape*> shape;
+    std::vector<Shape*> shape;  ///< rows with equal shapes share one
     std::vector<Shape::Type> type;
     std::vector<uint8_t> isSensor;
     std::vector<Filter> filter;
@@ -51,32 +52,24 @@ struct FixtureTable {
     /// Adds a row; the shape is no chain.
     int Add(WorldState* state, int bodyIndex, const FixtureDef& def);
     void Remove(int fixture);
-    /// Gives a row that has none a copy of `value`, no chain.
+    /// Gives a row that has none a shape like `value`, no chain.
     void SetShape(int fixture, const Shape& value);
+    /// The row's shape, not shared with other rows from now on: it may be changed.
+    Shape* GetOwnShape(int fixture);
     [[nodiscard]] size_t GetMemoryBytes() const;
     /// Bytes of one row with its shape, a polygon assumed.
     [[nodiscard]] static size_t GetBytesPerRow();
 
 private:
-    /// Objects of one type with stable addresses; freed ones are used again.
-    template <typename T>
-    struct Pool {
-        std::deque<T> items;
-        std::vector<T*> free;
+    /// Calls use(pool, row) with the pool of the fixture's shape.
+    template <typename Use>
+    void WithPool(int fixture, Use&& use);
 
-        T* Add(const T& value) {
-            if (free.empty()) return &items.emplace_back(value);
-            T* item = free.back();
-            free.pop_back();
-            *item = value;
-            return item;
-        }
-    };
-
-    Pool<CircleShape> m_circles;
-    Pool<EdgeShape> m_edges;
-    Pool<PolygonShape> m_polygons;
-    Pool<ConvexShape> m_convexes;
+    std::vector<int> m_shapeRow;  ///< in the pool of its type
+    ShapePool<CircleShape> m_circles;
+    ShapePool<EdgeShape> m_edges;
+    ShapePool<PolygonShape> m_polygons;
+    ShapePool<ConvexShape> m_convexes;
 };
 
 }  // namespace scree

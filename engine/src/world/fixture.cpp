@@ -18,7 +18,7 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 }  // namespace
 
 Shape::Type Fixture::GetType() const { return m_state->fixtures.type[Row(m_index)]; }
-Shape* Fixture::GetShape() { return m_state->fixtures.shape[Row(m_index)]; }
+Shape* Fixture::GetShape() { return m_state->fixtures.GetOwnShape(m_index); }
 const Shape* Fixture::GetShape() const { return m_state->fixtures.shape[Row(m_index)]; }
 
 ErrorCode Fixture::SetSensor(bool sensor) {

@@ -148,9 +148,10 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     const WorldLock lock(s);
     if (s.pairsStale) FindPairsAndMatch(s, FreshOrder::oldestFirst);
     report.profile.broadPhase = watch.Lap();
-    report.touchingCount = UpdateManifolds(s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts});
-    report.profile.narrowPhase = watch.Lap();
     const PoolRegion region(s);
+    report.touchingCount =
+        UpdateManifolds(s.Events(), {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
+    report.profile.narrowPhase = watch.Lap();
     if (request.dt > 0.0f) Simulate(s, MakeSettings(s, request), watch, report);
     if (s.autoClearForces) world.ClearForces();
 

@@ -12,6 +12,7 @@
 #include "broad_phase/broad_phase.h"
 #include "pipeline/continuous.h"
 #include "pipeline/find_islands.h"
+#include "pipeline/narrow_phase.h"
 #include "pipeline/solve_islands.h"
 #include "scree/world.h"
 #include "state/bodies.h"
@@ -40,6 +41,7 @@ struct WorldState {
 
     IslandTable islands;  ///< of the last step; the soft step may do without
     IslandTable active;   ///< of the last soft step: what was solved, without islands
+    NarrowPhaseScratch narrowPhaseScratch;
     IslandScratch islandScratch;
     SolverScratch solverScratch;
     ContinuousScratch continuousScratch;

@@ -44,9 +44,16 @@ void MatchImpulses(const OldPoints& old, Manifold& fresh) {
     }
 }
 
-/// New manifold of one contact; true if the fixtures touch.
-bool UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int contact, TOIStats& work,
-                    ContactTable& contacts) {
+void Tell(ContactListener& listener, Contact* contact, bool wasTouching, bool isTouching, const Manifold* old) {
+    if (!wasTouching && isTouching) listener.BeginContact(contact);
+    if (wasTouching && !isTouching) listener.EndContact(contact);
+    if (old != nullptr && isTouching) listener.PreSolve(contact, old);
+}
+
+}  // namespace
+
+bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
+                     ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
     const ContactPair& pair = contacts.pair[c];
     const Shape& shapeA = *fixtures.shape[pair.fixtureA];
@@ -69,30 +76,31 @@ bool UpdateManifold(const FixtureTable& fixtures, const BodyTable& bodies, int c
     return manifold.pointCount > 0;
 }
 
-void Tell(ContactListener& listener, Contact* contact, bool wasTouching, bool isTouching, const Manifold* old) {
-    if (!wasTouching && isTouching) listener.BeginContact(contact);
-    if (wasTouching && !isTouching) listener.EndContact(contact);
-    if (old != nullptr && isTouching) listener.PreSolve(contact, old);
-}
-
-}  // namespace
-
-bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
-                   ContactTable& contacts) {
+bool NoteTouching(int contact, bool isTouching, BodyTable& bodies, ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
     const uint8_t flags = contacts.flags[c];
     const bool wasTouching = (flags & ContactFlag::touching) != 0;
-    const bool isSensor = (flags & ContactFlag::sensor) != 0;
-    Manifold old;
-    if (events.listener != nullptr) old = contacts.manifold[c];
-    const bool isTouching = UpdateManifold(fixtures, bodies, contact, *events.work, contacts);
     contacts.flags[c] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |
                                              (isTouching ? ContactFlag::touching : 0));
-    if (wasTouching != isTouching && !isSensor) {
+    if (wasTouching != isTouching && (flags & ContactFlag::sensor) == 0) {
         bodies.Wake(contacts.pair[c].bodyA);
         bodies.Wake(contacts.pair[c].bodyB);
     }
-    if (events.listener != nullptr && (wasTouching || isTouching)) {
+    return wasTouching != isTouching;
+}
+
+bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
+                   ContactTable& contacts) {
+    if (events.listener == nullptr) {
+        const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
+        NoteTouching(contact, isTouching, bodies, contacts);
+        return isTouching;
+    }
+    const Manifold old = contacts.manifold[static_cast<size_t>(contact)];
+    const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
+    const bool wasTouching = NoteTouching(contact, isTouching, bodies, contacts) != isTouching;
+    if (wasTouching || isTouching) {
+        const bool isSensor = contacts.Has(contact, ContactFlag::sensor);
         Tell(*events.listener, contacts.Handle(events.state, contact), wasTouching, isTouching,
              isSensor ? nullptr : &old);
     }

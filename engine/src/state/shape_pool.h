@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The shapes of one type at stable addresses. Equal circles and polygons are kept once: worlds repeat few shapes, and
+// one that many fixtures share stays in the first-level cache, where a copy for each would be fetched from memory in
+// every step.
+
+#pragma once
+
+#include <array>
+#include <cstring>
+#include <deque>
+#include <vector>
+
+#include "scree/shape.h"
+
+namespace scree {
+
+/// Whether a type of shape is worth comparing, by which bits, and where these are remembered.
+template <typename T>
+struct ShapeBits {
+    static constexpr bool areShared = false;
+};
+
+template <>
+struct ShapeBits<CircleShape> {
+    static constexpr bool areShared = true;
+    using Bits = std::array<float, 3>;
+    static Bits Of(const CircleShape& s) { return {s.m_radius, s.m_p.x, s.m_p.y}; }
+};
+
+template <>
+struct ShapeBits<PolygonShape> {
+    static constexpr bool areShared = true;
+    using Bits = std::array<float, 4 + 4 * maxPolygonVertices>;
+    static Bits Of(const PolygonShape& s) {
+        Bits bits{s.m_radius, s.m_centroid.x, s.m_centroid.y, static_cast<float>(s.m_count)};
+        const auto count = static_cast<size_t>(s.m_count);
+        std::memcpy(&bits[4], s.m_vertices, count * sizeof(Vec2));
+        std::memcpy(&bits[4 + 2 * maxPolygonVertices], s.m_normals, count * sizeof(Vec2));
+        return bits;
+    }
+};
+
+template <typename T>
+class ShapePool {
+public:
+    /// The row of a shape with these bits, shared or new.
+    int Take(const T& value) {
+        if constexpr (ShapeBits<T>::areShared) {
+            const auto bits = ShapeBits<T>::Of(value);
+            int& known = m_known[PlaceOf(bits)];
+            if (known >= 0) {
+                const auto there = ShapeBits<T>::Of(m_items[static_cast<size_t>(known)]);
+                if (std::memcmp(&bits, &there, sizeof bits) == 0) {
+                    ++m_users[static_cast<size_t>(known)];
+                    return known;
+                }
+            }
+            return known = Add(value);
+        } else {
+            return Add(value);
+        }
+    }
+    void Release(int row) {
+        const auto r = static_cast<size_t>(row);
+        if (--m_users[r] > 0) return;
+        Forget(row);
+        m_free.push_back(row);
+    }
+    /// The row of a copy that its user may change: nobody else has it or will get it.
+    int MakeOwn(int row) {
+        const auto r = static_cast<size_t>(row);
+        if (m_users[r] == 1) {
+            Forget(row);
+            return row;
+        }
+        --m_users[r];
+        const T copy = m_items[r];
+        return Add(copy);
+    }
+    [[nodiscard]] T* At(int row) { return &m_items[static_cast<size_t>(row)]; }
+    [[nodiscard]] size_t GetMemoryBytes() const { return m_items.size() * (sizeof(T) + sizeof(int)); }
+
+private:
+    static constexpr size_t knownCount = 256;
+
+    template <typename Bits>
+    static size_t PlaceOf(const Bits& bits) {
+        // Multiplication and the high bits of the sum of all words (Fibonacci hashing).
+        uint64_t sum = 0;
+        for (const float number : bits) {
+            uint32_t word;
+            std::memcpy(&word, &number, sizeof word);
+            sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
+        }
+        return static_cast<size_t>(sum >> 56);
+    }
+
+    int Add(const T& value) {
+        if (m_free.empty()) {
+            m_items.push_back(value);
+            m_users.push_back(1);
+            return static_cast<int>(m_items.size()) - 1;
+        }
+        const int row = m_free.back();
+        m_free.pop_back();
+        m_items[static_cast<size_t>(row)] = value;
+        m_users[static_cast<size_t>(row)] = 1;
+        return row;
+    }
+
+    /// Nobody shall share the row any more. Shapes that their users may have changed are not known, hence not found.
+    void Forget(int row) {
+        if constexpr (ShapeBits<T>::areShared) {
+            int& known = m_known[PlaceOf(ShapeBits<T>::Of(m_items[static_cast<size_t>(row)]))];
+            if (known == row) known = -1;
+        }
+    }
+
+    static constexpr std::array<int, knownCount> NoneKnown() {
+        std::array<int, knownCount> none{};
+        none.fill(-1);
+        return none;
+    }
+
+    std::deque<T> m_items;
+    std::vector<int> m_users;  ///< per item; 0 if free
+    std::vector<int> m_free;
+    std::array<int, knownCount> m_known = NoneKnown();  ///< rows that may be shared, by the hash of their bits
+};
+
+}  // namespace scree

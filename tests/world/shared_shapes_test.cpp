@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Fixtures with equal shapes share one until somebody asks for his own: what one changes, no other sees.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "scree/snapshot.h"
+#include "tests/world/fixtures.h"
+
+namespace scree::test {
+namespace {
+
+const Shape* Look(const Fixture* fixture) { return fixture->GetShape(); }
+
+std::vector<Fixture*> AddBoxes(World& world, int count, float half) {
+    std::vector<Fixture*> fixtures;
+    for (int i = 0; i < count; ++i) {
+        Body* body = AddBody(world, dynamicBody, {3.0f * static_cast<float>(i), 0.0f});
+        AddBox(body, half, half);
+        fixtures.push_back(body->GetFixtureList());
+    }
+    return fixtures;
+}
+
+TEST(SharedShapes, EqualOnesAreOneAndOthersAreNot) {
+    World world({0.0f, 0.0f});
+    const auto small = AddBoxes(world, 50, 0.5f);
+    const auto large = AddBoxes(world, 50, 0.75f);
+    std::set<const Shape*> shapes;
+    for (const Fixture* f : small) shapes.insert(Look(f));
+    EXPECT_EQ(shapes.size(), 1u);
+    for (const Fixture* f : large) shapes.insert(Look(f));
+    EXPECT_EQ(shapes.size(), 2u);
+}
+
+TEST(SharedShapes, ManyDifferentOnesKeepTheirForms) {
+    World world({0.0f, 0.0f});
+    std::vector<Fixture*> fixtures;
+    for (int i = 0; i < 2000; ++i)
+        fixtures.push_back(AddBoxes(world, 1, 0.1f + 0.001f * static_cast<float>(i % 700))[0]);
+    for (size_t i = 0; i < fixtures.size(); ++i) {
+        const auto& box = static_cast<const PolygonShape&>(*Look(fixtures[i]));
+        ASSERT_EQ(box.m_vertices[2].x, 0.1f + 0.001f * static_cast<float>(i % 700)) << i;
+    }
+}
+
+TEST(SharedShapes, AChangedOneIsItsFixturesOwn) {
+    World world({0.0f, 0.0f});
+    const auto fixtures = AddBoxes(world, 4, 0.5f);
+    auto* own = static_cast<PolygonShape*>(fixtures[1]->GetShape());
+    EXPECT_EQ(own, Look(fixtures[1])) << "from now on the same object";
+    EXPECT_EQ(own, fixtures[1]->GetShape());
+    EXPECT_NE(own, Look(fixtures[0]));
+    own->SetAsBox(2.0f, 2.0f);
+    for (const size_t i : {0u, 2u, 3u}) {
+        EXPECT_EQ(static_cast<const PolygonShape&>(*Look(fixtures[i])).m_vertices[2].x, 0.5f);
+    }
+    // A fixture made later with the old or the new form never joins the one that may change.
+    const auto later = AddBoxes(world, 1, 0.5f);
+    EXPECT_EQ(Look(later[0]), Look(fixtures[0]));
+    const auto alike = AddBoxes(world, 1, 2.0f);
+    EXPECT_NE(Look(alike[0]), own);
+    own->SetAsBox(0.5f, 0.5f);
+    const auto last = AddBoxes(world, 1, 0.5f);
+    EXPECT_NE(Look(last[0]), own);
+}
+
+TEST(SharedShapes, TheOnlyUserTakesItsOwnInPlace) {
+    World world({0.0f, 0.0f});
+    const auto first = AddBoxes(world, 1, 0.5f);
+    const Shape* before = Look(first[0]);
+    EXPECT_EQ(first[0]->GetShape(), before);
+    const auto second = AddBoxes(world, 1, 0.5f);
+    EXPECT_NE(Look(second[0]), before) << "it may change at any time";
+}
+
+TEST(SharedShapes, FreedOnesAreUsedAgainAndNotFound) {
+    World world({0.0f, 0.0f});
+    const auto boxes = AddBoxes(world, 3, 0.5f);
+    const Shape* shared = Look(boxes[0]);
+    for (Fixture* f : boxes) world.DestroyBody(f->GetBody());
+    const auto other = AddBoxes(world, 1, 0.75f);
+    EXPECT_EQ(Look(other[0]), shared) << "the freed place";
+    EXPECT_EQ(static_cast<const PolygonShape&>(*shared).m_vertices[2].x, 0.75f);
+    const auto again = AddBoxes(world, 1, 0.5f);
+    EXPECT_EQ(static_cast<const PolygonShape&>(*Look(again[0])).m_vertices[2].x, 0.5f);
+}
+
+TEST(SharedShapes, ARestoredWorldGoesOnAlike) {
+    World world({0.0f, -10.0f});
+    AddGround(world);
+    const auto fixtures = AddBoxes(world, 20, 0.5f);
+    for (Fixture* f : fixtures) f->GetBody()->SetTransform({f->GetBody()->GetPosition().x, 1.0f}, 0.0f);
+    static_cast<PolygonShape*>(fixtures[5]->GetShape())->SetAsBox(0.25f, 0.75f);
+    StepFor(world, 10);
+    const std::unique_ptr<World> restored = LoadWorld(SaveWorld(world));
+    ASSERT_NE(restored, nullptr);
+    StepFor(world, 90);
+    StepFor(*restored, 90);
+    EXPECT_EQ(inspect::GetStateHash(world), inspect::GetStateHash(*restored));
+    EXPECT_NEAR(fixtures[5]->GetBody()->GetPosition().y, 0.75f, 0.05f) << "it rests on its new form";
+}
+
+}  // namespace
+}  // namespace scree::test
