@@ -35,6 +35,8 @@ struct RunOptions {
     bool continuous = false;
     bool boxTwoDCaps = true;  ///< ours: cap speed at 2 m and π/2 per step as Box2D does
     bool sweptBoxes = false;  ///< keep the boxes before each step, for FixtureState::swept; untimed, O(fixtures)
+    /// Ours, what the world models: "automatic", "full", or a fixed set as names with commas ("" is the empty set).
+    std::string features = "automatic";
     /// Whose motion the broad phase sees: "own", or the engine ("scree", "box2d") whose run it follows. A following run
     /// simulates nothing itself: bodies, contacts and hash are its source's; nodes, times, pairs and memory its own.
     std::string poses = "own";

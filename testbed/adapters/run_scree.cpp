@@ -11,6 +11,7 @@
 #include "scree/inspect.h"
 #include "scree/mouse_joint.h"
 #include "scree/world.h"
+#include "testbed/adapters/feature_facts.h"
 #include "testbed/adapters/scene_run.h"
 #include "testbed/adapters/scree_joint.h"
 #include "testbed/adapters/scree_shape.h"
@@ -62,6 +63,18 @@ scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Sh
 
 static_assert(maxThreads == scree::maxWorkers);
 
+scree::Features ParseFeatures(std::string_view names) {
+    scree::Features features;
+    while (!names.empty()) {
+        const std::string_view name = names.substr(0, names.find(','));
+        names.remove_prefix(std::min(names.size(), name.size() + 1));
+        const auto feature = scree::FeatureFromName(name);
+        if (!feature) throw std::invalid_argument("unknown feature '" + std::string(name) + "'");
+        features.Add(*feature);
+    }
+    return features;
+}
+
 scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& options) {
     const auto kind = scree::BroadPhaseFromName(options.broadPhase);
     if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
@@ -73,6 +86,12 @@ scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& optio
     def.broadPhase = *kind;
     def.workerCount = options.threads;
     def.continuousPhysics = options.continuous;
+    if (options.features == "full") {
+        def.featureMode = scree::FeatureMode::full;
+    } else if (options.features != "automatic") {
+        def.featureMode = scree::FeatureMode::fixed;
+        def.features = ParseFeatures(options.features);
+    }
     if (options.boxTwoDCaps) {
         def.maxTranslation = scree::maxTranslation;
         def.maxRotation = scree::maxRotation;
@@ -119,6 +138,7 @@ public:
         });
     }
 
+    [[nodiscard]] const scree::World& GetWorld() const { return *m_world; }
     [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
     [[nodiscard]] StepCounts CountStep() override {
         const scree::StepReport& report = m_world->GetReport();
@@ -351,6 +371,26 @@ void ScreeRun::CaptureRest(Snapshot& snapshot, const CaptureParts& parts) {
 }
 
 }  // namespace
+
+FeatureFacts GetFeatureFacts(const EngineRun& run) {
+    const auto* own = dynamic_cast<const ScreeRun*>(&run);
+    if (own == nullptr) throw std::invalid_argument("features are those of our engine");
+    const scree::World& world = own->GetWorld();
+    FeatureFacts facts;
+    const scree::FeatureUsers users = world.GetFeatureUsers();
+    for (size_t i = 0; i < users.size(); ++i) facts.uses.push_back({scree::featureNames[i], users[i]});
+    facts.kernels = scree::GetName(scree::inspect::GetKernels(world));
+    const scree::inspect::MemoryUse memory = scree::inspect::GetMemoryUse(world);
+    facts.bytesPerBody = memory.bytesPerBody;
+    facts.bytesPerFixture = memory.bytesPerFixture;
+    facts.bytesPerContact = memory.bytesPerContact;
+    facts.jointBytes = memory.joints;
+    facts.bodies = world.GetBodyCount();
+    facts.contacts = world.GetContactCount();
+    facts.joints = world.GetJointCount();
+    facts.stateHash = scree::inspect::GetStateHash(world);
+    return facts;
+}
 
 std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options) {
     return std::make_unique<ScreeRun>(scene, options);

@@ -111,6 +111,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddViewCommand(app, request);
     AddTradeoffCommand(app, request);
     AddExtremesCommand(app, request);
+    AddRequiresCommand(app, request);
     AddEnvCommand(app, request);
     try {
         Parse(app, arguments);

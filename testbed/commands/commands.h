@@ -33,6 +33,7 @@ void AddMergeCommand(CLI::App& app, Request& request);
 void AddViewCommand(CLI::App& app, Request& request);
 void AddTradeoffCommand(CLI::App& app, Request& request);
 void AddExtremesCommand(CLI::App& app, Request& request);
+void AddRequiresCommand(CLI::App& app, Request& request);
 void AddEnvCommand(CLI::App& app, Request& request);
 
 }  // namespace testbed

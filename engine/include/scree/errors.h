@@ -12,12 +12,13 @@ namespace scree {
 
 enum class ErrorCode : uint8_t {
     ok,
-    nullArgument,   ///< a required pointer is null
-    nonFinite,      ///< NaN or infinity
-    outOfRange,     ///< a finite value outside the documented range
-    badShape,       ///< a degenerate shape
-    foreignHandle,  ///< the object belongs to another world, or was destroyed
-    locked,         ///< inside a callback of Step, of a query or of a destruction: create, destroy and move are refused
+    nullArgument,    ///< a required pointer is null
+    nonFinite,       ///< NaN or infinity
+    outOfRange,      ///< a finite value outside the documented range
+    badShape,        ///< a degenerate shape
+    foreignHandle,   ///< the object belongs to another world, or was destroyed
+    missingFeature,  ///< the world's fixed set of features, or this build of the library, does not have it
+    locked,  ///< inside a callback of Step, of a query or of a destruction: create, destroy and move are refused
 };
 
 constexpr const char* GetName(ErrorCode code) {
@@ -34,6 +35,8 @@ constexpr const char* GetName(ErrorCode code) {
             return "bad shape";
         case ErrorCode::foreignHandle:
             return "foreign handle";
+        case ErrorCode::missingFeature:
+            return "feature not in the set";
         case ErrorCode::locked:
             return "world is locked";
     }

@@ -41,6 +41,9 @@ struct MemoryUse {
 };
 MemoryUse GetMemoryUse(const World& world);
 
+/// The kernels that the last step ran.
+KernelSet GetKernels(const World& world);
+
 /// 64 bits over the whole state of the engine (poses, velocities, contacts with impulses, flags, counters): equal
 /// hashes mean equal futures. −0 counts as 0.
 uint64_t GetStateHash(const World& world);

@@ -16,6 +16,8 @@
 #include "scree/draw.h"
 #include "scree/dynamic_tree.h"
 #include "scree/errors.h"
+#include "scree/features.h"
+#include "scree/fixed_world.h"
 #include "scree/fixture.h"
 #include "scree/friction_joint.h"
 #include "scree/gear_joint.h"

@@ -17,6 +17,7 @@
 #include "scree/contact.h"
 #include "scree/draw.h"
 #include "scree/errors.h"
+#include "scree/features.h"
 #include "scree/fixture.h"
 #include "scree/ids.h"
 #include "scree/joint.h"
@@ -69,6 +70,9 @@ struct WorldDef {
     int workerCount = 1;
     /// With callbacks the world makes no threads but hands its loops to the program's task system.
     TaskCallbacks tasks;
+    /// What the world models. Results do not depend on it; steps are faster without what nobody uses.
+    FeatureMode featureMode = FeatureMode::automatic;
+    Features features = Features::All();  ///< of FeatureMode::fixed
 };
 
 struct WorldState;
@@ -97,10 +101,11 @@ public:
     StepReport Step(float timeStep, int substeps);
     [[nodiscard]] const StepReport& GetReport() const;
 
-    /// The listeners and the filter must outlive their use; null restores the default.
+    /// The listeners and the filter must outlive their use; null restores the default. Refused: a contact listener
+    /// without Feature::events, a filter without Feature::filters.
     void SetDestructionListener(DestructionListener* listener);
-    void SetContactListener(ContactListener* listener);
-    void SetContactFilter(ContactFilter* filter);
+    ErrorCode SetContactListener(ContactListener* listener);
+    ErrorCode SetContactFilter(ContactFilter* filter);
     /// Receives every refused call; null restores the default, which writes one line to stderr.
     void SetErrorHandler(ErrorHandler handler, void* context);
 
@@ -110,18 +115,29 @@ public:
     void ClearForces();
     ErrorCode SetGravity(Vec2 gravity);
     [[nodiscard]] Vec2 GetGravity() const;
-    /// Turning sleep off wakes everything.
-    void SetAllowSleeping(bool flag);
+    /// Turning sleep off wakes everything. Refused: turning it on without Feature::sleeping.
+    ErrorCode SetAllowSleeping(bool flag);
     [[nodiscard]] bool GetAllowSleeping() const;
     void SetWarmStarting(bool flag);
     [[nodiscard]] bool GetWarmStarting() const;
-    void SetContinuousPhysics(bool flag);
+    /// Refused: turning it on without the features that the world's fixtures and bullets would then use.
+    ErrorCode SetContinuousPhysics(bool flag);
     [[nodiscard]] bool GetContinuousPhysics() const;
     void SetSubStepping(bool flag);
     [[nodiscard]] bool GetSubStepping() const;
     /// Changes WorldDef::workerCount and WorldDef::tasks, e.g. of a world that was loaded. Refused while locked.
     ErrorCode SetWorkers(int workerCount, const TaskCallbacks& tasks = {});
     [[nodiscard]] int GetWorkerCount() const;
+    /// Changes WorldDef::featureMode and WorldDef::features, e.g. of a world that was loaded. Refused while locked, and
+    /// if the world already uses what a fixed set does not have.
+    ErrorCode SetFeatures(FeatureMode mode, Features features = Features::All());
+    [[nodiscard]] FeatureMode GetFeatureMode() const;
+    /// What calls on this world may use.
+    [[nodiscard]] Features GetAllowedFeatures() const;
+    /// The smallest set that contains what the world uses at the moment. O(objects).
+    [[nodiscard]] Features GetRequiredFeatures() const;
+    /// How many objects use each. O(objects).
+    [[nodiscard]] FeatureUsers GetFeatureUsers() const;
     void SetExactDrift(bool flag);
     [[nodiscard]] bool GetExactDrift() const;
     /// Subtracts `newOrigin` from every position: for worlds so large that floats get coarse. Refused while locked.

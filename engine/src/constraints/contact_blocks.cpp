@@ -88,11 +88,13 @@ void FillPoints(const LaneInput& lane, ContactBlock& block, int l) {
         block.separation[i][l] = world.separations[i] + linearSlop;
         block.normalImpulse[i][l] = lane.in.impulseScale * m.points[i].normalImpulse;
         push += m.points[i].tangentImpulse;
+        block.totalNormal[i][l] = 0.0f;
+        block.bounceSpeed[i][l] = block.bias[i][l] = 0.0f;
+        if (!lane.in.restitution) continue;
         const float closing = Dot(normal, vB.v + Cross(vB.w, rB) - vA.v - Cross(vA.w, rA));
         const bool leaves = closing < -material.restitutionThreshold;
         block.bounceSpeed[i][l] = leaves ? -material.restitution * closing : 0.0f;
         block.bias[i][l] = block.bounceSpeed[i][l];
-        block.totalNormal[i][l] = 0.0f;
     }
     middle *= m.pointCount == 2 ? 0.5f : 1.0f;
     block.tangentArmA[l] = Cross(middle - bodies.position[a].c, tangent);

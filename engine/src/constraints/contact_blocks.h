@@ -27,6 +27,7 @@ struct BlockInput {
     const ContactTable& contacts;
     std::span<const int> list;  ///< contacts, in order; every one has a mover
     float impulseScale;         ///< of warm starting: the kernels' step / last dt, 0 without
+    bool restitution = true;    ///< some contact may bounce
 };
 
 /// Blocks and what colouring needs, kept between steps.

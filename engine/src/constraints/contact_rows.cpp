@@ -110,6 +110,8 @@ ContactVelocityRow MakeVelocityRow(const ContactPrepareInput& in, int contact, f
         p.rB = world.points[i] - in.bodies.position[b].c;
         p.normalMass = EffectiveMass(row, p, row.normal);
         p.tangentMass = EffectiveMass(row, p, tangent);
+        p.velocityBias = 0.0f;
+        if (!in.restitution) continue;
         const float closing = Dot(row.normal, RelativeVelocity(velocityA, velocityB, p));
         p.velocityBias = closing < -material.restitutionThreshold ? -material.restitution * closing : 0.0f;
     }

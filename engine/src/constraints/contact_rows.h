@@ -64,6 +64,7 @@ struct ContactPrepareInput {
     const ContactTable& contacts;
     std::span<const int> island;  ///< contacts to prepare, in order
     float impulseScale;           ///< dt / last dt; 0 without warm starting
+    bool restitution = true;      ///< some contact may bounce
 };
 
 /// Fills `rows` for the contacts of one island from the bodies' present positions and velocities.

@@ -15,15 +15,23 @@ namespace scree {
 
 namespace {
 
+/// Without `forces` no body has damping, a gravity scale or a force: their neutral values change no bit, so only the
+/// sum with a force of 0 stays (it turns −0 into 0).
+template <bool forces>
 void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t b) {
     bodies.startPosition[b] = bodies.position[b];
     if (settings.exactDrift) bodies.startVelocity[b] = bodies.velocity[b];
     if (bodies.type[b] != dynamicBody) return;
     const float h = settings.dt;
     const MassRow& mass = bodies.mass[b];
-    const ForceRow& force = bodies.force[b];
     const MotionRow& motion = bodies.motion[b];
     Velocity& v = bodies.velocity[b];
+    if constexpr (!forces) {
+        v.v += (h * mass.invMass) * (motion.mass * settings.gravity + vec2Zero);
+        v.w += 0.0f;
+        return;
+    }
+    const ForceRow& force = bodies.force[b];
     v.v += (h * mass.invMass) * ((motion.gravityScale * motion.mass) * settings.gravity + force.force);
     v.w += h * mass.invI * force.torque;
     // Implicit damping, dv/dt = −c·v: stable at any c and h.
@@ -32,6 +40,7 @@ void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t
 }
 
 /// What the body moves in this step, under the caps. `capped` is set if one acted.
+template <bool limit>
 Velocity MotionOf(const SolverSettings& settings, BodyTable& bodies, size_t b, bool& capped) {
     const float h = settings.dt;
     Velocity& v = bodies.velocity[b];
@@ -40,19 +49,22 @@ Velocity MotionOf(const SolverSettings& settings, BodyTable& bodies, size_t b, b
         const Velocity& before = bodies.startVelocity[b];
         mean = {0.5f * (before.v + v.v), 0.5f * (before.w + v.w), 0.0f};
     }
-    const CapFactors cap = CapMotion(settings, h * mean.v, h * mean.w);
-    capped = cap.Acts();
-    if (capped) {
-        v.v *= cap.linear, v.w *= cap.angular;
-        mean.v *= cap.linear, mean.w *= cap.angular;
+    if constexpr (limit) {
+        const CapFactors cap = CapMotion(settings, h * mean.v, h * mean.w);
+        capped = cap.Acts();
+        if (capped) {
+            v.v *= cap.linear, v.w *= cap.angular;
+            mean.v *= cap.linear, mean.w *= cap.angular;
+        }
     }
     return {h * mean.v, h * mean.w, 0.0f};
 }
 
 /// Moves the body by its velocity. Returns true if a cap acted.
+template <bool limit>
 bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, size_t b) {
     bool capped = false;
-    const Velocity motion = MotionOf(settings, bodies, b, capped);
+    const Velocity motion = MotionOf<limit>(settings, bodies, b, capped);
     bodies.position[b].c += motion.v;
     bodies.position[b].a += motion.w;
     return capped;
@@ -74,8 +86,11 @@ public:
           m_joints(Joints(islands, island)) {}
 
     void Prepare(const FixtureTable& fixtures) {
-        for (const int b : m_bodies) IntegrateVelocity(m_settings, m_tables.bodies, static_cast<size_t>(b));
-        PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale},
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            for (const int b : m_bodies) IntegrateVelocity<forces>(m_settings, m_tables.bodies, static_cast<size_t>(b));
+        });
+        PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
+                         m_settings.kernels.restitution},
                         m_scratch.contacts);
         if (m_settings.impulseScale > 0.0f) WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
         PrepareJoints(JointWork(), m_joints);
@@ -91,8 +106,10 @@ public:
 
     int IntegratePositions() {
         int capped = 0;
-        for (const int b : m_bodies)
-            capped += IntegratePosition(m_settings, m_tables.bodies, static_cast<size_t>(b)) ? 1 : 0;
+        WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
+            for (const int b : m_bodies)
+                capped += IntegratePosition<limit>(m_settings, m_tables.bodies, static_cast<size_t>(b)) ? 1 : 0;
+        });
         return capped;
     }
 
@@ -142,9 +159,13 @@ public:
 
     void Prepare(const FixtureTable& fixtures) {
         m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
-        ForEachOf(Pool(), m_s.wide.bodies.size(),
-                  [&](size_t i) { IntegrateVelocity(m_settings, m_bodies, static_cast<size_t>(m_s.wide.bodies[i])); });
-        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale});
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            ForEachOf(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
+                IntegrateVelocity<forces>(m_settings, m_bodies, static_cast<size_t>(m_s.wide.bodies[i]));
+            });
+        });
+        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale,
+                          m_settings.kernels.restitution});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         RunKernel(Pool(), m_task, m_kernels.finish);
         if (m_settings.impulseScale > 0.0f) RunKernel(Pool(), m_task, m_kernels.warmStart);
@@ -160,13 +181,15 @@ public:
     }
 
     int IntegratePositions() {
-        const SolverCounts counts = CountOver(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
-            const auto b = static_cast<size_t>(m_s.wide.bodies[i]);
-            bool capped = false;
-            m_s.delta[b] = MotionOf(m_settings, m_bodies, b, capped);
-            return SolverCounts{capped ? 1 : 0, 0};
+        return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
+            const SolverCounts counts = CountOver(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
+                const auto b = static_cast<size_t>(m_s.wide.bodies[i]);
+                bool capped = false;
+                m_s.delta[b] = MotionOf<limit>(m_settings, m_bodies, b, capped);
+                return SolverCounts{capped ? 1 : 0, 0};
+            });
+            return counts.capped;
         });
-        return counts.capped;
     }
 
     bool SolvePositions() {
@@ -240,8 +263,10 @@ public:
                   &bodies.startPosition[0].c.x,
                   &bodies.transform[0].p.x,
                   &bodies.mass[0].invMass,
-                  &bodies.force[0].force.x,
+                  bodies.force.empty() ? nullptr : &bodies.force[0].force.x,
                   &bodies.motion[0].linearDamping,
+                  settings.kernels.bodyForces,
+                  settings.kernels.speedLimit,
                   settings.dt,
                   settings.gravity.x,
                   settings.gravity.y,
@@ -287,9 +312,11 @@ private:
 
     SolverCounts MoveOne(int body) const {
         const auto b = static_cast<size_t>(body);
-        IntegrateVelocity(m_settings, m_bodies, b);
         SolverCounts counts;
-        counts.capped = IntegratePosition(m_settings, m_bodies, b) ? 1 : 0;
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto limit) {
+            IntegrateVelocity<forces>(m_settings, m_bodies, b);
+            counts.capped = IntegratePosition<limit>(m_settings, m_bodies, b) ? 1 : 0;
+        });
         counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;
         Sleep(body);
         return counts;

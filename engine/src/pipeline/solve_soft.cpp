@@ -23,6 +23,8 @@ namespace scree {
 
 namespace {
 
+/// Without `forces` as in solve_islands.cpp.
+template <bool forces>
 SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, int body) {
     const auto b = static_cast<size_t>(body);
     const float h = settings.dt / static_cast<float>(settings.substeps);
@@ -31,8 +33,12 @@ SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, i
     soft.linearDamp = soft.angularDamp = 1.0f;
     if (bodies.type[b] != dynamicBody) return soft;
     const MassRow& mass = bodies.mass[b];
-    const ForceRow& force = bodies.force[b];
     const MotionRow& motion = bodies.motion[b];
+    if constexpr (!forces) {
+        soft.speedUp.v = (h * mass.invMass) * (motion.mass * settings.gravity + vec2Zero);
+        return soft;
+    }
+    const ForceRow& force = bodies.force[b];
     soft.speedUp.v = (h * mass.invMass) * ((motion.gravityScale * motion.mass) * settings.gravity + force.force);
     soft.speedUp.w = h * mass.invI * force.torque;
     soft.linearDamp = 1.0f / (1.0f + h * motion.linearDamping);
@@ -41,8 +47,15 @@ SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, i
 }
 
 /// Forces and damping; contacts push as they did in the last sub-step.
+template <bool forces>
 inline void IntegrateVelocity(SoftBody& soft, Velocity& v) {
     soft.before = {v.v, v.w};
+    if constexpr (!forces) {
+        soft.unpushed = {v.v + soft.speedUp.v, v.w + 0.0f};
+        v.v = soft.unpushed.v + soft.pushed.v;
+        v.w = soft.unpushed.w + soft.pushed.w;
+        return;
+    }
     soft.unpushed = {soft.linearDamp * (v.v + soft.speedUp.v), soft.angularDamp * (v.w + soft.speedUp.w)};
     v.v = soft.unpushed.v + soft.pushed.v;
     v.w = soft.unpushed.w + soft.pushed.w;
@@ -65,17 +78,23 @@ inline void IntegrateDelta(const SoftBody& soft, const Velocity& v, float h, Vel
 }
 
 /// The end pose from the start pose and the motion, under the caps. Returns true if a cap acted.
+template <bool limit>
 bool MoveBody(const SolverSettings& settings, BodyTable& bodies, size_t b, Velocity& delta) {
-    const CapFactors cap = CapMotion(settings, delta.v, delta.w);
-    if (cap.Acts()) {
-        delta.v *= cap.linear, delta.w *= cap.angular;
-        bodies.velocity[b].v *= cap.linear, bodies.velocity[b].w *= cap.angular;
+    bool capped = false;
+    if constexpr (limit) {
+        const CapFactors cap = CapMotion(settings, delta.v, delta.w);
+        capped = cap.Acts();
+        if (capped) {
+            delta.v *= cap.linear, delta.w *= cap.angular;
+            bodies.velocity[b].v *= cap.linear, bodies.velocity[b].w *= cap.angular;
+        }
     }
     bodies.position[b].c = bodies.startPosition[b].c + delta.v;
     bodies.position[b].a = bodies.startPosition[b].a + delta.w;
-    return cap.Acts();
+    return capped;
 }
 
+template <bool forces, bool limit>
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& active, TaskPool& pool,
                            BodyTable& bodies) {
     const float h = settings.dt / static_cast<float>(settings.substeps);
@@ -83,16 +102,16 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
         const int body = active.isolated[at];
         const auto b = static_cast<size_t>(body);
         bodies.startPosition[b] = bodies.position[b];
-        SoftBody soft = MakeSoftBody(settings, bodies, body);
+        SoftBody soft = MakeSoftBody<forces>(settings, bodies, body);
         Velocity v = bodies.velocity[b];
         Velocity delta{};
         for (int i = 0; i < settings.substeps; ++i) {
-            IntegrateVelocity(soft, v);
+            IntegrateVelocity<forces>(soft, v);
             IntegrateDelta(soft, v, h, delta);
         }
         bodies.velocity[b] = v;
         SolverCounts counts;
-        counts.capped = MoveBody(settings, bodies, b, delta) ? 1 : 0;
+        counts.capped = MoveBody<limit>(settings, bodies, b, delta) ? 1 : 0;
         counts.nonFinite = FinishPose(bodies, b) ? 1 : 0;
         if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings.dt) >= timeToSleep) bodies.PutToSleep(body);
         return counts;
@@ -115,16 +134,10 @@ public:
         m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
         m_s.soft.clear();
         m_s.jointed.clear();
-        for (const int body : m_islands.bodies) {
-            const auto b = static_cast<size_t>(body);
-            m_bodies.startPosition[b] = m_bodies.position[b];
-            m_s.soft.push_back(MakeSoftBody(m_settings, m_bodies, body));
-            if (!HasJoints() || m_bodies.info[b].jointCount == 0) continue;
-            m_s.soft.back().jointed = true;
-            m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
-        }
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.before.resize(m_s.jointed.size());
-        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale()});
+        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
+                          m_settings.kernels.restitution});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.sumImpulses = report || m_s.blocks.Bounces();
@@ -132,8 +145,11 @@ public:
     }
 
     void Substep(bool first) {
-        ForEachSoft(
-            [&](SoftBody& soft) { IntegrateVelocity(soft, m_bodies.velocity[static_cast<size_t>(soft.body)]); });
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            ForEachSoft([&](SoftBody& soft) {
+                IntegrateVelocity<forces>(soft, m_bodies.velocity[static_cast<size_t>(soft.body)]);
+            });
+        });
         if (first && m_settings.impulseScale > 0.0f) NotePush([&] { RunKernel(Pool(), m_task, m_kernels.warmStart); });
         if (HasJoints()) {
             PrepareJoints(JointWork(first ? SubstepScale() : 1.0f), m_islands.joints);
@@ -161,18 +177,33 @@ public:
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
         if (HasJoints()) ScaleJointImpulses(JointWork(static_cast<float>(m_settings.substeps)), m_islands.joints);
-        return CountOver(Pool(), m_s.soft.size(), [&](size_t i) {
-            const auto b = static_cast<size_t>(m_s.soft[i].body);
-            SolverCounts counts;
-            counts.capped = MoveBody(m_settings, m_bodies, b, m_s.delta[b]) ? 1 : 0;
-            m_s.delta[b] = {};
-            counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;
-            return counts;
+        return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
+            return CountOver(Pool(), m_s.soft.size(), [&](size_t i) {
+                const auto b = static_cast<size_t>(m_s.soft[i].body);
+                SolverCounts counts;
+                counts.capped = MoveBody<limit>(m_settings, m_bodies, b, m_s.delta[b]) ? 1 : 0;
+                m_s.delta[b] = {};
+                counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;
+                return counts;
+            });
         });
     }
 
 private:
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
+
+    template <bool forces>
+    void PrepareBodies() {
+        for (const int body : m_islands.bodies) {
+            const auto b = static_cast<size_t>(body);
+            m_bodies.startPosition[b] = m_bodies.position[b];
+            m_s.soft.push_back(MakeSoftBody<forces>(m_settings, m_bodies, body));
+            if (!HasJoints() || m_bodies.info[b].jointCount == 0) continue;
+            m_s.soft.back().jointed = true;
+            m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
+        }
+    }
+
     template <typename Visit>
     void ForEachSoft(Visit&& visit) {
         ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) { visit(m_s.soft[i]); });
@@ -247,7 +278,9 @@ private:
 
 SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& active,
                        const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
-    SolverCounts counts = SolveIsolated(settings, active, tables.pool, tables.bodies);
+    SolverCounts counts = WithBodyKernel(settings.kernels, [&](auto forces, auto limit) {
+        return SolveIsolated<forces, limit>(settings, active, tables.pool, tables.bodies);
+    });
     if (active.bodies.empty()) return counts;
     SoftSolver solver(settings, active, tables, scratch);
     solver.Prepare(fixtures, events.listener != nullptr);

@@ -11,12 +11,12 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     const int index = slots.Allocate();
     const auto i = static_cast<size_t>(index);
     EnsureRow(velocity, index);
-    EnsureRow(startVelocity, index);
+    if (!startVelocity.empty()) EnsureRow(startVelocity, index);
     EnsureRow(position, index);
     EnsureRow(startPosition, index);
     EnsureRow(transform, index);
     EnsureRow(mass, index);
-    EnsureRow(force, index);
+    if (!force.empty()) EnsureRow(force, index);
     EnsureRow(motion, index);
     EnsureRow(sleepTime, index);
     EnsureRow(flags, index);
@@ -31,7 +31,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     startPosition[i] = position[i];
     transform[i].Set(def.position, def.angle);
     mass[i] = {0.0f, 0.0f, vec2Zero};
-    force[i] = {vec2Zero, 0.0f, 0.0f};
+    ClearForce(index);
     motion[i] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
     sleepTime[i] = 0.0f;
     flags[i] = static_cast<uint16_t>((def.awake && !isStatic ? BodyFlag::awake : 0) |
@@ -62,7 +62,7 @@ void BodyTable::PutToSleep(int body) {
     flags[i] = static_cast<uint16_t>(flags[i] & ~BodyFlag::awake);
     sleepTime[i] = 0.0f;
     velocity[i] = {vec2Zero, 0.0f, 0.0f};
-    force[i] = {vec2Zero, 0.0f, 0.0f};
+    ClearForce(body);
 }
 
 void BodyTable::UpdateTransform(int body) {

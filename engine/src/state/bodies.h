@@ -67,12 +67,12 @@ struct BodyInfo {
 struct BodyTable {
     Slots slots;
     std::vector<Velocity> velocity;
-    std::vector<Velocity> startVelocity;  ///< at the start of the last step; only with exact drift
+    std::vector<Velocity> startVelocity;  ///< at the start of the last step; empty until a step drifts exactly
     std::vector<Position> position;       ///< at the end of the last step
     std::vector<Position> startPosition;  ///< at its start
     std::vector<Transform> transform;     ///< of the origin
     std::vector<MassRow> mass;
-    std::vector<ForceRow> force;
+    std::vector<ForceRow> force;  ///< empty until a step or a call needs it: nobody has any
     std::vector<MotionRow> motion;
     std::vector<float> sleepTime;  ///< s
     std::vector<uint16_t> flags;   ///< BodyFlag
@@ -98,6 +98,14 @@ struct BodyTable {
     void PutToSleep(int body);
     /// The transform that belongs to `position`.
     void UpdateTransform(int body);
+    /// Makes `force` a column like the others.
+    void EnsureForces() { force.resize(position.size()); }
+    [[nodiscard]] ForceRow GetForce(int body) const {
+        return force.empty() ? ForceRow{vec2Zero, 0.0f, 0.0f} : force[static_cast<size_t>(body)];
+    }
+    void ClearForce(int body) {
+        if (!force.empty()) force[static_cast<size_t>(body)] = {vec2Zero, 0.0f, 0.0f};
+    }
     /// After a change of type: list and movers.
     void Relist(int body);
 

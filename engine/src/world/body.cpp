@@ -21,6 +21,14 @@ bool TakesPush(BodyTable& bodies, int body, bool wake) {
     return bodies.Has(body, BodyFlag::awake);
 }
 
+/// The same for a force, which the step has to look at.
+bool TakesForce(WorldState& s, int body, bool wake) {
+    if (!TakesPush(s.bodies, body, wake)) return false;
+    s.featureCounts.forces = true;
+    NeedKernels(s, {Feature::forces});
+    return true;
+}
+
 void SetFlag(BodyTable& bodies, int body, uint16_t flag, bool on) {
     uint16_t& flags = bodies.flags[Row(body)];
     flags = static_cast<uint16_t>(on ? flags | flag : flags & ~flag);
@@ -48,6 +56,7 @@ Vec2 Body::GetLinearVelocity() const { return m_state->bodies.velocity[Row(m_ind
 ErrorCode Body::SetAngularVelocity(float omega) {
     Guard guard(*m_state, "Body::SetAngularVelocity");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(omega, "omega").Failed()) return guard.Code();
+    if (omega != 0.0f && GetType() != staticBody && guard.Uses({Feature::rotation}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, omega);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (omega * omega > 0.0f) m_state->bodies.Wake(m_index);
@@ -60,8 +69,9 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
     Guard guard(*m_state, "Body::ApplyForce");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Finite(point, "point").Failed())
         return guard.Code();
+    if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, force, point, wake);
-    if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
+    if (!TakesForce(*m_state, m_index, wake)) return ErrorCode::ok;
     ForceRow& row = m_state->bodies.force[Row(m_index)];
     row.force += force;
     row.torque += Cross(point - GetWorldCenter(), force);
@@ -71,16 +81,18 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
 ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
     Guard guard(*m_state, "Body::ApplyForceToCenter");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Failed()) return guard.Code();
+    if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, force, wake);
-    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].force += force;
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)].force += force;
     return ErrorCode::ok;
 }
 
 ErrorCode Body::ApplyTorque(float torque, bool wake) {
     Guard guard(*m_state, "Body::ApplyTorque");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(torque, "torque").Failed()) return guard.Code();
+    if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, torque, wake);
-    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.force[Row(m_index)].torque += torque;
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)].torque += torque;
     return ErrorCode::ok;
 }
 
@@ -146,8 +158,10 @@ float Body::GetLinearDamping() const { return m_state->bodies.motion[Row(m_index
 ErrorCode Body::SetLinearDamping(float damping) {
     Guard guard(*m_state, "Body::SetLinearDamping");
     guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
+    if (damping != 0.0f && GetType() == dynamicBody) guard.Uses({Feature::damping});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, damping);
+    const BodyFeatureEdit edit(*m_state, m_index);
     m_state->bodies.motion[Row(m_index)].linearDamping = damping;
     return ErrorCode::ok;
 }
@@ -155,8 +169,10 @@ float Body::GetAngularDamping() const { return m_state->bodies.motion[Row(m_inde
 ErrorCode Body::SetAngularDamping(float damping) {
     Guard guard(*m_state, "Body::SetAngularDamping");
     guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
+    if (damping != 0.0f && GetType() == dynamicBody) guard.Uses({Feature::damping});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, damping);
+    const BodyFeatureEdit edit(*m_state, m_index);
     m_state->bodies.motion[Row(m_index)].angularDamping = damping;
     return ErrorCode::ok;
 }
@@ -164,8 +180,10 @@ float Body::GetGravityScale() const { return m_state->bodies.motion[Row(m_index)
 ErrorCode Body::SetGravityScale(float scale) {
     Guard guard(*m_state, "Body::SetGravityScale");
     guard.Living(m_state->bodies.slots, m_index).Finite(scale, "scale");
+    if (scale != 1.0f && GetType() == dynamicBody) guard.Uses({Feature::gravityScale});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, scale);
+    const BodyFeatureEdit edit(*m_state, m_index);
     m_state->bodies.motion[Row(m_index)].gravityScale = scale;
     return ErrorCode::ok;
 }
@@ -175,7 +193,10 @@ BodyType Body::GetType() const { return m_state->bodies.type[Row(m_index)]; }
 ErrorCode Body::SetBullet(bool flag) {
     Guard guard(*m_state, "Body::SetBullet");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    if (flag && GetType() == dynamicBody) guard.Uses(UnderSettings({Feature::continuousBullet}, m_state->def));
+    if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, flag);
+    const BodyFeatureEdit edit(*m_state, m_index);
     SetFlag(m_state->bodies, m_index, BodyFlag::bullet, flag);
     return ErrorCode::ok;
 }
@@ -185,6 +206,7 @@ ErrorCode Body::SetSleepingAllowed(bool flag) {
     Guard guard(*m_state, "Body::SetSleepingAllowed");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, flag);
+    const BodyFeatureEdit edit(*m_state, m_index);
     SetFlag(m_state->bodies, m_index, BodyFlag::autoSleep, flag);
     if (!flag) m_state->bodies.Wake(m_index);
     return ErrorCode::ok;
@@ -194,6 +216,7 @@ bool Body::IsSleepingAllowed() const { return m_state->bodies.Has(m_index, BodyF
 ErrorCode Body::SetAwake(bool flag) {
     Guard guard(*m_state, "Body::SetAwake");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    if (!flag && GetType() != staticBody && guard.Uses({Feature::sleeping}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, flag);
     if (GetType() == staticBody) return ErrorCode::ok;
     flag ? m_state->bodies.Wake(m_index) : m_state->bodies.PutToSleep(m_index);
@@ -206,8 +229,10 @@ bool Body::IsEnabled() const { return m_state->bodies.Has(m_index, BodyFlag::ena
 ErrorCode Body::SetFixedRotation(bool flag) {
     Guard guard(*m_state, "Body::SetFixedRotation");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    if (!flag && GetType() != staticBody && guard.Uses({Feature::rotation}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, flag);
     if (flag == IsFixedRotation()) return ErrorCode::ok;
+    const BodyFeatureEdit edit(*m_state, m_index);
     SetFlag(m_state->bodies, m_index, BodyFlag::fixedRotation, flag);
     m_state->bodies.velocity[Row(m_index)].w = 0.0f;
     ResetMassData();

@@ -4,6 +4,8 @@
 // The edits of a body that reach other tables: fixtures and chains, placement, type, enabling, mass. Semantics are
 // Box2D 2.4.1's.
 
+#include <utility>
+
 #include "pipeline/update_boxes.h"
 #include "scree/body.h"
 #include "scree/chain_shape.h"
@@ -23,6 +25,7 @@ int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
     s.fixtures.info[Row(fixture)].next = info.fixtureHead;
     info.fixtureHead = fixture;
     ++info.fixtureCount;
+    AddFixtureFeatures(s, fixture, 1);
     if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
     return fixture;
 }
@@ -58,8 +61,21 @@ void DetachFixtures(WorldState& s, int body, Predicate goes) {
         *link = row.next;
         --info.fixtureCount;
         RemoveProxy(s, fixture);
+        AddFixtureFeatures(s, fixture, -1);
         s.fixtures.Remove(fixture);
     }
+}
+
+/// What the body and its fixtures would use if it were of that type.
+Features FeaturesAs(WorldState& s, int body, BodyType type) {
+    BodyType& own = s.bodies.type[Row(body)];
+    const BodyType before = std::exchange(own, type);
+    Features f = FeaturesOfBody(s.bodies, body);
+    for (int i = s.bodies.info[Row(body)].fixtureHead; i >= 0; i = s.fixtures.info[Row(i)].next) {
+        f = f | FeaturesOfFixture(s.fixtures, s.bodies, i);
+    }
+    own = before;
+    return f;
 }
 
 }  // namespace
@@ -70,6 +86,7 @@ Fixture* Body::CreateFixture(const FixtureDef* def) {
     guard.Living(s.bodies.slots, m_index).NotNull(def != nullptr, "def", "pass a FixtureDef");
     guard.Unlocked("create fixtures outside of Step and callbacks");
     if (guard.Failed() || guard.Accept(Check(*def)).Failed()) return nullptr;
+    if (guard.Uses(UnderSettings(FeaturesOf(*def, GetType()), s.def)).Failed()) return nullptr;
     const Recording recording = guard.Record(m_index, *def);
     const bool isChain = def->shape->GetType() == Shape::e_chain;
     const int fixture = isChain ? AttachChain(s, m_index, *def, static_cast<const ChainShape&>(*def->shape))
@@ -141,9 +158,11 @@ ErrorCode Body::SetType(BodyType type) {
     guard.Living(s.bodies.slots, m_index).Unlocked("change types outside of Step and callbacks");
     guard.Require(type <= dynamicBody, ErrorCode::outOfRange, "type", "use a BodyType");
     if (guard.Failed()) return guard.Code();
+    if (guard.Uses(UnderSettings(FeaturesAs(s, m_index, type), s.def)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, type);
     const size_t b = Row(m_index);
     if (s.bodies.type[b] == type) return ErrorCode::ok;
+    const BodyFeatureEdit edit(s, m_index, true);
     const bool changesList = (s.bodies.type[b] == staticBody) != (type == staticBody);
     s.bodies.type[b] = type;
     if (changesList) s.bodies.Relist(m_index);
@@ -153,7 +172,7 @@ ErrorCode Body::SetType(BodyType type) {
     } else {
         s.bodies.Wake(m_index);
     }
-    s.bodies.force[b] = {vec2Zero, 0.0f, 0.0f};
+    s.bodies.ClearForce(m_index);
     DestroyContactsOfBody(s, m_index);
     // The broad phase sorts its boxes by motion type.
     for (int f = s.bodies.info[b].fixtureHead; f >= 0; f = s.fixtures.info[Row(f)].next) {

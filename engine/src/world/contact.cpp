@@ -24,6 +24,12 @@ Guard CheckContact(const WorldState& s, int contact, const char* function) {
     return guard;
 }
 
+/// The material of the contact may differ from its fixtures' now.
+void NoteEdit(WorldState& s, int contact) {
+    s.featureCounts.contactsEdited = true;
+    NeedKernels(s, FeaturesOfContact(s.contacts, contact));
+}
+
 }  // namespace
 
 Manifold* Contact::GetManifold() { return &m_state->contacts.manifold[Row(m_index)]; }
@@ -63,8 +69,10 @@ const Fixture* Contact::GetFixtureB() const { return const_cast<Contact*>(this)-
 ErrorCode Contact::SetFriction(float friction) {
     Guard guard = CheckContact(*m_state, m_index, "Contact::SetFriction");
     if (guard.Amount(friction, "friction").Failed()) return guard.Code();
+    if (friction != 0.0f && guard.Uses({Feature::friction}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, friction);
     m_state->contacts.material[Row(m_index)].friction = friction;
+    NoteEdit(*m_state, m_index);
     return ErrorCode::ok;
 }
 float Contact::GetFriction() const { return m_state->contacts.material[Row(m_index)].friction; }
@@ -73,13 +81,16 @@ void Contact::ResetFriction() {
     const Recording recording(*m_state, "Contact::ResetFriction", m_index);
     m_state->contacts.material[Row(m_index)].friction =
         MixFriction(GetFixtureA()->GetFriction(), GetFixtureB()->GetFriction());
+    NoteEdit(*m_state, m_index);
 }
 
 ErrorCode Contact::SetRestitution(float restitution) {
     Guard guard = CheckContact(*m_state, m_index, "Contact::SetRestitution");
     if (guard.Finite(restitution, "restitution").Failed()) return guard.Code();
+    if (restitution != 0.0f && guard.Uses({Feature::restitution}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, restitution);
     m_state->contacts.material[Row(m_index)].restitution = restitution;
+    NoteEdit(*m_state, m_index);
     return ErrorCode::ok;
 }
 float Contact::GetRestitution() const { return m_state->contacts.material[Row(m_index)].restitution; }
@@ -88,6 +99,7 @@ void Contact::ResetRestitution() {
     const Recording recording(*m_state, "Contact::ResetRestitution", m_index);
     m_state->contacts.material[Row(m_index)].restitution =
         MixRestitution(GetFixtureA()->GetRestitution(), GetFixtureB()->GetRestitution());
+    NoteEdit(*m_state, m_index);
 }
 
 ErrorCode Contact::SetRestitutionThreshold(float threshold) {
@@ -108,8 +120,10 @@ void Contact::ResetRestitutionThreshold() {
 ErrorCode Contact::SetTangentSpeed(float speed) {
     Guard guard = CheckContact(*m_state, m_index, "Contact::SetTangentSpeed");
     if (guard.Finite(speed, "speed").Failed()) return guard.Code();
+    if (speed != 0.0f && guard.Uses({Feature::tangentSpeed}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, speed);
     m_state->contacts.material[Row(m_index)].tangentSpeed = speed;
+    NoteEdit(*m_state, m_index);
     return ErrorCode::ok;
 }
 float Contact::GetTangentSpeed() const { return m_state->contacts.material[Row(m_index)].tangentSpeed; }

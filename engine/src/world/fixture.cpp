@@ -5,6 +5,8 @@
 
 #include "scree/fixture.h"
 
+#include <utility>
+
 #include "world/guard.h"
 #include "world/refresh.h"
 
@@ -15,6 +17,15 @@ namespace {
 /// Row of the handle in the columns of the fixture table.
 size_t Row(int index) { return static_cast<size_t>(index); }
 
+/// What the fixture would use if it were a sensor, or none.
+Features FeaturesAs(WorldState& s, int fixture, bool sensor) {
+    uint8_t& own = s.fixtures.isSensor[Row(fixture)];
+    const uint8_t before = std::exchange(own, sensor ? 1 : 0);
+    const Features f = UnderSettings(FeaturesOfFixture(s.fixtures, s.bodies, fixture), s.def);
+    own = before;
+    return f;
+}
+
 }  // namespace
 
 Shape::Type Fixture::GetType() const { return m_state->fixtures.type[Row(m_index)]; }
@@ -24,9 +35,11 @@ const Shape* Fixture::GetShape() const { return m_state->fixtures.shape[Row(m_in
 ErrorCode Fixture::SetSensor(bool sensor) {
     Guard guard(*m_state, "Fixture::SetSensor");
     if (guard.Living(m_state->fixtures.slots, m_index).Failed()) return guard.Code();
+    if (guard.Uses(FeaturesAs(*m_state, m_index, sensor)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, sensor);
     uint8_t& flag = m_state->fixtures.isSensor[Row(m_index)];
     if ((flag != 0) == sensor) return ErrorCode::ok;
+    const FixtureFeatureEdit edit(*m_state, m_index);
     flag = sensor ? 1 : 0;
     const int body = m_state->fixtures.body[Row(m_index)];
     ContactTable& contacts = m_state->contacts;
@@ -45,8 +58,9 @@ bool Fixture::IsSensor() const { return m_state->fixtures.isSensor[Row(m_index)]
 ErrorCode Fixture::SetFilterData(const Filter& filter) {
     Guard guard(*m_state, "Fixture::SetFilterData");
     guard.Living(m_state->fixtures.slots, m_index).Unlocked("set filters outside of Step and callbacks");
-    if (guard.Failed()) return guard.Code();
+    if (guard.Failed() || guard.Uses(FeaturesOf(filter)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, filter);
+    const FixtureFeatureEdit edit(*m_state, m_index);
     m_state->fixtures.filter[Row(m_index)] = filter;
     RefilterFixture(*m_state, m_index);
     return ErrorCode::ok;
@@ -98,8 +112,10 @@ float Fixture::GetDensity() const { return m_state->fixtures.info[Row(m_index)].
 ErrorCode Fixture::SetFriction(float friction) {
     Guard guard(*m_state, "Fixture::SetFriction");
     guard.Living(m_state->fixtures.slots, m_index).Amount(friction, "friction");
+    if (friction != 0.0f) guard.Uses({Feature::friction});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, friction);
+    const FixtureFeatureEdit edit(*m_state, m_index);
     m_state->fixtures.material[Row(m_index)].friction = friction;
     return ErrorCode::ok;
 }
@@ -108,8 +124,10 @@ float Fixture::GetFriction() const { return m_state->fixtures.material[Row(m_ind
 ErrorCode Fixture::SetRestitution(float restitution) {
     Guard guard(*m_state, "Fixture::SetRestitution");
     guard.Living(m_state->fixtures.slots, m_index).Finite(restitution, "restitution");
+    if (restitution != 0.0f) guard.Uses({Feature::restitution});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, restitution);
+    const FixtureFeatureEdit edit(*m_state, m_index);
     m_state->fixtures.material[Row(m_index)].restitution = restitution;
     return ErrorCode::ok;
 }

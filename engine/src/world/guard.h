@@ -41,6 +41,13 @@ public:
         if (!holds && m_code == ErrorCode::ok) m_code = m_state.Refuse(code, m_function, field, cure);
         return *this;
     }
+    /// The world may use all these features.
+    Guard& Uses(Features features) {
+        const Features missing = features - AllowedFeatures(m_state.def);
+        if (missing.IsEmpty()) return *this;
+        return Require(false, ErrorCode::missingFeature, GetName(missing.First()),
+                       "add it to WorldDef::features, and to SCREE_FEATURES if the library was built with it");
+    }
     Guard& Accept(const Finding& finding) { return Require(!finding, finding.code, finding.field, finding.cure); }
 
     /// Records the call, now that its arguments are good, while the result lives.

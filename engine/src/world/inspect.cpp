@@ -44,8 +44,9 @@ void AddBodies(const BodyTable& bodies, Hasher& hash) {
         hash.Add(bodies.position[b].a);
         hash.Add(bodies.velocity[b].v);
         hash.Add(bodies.velocity[b].w);
-        hash.Add(bodies.force[b].force);
-        hash.Add(bodies.force[b].torque);
+        const ForceRow force = bodies.GetForce(body);
+        hash.Add(force.force);
+        hash.Add(force.torque);
         hash.Add(bodies.mass[b].invMass);
         hash.Add(bodies.mass[b].invI);
         hash.Add(bodies.mass[b].localCenter);
@@ -153,8 +154,9 @@ MemoryUse GetMemoryUse(const World& world) {
     const WorldState& s = world.GetState();
     MemoryUse use;
     use.bytesPerBody = sizeof(Velocity) + 2 * sizeof(Position) + sizeof(Transform) + sizeof(MassRow) +
-                       sizeof(ForceRow) + sizeof(MotionRow) + sizeof(float) + sizeof(uint16_t) + sizeof(BodyType) +
-                       sizeof(BodyInfo) + sizeof(Body);
+                       (s.bodies.force.empty() ? 0 : sizeof(ForceRow)) +
+                       (s.bodies.startVelocity.empty() ? 0 : sizeof(Velocity)) + sizeof(MotionRow) + sizeof(float) +
+                       sizeof(uint16_t) + sizeof(BodyType) + sizeof(BodyInfo) + sizeof(Body);
     use.bytesPerFixture = FixtureTable::GetBytesPerRow();
     use.bytesPerContact = ContactTable::GetBytesPerRow();
     use.bodies = static_cast<size_t>(s.bodies.slots.Size()) * use.bytesPerBody;
@@ -168,6 +170,8 @@ MemoryUse GetMemoryUse(const World& world) {
                         (s.islandScratch.first.capacity() + s.islandScratch.entries.capacity()) * sizeof(int);
     return use;
 }
+
+KernelSet GetKernels(const World& world) { return world.GetState().kernels; }
 
 uint64_t GetStateHash(const World& world) {
     Hasher hash;

@@ -113,6 +113,8 @@ bool Read(WorldState& s, ImageReader& in) {
         return false;
     in(s);
     if (in.Failed() || !ReadSubStep(s.continuousScratch, s.bodies.info.size(), in)) return false;
+    RecountFeatures(s);
+    if (!AllowedFeatures(s.def).Contains(UsedOf(CountFeatureUsers(s)))) return false;
     if (!s.pairsStale) s.broadPhase->FindPairs(s.pairs);  // as after the step before
     return !in.Failed() && in.AtEnd();
 }

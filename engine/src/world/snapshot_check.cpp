@@ -56,9 +56,10 @@ bool AreMoversWhole(const BodyTable& t) {
 
 bool AreBodiesConsistent(const BodyTable& t) {
     const size_t size = Row(t.slots.Size());
-    if (!t.slots.IsConsistent() || !HaveSize(size, t.velocity, t.startVelocity, t.position, t.startPosition))
-        return false;
-    if (!HaveSize(size, t.transform, t.mass, t.force, t.motion, t.sleepTime, t.flags, t.type, t.info)) return false;
+    if (!t.slots.IsConsistent() || !HaveSize(size, t.velocity, t.position, t.startPosition)) return false;
+    if (!HaveSize(t.force.empty() ? 0 : size, t.force)) return false;
+    if (!HaveSize(t.startVelocity.empty() ? 0 : size, t.startVelocity)) return false;
+    if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.info)) return false;
     for (size_t b = 0; b < size; ++b) {
         if (t.type[b] > dynamicBody) return false;
         if (t.slots.IsAlive(static_cast<int>(b)) && !IsFinite(t, b)) return false;

@@ -61,6 +61,7 @@ SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
             .gravity = s.def.gravity,
             .maxTranslation = s.def.maxTranslation,
             .maxRotation = s.def.maxRotation,
+            .kernels = s.kernels,
             .allowSleep = s.def.allowSleep,
             .exactDrift = s.def.exactDrift,
             .contactHertzRatio = s.def.softStep.contactHertzRatio,
@@ -75,6 +76,12 @@ void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& re
     report.continuousEventCount = done.events;
     report.abandonedCount = done.abandoned;
     report.lostTime = done.lostTime;
+}
+
+/// A step that goes on with the rest of the last one has its events to finish.
+bool NeedsContinuous(WorldState& s) {
+    s.kernels.continuous = NeededKernels(s).continuous;  // a listener may have made a bullet
+    return s.kernels.continuous || (s.def.continuousPhysics && s.continuousScratch.resuming);
 }
 
 SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings, Stopwatch& watch,
@@ -115,7 +122,7 @@ void SolveWholeStep(WorldState& s, const SolverSettings& settings, Stopwatch& wa
 void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
     // With sub-stepping a step may end after an event; this one then only goes on with the rest.
     if (!s.continuousScratch.resuming) SolveWholeStep(s, settings, watch, report);
-    if (s.def.continuousPhysics) RunContinuous(s, settings, report);
+    if (NeedsContinuous(s)) RunContinuous(s, settings, report);
     report.profile.continuous = watch.Lap();
     RunBroadPhase(s);
     report.profile.broadPhase += watch.Lap();
@@ -152,6 +159,9 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     report.touchingCount =
         UpdateManifolds(s.Events(), {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
     report.profile.narrowPhase = watch.Lap();
+    s.kernels = NeededKernels(s);  // the listener has had its say about contacts
+    if (s.kernels.bodyForces) s.bodies.EnsureForces();
+    if (s.def.exactDrift) s.bodies.startVelocity.resize(s.bodies.velocity.size());
     if (request.dt > 0.0f) Simulate(s, MakeSettings(s, request), watch, report);
     if (s.autoClearForces) world.ClearForces();
 

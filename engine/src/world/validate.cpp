@@ -132,6 +132,12 @@ Finding Check(const WorldDef& def) {
         return {ErrorCode::outOfRange, "WorldDef::workerCount", "give 1 to maxWorkers"};
     if ((def.tasks.enqueue == nullptr) != (def.tasks.finish == nullptr))
         return {ErrorCode::nullArgument, "WorldDef::tasks", "give both enqueue and finish, or neither"};
+    if (def.featureMode > FeatureMode::fixed)
+        return {ErrorCode::outOfRange, "WorldDef::featureMode", "give one of FeatureMode"};
+    const Features missing = FeaturesOf(def) - AllowedFeatures(def);
+    if (!missing.IsEmpty())
+        return {ErrorCode::missingFeature, GetName(missing.First()),
+                "add it to WorldDef::features, or do not ask for it"};
     if (def.solver > SolverKind::softStep) return {ErrorCode::outOfRange, "WorldDef::solver", "give one of SolverKind"};
     if (!(def.maxTranslation > 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};

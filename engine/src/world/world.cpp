@@ -26,6 +26,9 @@ void SayGoodbye(WorldState& s, Object* object) {
     s.destructionListener->SayGoodbye(object);
 }
 
+/// Which of these features bodies and fixtures would use, were all settings on.
+Features UsedIn(const WorldState& s, Features features) { return UsedOf(s.featureCounts.users) & features; }
+
 }  // namespace
 
 ErrorCode WorldState::Refuse(ErrorCode code, const char* function, const char* field, const char* cure) const {
@@ -63,8 +66,13 @@ Body* World::CreateBody(const BodyDef* def) {
     if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a BodyDef"), nullptr;
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create bodies outside of Step"), nullptr;
     if (const Finding bad = Check(*def)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
+    const bool sleeps = !def->awake && def->type != staticBody;  // whatever the world allows
+    const Features used = UnderSettings(FeaturesOf(*def), s.def).Add(Feature::sleeping, sleeps);
+    if (Guard(s, name).Uses(used).Failed()) return nullptr;
     const Recording recording(s, name, *def);
-    return &s.bodies.handles[static_cast<size_t>(s.bodies.Add(&s, *def))];
+    const int index = s.bodies.Add(&s, *def);
+    AddBodyFeatures(s, index, 1);
+    return &s.bodies.handles[static_cast<size_t>(index)];
 }
 
 ErrorCode World::DestroyBody(Body* body) {
@@ -88,8 +96,10 @@ ErrorCode World::DestroyBody(Body* body) {
         RemoveProxy(s, fixture);
         info.fixtureHead = s.fixtures.info[static_cast<size_t>(fixture)].next;
         --info.fixtureCount;
+        AddFixtureFeatures(s, fixture, -1);
         s.fixtures.Remove(fixture);
     }
+    AddBodyFeatures(s, index, -1);
     s.bodies.Remove(index);
     return ErrorCode::ok;
 }
@@ -122,10 +132,18 @@ const StepReport& World::GetReport() const { return m_state->report; }
 const Profile& World::GetProfile() const { return m_state->report.profile; }
 
 void World::SetDestructionListener(DestructionListener* listener) { m_state->destructionListener = listener; }
-void World::SetContactListener(ContactListener* listener) { m_state->listener = listener; }
+ErrorCode World::SetContactListener(ContactListener* listener) {
+    Guard guard(*m_state, "World::SetContactListener");
+    if (listener != nullptr && guard.Uses({Feature::events}).Failed()) return guard.Code();
+    m_state->listener = listener;
+    return ErrorCode::ok;
+}
 
-void World::SetContactFilter(ContactFilter* filter) {
+ErrorCode World::SetContactFilter(ContactFilter* filter) {
+    Guard guard(*m_state, "World::SetContactFilter");
+    if (filter != nullptr && guard.Uses({Feature::filters}).Failed()) return guard.Code();
     m_state->filter = filter != nullptr ? filter : &m_state->defaultFilter;
+    return ErrorCode::ok;
 }
 
 void World::SetErrorHandler(ErrorHandler handler, void* context) {
@@ -141,7 +159,9 @@ bool World::GetAutoClearForces() const { return m_state->autoClearForces; }
 
 void World::ClearForces() {
     const Recording recording(*m_state, "World::ClearForces");
-    for (const int body : m_state->bodies.movers) m_state->bodies.force[static_cast<size_t>(body)] = {vec2Zero, 0.0f, 0.0f};
+    if (!m_state->featureCounts.forces && GetFeatureMode() != FeatureMode::full) return;  // they are zero
+    for (const int body : m_state->bodies.movers) m_state->bodies.ClearForce(body);
+    m_state->featureCounts.forces = false;
 }
 
 ErrorCode World::SetGravity(Vec2 gravity) {
@@ -153,12 +173,15 @@ ErrorCode World::SetGravity(Vec2 gravity) {
 }
 Vec2 World::GetGravity() const { return m_state->def.gravity; }
 
-void World::SetAllowSleeping(bool flag) {
-    if (m_state->def.allowSleep == flag) return;
-    const Recording recording(*m_state, "World::SetAllowSleeping", flag);
+ErrorCode World::SetAllowSleeping(bool flag) {
+    if (m_state->def.allowSleep == flag) return ErrorCode::ok;
+    Guard guard(*m_state, "World::SetAllowSleeping");
+    if (flag && guard.Uses(UsedIn(*m_state, {Feature::sleeping})).Failed()) return guard.Code();
+    const Recording recording = guard.Record(flag);
     m_state->def.allowSleep = flag;
-    if (flag) return;
+    if (flag) return ErrorCode::ok;
     for (const int body : m_state->bodies.movers) m_state->bodies.Wake(body);
+    return ErrorCode::ok;
 }
 bool World::GetAllowSleeping() const { return m_state->def.allowSleep; }
 
@@ -167,9 +190,13 @@ void World::SetWarmStarting(bool flag) {
     m_state->def.warmStarting = flag;
 }
 bool World::GetWarmStarting() const { return m_state->def.warmStarting; }
-void World::SetContinuousPhysics(bool flag) {
-    const Recording recording(*m_state, "World::SetContinuousPhysics", flag);
+ErrorCode World::SetContinuousPhysics(bool flag) {
+    Guard guard(*m_state, "World::SetContinuousPhysics");
+    if (flag) guard.Uses(UsedIn(*m_state, {Feature::continuousStatic, Feature::continuousBullet}));
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(flag);
     m_state->def.continuousPhysics = flag;
+    return ErrorCode::ok;
 }
 bool World::GetContinuousPhysics() const { return m_state->def.continuousPhysics; }
 void World::SetSubStepping(bool flag) {
@@ -194,6 +221,26 @@ ErrorCode World::SetWorkers(int workerCount, const TaskCallbacks& tasks) {
     return ErrorCode::ok;
 }
 int World::GetWorkerCount() const { return m_state->def.workerCount; }
+ErrorCode World::SetFeatures(FeatureMode mode, Features features) {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::SetFeatures");
+    guard.Unlocked("change features outside of Step and callbacks");
+    WorldDef def = s.def;
+    def.featureMode = mode;
+    def.features = features;
+    guard.Accept(Check(def));
+    if (guard.Failed()) return guard.Code();
+    const Features missing = GetRequiredFeatures() - AllowedFeatures(def);
+    if (!missing.IsEmpty())
+        return s.Refuse(ErrorCode::missingFeature, "World::SetFeatures", GetName(missing.First()),
+                        "add it to the set: the world uses it");
+    s.def = def;
+    return ErrorCode::ok;
+}
+FeatureMode World::GetFeatureMode() const { return m_state->def.featureMode; }
+Features World::GetAllowedFeatures() const { return AllowedFeatures(m_state->def); }
+FeatureUsers World::GetFeatureUsers() const { return CountFeatureUsers(*m_state); }
+Features World::GetRequiredFeatures() const { return UsedOf(GetFeatureUsers()); }
 bool World::GetExactDrift() const { return m_state->def.exactDrift; }
 bool World::IsLocked() const { return m_state->locked; }
 

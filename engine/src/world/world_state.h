@@ -20,6 +20,7 @@
 #include "state/fixtures.h"
 #include "state/islands.h"
 #include "state/joints.h"
+#include "world/feature_counts.h"
 
 namespace scree {
 
@@ -54,6 +55,9 @@ struct WorldState {
     void* errorContext = nullptr;
     Draw* draw = nullptr;
     Recorder* recorder = nullptr;
+
+    FeatureCounts featureCounts;
+    KernelSet kernels{};  ///< of the last step; a callback may add to it
 
     bool locked = false;  ///< callbacks are running: nothing may be created, destroyed or moved
     bool autoClearForces = true;

@@ -18,8 +18,10 @@ struct FreeBodiesTask {
     float* startPosition;  ///< written: the position before
     float* transform;      ///< origin, sine, cosine
     const float* mass;     ///< 1/mass, 1/inertia, local centre
-    const float* force;    ///< force, torque
+    const float* force;    ///< force, torque; not read without `hasForces`
     const float* motion;   ///< linear damping, angular damping, gravity scale, mass
+    bool hasForces;        ///< some body has damping, a gravity scale or a force
+    bool hasLimit;         ///< of motion
     float dt;
     float gravityX, gravityY;
     float maxTranslation, maxRotation;

@@ -11,6 +11,7 @@
 #include "constraints/contact_blocks.h"
 #include "constraints/contact_rows.h"
 #include "constraints/joint_solver.h"
+#include "scree/features.h"
 #include "scree/world_callbacks.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -26,6 +27,7 @@ struct SolverSettings {
     int substeps;                                ///< soft step; 0: sequential impulses
     Vec2 gravity;
     float maxTranslation, maxRotation;  ///< per step
+    const KernelSet& kernels;           ///< what to leave out; a listener may add to it between two islands
     bool allowSleep;
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
     float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
@@ -101,6 +103,22 @@ void ForEachOf(TaskPool& pool, size_t count, Body&& body) {
     pool.For(static_cast<int>(count), leastBodies, [&](int begin, int end, int) {
         for (int i = begin; i < end; ++i) body(static_cast<size_t>(i));
     });
+}
+
+/// Calls visit(forces, limit) with two std::bool_constant: what the loops over bodies must contain.
+template <typename Visit>
+decltype(auto) WithBodyKernel(const KernelSet& kernels, Visit&& visit) {
+    constexpr KernelSet compiled = ChooseKernels(compiledFeatures);
+    const auto withLimit = [&](auto forces) -> decltype(auto) {
+        if constexpr (compiled.speedLimit) {
+            if (kernels.speedLimit) return visit(forces, std::true_type{});
+        }
+        return visit(forces, std::false_type{});
+    };
+    if constexpr (compiled.bodyForces) {
+        if (kernels.bodyForces) return withLimit(std::true_type{});
+    }
+    return withLimit(std::false_type{});
 }
 
 struct SolverTables {

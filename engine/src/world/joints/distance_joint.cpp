@@ -63,14 +63,16 @@ ErrorCode DistanceJoint::SetLength(float length) {
 float DistanceJoint::GetMinLength() const { return Row().limit.lower; }
 ErrorCode DistanceJoint::SetMinLength(float minLength) {
     JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetMinLength").Amount(minLength, "minLength");
-    if (!edit.Failed()) Row().limit.lowerImpulse = 0.0f;
-    return edit.Set(Row().limit.lower, Clamp(minLength, linearSlop, Row().limit.upper));
+    const ErrorCode code = edit.Set(Row().limit.lower, Clamp(minLength, linearSlop, Row().limit.upper));
+    if (code == ErrorCode::ok) Row().limit.lowerImpulse = 0.0f;
+    return code;
 }
 float DistanceJoint::GetMaxLength() const { return Row().limit.upper; }
 ErrorCode DistanceJoint::SetMaxLength(float maxLength) {
     JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetMaxLength").Amount(maxLength, "maxLength");
-    if (!edit.Failed()) Row().limit.upperImpulse = 0.0f;
-    return edit.Set(Row().limit.upper, Max(maxLength, Row().limit.lower));
+    const ErrorCode code = edit.Set(Row().limit.upper, Max(maxLength, Row().limit.lower));
+    if (code == ErrorCode::ok) Row().limit.upperImpulse = 0.0f;
+    return code;
 }
 float DistanceJoint::GetCurrentLength() const { return Distance(GetAnchorA(), GetAnchorB()); }
 

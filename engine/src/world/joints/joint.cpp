@@ -74,7 +74,7 @@ void Joint::ShiftOrigin(Vec2 newOrigin) {
 }
 
 ErrorCode EnableLimit(JointEdit edit, LimitState& limit, bool flag) {
-    if (edit.Failed() || limit.enabled == flag) return edit.Code();
+    if (edit.Failed() || limit.enabled == flag || !edit.Allows(limit.enabled, flag)) return edit.Code();
     const Recording recording = edit.Record(flag);
     edit.WakeBodies();
     limit.enabled = flag;

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <utility>
+
 #include "world/guard.h"
 #include "world/world_state.h"
 
@@ -42,7 +44,7 @@ public:
     /// Stores without waking.
     template <typename T>
     ErrorCode Set(T& target, T value) {
-        if (Failed()) return Code();
+        if (Failed() || !Allows(target, value)) return Code();
         const Recording recording = Record(value);
         target = value;
         return Code();
@@ -50,11 +52,19 @@ public:
     /// Stores and wakes both bodies if the value is new.
     template <typename T>
     ErrorCode SetAndWake(T& target, T value) {
-        if (Failed() || target == value) return Code();
+        if (Failed() || target == value || !Allows(target, value)) return Code();
         const Recording recording = Record(value);
         WakeBodies();
         target = value;
         return Code();
+    }
+    /// Whether the world may use what the joint would use with this value.
+    template <typename T>
+    bool Allows(T& target, T value) {
+        const T before = std::exchange(target, value);
+        m_guard.Uses(FeaturesOfJoint(m_state.joints, m_joint->GetIndex()));
+        target = before;
+        return !Failed();
     }
     void WakeBodies() {
         const JointInfo& info = m_state.joints.info[static_cast<size_t>(m_joint->GetIndex())];

@@ -46,18 +46,20 @@ Joint* Create(WorldState& s, const JointDef& base, Guard& guard) {
     CheckBodies(def, s, guard);
     Check(def, guard);
     if (guard.Failed()) return nullptr;
+    const Row row = MakeRow(def);
+    if (guard.Uses(FeaturesOfRow(row)).Failed()) return nullptr;
     const Recording recording = guard.Record(base);
     JointInfo head = HeadOf(def);
     head.bodyA = def.bodyA->GetIndex();
     head.bodyB = def.bodyB->GetIndex();
-    return Insert(s, s.joints.Add(&s, head, MakeRow(def)));
+    return Insert(s, s.joints.Add(&s, head, row));
 }
 
 template <>
 Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
     const auto& def = static_cast<const GearJointDef&>(base);
     CheckGear(def, s, guard);
-    if (guard.Failed()) return nullptr;
+    if (guard.Uses({Feature::joints}).Failed()) return nullptr;
     const Recording recording = guard.Record(base);
     const GearRow row = MakeGearRow(def, s);
     JointInfo head = HeadOf(def);

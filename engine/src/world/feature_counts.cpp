@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Who uses which feature.
+
+#include "world/feature_counts.h"
+
+#include <bit>
+#include <cmath>
+
+#include "world/world_state.h"
+
+namespace scree {
+
+namespace {
+
+size_t Row(int index) { return static_cast<size_t>(index); }
+
+void Count(FeatureUsers& users, Features features, int sign = 1) {
+    for (uint32_t bits = features.bits; bits != 0; bits &= bits - 1) {
+        users[static_cast<size_t>(std::countr_zero(bits))] += sign;
+    }
+}
+
+bool IsDefault(const Filter& filter) {
+    constexpr Filter plain;
+    return filter.categoryBits == plain.categoryBits && filter.maskBits == plain.maskBits &&
+           filter.groupIndex == plain.groupIndex;
+}
+
+bool HasForce(const ForceRow& row) { return row.force.x != 0.0f || row.force.y != 0.0f || row.torque != 0.0f; }
+
+/// What the fields of a body decide.
+struct BodyFacts {
+    BodyType type;
+    bool fixedRotation, autoSleep, bullet;
+    float linearDamping, angularDamping, gravityScale;
+};
+Features FeaturesOf(const BodyFacts& body) {
+    Features f;
+    if (body.type == staticBody) return f;
+    f.Add(Feature::rotation, !body.fixedRotation).Add(Feature::sleeping, body.autoSleep);
+    if (body.type == kinematicBody) return f.Add(Feature::kinematicBodies);
+    return f.Add(Feature::continuousBullet, body.bullet)
+        .Add(Feature::damping, body.linearDamping != 0.0f || body.angularDamping != 0.0f)
+        .Add(Feature::gravityScale, body.gravityScale != 1.0f);
+}
+
+/// What the fields of a fixture decide.
+struct FixtureFacts {
+    Shape::Type shape;
+    BodyType bodyType;
+    bool isSensor;
+    float friction, restitution;
+    const Filter& filter;
+};
+Features FeaturesOf(const FixtureFacts& fixture) {
+    Features f;
+    f.Add(Feature::polygons, fixture.shape == Shape::e_polygon || fixture.shape == Shape::e_convex)
+        .Add(Feature::edges, fixture.shape == Shape::e_edge || fixture.shape == Shape::e_chain)
+        .Add(Feature::filters, !IsDefault(fixture.filter))
+        .Add(Feature::friction, fixture.friction != 0.0f)
+        .Add(Feature::restitution, fixture.restitution != 0.0f)
+        .Add(Feature::sensors, fixture.isSensor)
+        .Add(Feature::continuousStatic, !fixture.isSensor && fixture.bodyType != dynamicBody);
+    return f;
+}
+
+/// What the world's own settings use.
+Features FeaturesOfSettings(const WorldState& s) {
+    return FeaturesOf(s.def)
+        .Add(Feature::events, s.listener != nullptr)
+        .Add(Feature::filters, s.filter != &s.defaultFilter);
+}
+
+}  // namespace
+
+Features UsedOf(const FeatureUsers& users) {
+    Features used;
+    for (size_t i = 0; i < users.size(); ++i) used.Add(static_cast<Feature>(i), users[i] > 0);
+    return used;
+}
+
+Features FeaturesOf(const Filter& filter) { return Features{}.Add(Feature::filters, !IsDefault(filter)); }
+
+Features FeaturesOf(const BodyDef& def) {
+    Features f = FeaturesOf(BodyFacts{def.type, def.fixedRotation, def.allowSleep, def.bullet, def.linearDamping,
+                                      def.angularDamping, def.gravityScale});
+    if (def.type == staticBody) return f;
+    return f.Add(Feature::rotation, def.angularVelocity != 0.0f);
+}
+
+Features FeaturesOf(const FixtureDef& def, BodyType bodyType) {
+    return FeaturesOf(
+        FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, def.friction, def.restitution, def.filter});
+}
+
+Features FeaturesOfBody(const BodyTable& bodies, int body) {
+    const size_t b = Row(body);
+    const MotionRow& motion = bodies.motion[b];
+    return FeaturesOf(BodyFacts{bodies.type[b], bodies.Has(body, BodyFlag::fixedRotation),
+                                bodies.Has(body, BodyFlag::autoSleep), bodies.Has(body, BodyFlag::bullet),
+                                motion.linearDamping, motion.angularDamping, motion.gravityScale});
+}
+
+Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, int fixture) {
+    const size_t f = Row(fixture);
+    const Material& material = fixtures.material[f];
+    return FeaturesOf(FixtureFacts{fixtures.type[f], bodies.type[Row(fixtures.body[f])], fixtures.isSensor[f] != 0,
+                                   material.friction, material.restitution, fixtures.filter[f]});
+}
+
+Features FeaturesOfJoint(const JointTable& joints, int joint) {
+    const JointInfo& info = joints.info[Row(joint)];
+    Features f;
+    JointTable::WithStore(joints, info.type, [&](const auto& store) { f = FeaturesOfRow(store.rows[Row(info.row)]); });
+    return f;
+}
+
+Features FeaturesOfContact(const ContactTable& contacts, int contact) {
+    const size_t c = Row(contact);
+    const ContactMaterial& material = contacts.material[c];
+    const Manifold& m = contacts.manifold[c];
+    Features f;
+    f.Add(Feature::friction, material.friction != 0.0f)
+        .Add(Feature::restitution, material.restitution != 0.0f)
+        .Add(Feature::tangentSpeed, material.tangentSpeed != 0.0f);
+    for (int i = 0; i < m.pointCount; ++i) f.Add(Feature::friction, m.points[i].tangentImpulse != 0.0f);
+    return f;
+}
+
+Features FeaturesOf(const WorldDef& def) {
+    Features f;
+    return f.Add(Feature::speedLimit, std::isfinite(def.maxTranslation) || std::isfinite(def.maxRotation))
+        .Add(Feature::multiThreading, def.workerCount > 1 || def.tasks.enqueue != nullptr);
+}
+
+Features AllowedFeatures(const WorldDef& def) {
+    return def.featureMode == FeatureMode::fixed ? def.features & compiledFeatures : compiledFeatures;
+}
+
+Features UnderSettings(Features features, const WorldDef& def) {
+    if (!def.allowSleep) features = features.Without(Feature::sleeping);
+    if (!def.continuousPhysics) {
+        features = features.Without(Feature::continuousStatic).Without(Feature::continuousBullet);
+    }
+    return features;
+}
+
+void AddBodyFeatures(WorldState& s, int body, int sign) {
+    const Features features = FeaturesOfBody(s.bodies, body);
+    Count(s.featureCounts.users, features, sign);
+    if (sign > 0 && s.locked) NeedKernels(s, features);
+}
+
+void AddFixtureFeatures(WorldState& s, int fixture, int sign) {
+    FeatureUsers& users = s.featureCounts.users;
+    Count(users, FeaturesOfFixture(s.fixtures, s.bodies, fixture), sign);
+    // When the last fixture with a feature is gone, contacts may still have it.
+    const auto isGone = [&](Feature feature) { return users[static_cast<size_t>(feature)] == 0; };
+    if (sign < 0 && (isGone(Feature::friction) || isGone(Feature::restitution))) s.featureCounts.contactsEdited = true;
+}
+
+void RecountFeatures(WorldState& s) {
+    s.featureCounts = {};
+    s.featureCounts.contactsEdited = true;
+    for (int b = 0; b < s.bodies.slots.Size(); ++b) {
+        if (!s.bodies.slots.IsAlive(b)) continue;
+        AddBodyFeatures(s, b, 1);
+        s.featureCounts.forces = s.featureCounts.forces || HasForce(s.bodies.GetForce(b));
+    }
+    for (int f = 0; f < s.fixtures.slots.Size(); ++f) {
+        if (s.fixtures.slots.IsAlive(f)) AddFixtureFeatures(s, f, 1);
+    }
+}
+
+FeatureUsers CountFeatureUsers(const WorldState& s) {
+    FeatureUsers users{};
+    for (int b = 0; b < s.bodies.slots.Size(); ++b) {
+        if (!s.bodies.slots.IsAlive(b)) continue;
+        Features f = UnderSettings(FeaturesOfBody(s.bodies, b), s.def);
+        if (s.bodies.type[Row(b)] != staticBody) {
+            f.Add(Feature::rotation, s.bodies.velocity[Row(b)].w != 0.0f);
+            f.Add(Feature::sleeping, !s.bodies.Has(b, BodyFlag::awake));
+            f.Add(Feature::forces, HasForce(s.bodies.GetForce(b)));
+        }
+        Count(users, f);
+    }
+    for (int f = 0; f < s.fixtures.slots.Size(); ++f) {
+        if (s.fixtures.slots.IsAlive(f)) Count(users, UnderSettings(FeaturesOfFixture(s.fixtures, s.bodies, f), s.def));
+    }
+    for (int j = 0; j < s.joints.slots.Size(); ++j) {
+        if (s.joints.slots.IsAlive(j)) Count(users, FeaturesOfJoint(s.joints, j));
+    }
+    for (int c = 0; c < s.contacts.Size(); ++c) {
+        if (!s.contacts.IsAlive(c)) continue;
+        const ContactPair& pair = s.contacts.pair[Row(c)];
+        const Features given = FeaturesOfFixture(s.fixtures, s.bodies, static_cast<int>(pair.fixtureA)) |
+                               FeaturesOfFixture(s.fixtures, s.bodies, static_cast<int>(pair.fixtureB));
+        Count(users, FeaturesOfContact(s.contacts, c) - given);
+    }
+    Count(users, FeaturesOfSettings(s));
+    return users;
+}
+
+namespace {
+
+/// What contacts use beyond their fixtures; clears the mark once there is nothing.
+Features UsedByContacts(WorldState& s, Features byFixtures) {
+    Features used;
+    for (int c = 0; c < s.contacts.Size(); ++c) {
+        if (s.contacts.IsAlive(c)) used = used | FeaturesOfContact(s.contacts, c);
+    }
+    if (byFixtures.Contains(used)) s.featureCounts.contactsEdited = false;
+    return used;
+}
+
+Features NeededFeatures(WorldState& s) {
+    if (s.def.featureMode == FeatureMode::full) return compiledFeatures;
+    if (s.def.featureMode == FeatureMode::fixed) return AllowedFeatures(s.def);
+    Features used = UsedOf(s.featureCounts.users) | FeaturesOfSettings(s);
+    used.Add(Feature::forces, s.featureCounts.forces);
+    const bool isSettled = used.Has(Feature::friction) && used.Has(Feature::restitution);
+    return s.featureCounts.contactsEdited && !isSettled ? used | UsedByContacts(s, used) : used;
+}
+
+}  // namespace
+
+KernelSet NeededKernels(WorldState& s) {
+    KernelSet kernels = ChooseKernels(NeededFeatures(s));
+    kernels.continuous = kernels.continuous && s.def.continuousPhysics;
+    return kernels;
+}
+
+void NeedKernels(WorldState& s, Features features) {
+    const KernelSet more = ChooseKernels(features);
+    s.kernels.bodyForces = s.kernels.bodyForces || more.bodyForces;
+    if (s.kernels.bodyForces) s.bodies.EnsureForces();
+    s.kernels.friction = s.kernels.friction || more.friction;
+    s.kernels.restitution = s.kernels.restitution || more.restitution;
+}
+
+std::string GetName(const KernelSet& kernels) {
+    std::string text;
+    const auto add = [&](bool on, const char* name) {
+        if (on) text += (text.empty() ? "" : ", ") + std::string(name);
+    };
+    add(kernels.bodyForces, "forces");
+    add(kernels.speedLimit, "speed limit");
+    add(kernels.friction, "friction");
+    add(kernels.restitution, "restitution");
+    add(kernels.continuous, "continuous");
+    return text.empty() ? "none" : text;
+}
+
+BodyFeatureEdit::BodyFeatureEdit(WorldState& state, int body, bool withFixtures)
+    : m_state(state), m_body(body), m_withFixtures(withFixtures) {
+    Add(-1);
+}
+
+BodyFeatureEdit::~BodyFeatureEdit() { Add(1); }
+
+void BodyFeatureEdit::Add(int sign) {
+    AddBodyFeatures(m_state, m_body, sign);
+    if (!m_withFixtures) return;
+    for (int f = m_state.bodies.info[Row(m_body)].fixtureHead; f >= 0; f = m_state.fixtures.info[Row(f)].next) {
+        AddFixtureFeatures(m_state, f, sign);
+    }
+}
+
+}  // namespace scree
