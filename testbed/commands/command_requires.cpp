@@ -12,11 +12,14 @@
 #include <vector>
 
 #include "scenes/catalog.h"
+#include "testbed/adapters/break_even.h"
 #include "testbed/commands/arguments.h"
 #include "testbed/commands/commands.h"
 #include "testbed/commands/exit_code.h"
 #include "testbed/report/ablation.h"
+#include "testbed/report/gnuplot.h"
 #include "testbed/report/output.h"
+#include "testbed/report/plot.h"
 #include "testbed/report/progress.h"
 #include "testbed/report/requirement.h"
 
@@ -33,6 +36,7 @@ struct RequiresArguments {
     bool caps = false;
     bool quick = false;
     bool ablation = false;
+    bool breakEven = false;
     std::string header;
     std::string output = "out/requires";
 };
@@ -103,8 +107,60 @@ int RunAblation(const RequiresArguments& arguments, const Request& request) {
     return same ? exitDone : exitDiffers;
 }
 
+/// One plot of the report, and its points as text.
+void WriteBreakEven(OutputFolder& output, const std::string& name, Plot plot, const std::vector<BreakEvenPoint>& points,
+                    PageFigures& figures) {
+    std::string csv = "share,ns_without,ns_with\n";
+    for (const BreakEvenPoint& point : points) {
+        csv += fmt::format("{},{:.2f},{:.2f}\n", point.share, point.nsWithout, point.nsWith);
+        plot.curves[0].points.push_back({point.share, point.nsWithout});
+        plot.curves[1].points.push_back({point.share, point.nsWith});
+    }
+    output.WriteText(name + ".csv", csv);
+    const std::filesystem::path temporary = output.Prepare(name + ".svg").string() + ".tmp";
+    RunGnuplot(MakePlotScript(plot, "svg", temporary), temporary);
+    output.Adopt(temporary, name + ".svg");
+    figures.figures.push_back({.title = plot.title, .file = output.Prepare(name + ".svg")});
+}
+
+int RunBreakEven(const RequiresArguments& arguments, const Request& request) {
+    CheckGnuplot();
+    OutputFolder output(arguments.output);
+    BreakEvenPlan plan;
+    if (arguments.quick) plan.movers = 2000, plan.repeats = 3;
+    plan.shares = {0.0, 0.01, 0.03, 0.06, 0.09, 0.125, 0.16, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7};
+    Progress progress("break-even", 2.0 * static_cast<double>(plan.shares.size()));
+    const auto advance = [&] { progress.Advance(1.0); };
+    PageFigures figures;
+    const std::string note = fmt::format("{} moving circles, {} steps, least of {} repeats of each step", plan.movers,
+                                         plan.steps, plan.repeats);
+    WriteBreakEven(output, "static-share",
+                   {.title = "Static circles among moving ones: one tree or two",
+                    .xLabel = "static share of the fixtures",
+                    .yLabel = "broad phase [ns a mover and step]",
+                    .note = note,
+                    .curves = {{"in one tree", "#cc0000", 5, {}}, {"in a tree of their own", "#0000cc", 7, {}}}},
+                   MeasureStaticShare(plan, advance), figures);
+    WriteBreakEven(output, "fast-share",
+                   {.title = "Fast bodies: the price of continuous collision",
+                    .xLabel = "share of bodies that cross twice their size in a step",
+                    .yLabel = "whole step [ns a mover]",
+                    .note = note,
+                    .curves = {{"continuous collision off", "#cc0000", 5, {}}, {"on", "#0000cc", 7, {}}}},
+                   MeasureFastShare(plan, advance), figures);
+    progress.Finish(fmt::format("{} shares", plan.shares.size()));
+    Page page{.title = "Break-even of parts of the engine",
+              .intro = "The same world with a part of the engine on and off, over the share of what it is made for.",
+              .facts = {{"command", DescribeCommand(request.arguments)}}};
+    page.sections.push_back({.title = "", .blocks = {figures}});
+    output.WriteText("break-even.html", MakePage(page));
+    for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
+    return exitDone;
+}
+
 int RunRequires(const RequiresArguments& arguments, const Request& request) {
     if (arguments.ablation) return RunAblation(arguments, request);
+    if (arguments.breakEven) return RunBreakEven(arguments, request);
     if (arguments.scene.empty()) throw UsageError("give a SCENE, or --ablation for a choice of them");
     const SceneRequest chosen = ChooseScenes(arguments).front();
     const scenes::Scene& scene = chosen.scene;
@@ -136,7 +192,9 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     command->add_flag("--quick", arguments->quick, "Fewer steps and repeats");
     command->add_flag("--ablation", arguments->ablation,
                       "A report of what each feature costs; without SCENE of a choice");
-    command->add_option("-o,--output", arguments->output, "Folder for the report of --ablation")
+    command->add_flag("--break-even", arguments->breakEven,
+                      "Plots of where parts of the engine begin to pay (gnuplot)");
+    command->add_option("-o,--output", arguments->output, "Folder for these reports")
         ->type_name("DIR")
         ->capture_default_str();
     command->add_option("--header", arguments->header, "Write the set as a C++ header")->type_name("FILE");

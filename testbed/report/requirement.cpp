@@ -135,11 +135,11 @@ std::string FormatRequirement(const Requirement& r) {
         if (use.users > 0) text += fmt::format("  {:<18}{:>9} users\n", use.name, use.users);
     }
     text += fmt::format("does without: {}\n\n", Join(NamesOf(r.uses, false), ", "));
-    text += fmt::format("{:<12}{:>10}{:>9}{:>8}{:>9}{:>7}  {:<10}{}\n", "variant", "ns/body", "vs full", "B/body",
+    text += fmt::format("{:<12}{:>10}{:>9}{:>8}{:>11}{:>9}  {:<10}{}\n", "variant", "ns/body", "vs full", "B/body",
                         "B/contact", "B/joint", "same hash", "kernels");
     for (const VariantCost& v : r.variants) {
         const double ratio = v.nsPerBodyStep / r.variants.front().nsPerBodyStep;
-        text += fmt::format("{:<12}{:>10.2f}{:>+8.1f}%{:>8}{:>9}{:>7}  {:<10}{}\n", v.name, v.nsPerBodyStep,
+        text += fmt::format("{:<12}{:>10.2f}{:>+8.1f}%{:>8}{:>11}{:>9}  {:<10}{}\n", v.name, v.nsPerBodyStep,
                             100.0 * (ratio - 1.0), v.bytesPerBody, v.bytesPerContact, v.bytesPerJoint,
                             v.sameHash ? "yes" : fmt::format("step {}", v.firstDifference + 1), v.kernels);
     }

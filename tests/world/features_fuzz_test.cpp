@@ -79,7 +79,10 @@ public:
                 if (e.code == ErrorCode::missingFeature) ADD_FAILURE() << e.function << ": " << e.field;
             },
             nullptr);
-        for (int i = 0; i < 8; ++i) AddBody();
+        const int count = seed % 50 == 0   ? 150
+                          : seed % 10 == 0 ? 40
+                                           : 8;  // some with large islands, some with many free bodies
+        for (int i = 0; i < count; ++i) AddBody();
         Note();
     }
 

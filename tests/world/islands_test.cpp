@@ -93,6 +93,11 @@ void CompareBallisticPath(Solve&& solve, int substeps, bool exactDrift) {
     for (int step = 0; step < 30; ++step) {
         WorldState& a = ballistic.GetState();
         WorldState& b = island.GetState();
+        const KernelSet kernels = ChooseKernels(Features::All());
+        for (WorldState* s : {&a, &b}) {
+            s->bodies.EnsureForces();
+            s->bodies.startVelocity.resize(s->bodies.velocity.size());
+        }
         const SolverSettings settings{.dt = 1.0f / 60.0f,
                                       .impulseScale = 1.0f,
                                       .velocityIterations = 8,
@@ -101,6 +106,7 @@ void CompareBallisticPath(Solve&& solve, int substeps, bool exactDrift) {
                                       .gravity = {0.0f, -10.0f},
                                       .maxTranslation = maxTranslation,
                                       .maxRotation = maxRotation,
+                                      .kernels = kernels,
                                       .allowSleep = true,
                                       .exactDrift = exactDrift,
                                       .contactHertzRatio = 0.125f,

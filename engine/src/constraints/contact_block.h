@@ -67,6 +67,7 @@ struct KernelTask {
     float* delta;
     SoftConstants soft;
     bool sumImpulses;  ///< keep totalNormal and totalTangent
+    bool friction;     ///< false: no contact has friction, and all tangent impulses are 0
 };
 
 /// The kernels for one instruction set. All sets give the same bits.

@@ -319,7 +319,8 @@ KernelTask ContactBlocks::Task(std::vector<Velocity>& velocity, std::vector<Velo
             .velocity = &velocity.data()->v.x,
             .delta = &delta.data()->v.x,
             .soft = {},
-            .sumImpulses = false};
+            .sumImpulses = false,
+            .friction = true};
 }
 
 }  // namespace scree

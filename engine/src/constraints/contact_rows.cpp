@@ -199,13 +199,13 @@ void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity)
     }
 }
 
-void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity) {
+void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, bool friction) {
     for (ContactVelocityRow& row : rows.velocity) {
         Velocity& stateA = velocity[static_cast<size_t>(row.bodyA)];
         Velocity& stateB = velocity[static_cast<size_t>(row.bodyB)];
         Velocity a = stateA;
         Velocity b = stateB;
-        SolveFriction(row, a, b);
+        if (friction) SolveFriction(row, a, b);
         if (row.block) {
             SolveBlock(row, a, b);
         } else {

@@ -71,8 +71,8 @@ struct ContactPrepareInput {
 void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows);
 /// Applies the impulses of the last step.
 void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity);
-/// One iteration over all contacts: friction, then normals.
-void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity);
+/// One iteration over all contacts: friction, then normals. Without `friction` no contact has any.
+void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, bool friction = true);
 /// Writes the impulses back into the manifolds.
 void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold);
 /// One iteration of position correction by `share` of the overlap; returns the smallest separation seen, m.

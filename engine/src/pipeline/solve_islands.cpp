@@ -99,7 +99,7 @@ public:
     void SolveVelocities() {
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
             SolveJointVelocities(JointWork());
-            SolveContactVelocities(m_scratch.contacts, m_tables.bodies.velocity);
+            SolveContactVelocities(m_scratch.contacts, m_tables.bodies.velocity, m_settings.kernels.friction);
         }
         StoreContactImpulses(m_scratch.contacts, m_tables.contacts.manifold);
     }
@@ -167,6 +167,7 @@ public:
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale,
                           m_settings.kernels.restitution});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
+        m_task.friction = m_settings.kernels.friction;
         RunKernel(Pool(), m_task, m_kernels.finish);
         if (m_settings.impulseScale > 0.0f) RunKernel(Pool(), m_task, m_kernels.warmStart);
         if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);

@@ -140,6 +140,7 @@ public:
                           m_settings.kernels.restitution});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
+        m_task.friction = m_settings.kernels.friction;
         m_task.sumImpulses = report || m_s.blocks.Bounces();
         RunKernel(Pool(), m_task, m_kernels.finish);
     }

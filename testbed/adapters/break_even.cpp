@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of break_even.h. Both forms of a world step in turn, and of every step the fastest repeat counts.
+
+#include "testbed/adapters/break_even.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <random>
+
+#include "scree/world.h"
+
+namespace testbed {
+
+namespace {
+
+constexpr float timeStep = 1.0f / 60.0f;
+
+/// Numbers in [0, 1) that are the same everywhere.
+class Random {
+public:
+    float Next() { return static_cast<float>(m_engine() >> 8) * (1.0f / 16777216.0f); }
+    float Next(float low, float high) { return low + (high - low) * Next(); }
+
+private:
+    std::mt19937 m_engine{20};
+};
+
+void AddCircle(scree::World& world, scree::BodyType type, scree::Vec2 position, scree::Vec2 velocity) {
+    scree::BodyDef def;
+    def.type = type;
+    def.position = position;
+    def.linearVelocity = velocity;
+    def.allowSleep = false;
+    scree::CircleShape circle;
+    circle.m_radius = 0.25f;
+    world.CreateBody(&def)->CreateFixture(&circle, 1.0f);
+}
+
+std::unique_ptr<scree::World> MakeStaticShareWorld(const BreakEvenPlan& plan, double share, bool apart) {
+    scree::WorldDef def;
+    def.gravity = {0.0f, 0.0f};
+    def.continuousPhysics = false;
+    def.staticShareThreshold = apart ? 0.0f : 1.0f;
+    auto world = std::make_unique<scree::World>(def);
+    const auto statics = static_cast<int>(share / (1.0 - share) * plan.movers);
+    const float half = 0.75f * std::sqrt(static_cast<float>(plan.movers + statics));  // a third of a body a m²
+    Random random;
+    for (int i = 0; i < plan.movers + statics; ++i) {
+        const scree::Vec2 position{random.Next(-half, half), random.Next(-half, half)};
+        const scree::Vec2 velocity{random.Next(-3.0f, 3.0f), random.Next(-3.0f, 3.0f)};
+        AddCircle(*world, i < statics ? scree::staticBody : scree::dynamicBody, position, velocity);
+    }
+    return world;
+}
+
+std::unique_ptr<scree::World> MakeFastShareWorld(const BreakEvenPlan& plan, double share, bool continuous) {
+    scree::WorldDef def;
+    def.gravity = {0.0f, 0.0f};
+    def.continuousPhysics = continuous;
+    auto world = std::make_unique<scree::World>(def);
+    const float half = 0.75f * std::sqrt(static_cast<float>(plan.movers));
+    Random random;
+    for (int i = 0; i < plan.movers; ++i) {
+        const bool fast = i < static_cast<int>(share * plan.movers);
+        const float speed = fast ? 60.0f : 1.0f;  // 1 m or 2 cm a step
+        const scree::Vec2 position{random.Next(-half, half), random.Next(-half, half)};
+        AddCircle(*world, scree::dynamicBody, position, {i % 2 == 0 ? speed : -speed, 0.0f});
+    }
+    for (float x = -2.0f * half; x < 2.0f * half; x += 2.0f) {
+        AddCircle(*world, scree::staticBody, {x, -half - 1.0f}, {0.0f, 0.0f});
+    }
+    return world;
+}
+
+using MakeWorld = std::function<std::unique_ptr<scree::World>(const BreakEvenPlan&, double share, bool with)>;
+
+/// ns a mover and step by `read` (ms of a step), of both forms.
+BreakEvenPoint Measure(const BreakEvenPlan& plan, double share, const MakeWorld& make,
+                       float (*read)(const scree::Profile&)) {
+    const auto steps = static_cast<size_t>(plan.steps);
+    std::vector<double> best[2];
+    for (auto& of : best) of.assign(steps, std::numeric_limits<double>::infinity());
+    for (int repeat = 0; repeat < plan.repeats; ++repeat) {
+        const std::unique_ptr<scree::World> worlds[2] = {make(plan, share, false), make(plan, share, true)};
+        for (size_t step = 0; step < steps; ++step) {
+            for (size_t turn = 0; turn < 2; ++turn) {
+                const size_t i = (turn + step) % 2;
+                const scree::StepReport report = worlds[i]->Step(timeStep, 8, 3);
+                best[i][step] = std::min(best[i][step], double{read(report.profile)});
+            }
+        }
+    }
+    const auto perMover = [&](const std::vector<double>& ms) {
+        return std::accumulate(ms.begin(), ms.end(), 0.0) * 1e6 / plan.steps / plan.movers;
+    };
+    return {share, perMover(best[0]), perMover(best[1])};
+}
+
+std::vector<BreakEvenPoint> MeasureAll(const BreakEvenPlan& plan, const MakeWorld& make,
+                                       float (*read)(const scree::Profile&), const std::function<void()>& onPoint) {
+    std::vector<BreakEvenPoint> points;
+    for (const double share : plan.shares) {
+        points.push_back(Measure(plan, share, make, read));
+        if (onPoint) onPoint();
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan, const std::function<void()>& onPoint) {
+    return MeasureAll(
+        plan, MakeStaticShareWorld, [](const scree::Profile& p) { return p.broadPhase; }, onPoint);
+}
+
+std::vector<BreakEvenPoint> MeasureFastShare(const BreakEvenPlan& plan, const std::function<void()>& onPoint) {
+    return MeasureAll(
+        plan, MakeFastShareWorld, [](const scree::Profile& p) { return p.step; }, onPoint);
+}
+
+}  // namespace testbed

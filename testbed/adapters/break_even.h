@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Where parts of our engine begin to pay: the same world with a part on and off, over the share of the bodies that it
+// is made for.
+
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace testbed {
+
+struct BreakEvenPoint {
+    double share = 0;  ///< 0 … 1
+    double nsWithout = 0, nsWith = 0;
+};
+
+struct BreakEvenPlan {
+    int movers = 6000;
+    int steps = 40;
+    int repeats = 9;
+    std::vector<double> shares;
+};
+
+/// Broad phase, ns a mover and step: static circles scattered among drifting ones, as a share of all fixtures; in one
+/// tree with them (without), or in a tree of their own (with).
+[[nodiscard]] std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan,
+                                                             const std::function<void()>& onPoint = {});
+/// Continuous stage and whole step, ns a mover: a share of the circles crosses more than its diameter in a step, above
+/// a row of static boxes; continuous collision off (without) and on (with).
+[[nodiscard]] std::vector<BreakEvenPoint> MeasureFastShare(const BreakEvenPlan& plan,
+                                                           const std::function<void()>& onPoint = {});
+
+}  // namespace testbed
