@@ -340,7 +340,7 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& is
                            BodyTable& bodies) {
     if (islands.isolated.empty()) return {};
     const BallisticPath path(settings, bodies);
-    return CountRanges(pool, islands.isolated.size(),
+    return CountRanges(pool, islands.isolated.size(), leastFreeBodies,
                        [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
 }
 

@@ -129,10 +129,17 @@ void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, S
     s.lastInverseDt = 1.0f / settings.dt;
 }
 
+/// Whether the step has enough that is worth sharing: bodies alone are moved faster than workers wake.
+bool HasWorkToShare(const WorldState& s) {
+    constexpr int leastContacts = 128;
+    const size_t movers = s.bodies.movers.size();
+    return movers >= leastFreeBodies || (movers >= leastBodies && s.contacts.Count() >= leastContacts);
+}
+
 /// Keeps the workers awake for the rest of a step that has work for them.
 class PoolRegion {
 public:
-    explicit PoolRegion(WorldState& s) : m_pool(s.bodies.movers.size() >= leastBodies ? s.pool.get() : nullptr) {
+    explicit PoolRegion(WorldState& s) : m_pool(HasWorkToShare(s) ? s.pool.get() : nullptr) {
         if (m_pool != nullptr) m_pool->Begin();
     }
     ~PoolRegion() {

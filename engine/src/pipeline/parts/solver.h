@@ -78,11 +78,15 @@ struct SolverCounts {
 /// Below this many bodies a loop stays on one thread.
 inline constexpr int leastBodies = 256;
 
+/// Free bodies need many more: one takes a few nanoseconds, and what follows reads them on one thread, which has them
+/// in its own cache if it moved them itself.
+inline constexpr int leastFreeBodies = 32768;
+
 /// Runs range(begin, end) → SolverCounts over parts of [0, count) on the workers and returns the sum.
 template <typename OfRange>
-SolverCounts CountRanges(TaskPool& pool, size_t count, OfRange&& range) {
+SolverCounts CountRanges(TaskPool& pool, size_t count, int least, OfRange&& range) {
     SolverCounts parts[maxWorkers];
-    pool.For(static_cast<int>(count), leastBodies,
+    pool.For(static_cast<int>(count), least,
              [&](int begin, int end, int worker) { parts[worker] += range(begin, end); });
     SolverCounts sum;
     for (const SolverCounts& part : parts) sum += part;
@@ -91,7 +95,7 @@ SolverCounts CountRanges(TaskPool& pool, size_t count, OfRange&& range) {
 /// Runs body(index) → SolverCounts over [0, count) on the workers and returns the sum.
 template <typename Body>
 SolverCounts CountOver(TaskPool& pool, size_t count, Body&& body) {
-    return CountRanges(pool, count, [&](int begin, int end) {
+    return CountRanges(pool, count, leastBodies, [&](int begin, int end) {
         SolverCounts sum;
         for (int i = begin; i < end; ++i) sum += body(static_cast<size_t>(i));
         return sum;
