@@ -24,7 +24,7 @@ Guard CheckContact(const WorldState& s, int contact, const char* function) {
     return guard;
 }
 
-/// The material of the contact may differ from its fixtures' now.
+/// Friction or restitution of the contact may differ from its fixtures' now.
 void NoteEdit(WorldState& s, int contact) {
     s.featureCounts.contactsEdited = true;
     NeedKernels(s, FeaturesOfContact(s.contacts, contact));
@@ -123,7 +123,6 @@ ErrorCode Contact::SetTangentSpeed(float speed) {
     if (speed != 0.0f && guard.Uses({Feature::tangentSpeed}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, speed);
     m_state->contacts.material[Row(m_index)].tangentSpeed = speed;
-    NoteEdit(*m_state, m_index);
     return ErrorCode::ok;
 }
 float Contact::GetTangentSpeed() const { return m_state->contacts.material[Row(m_index)].tangentSpeed; }

@@ -211,6 +211,7 @@ Features UsedByContacts(WorldState& s, Features byFixtures) {
     for (int c = 0; c < s.contacts.Size(); ++c) {
         if (s.contacts.IsAlive(c)) used = used | FeaturesOfContact(s.contacts, c);
     }
+    used = used.Without(Feature::tangentSpeed);  // no kernel depends on it
     if (byFixtures.Contains(used)) s.featureCounts.contactsEdited = false;
     return used;
 }
