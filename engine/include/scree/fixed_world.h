@@ -7,7 +7,7 @@
 
 #pragma once
 
-#include "scree/distance_joint.h"
+#include "scree/convex_shape.h"
 #include "scree/motor_joint.h"
 #include "scree/world.h"
 
