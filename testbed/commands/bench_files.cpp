@@ -60,6 +60,7 @@ std::vector<fs::path> BenchFiles::DrawPlots(const fs::path& folder) const {
         const bool hasSizes = std::ranges::any_of(same, [&](const BenchRow& other) { return other.size != row.size; });
         if (hasSizes) draw(MakeTotalsPlot(same), row.scene + (row.continuous ? "-continuous-total" : "-total"));
     }
+    if (const Plot cost = MakeCostPlot(m_rows); !cost.curves.empty()) draw(cost, "cost-per-body");
     for (const TimedCase& timed : m_timed) {
         const BenchRow& row = timed.rows.front();
         draw(MakeStepsPlot(timed.rows, timed.timing), row.scene + (row.continuous ? "-continuous-steps" : "-steps"));

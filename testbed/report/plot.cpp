@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -64,6 +65,42 @@ Plot MakeTotalsPlot(std::span<const BenchRow> rows) {
     for (const BenchRow& row : rows) {
         CurveOf(plot, row).points.push_back({static_cast<double>(row.fixtures), row.totalMs});
     }
+    return plot;
+}
+
+Plot MakeCostPlot(std::span<const BenchRow> rows) {
+    Plot plot;
+    plot.title = "Time of a moving body in one step";
+    plot.xLabel = "moving bodies";
+    plot.yLabel = "time [ns per body and step]";
+    if (std::ranges::find(rows, "box2d", &BenchRow::engine) != rows.end()) plot.note = assertsNote;
+    plot.logarithmic = true;
+    constexpr double leastSpread = 10.0;
+    constexpr Look looks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}, {"#0000cc", 7}};
+    for (const BenchRow& row : rows) {
+        const auto ofScene = [&](const BenchRow& other) { return other.scene == row.scene; };
+        int least = row.movers, most = row.movers;
+        for (const BenchRow& other : rows) {
+            if (!ofScene(other)) continue;
+            least = std::min(least, other.movers), most = std::max(most, other.movers);
+        }
+        if (most < leastSpread * least) continue;
+        const std::string title = row.scene + ", " + CurveTitle(row);
+        auto curve = std::ranges::find(plot.curves, title, &PlotCurve::title);
+        if (curve == plot.curves.end()) {
+            const Look look = looks[plot.curves.size() % std::size(looks)];
+            plot.curves.push_back({title, std::string(look.color), look.pointType, {}});
+            curve = plot.curves.end() - 1;
+        }
+        curve->points.push_back({static_cast<double>(row.movers), row.nsPerBodyStep});
+    }
+    if (plot.curves.empty()) return plot;
+    const std::vector<PlotPoint> first = plot.curves.front().points;
+    PlotCurve growth{"growth by log n", "#777777", 1, {}};
+    for (const PlotPoint& point : first) {
+        growth.points.push_back({point.x, first.front().y * std::log(point.x) / std::log(first.front().x)});
+    }
+    plot.curves.push_back(growth);
     return plot;
 }
 
