@@ -9,13 +9,18 @@
 
 #include <string>
 
+#include "testbed/adapters/engine_setting.h"
+
 namespace testbed {
 
 enum class Abuse {
     nonFiniteBody,      ///< NaN and infinity in every field of a body definition and in every setter
     nonFiniteFixture,   ///< the same in fixtures and shapes
+    nonFiniteJoint,     ///< the same in every field of every kind of joint
+    nonFiniteQuery,     ///< the same in boxes and rays of queries
     nonFiniteStep,      ///< the same in the time step and in gravity
     denormals,          ///< the smallest numbers in every field
+    huge,               ///< the largest finite numbers in every field
     badPolygons,        ///< degenerate, spiked, clockwise, self-crossing, near-duplicate vertices
     badDensity,         ///< zero and negative
     churn,              ///< bodies added and removed in every step
@@ -38,8 +43,8 @@ struct AbuseResult {
 };
 
 /// Throws std::invalid_argument for an unknown engine.
-[[nodiscard]] AbuseResult RunAbuse(const std::string& engine, Abuse abuse);
-[[nodiscard]] AbuseResult AbuseScree(Abuse abuse);
+[[nodiscard]] AbuseResult RunAbuse(const EngineSetting& setting, Abuse abuse);
+[[nodiscard]] AbuseResult AbuseScree(bool soft, Abuse abuse);
 [[nodiscard]] AbuseResult AbuseBox2d(Abuse abuse);
 
 }  // namespace testbed

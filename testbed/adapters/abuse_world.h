@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "testbed/adapters/abuse.h"
+#include "testbed/adapters/abuse_joints.h"
 
 namespace testbed {
 
@@ -29,6 +30,8 @@ public:
     using World = typename E::World;
     using Body = typename E::Body;
 
+    explicit Abuser(bool soft) : m_soft(soft) {}
+
     AbuseResult Run(Abuse abuse) {
         MakeGround();
         switch (abuse) {
@@ -41,11 +44,18 @@ public:
             case Abuse::nonFiniteStep:
                 for (const float bad : badNumbers) AbuseSteps(bad);
                 break;
+            case Abuse::nonFiniteJoint:
+                for (const float bad : badNumbers) AbuseJoints(bad);
+                break;
+            case Abuse::nonFiniteQuery:
+                for (const float bad : badNumbers) AbuseQueries(bad);
+                break;
             case Abuse::denormals:
-                m_badIsFatal = false;
-                AbuseBodies(std::numeric_limits<float>::denorm_min());
-                AbuseFixtures(std::numeric_limits<float>::denorm_min());
-                AbuseSteps(std::numeric_limits<float>::denorm_min());
+                AbuseAll(std::numeric_limits<float>::denorm_min());
+                break;
+            case Abuse::huge:
+                AbuseAll(std::numeric_limits<float>::max());
+                AbuseAll(-std::numeric_limits<float>::max());
                 break;
             case Abuse::badPolygons:
                 AbusePolygons();
@@ -80,6 +90,8 @@ private:
     static constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     static constexpr float infinity = std::numeric_limits<float>::infinity();
     static constexpr float badNumbers[] = {nan, infinity, -infinity};
+
+    void Advance(float dt) { E::Step(*m_world, dt, m_soft, m_soft ? 4 : 8); }
 
     void MakeGround() {
         typename E::BodyDef def;
@@ -207,12 +219,47 @@ private:
         });
     }
 
+    void AbuseJoints(float x) {
+        Body* a = AddBox(-8.0f, 3.0f);
+        Body* b = AddBox(-6.5f, 3.0f);
+        typename E::RevoluteDef hinge;
+        typename E::PrismaticDef slide;
+        hinge.bodyA = slide.bodyA = m_ground;
+        hinge.bodyB = a;
+        slide.bodyB = b;
+        auto* revolute = m_world->CreateJoint(&hinge);
+        auto* prismatic = m_world->CreateJoint(&slide);
+        SpoilJoints<E>(x, a, b, revolute, prismatic,
+                       [this](const char* what, const auto& def) { Bad(what, [&] { m_world->CreateJoint(&def); }); });
+    }
+
+    void AbuseQueries(float x) {
+        typename E::Reporter reporter;
+        typename E::Aabb box;
+        box.lowerBound = {-1.0f, -1.0f};
+        box.upperBound = {x, 1.0f};
+        Bad("QueryAABB", [&] { m_world->QueryAABB(&reporter, box); });
+        Bad("RayCast", [&] { m_world->RayCast(&reporter, {x, 0.0f}, {1.0f, 1.0f}); });
+        Bad("RayCast", [&] { m_world->RayCast(&reporter, {0.0f, 0.0f}, {1.0f, x}); });
+    }
+
+    /// Numbers at the end of the range: legal or not, the world must live on.
+    void AbuseAll(float x) {
+        m_badIsFatal = false;
+        AbuseBodies(x);
+        AbuseFixtures(x);
+        AbuseJoints(x);
+        AbuseQueries(x);
+        for (int i = 0; i < 10; ++i) Advance(1.0f / 60.0f);
+        AbuseSteps(x);
+    }
+
     void AbuseSteps(float x) {
-        Bad("Step", [&] { m_world->Step(x, 8, 3); });
+        Bad("Step", [&] { Advance(x); });
         Bad("SetGravity", [&] { m_world->SetGravity({x, 0.0f}); });
         if (m_badIsFatal) {
-            Bad("negative Step", [&] { m_world->Step(-1.0f, 8, 3); });
-            Bad("negative iterations", [&] { m_world->Step(0.01f, -8, 3); });
+            Bad("negative Step", [&] { Advance(-1.0f); });
+            Bad("negative iterations", [&] { E::Step(*m_world, 0.01f, m_soft, -8); });
         }
     }
 
@@ -266,7 +313,7 @@ private:
             for (int i = 0; i < 10000; ++i) {
                 bodies.push_back(AddBox(static_cast<float>(i % 100) * 1.1f, 1.0f + static_cast<float>(i / 100) * 1.1f));
             }
-            m_world->Step(1.0f / 60.0f, 8, 3);
+            Advance(1.0f / 60.0f);
         }
         for (Body* body : bodies) m_world->DestroyBody(body);
         if (m_world->GetBodyCount() != 2) m_result.note = "bodies left over";
@@ -279,7 +326,7 @@ private:
             bodies.push_back(AddBox(static_cast<float>(i % 20) - 10.0f, 0.5f + static_cast<float>(i / 20)));
         }
         for (int i = 0; i < 200; ++i) {
-            m_world->Step(1.0f / 60.0f, 8, 3);
+            Advance(1.0f / 60.0f);
             m_world->DestroyBody(bodies[static_cast<size_t>((i * 37) % 200)]);
         }
     }
@@ -298,7 +345,7 @@ private:
         m_world->SetContactListener(&destroyer);
         for (int i = 0; i < 20; ++i) AddBox(static_cast<float>(i) * 0.7f, 1.0f);
         const AbuseErrors before = *m_errors;
-        for (int i = 0; i < 120; ++i) m_world->Step(1.0f / 60.0f, 8, 3);
+        for (int i = 0; i < 120; ++i) Advance(1.0f / 60.0f);
         m_result.calls = destroyer.calls;
         m_result.refused = m_errors->count - before.count;
         m_result.named = m_result.refused;
@@ -322,17 +369,25 @@ private:
 
     /// A second of ordinary life afterwards.
     void Settle() {
-        for (int i = 0; i < 60; ++i) m_world->Step(1.0f / 60.0f, 8, 3);
+        for (int i = 0; i < 60; ++i) Advance(1.0f / 60.0f);
         for (Body* b = m_world->GetBodyList(); b; b = b->GetNext()) {
-            const float sum = b->GetPosition().x + b->GetPosition().y + b->GetAngle() + b->GetLinearVelocity().x +
-                              b->GetLinearVelocity().y + b->GetAngularVelocity();
-            if (!std::isfinite(sum)) m_result.finite = false;
+            Note(std::isfinite(b->GetPosition().x) && std::isfinite(b->GetPosition().y), "position");
+            Note(std::isfinite(b->GetAngle()), "angle");
+            Note(std::isfinite(b->GetLinearVelocity().x) && std::isfinite(b->GetLinearVelocity().y), "velocity");
+            Note(std::isfinite(b->GetAngularVelocity()), "angular velocity");
         }
+    }
+
+    void Note(bool finite, const char* what) {
+        if (finite || !m_result.finite) return;
+        m_result.finite = false;
+        m_result.note = std::string(what) + " of a body not finite at the end";
     }
 
     std::unique_ptr<AbuseErrors> m_errors = std::make_unique<AbuseErrors>();
     std::unique_ptr<World> m_world = E::MakeWorld(*m_errors);
     Body *m_ground = nullptr, *m_box = nullptr;
+    bool m_soft;
     bool m_badIsFatal = true;
     AbuseResult m_result;
 };

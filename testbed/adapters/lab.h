@@ -72,6 +72,8 @@ struct LabOptions {
     bool continuous = true;
     bool capped = true;                 ///< ours: cap speed at 2 m and π/2 per step as Box2D does
     double restitutionThreshold = 1.0;  ///< of all fixtures, m/s
+    double lengthScale = 1.0;           ///< ours: WorldDef::lengthScale
+    int workers = 1;                    ///< ours: threads
 };
 
 class LabWorld {

@@ -32,6 +32,8 @@ struct ScreeNames {
         def.allowSleep = options.sleep;
         def.warmStarting = options.warmStarting;
         def.continuousPhysics = options.continuous;
+        def.lengthScale = static_cast<float>(options.lengthScale);
+        def.workerCount = options.workers;
         if (options.capped) {
             def.maxTranslation = scree::maxTranslation;
             def.maxRotation = scree::maxRotation;

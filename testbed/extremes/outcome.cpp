@@ -62,6 +62,7 @@ std::string DescribeEnding(const Ending& ending) {
 
 void GradeAbuse(const ExtremeCase& one, const Outcome& o, Verdict& verdict) {
     const bool isInput = *one.abuse == Abuse::nonFiniteBody || *one.abuse == Abuse::nonFiniteFixture ||
+                         *one.abuse == Abuse::nonFiniteJoint || *one.abuse == Abuse::nonFiniteQuery ||
                          *one.abuse == Abuse::nonFiniteStep || *one.abuse == Abuse::badPolygons ||
                          *one.abuse == Abuse::badDensity || *one.abuse == Abuse::destroyInCallback;
     const auto fault = [&](bool is, const std::string& reason) {
@@ -117,7 +118,10 @@ Verdict GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome& o
     if (ending.timedOut || ending.signal != 0 || ending.exitCode != 0 || !ending.output) {
         return {Grade::abort, {DescribeEnding(ending)}};
     }
-    if (!o.finite) return {Grade::nonFinite, {fmt::format("a state is not finite after step {}", o.worstStep)}};
+    if (!o.finite) {
+        return {Grade::nonFinite,
+                {one.abuse ? o.note : fmt::format("a state is not finite after step {}", o.worstStep)}};
+    }
     const Demands& d = one.demands;
     Verdict verdict;
     if (d.bounds && o.escapes > 0) {

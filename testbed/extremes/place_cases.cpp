@@ -14,12 +14,13 @@ namespace testbed {
 namespace {
 
 /// A pyramid of base 5 of boxes of size s on a floor around (x, 0).
-scenes::Scene MakeSized(double s, double x = 0.0) {
-    scenes::Scene scene = MakeEmptyScene();
+scenes::Scene MakeSized(double s, double x = 0.0, double g = gravity) {
+    scenes::Scene scene = MakeEmptyScene(g);
+    const double gap = boxGap * s;
     AddStatic(scene, {x, -s}, scenes::Box(20.0 * s, s), {0.0, 0.6});
     for (int r = 0; r < 5; ++r) {
         for (int i = 0; i < 5 - r; ++i) {
-            AddDynamic(scene, {x + 1.125 * s * (i - 0.5 * (4 - r)), s * (0.5 + r) + boxGap * (r + 1)},
+            AddDynamic(scene, {x + 1.125 * s * (i - 0.5 * (4 - r)), s * (0.5 + r) + gap * (r + 1)},
                        scenes::Box(0.5 * s, 0.5 * s), {1.0, 0.6});
         }
     }
@@ -134,24 +135,42 @@ void AddFar(std::vector<ExtremeCase>& cases, int power) {
 std::vector<ExtremeCase> MakePlaceCases() {
     std::vector<ExtremeCase> cases;
     for (int power = -3; power <= 4; ++power) {
+        // All lengths times s, those of gravity too: the same scene in other units.
         const double s = std::pow(10.0, power);
-        cases.push_back({.name = fmt::format("size-1e{}", power),
-                         .group = "scale",
-                         .what = fmt::format("a pyramid of base 5 of boxes of {:g} m", s),
-                         .make = [=] { return MakeSized(s); },
-                         .quickSeconds = 5.0,
-                         .scale = s,
-                         .demands = {.bounds = Bounds{{-10.0 * s, 0.0}, {10.0 * s, 10.0 * s + 0.2}},
-                                     .overlap = 0.02 * s,
-                                     .restSpeed = 0.05 * std::max(1.0, std::sqrt(s))}});
+        cases.push_back(
+            {.name = fmt::format("size-1e{}", power),
+             .group = "scale",
+             .what = fmt::format("a pyramid of base 5 with all lengths times {0:g} (ours: length scale {0:g})", s),
+             .make = [=] { return MakeSized(s, 0.0, s * gravity); },
+             .quickSeconds = 5.0,
+             .scale = s,
+             .options = {.sleep = true, .capped = false, .lengthScale = s},
+             .demands = {.bounds = Bounds{{-10.0 * s, 0.0}, {10.0 * s, 10.0 * s + 0.2}},
+                         .overlap = 0.02 * s,
+                         .restSpeed = 0.05 * s}});
+    }
+    for (const int power : {-3, -2, -1, 2, 4}) {
+        const double s = std::pow(10.0, power);
+        cases.push_back(
+            {.name = fmt::format("size-1e{}-on-earth", power),
+             .group = "scale",
+             .what = fmt::format("a pyramid of base 5 of boxes of {0:g} m under 10 m/s² (ours: length scale {0:g})", s),
+             .make = [=] { return MakeSized(s); },
+             .quickSeconds = 5.0,
+             .scale = s,
+             .options = {.sleep = true, .capped = false, .lengthScale = s},
+             .demands = {.bounds = Bounds{{-10.0 * s, 0.0}, {10.0 * s, 10.0 * s + 0.2}},
+                         .overlap = 0.02 * s,
+                         .restSpeed = 0.05 * std::max(1.0, std::sqrt(s))}});
     }
     cases.push_back(
         {.name = "crumbs",
          .group = "scale",
-         .what = "bodies of 1 cm on a ground of 1000 km",
+         .what = "bodies of 1 cm on a ground of 1000 km (ours: length scale 0.01)",
          .make = MakeCrumbs,
          .quickSeconds = 5.0,
          .scale = 0.01,
+         .options = {.sleep = true, .capped = false, .lengthScale = 0.01},
          .demands = {.bounds = Bounds{{-1.0, 0.0}, {1.0, 0.2}}, .overlap = 0.02 * 0.01, .restSpeed = 0.05}});
     cases.push_back(
         {.name = "offset-shape",

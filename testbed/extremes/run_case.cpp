@@ -26,11 +26,16 @@ double ReadProcessClock() {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
+LabOptions WithWorkers(LabOptions options, int workers) {
+    options.workers = workers;
+    return options;
+}
+
 /// One run of a case.
 class Watcher {
 public:
-    Watcher(const ExtremeCase& one, const EngineSetting& setting, double seconds)
-        : m_case(one), m_seconds(seconds), m_lab(MakeLab(one.make(), setting, one.options)) {
+    Watcher(const ExtremeCase& one, const EngineSetting& setting, double seconds, int workers)
+        : m_case(one), m_seconds(seconds), m_lab(MakeLab(one.make(), setting, WithWorkers(one.options, workers))) {
         const scenes::Scene& scene = m_lab->GetScene();
         m_gravity = {double{scene.gravity.x}, double{scene.gravity.y}};
         for (int i = 0; i < m_lab->GetBodyCount(); ++i) m_extents.push_back(SmallestExtent(scene, i));
@@ -66,8 +71,10 @@ private:
         for (size_t i = 0; i < m_bodies.size(); ++i) m_bodies[i] = m_lab->Read(static_cast<int>(i));
     }
 
-    /// What a rise of energy is measured by: motion and height of the start, and the height of a body.
+    /// What a rise of energy is measured by: motion and height of the start, the height of a body, and where all that
+    /// is nothing, the motion of bodies that nobody sees move.
     [[nodiscard]] double FindEnergyScale() const {
+        const double unseen = 0.01 * m_case.scale;  // m/s
         double lowest = std::numeric_limits<double>::infinity(), kinetic = 0.0, height = 0.0;
         for (size_t i = 0; i < m_bodies.size(); ++i) {
             if (IsDynamic(i)) lowest = std::min(lowest, m_bodies[i].centre.y);
@@ -75,10 +82,11 @@ private:
         for (size_t i = 0; i < m_bodies.size(); ++i) {
             if (!IsDynamic(i)) continue;
             const BodyReading& b = m_bodies[i];
-            kinetic += 0.5 * b.mass * Dot(b.velocity, b.velocity) + 0.5 * b.inertia * b.spin * b.spin;
+            kinetic +=
+                0.5 * b.mass * (Dot(b.velocity, b.velocity) + unseen * unseen) + 0.5 * b.inertia * b.spin * b.spin;
             height += b.mass * Length(m_gravity) * (b.centre.y - lowest + m_case.scale);
         }
-        return std::max(kinetic + height, 1e-12);
+        return kinetic + height;
     }
 
     void StepOnce() {
@@ -187,7 +195,7 @@ private:
 };
 
 CaseRun RunAbuseCase(const ExtremeCase& one, const EngineSetting& setting) {
-    const AbuseResult result = RunAbuse(setting.engine, *one.abuse);
+    const AbuseResult result = RunAbuse(setting, *one.abuse);
     Outcome o;
     o.finite = result.finite;
     o.badCalls = result.calls;
@@ -248,13 +256,13 @@ CaseRun RunCase(const ExtremeCase& one, const EngineSetting& setting, const Case
     const double seconds = budget.quick ? std::min(one.seconds, one.quickSeconds) : one.seconds;
     CaseRun run;
     try {
-        Watcher first(one, setting, seconds);
+        Watcher first(one, setting, seconds, 1);
         first.Run(start + budget.cpuSeconds);
         run.outcome = first.GetOutcome();
         run.picture = first.DrawWorst();
         const double used = ReadProcessClock() - start;
         if (run.outcome.finite && !run.outcome.shortened && used < 0.4 * budget.cpuSeconds) {
-            Watcher second(one, setting, seconds);
+            Watcher second(one, setting, seconds, 2);  // on two threads, where the engine has them
             second.Run(start + budget.cpuSeconds);
             if (!second.GetOutcome().shortened) run.outcome.repeated = first.GetHash() == second.GetHash();
         }

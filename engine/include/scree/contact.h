@@ -5,6 +5,9 @@
 
 #pragma once
 
+#include <cmath>
+#include <limits>
+
 #include "scree/collision.h"
 #include "scree/errors.h"
 #include "scree/fixture.h"
@@ -54,9 +57,10 @@ private:
     int m_index;
 };
 
-/// Mixing rules for two materials: geometric mean, the larger, the smaller.
-inline float MixFriction(float a, float b) { return std::sqrt(a * b); }
-inline float MixRestitution(float a, float b) { return a > b ? a : b; }
+/// Mixing rules for two materials: geometric mean (finite, however large both are), the larger (0 if both are below:
+/// what hits does not sink in), the smaller.
+inline float MixFriction(float a, float b) { return Min(std::sqrt(a * b), std::numeric_limits<float>::max()); }
+inline float MixRestitution(float a, float b) { return Max(a > b ? a : b, 0.0f); }
 inline float MixRestitutionThreshold(float a, float b) { return a < b ? a : b; }
 
 }  // namespace scree

@@ -19,6 +19,16 @@ struct Profile {
     float continuous = 0.0f;   ///< times of impact and their events
 };
 
+/// How far the state after a step is from an exact one (World::MeasureErrors).
+struct StepErrors {
+    float overlap = 0.0f;   ///< deepest overlap of touching shapes, skins included, m; at rest about linearSlop
+    float jointGap = 0.0f;  ///< largest distance of points that a joint wants in one place, or error of a length, m
+    /// Largest violation of "push or gap, never both", m: |min(way pushed, gap)| over the points of contact, where the
+    /// way pushed is what the step's impulse moved the two bodies apart, and the gap is counted from linearSlop of
+    /// overlap. 0: every contact either carries its load exactly where it should, or is open and carries none.
+    float residual = 0.0f;
+};
+
 /// Returned by every step. Counts are of the end of the step.
 struct StepReport {
     Profile profile;
@@ -30,11 +40,14 @@ struct StepReport {
     int contactCount = 0;
     int touchingCount = 0;         ///< as found by this step's narrow phase
     int64_t pairCount = 0;         ///< pairs reported by the broad phase
-    int cappedCount = 0;           ///< bodies slowed by WorldDef::maxTranslation or maxRotation
+    int cappedCount = 0;           ///< times a body was slowed by WorldDef::maxTranslation or maxRotation
     int continuousEventCount = 0;  ///< times a body was stopped at an impact on its way
     int abandonedCount = 0;        ///< bodies held at an impact because their pair had maxSubSteps events in the step
     float lostTime = 0.0f;         ///< motion that those bodies lost, s, summed
-    int nonFiniteCount = 0;        ///< bodies stopped because their velocity or pose became NaN or infinite
+    /// Bodies that were put back to where they were, at rest, because their velocity or pose became NaN, infinite or
+    /// larger than 1e18. Other bodies and the broad phase never see such a state.
+    int nonFiniteCount = 0;
+    StepErrors errors;  ///< only while World::SetMeasureErrors is on
 };
 
 }  // namespace scree

@@ -16,7 +16,8 @@ struct TOIInput {
     DistanceProxy proxyB;
     Sweep sweepA;  ///< interpolated from alpha0 (time 0) to the end of the step (time 1); alpha0 itself is not read
     Sweep sweepB;
-    float tMax;  ///< the search covers times in [0, tMax]
+    float tMax;                ///< the search covers times in [0, tMax]
+    float lengthScale = 1.0f;  ///< factor on the tolerances (WorldDef::lengthScale)
 };
 
 struct TOIOutput {
@@ -40,7 +41,10 @@ struct TOIOutput {
 
 /// The distance of the cores that counts as a touch: within their radii by 3·linearSlop, so that the discrete solver
 /// finds a contact to work on, and never below linearSlop. `totalRadius` is the sum of both radii.
-constexpr float TOITarget(float totalRadius) { return Max(linearSlop, totalRadius - 3.0f * linearSlop); }
+constexpr float TOITarget(float totalRadius, float lengthScale = 1.0f) {
+    const float slop = linearSlop * lengthScale;
+    return Max(slop, totalRadius - 3.0f * slop);
+}
 /// How much more than the target still counts as a touch, m.
 inline constexpr float toiTolerance = 0.25f * linearSlop;
 

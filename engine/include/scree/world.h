@@ -63,6 +63,10 @@ struct WorldDef {
     /// Positions advance by the mean of the velocities before and after a step instead of the one after: free flight is
     /// then exact, at any step size.
     bool exactDrift = false;
+    /// Size of a typical moving body, m, 1e-6…1e6: the tolerances that are lengths or speeds (skin of polygons and
+    /// edges, overlap left by the solver, the continuous collision's target, speed of pushing apart, speed of falling
+    /// asleep) are Box2D's times this. 1 suits bodies of 0.1 to 100 m; 0.001 a world of millimetres.
+    float lengthScale = 1.0f;
     /// Which solver runs whatever Step is called: Step(dt, 8, 3) is taken for 4 sub-steps and the other way round.
     SolverKind solver = SolverKind::automatic;
     SoftStepDef softStep;
@@ -92,14 +96,19 @@ public:
     Joint* CreateJoint(const JointDef* def);
     ErrorCode DestroyJoint(Joint* joint);
 
-    /// Advances by `timeStep` seconds (≥ 0; 0 only updates contacts) with sequential impulses. Box2D suggests 8
-    /// velocity and 3 position iterations at 1/60 s. Bad input: an error and an unchanged world.
+    /// Advances by `timeStep` seconds (≥ 0; below 1e-30 it only updates contacts) with sequential impulses. Box2D
+    /// suggests 8 velocity and 3 position iterations at 1/60 s. Bad input: an error and an unchanged world.
     StepReport Step(float timeStep, int velocityIterations, int positionIterations);
     /// Advances by `timeStep` seconds in `substeps` ≥ 1 sub-steps with soft contacts: 4 for games, 8 for finer and 16
     /// for precise results at 1/60 s; at 4 about as fast as one pass of sequential impulses and far more accurate in
     /// stacks. Free bodies drift exactly. Bad input: an error and an unchanged world.
     StepReport Step(float timeStep, int substeps);
     [[nodiscard]] const StepReport& GetReport() const;
+    /// Every step ends with MeasureErrors and reports the result. Off by default, and then free.
+    void SetMeasureErrors(bool flag);
+    [[nodiscard]] bool GetMeasureErrors() const;
+    /// How exact the last step left the world. O(contacts + joints).
+    [[nodiscard]] StepErrors MeasureErrors() const;
 
     /// The listeners and the filter must outlive their use; null restores the default. Refused: a contact listener
     /// without Feature::events, a filter without Feature::filters.

@@ -27,7 +27,7 @@ struct alignas(32) ContactBlock {
     Row armA[2], armB[2];                     ///< per point: arm × normal
     Row tangentArmA, tangentArmB;             ///< arm of the middle of the points × tangent
     Row normalMass[2], tangentMass;           ///< effective, kg
-    Row separation[2];                        ///< at the start of the step, + linearSlop, m
+    Row separation[2];                        ///< at the start of the step, + the slop, m
     Row normalImpulse[2], tangentImpulse;     ///< accumulated, N·s
     Row friction, tangentSpeed, restitution;  ///< restitution: 1 where the lane bounces at all
     /// Speed that the normal row asks for, m/s: restitution (sequential impulses), or how fast the gap may still close
@@ -66,8 +66,9 @@ struct KernelTask {
     float* velocity;
     float* delta;
     SoftConstants soft;
-    bool sumImpulses;  ///< keep totalNormal and totalTangent
-    bool friction;     ///< false: no contact has friction, and all tangent impulses are 0
+    bool sumImpulses;          ///< keep totalNormal and totalTangent
+    bool friction;             ///< false: no contact has friction, and all tangent impulses are 0
+    float largestPush = 0.2f;  ///< of pushApart in one pass: maxLinearCorrection, m
 };
 
 /// The kernels for one instruction set. All sets give the same bits.

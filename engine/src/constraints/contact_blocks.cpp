@@ -85,7 +85,7 @@ void FillPoints(const LaneInput& lane, ContactBlock& block, int l) {
         middle += world.points[i];
         block.armA[i][l] = Cross(rA, normal);
         block.armB[i][l] = Cross(rB, normal);
-        block.separation[i][l] = world.separations[i] + linearSlop;
+        block.separation[i][l] = world.separations[i] + lane.in.slop;
         block.normalImpulse[i][l] = lane.in.impulseScale * m.points[i].normalImpulse;
         push += m.points[i].tangentImpulse;
         block.totalNormal[i][l] = 0.0f;

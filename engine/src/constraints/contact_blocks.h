@@ -13,6 +13,7 @@
 #include "base/task_pool.h"
 #include "constraints/contact_block.h"
 #include "scree/collision.h"
+#include "scree/settings.h"
 #include "scree/world_callbacks.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -28,6 +29,7 @@ struct BlockInput {
     std::span<const int> list;  ///< contacts, in order; every one has a mover
     float impulseScale;         ///< of warm starting: the kernels' step / last dt, 0 without
     bool restitution = true;    ///< some contact may bounce
+    float slop = linearSlop;    ///< overlap to leave, m
 };
 
 /// Blocks and what colouring needs, kept between steps.

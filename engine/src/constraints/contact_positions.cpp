@@ -54,7 +54,8 @@ inline Transform PlaceBody(const Position& position, Vec2 localCenter) {
 
 }  // namespace
 
-float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, float share) {
+float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, const PushApart& how) {
+    const float slop = linearSlop * how.lengthScale, largest = maxLinearCorrection * how.lengthScale;
     float smallest = 0.0f;
     for (const ContactPositionRow& row : rows.position) {
         Position& stateA = position[static_cast<size_t>(row.bodyA)];
@@ -67,8 +68,8 @@ float SolveContactPositions(const ContactRows& rows, std::vector<Position>& posi
             const ContactSample s = Evaluate(row, xfA, xfB, i);
             smallest = Min(smallest, s.separation);
 
-            // Leaves linearSlop of overlap, so that contacts persist.
-            const float correction = Clamp(share * (s.separation + linearSlop), -maxLinearCorrection, 0.0f);
+            // Leaves a slop of overlap, so that contacts persist.
+            const float correction = Clamp(how.share * (s.separation + slop), -largest, 0.0f);
             const Vec2 rA = s.point - a.c;
             const Vec2 rB = s.point - b.c;
             const float crossA = Cross(rA, s.normal);
@@ -82,8 +83,9 @@ float SolveContactPositions(const ContactRows& rows, std::vector<Position>& posi
             b.c += row.massB.invMass * push;
             b.a += row.massB.invI * Cross(rB, push);
         }
-        stateA = a;
-        stateB = b;
+        // Bodies without mass are not written: what blows up must not reach the ground, which others stand on.
+        if (row.massA.invMass > 0.0f) stateA = a;
+        if (row.massB.invMass > 0.0f) stateB = b;
     }
     return smallest;
 }

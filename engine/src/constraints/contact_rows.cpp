@@ -189,13 +189,17 @@ void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
 
 void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity) {
     for (const ContactVelocityRow& row : rows.velocity) {
-        Velocity& a = velocity[static_cast<size_t>(row.bodyA)];
-        Velocity& b = velocity[static_cast<size_t>(row.bodyB)];
+        Velocity& stateA = velocity[static_cast<size_t>(row.bodyA)];
+        Velocity& stateB = velocity[static_cast<size_t>(row.bodyB)];
+        Velocity a = stateA;
+        Velocity b = stateB;
         const Vec2 tangent = Cross(row.normal, 1.0f);
         for (int i = 0; i < row.pointCount; ++i) {
             const ContactPointRow& p = row.points[i];
             ApplyImpulse(a, b, row, p, p.normalImpulse * row.normal + p.tangentImpulse * tangent);
         }
+        if (row.invMassA > 0.0f) stateA = a;
+        if (row.invMassB > 0.0f) stateB = b;
     }
 }
 
@@ -211,8 +215,9 @@ void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, 
         } else {
             for (int i = 0; i < row.pointCount; ++i) SolveNormal(row, row.points[i], a, b);
         }
-        stateA = a;
-        stateB = b;
+        // Bodies without mass are not written: what blows up must not reach the ground, which others stand on.
+        if (row.invMassA > 0.0f) stateA = a;
+        if (row.invMassB > 0.0f) stateB = b;
     }
 }
 

@@ -75,7 +75,12 @@ void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity)
 void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, bool friction = true);
 /// Writes the impulses back into the manifolds.
 void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold);
-/// One iteration of position correction by `share` of the overlap; returns the smallest separation seen, m.
-float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, float share = baumgarte);
+/// How overlaps are removed.
+struct PushApart {
+    float share = baumgarte;   ///< of the overlap beyond one slop, in one iteration
+    float lengthScale = 1.0f;  ///< factor on slop and largest push
+};
+/// One iteration of position correction; returns the smallest separation seen, m.
+float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, const PushApart& how = {});
 
 }  // namespace scree

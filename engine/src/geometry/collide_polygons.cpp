@@ -178,7 +178,9 @@ void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Tra
     if (search.apart) return;
 
     // A needs to be clearly worse to lose: two faces nearly in one plane would otherwise alternate as the reference.
-    constexpr float preference = 0.1f * linearSlop;
+    // Small bodies have a thin skin (WorldDef::lengthScale); that share of the default one is the usual preference.
+    constexpr float usual = 0.1f * linearSlop;
+    const float preference = radius > 0.0f ? Min(usual, 0.025f * radius) : usual;
     const Side sideA{*polygonA, xfA, search.a.face};
     const Side sideB{*polygonB, xfB, search.b.face};
     const bool flipped = search.b.separation > search.a.separation + preference;

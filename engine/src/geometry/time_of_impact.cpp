@@ -265,8 +265,9 @@ void TimeOfImpact(TOIOutput* output, const TOIInput* input) {
     output->state = TOIOutput::e_failed;
     const bool isEmpty = input->proxyA.m_count < 1 || input->proxyB.m_count < 1;
     if (isEmpty || !(input->tMax >= 0.0f)) return;
-    const float target = TOITarget(input->proxyA.m_radius + input->proxyB.m_radius);
-    const Goal goal{target + aimShare * toiTolerance, target + toiTolerance, input->tMax};
+    const float target = TOITarget(input->proxyA.m_radius + input->proxyB.m_radius, input->lengthScale);
+    const float tolerance = toiTolerance * input->lengthScale;
+    const Goal goal{target + aimShare * tolerance, target + tolerance, input->tMax};
     const Motion motion = MakeMotion(*input);
     if (IsFinite(motion)) Advance(*output, motion, goal);
 }

@@ -6,12 +6,14 @@
 #include "pipeline/continuous.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "geometry/reach.h"
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/make_contact.h"
 #include "pipeline/parts/report_impulses.h"
 #include "scree/time_of_impact.h"
+#include "state/limits.h"
 
 namespace scree {
 
@@ -19,7 +21,7 @@ namespace {
 
 /// Box2D's: enough for the two bodies alone to come apart.
 constexpr int positionIterations = 20;
-/// Overlap left by the position iterations, m: half a slop more than they aim at.
+/// Overlap left by the position iterations, m at a length scale of 1: half a slop more than they aim at.
 constexpr float positionTolerance = -1.5f * linearSlop;
 
 size_t Row(int index) { return static_cast<size_t>(index); }
@@ -63,6 +65,7 @@ private:
         m_s.events.Clear();
         m_s.firstPair.resize(count, -1);
         m_s.alpha.resize(count, 0.0f);
+        m_s.knownTo.resize(Row(m_t.fixtures.slots.Size()), 0);
         for (const int body : m_s.touched) {
             m_s.firstPair[Row(body)] = -1;
             if (!m_s.resuming) m_s.alpha[Row(body)] = 0.0f;
@@ -162,7 +165,22 @@ private:
             const AABB box = SweptBox(body, f);
             withDynamic ? m_t.broadPhase.Query(box, visit) : m_t.broadPhase.QueryStatic(box, visit);
             std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
+            if (!m_s.found.empty()) MarkKnown(body, f);
             for (const int other : m_s.found) AddPair(f, other);
+        }
+    }
+
+    /// Marks the fixtures that have a pair with `fixture` already: one pass, however many are to be asked about.
+    void MarkKnown(int body, int fixture) {
+        if (m_s.round == std::numeric_limits<int>::max()) {
+            m_s.round = 0;
+            std::ranges::fill(m_s.knownTo, 0);
+        }
+        ++m_s.round;
+        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) {
+            const ToiPair& pair = m_s.pairs[Row(p)];
+            if (pair.fixtureA == fixture) m_s.knownTo[Row(pair.fixtureB)] = m_s.round;
+            if (pair.fixtureB == fixture) m_s.knownTo[Row(pair.fixtureA)] = m_s.round;
         }
     }
 
@@ -171,7 +189,7 @@ private:
         const int otherBody = m_t.fixtures.body[Row(other)];
         if (otherBody == body || m_t.fixtures.isSensor[Row(other)] || !MayMeet(body, otherBody)) return;
         if (m_bodies.type[Row(otherBody)] == staticBody && IsClear(fixture, other)) return;
-        if (IsKnown(body, fixture, other)) return;
+        if (m_s.knownTo[Row(other)] == m_s.round) return;
         const int contact = m_t.contacts.Find(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
         if (contact >= 0 ? !m_t.contacts.Has(contact, ContactFlag::enabled)
                          : !MayHaveContact(std::min(fixture, other), std::max(fixture, other), m_events, m_t.fixtures,
@@ -195,17 +213,6 @@ private:
         const float reach = Reach(*m_t.fixtures.shape[Row(fixture)], m_bodies.mass[body].localCenter);
         return WayIsClear(*m_t.fixtures.shape[Row(other)], m_bodies.transform[Row(m_t.fixtures.body[Row(other)])],
                           m_bodies.startPosition[body].c, m_bodies.position[body].c, reach);
-    }
-
-    [[nodiscard]] bool IsKnown(int body, int fixture, int other) const {
-        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) {
-            const ToiPair& pair = m_s.pairs[Row(p)];
-            if ((pair.fixtureA == fixture && pair.fixtureB == other) ||
-                (pair.fixtureA == other && pair.fixtureB == fixture)) {
-                return true;
-            }
-        }
-        return false;
     }
 
     [[nodiscard]] int Next(int pair, int body) const {
@@ -238,6 +245,7 @@ private:
         input.sweepA.Advance(alpha0);
         input.sweepB.Advance(alpha0);
         input.tMax = 1.0f;
+        input.lengthScale = m_settings.lengthScale;
         TOIOutput output;
         TimeOfImpact(&output, &input);
         m_events.work->Add(output);
@@ -339,6 +347,8 @@ private:
 
     void SolveEvent(const ToiPair& pair, float alpha) {
         const ContactPrepareInput input{m_bodies, m_t.fixtures, m_t.contacts, m_s.islandContacts, 0.0f};
+        const float tolerance = positionTolerance * m_settings.lengthScale;
+        const PushApart push{toiBaumgarte, m_settings.lengthScale};
         PrepareContacts(input, m_s.rows);
         for (ContactPositionRow& row : m_s.rows.position) {
             // Only the two bodies of the event move: the others stand where an earlier event or nothing put them.
@@ -346,9 +356,10 @@ private:
             if (row.bodyB != pair.bodyA && row.bodyB != pair.bodyB) row.massB.invMass = row.massB.invI = 0.0f;
         }
         for (int i = 0; i < positionIterations; ++i) {
-            if (SolveContactPositions(m_s.rows, m_bodies.position, toiBaumgarte) >= positionTolerance) break;
+            if (SolveContactPositions(m_s.rows, m_bodies.position, push) >= tolerance) break;
         }
         for (const int body : {pair.bodyA, pair.bodyB}) {
+            Quarantine(body);
             m_bodies.startPosition[Row(body)] = m_bodies.position[Row(body)];
             m_bodies.UpdateTransform(body);
         }
@@ -365,17 +376,25 @@ private:
     void Integrate(int body, float h) {
         Velocity& v = m_bodies.velocity[Row(body)];
         const float way = h * v.v.Length();
-        if (way > m_settings.maxTranslation) v.v *= m_settings.maxTranslation / way;
         const float turn = h * Abs(v.w);
+        if (way > m_settings.maxTranslation || turn > m_settings.maxRotation) ++m_report.capped;
+        if (way > m_settings.maxTranslation) v.v *= m_settings.maxTranslation / way;
         if (turn > m_settings.maxRotation) v.w *= m_settings.maxRotation / turn;
         Position& p = m_bodies.position[Row(body)];
         p.c += h * v.v;
         p.a += h * v.w;
-        if (!p.c.IsValid() || !std::isfinite(p.a)) {
-            p = m_bodies.startPosition[Row(body)];
-            v = {vec2Zero, 0.0f, 0.0f};
-        }
+        Quarantine(body);
         m_bodies.UpdateTransform(body);
+    }
+
+    /// A body that is not finite any more goes back to where the event found it, at rest.
+    void Quarantine(int body) {
+        Position& p = m_bodies.position[Row(body)];
+        Velocity& v = m_bodies.velocity[Row(body)];
+        if (IsInRange(p, v)) return;
+        ++m_report.nonFinite;
+        p = m_bodies.startPosition[Row(body)];
+        v = {vec2Zero, 0.0f, 0.0f};
     }
 
     /// New times for all pairs of a body whose motion changed, and pairs with what has come into its way.

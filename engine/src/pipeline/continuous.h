@@ -31,12 +31,15 @@ struct ContinuousSettings {
     int velocityIterations;
     float maxTranslation, maxRotation;  ///< per step
     bool subStepping;                   ///< stop after the first event; the next call goes on from there
+    float lengthScale;                  ///< factor on the tolerances
 };
 
 struct ContinuousReport {
     int events = 0;         ///< times a body was stopped at an impact
     int abandoned = 0;      ///< bodies held at an impact because their pair had maxSubSteps events
     float lostTime = 0.0f;  ///< motion that abandoned bodies lost, s, summed
+    int capped = 0;         ///< times a body's way on after an event was shortened to a cap
+    int nonFinite = 0;      ///< bodies that an event left with a state that is not finite: stopped where they met
     bool complete = true;   ///< false: sub-stepping stopped it
 };
 
@@ -64,6 +67,8 @@ struct ContinuousScratch {
     std::vector<float> alpha;    ///< per body: the part of the step done at its start position
     std::vector<int> touched;    ///< bodies whose entries above must be reset
     std::vector<int> found;      ///< fixtures of one query
+    std::vector<int> knownTo;    ///< per fixture: the round of collecting in which it was found to have a pair
+    int round = 0;               ///< of collecting, counts up; 0: none yet
     IndexedHeap events;
     ContactRows rows;
     std::vector<int> islandContacts, islandBodies;

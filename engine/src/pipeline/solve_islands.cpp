@@ -70,8 +70,8 @@ bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, size_t
     return capped;
 }
 
-// Larger than one slop: the push itself aims at leaving one slop of overlap.
-constexpr float contactTolerance = -3.0f * linearSlop;
+/// Larger than one slop: the push itself aims at leaving one slop of overlap.
+float ContactTolerance(const SolverSettings& settings) { return -3.0f * settings.Slop(); }
 
 /// The solve of one island; the methods are the phases in order.
 class IslandSolver {
@@ -116,7 +116,8 @@ public:
     /// Stops as soon as everything is within tolerance; false if it never was.
     bool SolvePositions() {
         for (int i = 0; i < m_settings.positionIterations; ++i) {
-            bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies.position) >= contactTolerance;
+            bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies.position,
+                                                {baumgarte, m_settings.lengthScale}) >= ContactTolerance(m_settings);
             solved = SolveJointPositions(JointWork()) && solved;
             if (solved) return true;
         }
@@ -130,7 +131,7 @@ public:
     }
 
     void Sleep(bool positionsSolved) {
-        if (m_settings.allowSleep) SleepIsland(m_tables.bodies, m_bodies, m_settings.dt, positionsSolved);
+        if (m_settings.allowSleep) SleepIsland(m_tables.bodies, m_bodies, m_settings, positionsSolved);
     }
 
 private:
@@ -165,9 +166,10 @@ public:
             });
         });
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale,
-                          m_settings.kernels.restitution});
+                          m_settings.kernels.restitution, m_settings.Slop()});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.friction = m_settings.kernels.friction;
+        m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;
         RunKernel(Pool(), m_task, m_kernels.finish);
         if (m_settings.impulseScale > 0.0f) RunKernel(Pool(), m_task, m_kernels.warmStart);
         if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);
@@ -195,7 +197,8 @@ public:
 
     bool SolvePositions() {
         for (int i = 0; i < m_settings.positionIterations; ++i) {
-            bool solved = RunPushApart(Pool(), m_task, m_kernels, baumgarte) - linearSlop >= contactTolerance;
+            bool solved =
+                RunPushApart(Pool(), m_task, m_kernels, baumgarte) - m_settings.Slop() >= ContactTolerance(m_settings);
             if (HasJoints()) solved = CorrectJoints() && solved;
             if (solved) return true;
         }
@@ -215,7 +218,7 @@ public:
     void Sleep(bool positionsSolved) {
         if (!m_settings.allowSleep) return;
         for (const Island& island : m_s.wide.islands) {
-            SleepIsland(m_bodies, Bodies(m_islands, island), m_settings.dt, positionsSolved);
+            SleepIsland(m_bodies, Bodies(m_islands, island), m_settings, positionsSolved);
         }
     }
 
@@ -273,7 +276,7 @@ public:
                   settings.gravity.y,
                   settings.maxTranslation,
                   settings.maxRotation,
-                  linearSleepTolerance * linearSleepTolerance,
+                  SleepSpeed(settings) * SleepSpeed(settings),
                   angularSleepTolerance * angularSleepTolerance,
                   [](float angle, float* sineCosine) {
                       const SinCosResult r = SinCos(angle);
@@ -325,7 +328,7 @@ private:
 
     void Sleep(int body) const {
         if (!m_settings.allowSleep) return;
-        if (UpdateSleepTimer(m_bodies, static_cast<size_t>(body), m_settings.dt) >= timeToSleep) {
+        if (UpdateSleepTimer(m_bodies, static_cast<size_t>(body), m_settings) >= timeToSleep) {
             m_bodies.PutToSleep(body);
         }
     }

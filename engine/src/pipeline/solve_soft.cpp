@@ -113,7 +113,7 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
         SolverCounts counts;
         counts.capped = MoveBody<limit>(settings, bodies, b, delta) ? 1 : 0;
         counts.nonFinite = FinishPose(bodies, b) ? 1 : 0;
-        if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings.dt) >= timeToSleep) bodies.PutToSleep(body);
+        if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings) >= timeToSleep) bodies.PutToSleep(body);
         return counts;
     });
 }
@@ -137,7 +137,7 @@ public:
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.before.resize(m_s.jointed.size());
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
-                          m_settings.kernels.restitution});
+                          m_settings.kernels.restitution, m_settings.Slop()});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
@@ -295,9 +295,9 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
 void SleepIslands(const SolverSettings& settings, const IslandTable& active, const IslandTable& islands,
                   BodyTable& bodies) {
     if (!settings.allowSleep) return;
-    for (const Island& island : islands.islands) SleepIsland(bodies, Bodies(islands, island), settings.dt, true);
+    for (const Island& island : islands.islands) SleepIsland(bodies, Bodies(islands, island), settings, true);
     if (!islands.islands.empty()) return;
-    for (const int body : active.bodies) UpdateSleepTimer(bodies, static_cast<size_t>(body), settings.dt);
+    for (const int body : active.bodies) UpdateSleepTimer(bodies, static_cast<size_t>(body), settings);
 }
 
 }  // namespace scree

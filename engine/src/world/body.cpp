@@ -29,6 +29,31 @@ bool TakesForce(WorldState& s, int body, bool wake) {
     return true;
 }
 
+/// What the body's force and torque would add up to.
+ForceRow AddForce(const WorldState& s, int body, Vec2 force, float torque) {
+    ForceRow row = s.bodies.GetForce(body);
+    row.force += force;
+    row.torque += torque;
+    return row;
+}
+
+/// What the body's velocity would become.
+Velocity AddImpulse(const WorldState& s, int body, Vec2 impulse, float turn) {
+    Velocity velocity = s.bodies.velocity[Row(body)];
+    velocity.v += s.bodies.mass[Row(body)].invMass * impulse;
+    velocity.w += s.bodies.mass[Row(body)].invI * turn;
+    return velocity;
+}
+
+Guard& RequireSum(Guard& guard, const ForceRow& sum, const char* field) {
+    return guard.Require(sum.force.IsValid() && std::isfinite(sum.torque), ErrorCode::outOfRange, field,
+                         "give less: the sum is not finite");
+}
+Guard& RequireSum(Guard& guard, const Velocity& sum, const char* field) {
+    return guard.Require(IsInRange(sum.v) && IsInRange(sum.w), ErrorCode::outOfRange, field,
+                         "give less: the velocity would exceed 1e18");
+}
+
 void SetFlag(BodyTable& bodies, int body, uint16_t flag, bool on) {
     uint16_t& flags = bodies.flags[Row(body)];
     flags = static_cast<uint16_t>(on ? flags | flag : flags & ~flag);
@@ -44,7 +69,7 @@ Vec2 Body::GetLocalCenter() const { return m_state->bodies.mass[Row(m_index)].lo
 
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
     Guard guard(*m_state, "Body::SetLinearVelocity");
-    if (guard.Living(m_state->bodies.slots, m_index).Finite(v, "v").Failed()) return guard.Code();
+    if (guard.Living(m_state->bodies.slots, m_index).Near(v, "v").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, v);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (Dot(v, v) > 0.0f) m_state->bodies.Wake(m_index);
@@ -55,7 +80,7 @@ Vec2 Body::GetLinearVelocity() const { return m_state->bodies.velocity[Row(m_ind
 
 ErrorCode Body::SetAngularVelocity(float omega) {
     Guard guard(*m_state, "Body::SetAngularVelocity");
-    if (guard.Living(m_state->bodies.slots, m_index).Finite(omega, "omega").Failed()) return guard.Code();
+    if (guard.Living(m_state->bodies.slots, m_index).Near(omega, "omega").Failed()) return guard.Code();
     if (omega != 0.0f && GetType() != staticBody && guard.Uses({Feature::rotation}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, omega);
     if (GetType() == staticBody) return ErrorCode::ok;
@@ -70,11 +95,10 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
     if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Finite(point, "point").Failed())
         return guard.Code();
     if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
+    const ForceRow sum = AddForce(*m_state, m_index, force, Cross(point - GetWorldCenter(), force));
+    if (RequireSum(guard, sum, "force").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, force, point, wake);
-    if (!TakesForce(*m_state, m_index, wake)) return ErrorCode::ok;
-    ForceRow& row = m_state->bodies.force[Row(m_index)];
-    row.force += force;
-    row.torque += Cross(point - GetWorldCenter(), force);
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 
@@ -82,8 +106,10 @@ ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
     Guard guard(*m_state, "Body::ApplyForceToCenter");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Failed()) return guard.Code();
     if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
+    const ForceRow sum = AddForce(*m_state, m_index, force, 0.0f);
+    if (RequireSum(guard, sum, "force").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, force, wake);
-    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)].force += force;
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 
@@ -91,8 +117,10 @@ ErrorCode Body::ApplyTorque(float torque, bool wake) {
     Guard guard(*m_state, "Body::ApplyTorque");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(torque, "torque").Failed()) return guard.Code();
     if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
+    const ForceRow sum = AddForce(*m_state, m_index, vec2Zero, torque);
+    if (RequireSum(guard, sum, "torque").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, torque, wake);
-    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)].torque += torque;
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 
@@ -100,32 +128,30 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
     Guard guard(*m_state, "Body::ApplyLinearImpulse");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Finite(point, "point").Failed())
         return guard.Code();
+    const Velocity sum = AddImpulse(*m_state, m_index, impulse, Cross(point - GetWorldCenter(), impulse));
+    if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, point, wake);
-    if (!TakesPush(m_state->bodies, m_index, wake)) return ErrorCode::ok;
-    Velocity& velocity = m_state->bodies.velocity[Row(m_index)];
-    const MassRow& mass = m_state->bodies.mass[Row(m_index)];
-    velocity.v += mass.invMass * impulse;
-    velocity.w += mass.invI * Cross(point - GetWorldCenter(), impulse);
+    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 
 ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
     Guard guard(*m_state, "Body::ApplyLinearImpulseToCenter");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
+    const Velocity sum = AddImpulse(*m_state, m_index, impulse, 0.0f);
+    if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, wake);
-    if (TakesPush(m_state->bodies, m_index, wake)) {
-        m_state->bodies.velocity[Row(m_index)].v += m_state->bodies.mass[Row(m_index)].invMass * impulse;
-    }
+    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 
 ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
     Guard guard(*m_state, "Body::ApplyAngularImpulse");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
+    const Velocity sum = AddImpulse(*m_state, m_index, vec2Zero, impulse);
+    if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, wake);
-    if (TakesPush(m_state->bodies, m_index, wake)) {
-        m_state->bodies.velocity[Row(m_index)].w += m_state->bodies.mass[Row(m_index)].invI * impulse;
-    }
+    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 

@@ -21,6 +21,10 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 /// Adds a fixture in front of the body's list; the mass is not updated.
 int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
     const int fixture = s.fixtures.Add(&s, body, def);
+    // The default skin is for bodies of the default size; a radius that was chosen stays.
+    const Shape& shape = *s.fixtures.shape[Row(fixture)];
+    if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
+        s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
     BodyInfo& info = s.bodies.info[Row(body)];
     s.fixtures.info[Row(fixture)].next = info.fixtureHead;
     info.fixtureHead = fixture;
@@ -140,7 +144,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle) {
     WorldState& s = *m_state;
     Guard guard(s, "Body::SetTransform");
     guard.Living(s.bodies.slots, m_index).Unlocked("move bodies outside of Step and callbacks");
-    if (guard.Finite(position, "position").Finite(angle, "angle").Failed()) return guard.Code();
+    if (guard.Near(position, "position").Near(angle, "angle").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, position, angle);
     const size_t b = Row(m_index);
     s.bodies.transform[b].Set(position, angle);
@@ -204,12 +208,14 @@ ErrorCode Body::SetMassData(const MassData* data) {
     Guard guard(s, "Body::SetMassData");
     guard.Living(s.bodies.slots, m_index).NotNull(data != nullptr, "data", "pass mass data");
     if (guard.Unlocked("change masses outside of Step and callbacks").Failed()) return guard.Code();
-    guard.Finite(data->mass, "MassData::mass").Finite(data->I, "MassData::I").Finite(data->center, "MassData::center");
+    guard.Finite(data->mass, "MassData::mass").Finite(data->I, "MassData::I").Near(data->center, "MassData::center");
     if (guard.Failed() || GetType() != dynamicBody) return guard.Code();
     const float mass = data->mass > 0.0f ? data->mass : 1.0f;
+    guard.Require(mass >= leastMass && mass <= mostMass, ErrorCode::outOfRange, "MassData::mass",
+                  "give 0 (for 1 kg) or 1e-30 to 1e30 kg");
     const bool rotates = data->I > 0.0f && !IsFixedRotation();
     const float inertia = rotates ? data->I - mass * Dot(data->center, data->center) : 0.0f;
-    guard.Require(!rotates || inertia > 0.0f, ErrorCode::outOfRange, "MassData::I",
+    guard.Require(!rotates || UsableInverse(inertia) > 0.0f, ErrorCode::outOfRange, "MassData::I",
                   "it is about the origin: give more than mass·|center|²");
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, *data);

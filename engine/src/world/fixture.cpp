@@ -102,7 +102,7 @@ void Fixture::GetMassData(MassData* massData) const {
 ErrorCode Fixture::SetDensity(float density) {
     Guard guard(*m_state, "Fixture::SetDensity");
     guard.Living(m_state->fixtures.slots, m_index).Amount(density, "density");
-    if (guard.Failed()) return guard.Code();
+    if (guard.Failed() || guard.Accept(CheckMass(*GetShape(), density, "density")).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, density);
     m_state->fixtures.info[Row(m_index)].density = density;
     return ErrorCode::ok;

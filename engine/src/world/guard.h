@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "state/limits.h"
 #include "world/record.h"
 #include "world/validate.h"
 
@@ -32,6 +33,12 @@ public:
     }
     Guard& Finite(float value, const char* field) {
         return Require(std::isfinite(value), ErrorCode::nonFinite, field, "give a finite number");
+    }
+    /// Finite, and no farther than squares and boxes stay finite.
+    template <typename T>
+    Guard& Near(T value, const char* field) {
+        return Finite(value, field)
+            .Require(IsInRange(value), ErrorCode::outOfRange, field, "give numbers of at most 1e18");
     }
     /// Finite and not negative.
     Guard& Amount(float value, const char* field) {

@@ -6,6 +6,7 @@
 #include "world/refresh.h"
 
 #include "pipeline/parts/destroy_contact.h"
+#include "state/limits.h"
 #include "world/guard.h"
 
 namespace scree {
@@ -117,16 +118,13 @@ void ResetMass(WorldState& s, int body) {
         center += part.mass * part.center;
         info.inertia += part.I;
     }
-    if (mass > 0.0f) {
-        row.invMass = 1.0f / mass;
-        center *= row.invMass;
-    }
-    if (info.inertia > 0.0f && !s.bodies.Has(body, BodyFlag::fixedRotation)) {
-        info.inertia -= mass * Dot(center, center);
-        row.invI = info.inertia > 0.0f ? 1.0f / info.inertia : 0.0f;
-    } else {
-        info.inertia = 0.0f;
-    }
+    row.invMass = UsableInverse(mass);
+    center *= row.invMass;
+    if (row.invMass == 0.0f) mass = 0.0f, center = vec2Zero;
+    const bool turns = info.inertia > 0.0f && !s.bodies.Has(body, BodyFlag::fixedRotation);
+    if (turns) info.inertia -= mass * Dot(center, center);
+    row.invI = turns ? UsableInverse(info.inertia) : 0.0f;
+    if (row.invI == 0.0f) info.inertia = 0.0f;
     const Vec2 oldCenter = position.c;
     row.localCenter = center;
     position.c = Mul(xf, center);

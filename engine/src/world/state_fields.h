@@ -44,6 +44,7 @@ void Fields(Self& def, Visit& visit) {
     visit(def.warmStarting), visit(def.maxTranslation), visit(def.maxRotation), visit(def.continuousPhysics);
     visit(def.subStepping), visit(def.exactDrift), visit(def.solver), visit(def.softStep.contactHertzRatio);
     visit(def.softStep.contactDampingRatio), visit(def.softStep.contactPushSpeed);
+    visit(def.lengthScale);
 }
 
 template <Is<Velocity> Self, typename Visit>

@@ -14,6 +14,7 @@
 #include "pipeline/solve_soft.h"
 #include "pipeline/update_boxes.h"
 #include "scree/inspect.h"
+#include "state/limits.h"
 #include "world/guard.h"
 #include "world/refresh.h"
 #include "world/world_state.h"
@@ -52,9 +53,15 @@ StepRequest Resolve(const WorldState& s, StepRequest request) {
     return request;
 }
 
+/// By how much the impulses of the last step are to be scaled for this one; 0: they are of no use for it.
+float ImpulseScale(float dt, float lastInverseDt) {
+    const float ratio = dt * lastInverseDt;
+    return ratio <= mostStepRatio ? ratio : 0.0f;
+}
+
 SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
     return {.dt = request.dt,
-            .impulseScale = s.def.warmStarting ? request.dt * s.lastInverseDt : 0.0f,
+            .impulseScale = s.def.warmStarting ? ImpulseScale(request.dt, s.lastInverseDt) : 0.0f,
             .velocityIterations = request.velocityIterations,
             .positionIterations = request.positionIterations,
             .substeps = request.substeps,
@@ -66,16 +73,20 @@ SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
             .exactDrift = s.def.exactDrift,
             .contactHertzRatio = s.def.softStep.contactHertzRatio,
             .contactDampingRatio = s.def.softStep.contactDampingRatio,
-            .contactPushSpeed = s.def.softStep.contactPushSpeed};
+            .contactPushSpeed = s.def.softStep.contactPushSpeed * s.def.lengthScale,
+            .lengthScale = s.def.lengthScale};
 }
 
 void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& report) {
-    const ContinuousReport done = SolveContinuous(
-        {settings.dt, settings.velocityIterations, settings.maxTranslation, settings.maxRotation, s.def.subStepping},
-        s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase}, s.continuousScratch);
+    const ContinuousReport done =
+        SolveContinuous({settings.dt, settings.velocityIterations, settings.maxTranslation, settings.maxRotation,
+                         s.def.subStepping, settings.lengthScale},
+                        s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase}, s.continuousScratch);
     report.continuousEventCount = done.events;
     report.abandonedCount = done.abandoned;
     report.lostTime = done.lostTime;
+    report.cappedCount += done.capped;
+    report.nonFiniteCount += done.nonFinite;
 }
 
 /// A step that goes on with the rest of the last one has its events to finish.
@@ -119,11 +130,22 @@ void SolveWholeStep(WorldState& s, const SolverSettings& settings, Stopwatch& wa
     report.awakeBodyCount = report.isolatedBodyCount + static_cast<int>(solved.bodies.size());
 }
 
+/// What is not finite would come back by warm starting.
+void ForgetNonFiniteImpulses(ContactTable& contacts) {
+    for (Manifold& m : contacts.manifold) {
+        for (ManifoldPoint& point : m.points) {
+            if (!std::isfinite(point.normalImpulse)) point.normalImpulse = 0.0f;
+            if (!std::isfinite(point.tangentImpulse)) point.tangentImpulse = 0.0f;
+        }
+    }
+}
+
 void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
     // With sub-stepping a step may end after an event; this one then only goes on with the rest.
     if (!s.continuousScratch.resuming) SolveWholeStep(s, settings, watch, report);
     if (NeedsContinuous(s)) RunContinuous(s, settings, report);
     report.profile.continuous = watch.Lap();
+    if (report.nonFiniteCount > 0) ForgetNonFiniteImpulses(s.contacts);
     RunBroadPhase(s);
     report.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
@@ -169,13 +191,14 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     s.kernels = NeededKernels(s);  // the listener has had its say about contacts
     if (s.kernels.bodyForces) s.bodies.EnsureForces();
     if (s.def.exactDrift) s.bodies.startVelocity.resize(s.bodies.velocity.size());
-    if (request.dt > 0.0f) Simulate(s, MakeSettings(s, request), watch, report);
+    if (request.dt >= shortestStep) Simulate(s, MakeSettings(s, request), watch, report);
     if (s.autoClearForces) world.ClearForces();
 
     report.bodyCount = s.bodies.slots.Count();
     report.contactCount = s.contacts.Count();
     report.pairCount = static_cast<int64_t>(s.pairs.size());
     report.profile.step = total.Lap();
+    if (s.measureErrors) report.errors = world.MeasureErrors();
     s.report = report;
     if (recording.IsOn()) recording.NoteHash(inspect::GetStateHash(world));
     return report;

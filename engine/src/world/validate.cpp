@@ -5,9 +5,14 @@
 
 #include "world/validate.h"
 
+#include "state/limits.h"
+
 namespace scree {
 
 namespace {
+
+bool IsFinite(float value) { return std::isfinite(value); }
+bool IsFinite(Vec2 value) { return value.IsValid(); }
 
 Finding NotFinite(const char* field) { return {ErrorCode::nonFinite, field, "give a finite number"}; }
 Finding Negative(const char* field) { return {ErrorCode::outOfRange, field, "give a number of at least 0"}; }
@@ -29,13 +34,27 @@ Finding First(Findings... findings) {
 
 Finding CheckFinite(bool finite, const char* field) { return finite ? Finding{} : NotFinite(field); }
 
+/// Finite, and no farther than squares and boxes stay finite.
+template <typename T>
+Finding CheckNear(T value, const char* field) {
+    if (IsInRange(value)) return {};
+    if (Finding wrong = CheckFinite(IsFinite(value), field)) return wrong;
+    return {ErrorCode::outOfRange, field, "give numbers of at most 1e18"};
+}
+Finding CheckNear(std::span<const Vec2> vertices, const char* field) {
+    for (const Vec2 vertex : vertices) {
+        if (const Finding wrong = CheckNear(vertex, field)) return wrong;
+    }
+    return {};
+}
+
 Finding CheckPolygon(const PolygonShape& polygon) {
     if (polygon.m_count < 3 || polygon.m_count > maxPolygonVertices) {
         return {ErrorCode::badShape, "PolygonShape::m_count", "call Set or SetAsBox first; 3 to 8 vertices"};
     }
     if (!polygon.Validate())
         return {ErrorCode::badShape, "PolygonShape::m_vertices", "give a convex, counter-clockwise polygon"};
-    return {};
+    return CheckNear(std::span(polygon.m_vertices, static_cast<size_t>(polygon.m_count)), "PolygonShape::m_vertices");
 }
 
 Finding CheckConvex(const ConvexShape& convex) {
@@ -44,7 +63,7 @@ Finding CheckConvex(const ConvexShape& convex) {
         return {ErrorCode::badShape, "ConvexShape::m_count", "use a Make function; 1 to 64 vertices"};
     if (!convex.Validate())
         return {ErrorCode::badShape, "ConvexShape::m_vertices", "give a convex, counter-clockwise core"};
-    return {};
+    return CheckNear(std::span(convex.m_vertices, static_cast<size_t>(convex.m_count)), "ConvexShape::m_vertices");
 }
 
 Finding CheckEdge(const EdgeShape& edge) {
@@ -54,7 +73,7 @@ Finding CheckEdge(const EdgeShape& edge) {
     if (DistanceSquared(edge.m_vertex1, edge.m_vertex2) == 0.0f) {
         return {ErrorCode::badShape, "EdgeShape::m_vertex2", "give two different end points"};
     }
-    return {};
+    return First(CheckNear(edge.m_vertex1, "EdgeShape::m_vertex"), CheckNear(edge.m_vertex2, "EdgeShape::m_vertex"));
 }
 
 }  // namespace
@@ -74,12 +93,13 @@ Finding Check(const ChainShape& chain) {
 
 Finding Check(const Shape& shape) {
     if (const Finding radius = CheckAmount(shape.m_radius, "Shape::m_radius")) return radius;
+    if (const Finding radius = CheckNear(shape.m_radius, "Shape::m_radius")) return radius;
     switch (shape.GetType()) {
         case Shape::e_circle: {
             const auto& circle = static_cast<const CircleShape&>(shape);
             if (!circle.m_p.IsValid()) return NotFinite("CircleShape::m_p");
             if (circle.m_radius <= 0.0f) return {ErrorCode::badShape, "CircleShape::m_radius", "give a radius above 0"};
-            return {};
+            return CheckNear(circle.m_p, "CircleShape::m_p");
         }
         case Shape::e_edge:
             return CheckEdge(static_cast<const EdgeShape&>(shape));
@@ -98,10 +118,9 @@ Finding Check(const BodyDef& def) {
     if (def.type != staticBody && def.type != kinematicBody && def.type != dynamicBody) {
         return {ErrorCode::outOfRange, "BodyDef::type", "use staticBody, kinematicBody or dynamicBody"};
     }
-    return First(CheckFinite(def.position.IsValid(), "BodyDef::position"),
-                 CheckFinite(std::isfinite(def.angle), "BodyDef::angle"),
-                 CheckFinite(def.linearVelocity.IsValid(), "BodyDef::linearVelocity"),
-                 CheckFinite(std::isfinite(def.angularVelocity), "BodyDef::angularVelocity"),
+    return First(CheckNear(def.position, "BodyDef::position"), CheckNear(def.angle, "BodyDef::angle"),
+                 CheckNear(def.linearVelocity, "BodyDef::linearVelocity"),
+                 CheckNear(def.angularVelocity, "BodyDef::angularVelocity"),
                  CheckAmount(def.linearDamping, "BodyDef::linearDamping"),
                  CheckAmount(def.angularDamping, "BodyDef::angularDamping"),
                  CheckFinite(std::isfinite(def.gravityScale), "BodyDef::gravityScale"));
@@ -109,10 +128,19 @@ Finding Check(const BodyDef& def) {
 
 Finding Check(const FixtureDef& def) {
     if (def.shape == nullptr) return {ErrorCode::nullArgument, "FixtureDef::shape", "point it at a shape"};
-    return First(Check(*def.shape), CheckAmount(def.friction, "FixtureDef::friction"),
+    if (const Finding shape = Check(*def.shape)) return shape;
+    return First(CheckAmount(def.friction, "FixtureDef::friction"),
                  CheckFinite(std::isfinite(def.restitution), "FixtureDef::restitution"),
                  CheckAmount(def.restitutionThreshold, "FixtureDef::restitutionThreshold"),
-                 CheckAmount(def.density, "FixtureDef::density"));
+                 CheckAmount(def.density, "FixtureDef::density"),
+                 CheckMass(*def.shape, def.density, "FixtureDef::density"));
+}
+
+Finding CheckMass(const Shape& shape, float density, const char* field) {
+    MassData data;
+    shape.ComputeMass(&data, density);
+    if (data.mass == 0.0f || (data.mass >= leastMass && data.mass <= mostMass)) return {};
+    return {ErrorCode::outOfRange, field, "give a density that makes a mass of 0 or of 1e-30 to 1e30 kg"};
 }
 
 Finding Check(const WorldDef& def) {
@@ -141,6 +169,8 @@ Finding Check(const WorldDef& def) {
     if (def.solver > SolverKind::softStep) return {ErrorCode::outOfRange, "WorldDef::solver", "give one of SolverKind"};
     if (!(def.maxTranslation > 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};
+    if (!(def.lengthScale >= 1e-6f && def.lengthScale <= 1e6f))
+        return {ErrorCode::outOfRange, "WorldDef::lengthScale", "give a length from 1e-6 to 1e6 m"};
     if (!(def.maxRotation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxRotation", "give an angle above 0"};
     return {};
 }

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 
+#include "pipeline/measure_errors.h"
 #include "world/guard.h"
 #include "world/joints/joint_definitions.h"
 #include "world/refresh.h"
@@ -241,6 +242,13 @@ FeatureMode World::GetFeatureMode() const { return m_state->def.featureMode; }
 Features World::GetAllowedFeatures() const { return AllowedFeatures(m_state->def); }
 FeatureUsers World::GetFeatureUsers() const { return CountFeatureUsers(*m_state); }
 Features World::GetRequiredFeatures() const { return UsedOf(GetFeatureUsers()); }
+void World::SetMeasureErrors(bool flag) { m_state->measureErrors = flag; }
+bool World::GetMeasureErrors() const { return m_state->measureErrors; }
+StepErrors World::MeasureErrors() const {
+    const WorldState& s = *m_state;
+    const float dt = s.lastInverseDt > 0.0f ? 1.0f / s.lastInverseDt : 0.0f;
+    return scree::MeasureErrors({s.bodies, s.fixtures, s.contacts, s.joints}, linearSlop * s.def.lengthScale, dt);
+}
 bool World::GetExactDrift() const { return m_state->def.exactDrift; }
 bool World::IsLocked() const { return m_state->locked; }
 

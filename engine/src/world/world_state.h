@@ -64,6 +64,7 @@ struct WorldState {
     float lastInverseDt = 0.0f;
     StepReport report;
     TOIStats distanceWork;  ///< of the last step
+    bool measureErrors = false;
 
     [[nodiscard]] ContactEvents Events() {
         return {this, listener, filter == &defaultFilter ? nullptr : filter, &distanceWork};

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "pipeline/parts/solver.h"
+#include "state/limits.h"
 
 namespace scree {
 
@@ -27,11 +28,10 @@ inline CapFactors CapMotion(const SolverSettings& settings, Vec2 translation, fl
     return factors;
 }
 
-/// Updates the transform; a body that is not finite any more goes back to its start, at rest. Returns true if it did.
+/// Updates the transform; a body that is not finite any more, or beyond all bounds (limits.h), goes back to its start,
+/// at rest. Returns true if it did.
 inline bool FinishPose(BodyTable& bodies, size_t b) {
-    const Position& p = bodies.position[b];
-    const Velocity& v = bodies.velocity[b];
-    const bool finite = p.c.IsValid() && std::isfinite(p.a) && v.v.IsValid() && std::isfinite(v.w);
+    const bool finite = IsInRange(bodies.position[b], bodies.velocity[b]);
     if (!finite) {
         bodies.position[b] = bodies.startPosition[b];
         bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
@@ -46,23 +46,28 @@ inline bool FinishPose(BodyTable& bodies, size_t b) {
     return !finite;
 }
 
+/// Below this a body is slow, m/s.
+inline float SleepSpeed(const SolverSettings& settings) { return linearSleepTolerance * settings.lengthScale; }
+
 /// Advances the body's sleep timer and returns it.
-inline float UpdateSleepTimer(BodyTable& bodies, size_t b, float dt) {
+inline float UpdateSleepTimer(BodyTable& bodies, size_t b, const SolverSettings& settings) {
     const Velocity& v = bodies.velocity[b];
-    const bool slow = v.w * v.w <= angularSleepTolerance * angularSleepTolerance &&
-                      Dot(v.v, v.v) <= linearSleepTolerance * linearSleepTolerance;
+    const float tolerance = SleepSpeed(settings);
+    const bool slow =
+        v.w * v.w <= angularSleepTolerance * angularSleepTolerance && Dot(v.v, v.v) <= tolerance * tolerance;
     if (!bodies.Has(static_cast<int>(b), BodyFlag::autoSleep) || !slow) {
         bodies.sleepTime[b] = 0.0f;
         return 0.0f;
     }
-    bodies.sleepTime[b] += dt;
+    bodies.sleepTime[b] += settings.dt;
     return bodies.sleepTime[b];
 }
 
 /// Puts the island's bodies to sleep if all of them have been slow for long enough.
-inline void SleepIsland(BodyTable& bodies, std::span<const int> island, float dt, bool positionsSolved) {
+inline void SleepIsland(BodyTable& bodies, std::span<const int> island, const SolverSettings& settings,
+                        bool positionsSolved) {
     float shortest = std::numeric_limits<float>::max();
-    for (const int b : island) shortest = Min(shortest, UpdateSleepTimer(bodies, static_cast<size_t>(b), dt));
+    for (const int b : island) shortest = Min(shortest, UpdateSleepTimer(bodies, static_cast<size_t>(b), settings));
     if (shortest < timeToSleep || !positionsSolved) return;
     for (const int b : island) bodies.PutToSleep(b);
 }

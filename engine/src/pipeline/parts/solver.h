@@ -31,6 +31,9 @@ struct SolverSettings {
     bool allowSleep;
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
     float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
+    float lengthScale = 1.0f;                                        ///< factor on tolerances
+
+    [[nodiscard]] float Slop() const { return linearSlop * lengthScale; }
 };
 
 /// Velocity, or a change of it, without the room that a table's row leaves.

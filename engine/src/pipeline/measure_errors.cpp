@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Overlaps and the complementarity of push and gap at the present poses, with the points that the step's manifolds
+// found; errors of joints by type.
+
+#include "pipeline/measure_errors.h"
+
+namespace scree {
+
+namespace {
+
+size_t Row(int index) { return static_cast<size_t>(index); }
+
+bool IsAnyActive(const BodyTable& bodies, int a, int b) { return bodies.IsActive(a) || bodies.IsActive(b); }
+
+/// 1 / (effective mass) of the normal at a point.
+float InverseMassAt(const BodyTable& bodies, int body, Vec2 point, Vec2 normal) {
+    const MassRow& mass = bodies.mass[Row(body)];
+    const float arm = Cross(point - bodies.position[Row(body)].c, normal);
+    return mass.invMass + mass.invI * arm * arm;
+}
+
+void MeasureContact(const MeasuredTables& t, int contact, float slop, float dt, StepErrors& errors) {
+    const ContactPair& pair = t.contacts.pair[Row(contact)];
+    const Manifold& manifold = t.contacts.manifold[Row(contact)];
+    WorldManifold world;
+    world.Initialize(&manifold, t.bodies.transform[Row(pair.bodyA)], t.fixtures.shape[pair.fixtureA]->m_radius,
+                     t.bodies.transform[Row(pair.bodyB)], t.fixtures.shape[pair.fixtureB]->m_radius);
+    for (int i = 0; i < manifold.pointCount; ++i) {
+        const float inverse = InverseMassAt(t.bodies, pair.bodyA, world.points[i], world.normal) +
+                              InverseMassAt(t.bodies, pair.bodyB, world.points[i], world.normal);
+        const float pushed = manifold.points[i].normalImpulse * inverse * dt;
+        errors.overlap = Max(errors.overlap, -world.separations[i]);
+        errors.residual = Max(errors.residual, Abs(Min(pushed, world.separations[i] + slop)));
+    }
+}
+
+/// The two anchors of a joint in world coordinates.
+template <typename JointRow>
+Vec2 GapOf(const MeasuredTables& t, const JointInfo& info, const JointRow& row) {
+    return Mul(t.bodies.transform[Row(info.bodyB)], row.localAnchorB) -
+           Mul(t.bodies.transform[Row(info.bodyA)], row.localAnchorA);
+}
+
+float Beyond(const LimitState& limit, float x) {
+    return limit.enabled ? Abs(x - Clamp(x, limit.lower, limit.upper)) : 0.0f;
+}
+
+/// Off an axis that is fixed in A, or beyond the limits on it.
+template <typename JointRow>
+float SlideError(const MeasuredTables& t, const JointInfo& info, const JointRow& row) {
+    const Vec2 gap = GapOf(t, info, row);
+    const Vec2 axis = Mul(t.bodies.transform[Row(info.bodyA)].q, row.localAxisA);
+    return Max(Abs(Cross(axis, gap)), Beyond(row.limit, Dot(axis, gap)));
+}
+
+float ErrorOf(const MeasuredTables& t, const JointInfo& info, const RevoluteRow& row) {
+    return GapOf(t, info, row).Length();
+}
+float ErrorOf(const MeasuredTables& t, const JointInfo& info, const WeldRow& row) {
+    return GapOf(t, info, row).Length();
+}
+float ErrorOf(const MeasuredTables& t, const JointInfo& info, const PrismaticRow& row) {
+    return SlideError(t, info, row);
+}
+float ErrorOf(const MeasuredTables& t, const JointInfo& info, const WheelRow& row) { return SlideError(t, info, row); }
+float ErrorOf(const MeasuredTables& t, const JointInfo& info, const DistanceRow& row) {
+    const float length = GapOf(t, info, row).Length();
+    return Abs(length - Clamp(length, row.limit.lower, row.limit.upper));
+}
+float ErrorOf(const MeasuredTables& t, const JointInfo& info, const PulleyRow& row) {
+    const Vec2 a = Mul(t.bodies.transform[Row(info.bodyA)], row.localAnchorA);
+    const Vec2 b = Mul(t.bodies.transform[Row(info.bodyB)], row.localAnchorB);
+    return Abs(row.constant - Distance(a, row.groundAnchorA) - row.ratio * Distance(b, row.groundAnchorB));
+}
+/// The others hold no two points together.
+template <typename JointRow>
+float ErrorOf(const MeasuredTables&, const JointInfo&, const JointRow&) {
+    return 0.0f;
+}
+
+}  // namespace
+
+StepErrors MeasureErrors(const MeasuredTables& t, float slop, float dt) {
+    StepErrors errors;
+    constexpr uint8_t pushing = ContactFlag::alive | ContactFlag::touching | ContactFlag::enabled;
+    for (int contact = 0; contact < t.contacts.Size(); ++contact) {
+        const ContactPair& pair = t.contacts.pair[Row(contact)];
+        if ((t.contacts.flags[Row(contact)] & (pushing | ContactFlag::sensor)) != pushing) continue;
+        if (IsAnyActive(t.bodies, pair.bodyA, pair.bodyB)) MeasureContact(t, contact, slop, dt, errors);
+    }
+    for (int joint = 0; joint < t.joints.slots.Size(); ++joint) {
+        if (!t.joints.slots.IsAlive(joint)) continue;
+        const JointInfo& info = t.joints.info[Row(joint)];
+        if (!IsAnyActive(t.bodies, info.bodyA, info.bodyB)) continue;
+        JointTable::WithStore(t.joints, info.type, [&](const auto& store) {
+            errors.jointGap = Max(errors.jointGap, ErrorOf(t, info, store.rows[Row(info.row)]));
+        });
+    }
+    return errors;
+}
+
+}  // namespace scree

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Finite numbers at the ends of the range: refused by name where nothing can be made of them, and where a state runs
+// out of bounds during a step, its body is put back and counted. No state, box or other body is ever not finite.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/world/fixtures.h"
+
+namespace scree::test {
+namespace {
+
+constexpr float largest = std::numeric_limits<float>::max();
+constexpr float smallest = std::numeric_limits<float>::denorm_min();
+
+void ExpectFinite(World& world) {
+    for (Body* body = world.GetBodyList(); body; body = body->GetNext()) {
+        EXPECT_TRUE(body->GetPosition().IsValid() && body->GetLinearVelocity().IsValid());
+        EXPECT_TRUE(std::isfinite(body->GetAngle()) && std::isfinite(body->GetAngularVelocity()));
+        for (Fixture* fixture = body->GetFixtureList(); fixture; fixture = fixture->GetNext()) {
+            const AABB box = fixture->GetAABB();
+            EXPECT_TRUE(box.lowerBound.IsValid() && box.upperBound.IsValid());
+        }
+    }
+}
+
+class ExtremeNumbers : public ::testing::Test {
+protected:
+    ExtremeNumbers() : world({0.0f, -10.0f}), errors(world) {
+        AddGround(world);
+        box = AddBody(world, dynamicBody, {0, 0.5f});
+        AddBox(box, 0.5f, 0.5f);
+        StepFor(world, 3);
+    }
+
+    template <typename Call>
+    void ExpectRefused(const char* field, Call&& call) {
+        const uint64_t before = inspect::GetStateHash(world);
+        const int count = errors.count;
+        call();
+        EXPECT_EQ(errors.count, count + 1) << field;
+        EXPECT_EQ(errors.last.code, ErrorCode::outOfRange) << field;
+        EXPECT_STREQ(errors.last.field, field);
+        EXPECT_EQ(inspect::GetStateHash(world), before) << field;
+    }
+
+    World world;
+    ErrorLog errors;
+    Body* box;
+};
+
+TEST_F(ExtremeNumbers, PlacesAndSpeedsBeyondAllBoundsAreRefused) {
+    BodyDef def;
+    def.position = {largest, 0};
+    ExpectRefused("BodyDef::position", [&] { EXPECT_EQ(world.CreateBody(&def), nullptr); });
+    def = {};
+    def.linearVelocity = {0, -largest};
+    ExpectRefused("BodyDef::linearVelocity", [&] { EXPECT_EQ(world.CreateBody(&def), nullptr); });
+    def = {};
+    def.angularVelocity = largest;
+    ExpectRefused("BodyDef::angularVelocity", [&] { EXPECT_EQ(world.CreateBody(&def), nullptr); });
+    ExpectRefused("position", [&] { box->SetTransform({0, largest}, 0); });
+    ExpectRefused("v", [&] { box->SetLinearVelocity({largest, 0}); });
+    ExpectRefused("omega", [&] { box->SetAngularVelocity(largest); });
+    ExpectRefused("impulse", [&] { box->ApplyLinearImpulse({largest, 0}, {0, 0}, true); });
+    ExpectRefused("impulse", [&] { box->ApplyLinearImpulseToCenter({largest, 0}, true); });
+    ExpectRefused("impulse", [&] { box->ApplyAngularImpulse(largest, true); });
+    box->ApplyForceToCenter({largest, 0}, true);
+    ExpectRefused("force", [&] { box->ApplyForceToCenter({largest, 0}, true); });
+    ExpectRefused("force", [&] { box->ApplyForce({0, largest}, {2e20f, 0}, true); });
+    box->ApplyTorque(largest, true);
+    ExpectRefused("torque", [&] { box->ApplyTorque(largest, true); });
+}
+
+TEST_F(ExtremeNumbers, MassesWithoutAUsableInverseAreRefused) {
+    CircleShape circle;
+    circle.m_radius = 0.5f;
+    ExpectRefused("FixtureDef::density", [&] { EXPECT_EQ(box->CreateFixture(&circle, smallest), nullptr); });
+    ExpectRefused("FixtureDef::density", [&] { EXPECT_EQ(box->CreateFixture(&circle, largest), nullptr); });
+    ExpectRefused("density", [&] { box->GetFixtureList()->SetDensity(smallest); });
+    MassData data{smallest, {0, 0}, 1.0f};
+    ExpectRefused("MassData::mass", [&] { box->SetMassData(&data); });
+    data = {1.0f, {0, 0}, smallest};
+    ExpectRefused("MassData::I", [&] { box->SetMassData(&data); });
+    circle.m_radius = largest;
+    ExpectRefused("Shape::m_radius", [&] { EXPECT_EQ(box->CreateFixture(&circle, 0), nullptr); });
+    circle = {};
+    circle.m_radius = 1.0f;
+    circle.m_p = {largest, 0};
+    ExpectRefused("CircleShape::m_p", [&] { EXPECT_EQ(box->CreateFixture(&circle, 0), nullptr); });
+}
+
+TEST_F(ExtremeNumbers, AMassOfTheSmallestInertiaDoesNotTurn) {
+    // Mass 1e-30·…, inertia below the smallest number: no turning, and nothing that is not finite.
+    Body* dust = AddBody(world, dynamicBody, {0, 5});
+    CircleShape grain;
+    grain.m_radius = 1e-8f;
+    ASSERT_NE(dust->CreateFixture(&grain, 1e-14f), nullptr);
+    EXPECT_GT(dust->GetMass(), 0.0f);
+    dust->SetAngularVelocity(1.0f);
+    const StepReport report = StepFor(world, 120);
+    EXPECT_EQ(report.nonFiniteCount, 0);
+    ExpectFinite(world);
+}
+
+TEST_F(ExtremeNumbers, WhatLeavesAllBoundsIsPutBackAndCounted) {
+    for (const bool soft : {false, true}) {
+        const Vec2 before = box->GetPosition();
+        box->ApplyForceToCenter({1e30f, 0}, true);
+        const StepReport report = soft ? world.Step(1.0f / 60.0f, 4) : StepFor(world, 1);
+        EXPECT_EQ(report.nonFiniteCount, 1);
+        EXPECT_EQ(box->GetPosition(), before);
+        EXPECT_EQ(box->GetLinearVelocity(), Vec2(0, 0));
+        ExpectFinite(world);
+        EXPECT_EQ(StepFor(world, 60).nonFiniteCount, 0) << "the world goes on";
+        EXPECT_NEAR(box->GetPosition().y, 0.515f, 0.01f);
+    }
+}
+
+TEST_F(ExtremeNumbers, OneThatBlowsUpLeavesTheGroundAndItsNeighboursAlone) {
+    // Masses of 1e30 kg a hundred metres off their body's origin: impulses overflow as soon as it touches the ground.
+    Body* monster = AddBody(world, dynamicBody, {30, 2}, 0.2f);
+    PolygonShape shape;
+    shape.SetAsBox(1, 1, {0, 0}, 0);
+    monster->CreateFixture(&shape, 2e29f);
+    monster->SetLinearVelocity({0, -1e17f});
+    Body* neighbour = AddBody(world, dynamicBody, {-30, 10});
+    AddBox(neighbour, 0.5f, 0.5f);
+    int stopped = 0;
+    for (int i = 0; i < 30; ++i) stopped += world.Step(1.0f / 60.0f, 8, 3).nonFiniteCount;
+    EXPECT_GT(stopped, 0);
+    ExpectFinite(world);
+    EXPECT_NEAR(neighbour->GetPosition().y, 10.0f - 0.5f * 10.0f * 0.25f, 0.1f) << "falls on as if nothing had been";
+    EXPECT_NEAR(box->GetPosition().y, 0.515f, 0.01f);
+}
+
+TEST_F(ExtremeNumbers, AStepTooShortToDivideByChangesNothing) {
+    const Vec2 before = box->GetPosition();
+    for (const float dt : {smallest, 1e-38f, 9e-31f}) {
+        world.Step(dt, 8, 3);
+        world.Step(dt, 4);
+        EXPECT_EQ(box->GetPosition(), before);
+    }
+    StepFor(world, 60);
+    EXPECT_NEAR(box->GetPosition().y, 0.515f, 0.01f);
+    ExpectFinite(world);
+}
+
+TEST_F(ExtremeNumbers, ImpulsesOfAMuchShorterStepAreNotScaledUp) {
+    // A fall stopped within a step of a microsecond: its impulse, times 16,667, would shoot the box up with 10⁵ m/s.
+    for (const bool soft : {false, true}) {
+        box->SetTransform({0, 0.5f + 0.015f}, 0);
+        box->SetLinearVelocity({0, -7});
+        soft ? world.Step(1e-6f, 4) : world.Step(1e-6f, 8, 3);
+        for (int i = 0; i < 5; ++i) soft ? world.Step(1.0f / 60.0f, 4) : world.Step(1.0f / 60.0f, 8, 3);
+        EXPECT_LT(box->GetLinearVelocity().Length(), 1.0f) << soft;
+        EXPECT_NEAR(box->GetPosition().y, 0.515f, 0.05f) << soft;
+    }
+}
+
+TEST_F(ExtremeNumbers, MaterialsMixToFiniteOnes) {
+    EXPECT_TRUE(std::isfinite(MixFriction(largest, largest)));
+    EXPECT_EQ(MixFriction(0.25f, 1.0f), 0.5f);
+    EXPECT_EQ(MixRestitution(-1.0f, -0.5f), 0.0f) << "what hits does not sink in";
+    EXPECT_EQ(MixRestitution(-1.0f, 0.5f), 0.5f);
+    Body* rough = AddBody(world, dynamicBody, {3, 3}, 0.3f);
+    Fixture* fixture = AddBox(rough, 0.5f, 0.5f);
+    fixture->SetFriction(largest);
+    fixture->SetRestitution(-1.0f);
+    for (Body* b = world.GetBodyList(); b; b = b->GetNext()) b->GetFixtureList()->SetFriction(largest);
+    EXPECT_EQ(StepFor(world, 200).nonFiniteCount, 0);
+    EXPECT_NEAR(rough->GetPosition().y, 0.515f, 0.02f);
+    ExpectFinite(world);
+}
+
+/// A ball hits a wall within a step and leaves along it at once: the way after the impact is capped, and that is
+/// counted as the way before it is.
+TEST(SpeedCap, IsCountedAfterAnImpactToo) {
+    for (const float cap : {std::numeric_limits<float>::infinity(), 3.0f}) {
+        WorldDef def;
+        def.gravity = {0, 0};
+        def.maxTranslation = cap;
+        World world(def);
+        AddBox(AddBody(world, staticBody, {10.5f, 0}), 0.5f, 1000.0f, 0.0f);
+        Body* ball = AddBody(world, dynamicBody, {8.5f, 0});
+        AddCircle(ball, 0.5f)->SetRestitution(20.0f);
+        ball->SetLinearVelocity(
+            {120, 0});  // 2 m a step: below the cap until the wall throws it back twenty times as fast
+        const StepReport report = world.Step(1.0f / 60.0f, 8, 3);
+        EXPECT_GE(report.continuousEventCount, 1);
+        EXPECT_EQ(report.cappedCount, cap > 3.0f ? 0 : 1);
+        EXPECT_LT(ball->GetLinearVelocity().x, -300.0f);
+    }
+}
+
+}  // namespace
+}  // namespace scree::test

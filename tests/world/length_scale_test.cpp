@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A world in other units: with every length, gravity and WorldDef::lengthScale times a power of two, every pose and
+// velocity is exactly that many times the original's, step by step. Binary scaling changes no digit of a float, so any
+// tolerance that does not scale shows as a difference.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/world/fixtures.h"
+
+namespace scree::test {
+namespace {
+
+/// A pile of boxes and balls, and a fast ball shot at a thin wall.
+class ScaledWorld {
+public:
+    explicit ScaledWorld(float scale) : m_scale(scale), m_world(MakeDef(scale)) {
+        Add(staticBody, {0, -1}, 0, 40, 1);
+        Add(staticBody, {20, 5}, 0, 0.05f, 5);
+        for (int row = 0; row < 12; ++row) {
+            for (int i = 0; i < 12; ++i) {
+                const Vec2 at{1.1f * static_cast<float>(i) - 8.0f, 0.6f + 1.1f * static_cast<float>(row)};
+                if ((row + i) % 3 == 0) {
+                    AddBall(at);
+                } else {
+                    Add(dynamicBody, at, 0.1f * static_cast<float>(i % 4), 0.5f, 0.4f);
+                }
+            }
+        }
+        AddBall({10, 4})->SetLinearVelocity(scale * Vec2(600, 10));
+    }
+
+    void Step(bool soft) { soft ? m_world.Step(1.0f / 60.0f, 4) : m_world.Step(1.0f / 60.0f, 8, 3); }
+    [[nodiscard]] float GetScale() const { return m_scale; }
+    [[nodiscard]] World& Get() { return m_world; }
+
+private:
+    static WorldDef MakeDef(float scale) {
+        WorldDef def;
+        def.gravity = {0, -10 * scale};
+        def.lengthScale = scale;
+        return def;
+    }
+    Body* Make(BodyType type, Vec2 at, float angle) { return AddBody(m_world, type, m_scale * at, angle); }
+    void Finish(Body* body) { body->GetFixtureList()->SetRestitutionThreshold(m_scale); }
+    void Add(BodyType type, Vec2 at, float angle, float hx, float hy) {
+        Body* body = Make(type, at, angle);
+        AddBox(body, m_scale * hx, m_scale * hy);
+        Finish(body);
+    }
+    Body* AddBall(Vec2 at) {
+        Body* body = Make(dynamicBody, at, 0);
+        AddCircle(body, m_scale * 0.5f);
+        Finish(body);
+        return body;
+    }
+
+    float m_scale;
+    World m_world;
+};
+
+void ExpectSame(World& one, World& scaled, float scale, int step) {
+    Body* b = scaled.GetBodyList();
+    for (Body* a = one.GetBodyList(); a; a = a->GetNext(), b = b->GetNext()) {
+        ASSERT_EQ(scale * a->GetPosition(), b->GetPosition()) << "step " << step;
+        ASSERT_EQ(scale * a->GetLinearVelocity(), b->GetLinearVelocity()) << "step " << step;
+        ASSERT_EQ(a->GetAngle(), b->GetAngle()) << "step " << step;
+        ASSERT_EQ(a->GetAngularVelocity(), b->GetAngularVelocity()) << "step " << step;
+        ASSERT_EQ(a->IsAwake(), b->IsAwake()) << "step " << step;
+    }
+}
+
+TEST(LengthScale, ScalesEveryTolerance) {
+    for (const bool soft : {false, true}) {
+        for (const float scale : {1.0f / 1024.0f, 1.0f / 8.0f}) {
+            ScaledWorld one(1.0f), other(scale);
+            for (int step = 0; step < 400; ++step) {
+                one.Step(soft);
+                other.Step(soft);
+                ExpectSame(one.Get(), other.Get(), scale, step);
+                if (::testing::Test::HasFatalFailure()) return;
+            }
+        }
+    }
+}
+
+TEST(LengthScale, SkinsScaleUnlessTheyWereChosen) {
+    WorldDef def;
+    def.lengthScale = 0.001f;
+    World world(def);
+    Body* body = AddBody(world, dynamicBody, {0, 0});
+    EXPECT_FLOAT_EQ(AddBox(body, 0.001f, 0.001f)->GetShape()->m_radius, 0.001f * polygonRadius);
+    EXPECT_EQ(AddCircle(body, polygonRadius)->GetShape()->m_radius, polygonRadius);
+    PolygonShape chosen;
+    chosen.SetAsBox(0.001f, 0.001f);
+    chosen.m_radius = 0.0f;
+    EXPECT_EQ(body->CreateFixture(&chosen, 1)->GetShape()->m_radius, 0.0f);
+}
+
+TEST(LengthScale, IsChecked) {
+    for (const float bad : {0.0f, -1.0f, 1e-7f, 1e7f, std::nanf("")}) {
+        WorldDef def;
+        def.lengthScale = bad;
+        def.gravity = {7, 7};
+        World world(def);  // a constructor cannot refuse: it takes the defaults, and says so on stderr
+        EXPECT_EQ(world.GetGravity(), WorldDef().gravity) << bad;
+    }
+}
+
+}  // namespace
+}  // namespace scree::test
