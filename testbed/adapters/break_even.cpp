@@ -41,19 +41,30 @@ void AddCircle(scree::World& world, scree::BodyType type, scree::Vec2 position, 
     world.CreateBody(&def)->CreateFixture(&circle, 1.0f);
 }
 
-std::unique_ptr<scree::World> MakeStaticShareWorld(const BreakEvenPlan& plan, double share, bool apart) {
+/// Half the side of a square with a third of a circle a m².
+float HalfSide(int circles) { return 0.87f * std::sqrt(static_cast<float>(circles)); }
+
+std::unique_ptr<scree::World> MakeStaticShareWorld(const BreakEvenPlan& plan, StaticLayout layout, double share,
+                                                   bool apart) {
     scree::WorldDef def;
     def.gravity = {0.0f, 0.0f};
     def.continuousPhysics = false;
     def.staticShareThreshold = apart ? 0.0f : 1.0f;
     auto world = std::make_unique<scree::World>(def);
     const auto statics = static_cast<int>(share / (1.0 - share) * plan.movers);
-    const float half = 0.75f * std::sqrt(static_cast<float>(plan.movers + statics));  // a third of a body a m²
+    const bool scattered = layout == StaticLayout::scattered;
+    const float half = HalfSide(scattered ? plan.movers + statics : plan.movers);
+    const float staticHalf = scattered ? half : HalfSide(statics);
+    const float centre = scattered ? 0.0f : -1.1f * (half + staticHalf);
     Random random;
-    for (int i = 0; i < plan.movers + statics; ++i) {
+    for (int i = 0; i < statics; ++i) {
+        const scree::Vec2 position{centre + random.Next(-staticHalf, staticHalf), random.Next(-staticHalf, staticHalf)};
+        AddCircle(*world, scree::staticBody, position, {0.0f, 0.0f});
+    }
+    for (int i = 0; i < plan.movers; ++i) {
         const scree::Vec2 position{random.Next(-half, half), random.Next(-half, half)};
         const scree::Vec2 velocity{random.Next(-3.0f, 3.0f), random.Next(-3.0f, 3.0f)};
-        AddCircle(*world, i < statics ? scree::staticBody : scree::dynamicBody, position, velocity);
+        AddCircle(*world, scree::dynamicBody, position, velocity);
     }
     return world;
 }
@@ -63,7 +74,7 @@ std::unique_ptr<scree::World> MakeFastShareWorld(const BreakEvenPlan& plan, doub
     def.gravity = {0.0f, 0.0f};
     def.continuousPhysics = continuous;
     auto world = std::make_unique<scree::World>(def);
-    const float half = 0.75f * std::sqrt(static_cast<float>(plan.movers));
+    const float half = HalfSide(plan.movers);
     Random random;
     for (int i = 0; i < plan.movers; ++i) {
         const bool fast = i < static_cast<int>(share * plan.movers);
@@ -113,9 +124,13 @@ std::vector<BreakEvenPoint> MeasureAll(const BreakEvenPlan& plan, const MakeWorl
 
 }  // namespace
 
-std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan, const std::function<void()>& onPoint) {
+std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan, StaticLayout layout,
+                                               const std::function<void()>& onPoint) {
+    const auto make = [layout](const BreakEvenPlan& p, double share, bool with) {
+        return MakeStaticShareWorld(p, layout, share, with);
+    };
     return MeasureAll(
-        plan, MakeStaticShareWorld, [](const scree::Profile& p) { return p.broadPhase; }, onPoint);
+        plan, make, [](const scree::Profile& p) { return p.broadPhase; }, onPoint);
 }
 
 std::vector<BreakEvenPoint> MeasureFastShare(const BreakEvenPlan& plan, const std::function<void()>& onPoint) {

@@ -23,9 +23,12 @@ struct BreakEvenPlan {
     std::vector<double> shares;
 };
 
-/// Broad phase, ns a mover and step: static circles scattered among drifting ones, as a share of all fixtures; in one
-/// tree with them (without), or in a tree of their own (with).
-[[nodiscard]] std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan,
+/// Where static circles lie: among the moving ones, or on a field of their own beside them.
+enum class StaticLayout { scattered, beside };
+
+/// Broad phase, ns a mover and step: static circles as a share of all, others drift; in one tree with them (without),
+/// or in a tree of their own (with).
+[[nodiscard]] std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan, StaticLayout layout,
                                                              const std::function<void()>& onPoint = {});
 /// Continuous stage and whole step, ns a mover: a share of the circles crosses more than its diameter in a step, above
 /// a row of static boxes; continuous collision off (without) and on (with).

@@ -129,18 +129,22 @@ int RunBreakEven(const RequiresArguments& arguments, const Request& request) {
     BreakEvenPlan plan;
     if (arguments.quick) plan.movers = 2000, plan.repeats = 3;
     plan.shares = {0.0, 0.01, 0.03, 0.06, 0.09, 0.125, 0.16, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7};
-    Progress progress("break-even", 2.0 * static_cast<double>(plan.shares.size()));
+    Progress progress("break-even", 3.0 * static_cast<double>(plan.shares.size()));
     const auto advance = [&] { progress.Advance(1.0); };
     PageFigures figures;
     const std::string note = fmt::format("{} moving circles, {} steps, least of {} repeats of each step", plan.movers,
                                          plan.steps, plan.repeats);
-    WriteBreakEven(output, "static-share",
-                   {.title = "Static circles among moving ones: one tree or two",
-                    .xLabel = "static share of the fixtures",
-                    .yLabel = "broad phase [ns a mover and step]",
-                    .note = note,
-                    .curves = {{"in one tree", "#cc0000", 5, {}}, {"in a tree of their own", "#0000cc", 7, {}}}},
-                   MeasureStaticShare(plan, advance), figures);
+    for (const auto& [layout, name] :
+         {std::pair(StaticLayout::scattered, "scattered"), {StaticLayout::beside, "beside"}}) {
+        WriteBreakEven(output, fmt::format("static-share-{}", name),
+                       {.title = fmt::format("Static circles {} moving ones: one tree or two",
+                                             layout == StaticLayout::scattered ? "among" : "beside"),
+                        .xLabel = "static share of the fixtures",
+                        .yLabel = "broad phase [ns a mover and step]",
+                        .note = note,
+                        .curves = {{"in one tree", "#cc0000", 5, {}}, {"in a tree of their own", "#0000cc", 7, {}}}},
+                       MeasureStaticShare(plan, layout, advance), figures);
+    }
     WriteBreakEven(output, "fast-share",
                    {.title = "Fast bodies: the price of continuous collision",
                     .xLabel = "share of bodies that cross twice their size in a step",

@@ -13,7 +13,7 @@
 
 namespace scree {
 
-/// A body of a FixedWorld: the calls that take a feature. Everything else, and the run-time checks, through `->`.
+/// A body of a FixedWorld: the calls that take a feature. Everything else through Get().
 template <Features set>
 class FixedBody {
 public:
