@@ -122,5 +122,20 @@ TEST(SnapshotPage, NamesEveryCaseAndNeedsItsFiles) {
     EXPECT_FALSE(scratch.Has("index.html"));
 }
 
+TEST(SnapshotPage, IsLeftByDiff) {
+    const ScratchFolder scratch;
+    Image image(32, 16, {40, 40, 40});
+    WritePng(scratch.GetPath() / "first.png", image);
+    image.At(3, 5) = {200, 0, 0};
+    WritePng(scratch.GetPath() / "second.png", image);
+    const ProgramResult result = scratch.Run("diff first.png second.png -o out");
+    EXPECT_EQ(result.exitCode, 1) << result.output;
+    EXPECT_NE(result.output.find("report: out/index.html"), std::string::npos) << result.output;
+    const std::string html = scratch.Read("out/index.html");
+    EXPECT_NE(html.find("\"id\":\"first\""), std::string::npos);
+    EXPECT_NE(html.find("\"box\":[3,5,4,6]"), std::string::npos);
+    EXPECT_NE(html.find("\"difference\":\"data:image/png;base64,"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace testbed
