@@ -106,6 +106,50 @@ Shape Chain(Scene& scene, std::span<const Vec2> vertices) {
 
 Shape Loop(Scene& scene, std::span<const Vec2> vertices) { return StoreChain(scene, vertices, 3); }
 
+Shape Capsule(Vec2 from, Vec2 to, double radius) {
+    Shape shape = Edge(from, to);
+    shape.type = ShapeType::capsule;
+    shape.radius = static_cast<float>(radius);
+    return shape;
+}
+
+Shape RoundedPolygon(std::initializer_list<Vec2> vertices, double radius) {
+    Shape shape = Polygon(vertices);
+    shape.type = ShapeType::roundedPolygon;
+    shape.radius = static_cast<float>(radius);
+    return shape;
+}
+
+Shape LargePolygon(Scene& scene, std::span<const Vec2> vertices) {
+    if (vertices.size() < 3 || vertices.size() > 64) {
+        throw std::invalid_argument("a large polygon has 3 to 64 vertices, not " + std::to_string(vertices.size()));
+    }
+    Shape shape = StoreChain(scene, vertices, 3);
+    shape.type = ShapeType::largePolygon;
+    return shape;
+}
+
+Shape Ellipse(double semiAxisX, double semiAxisY, Vec2 center, double angle) {
+    Shape shape = Box(semiAxisX, semiAxisY, center, angle);
+    shape.type = ShapeType::ellipse;
+    return shape;
+}
+
+Shape Sector(double radius, double opening, Vec2 tip, double angle) {
+    Shape shape = Circle(radius, tip);
+    shape.type = ShapeType::sector;
+    shape.opening = static_cast<float>(opening);
+    shape.angle = static_cast<float>(angle);
+    return shape;
+}
+
+Shape Supported(SupportFunction support, double bound) {
+    Shape shape = Circle(bound);
+    shape.type = ShapeType::supported;
+    shape.support = support;
+    return shape;
+}
+
 Shape ChildOf(const Scene& scene, const Shape& shape, int child) {
     if (shape.type != ShapeType::chain) return shape;
     const std::span<const Vec2> chain = scene.ChainVerticesOf(shape);

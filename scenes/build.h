@@ -38,6 +38,18 @@ inline constexpr double pi = 3.14159265358979323846;
 /// A closed chain through at least 3 vertices: counter-clockwise ones collide outside, clockwise ones inside.
 [[nodiscard]] Shape Loop(Scene& scene, std::span<const Vec2> vertices);
 
+/// A segment grown by a radius > 0.
+[[nodiscard]] Shape Capsule(Vec2 from, Vec2 to, double radius);
+/// Convex, counter-clockwise, 3 to 8 vertices, grown by a radius > 0.
+[[nodiscard]] Shape RoundedPolygon(std::initializer_list<Vec2> vertices, double radius);
+/// Convex, counter-clockwise, 3 to 64 vertices, which are stored in the scene.
+[[nodiscard]] Shape LargePolygon(Scene& scene, std::span<const Vec2> vertices);
+[[nodiscard]] Shape Ellipse(double semiAxisX, double semiAxisY, Vec2 center = {}, double angle = 0.0);
+/// A slice of a disk around `tip`: `opening` in 0.01…π rad, its middle in the direction `angle`.
+[[nodiscard]] Shape Sector(double radius, double opening, Vec2 tip = {}, double angle = 0.0);
+/// Any convex shape within `bound` m of the body's origin.
+[[nodiscard]] Shape Supported(SupportFunction support, double bound);
+
 /// Makes room, so that large scenes are not copied while they grow.
 void Reserve(Scene& scene, int bodies, int fixtures);
 

@@ -17,6 +17,7 @@ Scene Car(int n);
 Scene ChainHeavyEnd(int n);
 Scene CharacterCornerCases(int n);
 Scene Conveyor(int n);
+Scene ConvexShapes(int n);
 Scene DominoRow(int n);
 Scene FrictionRow(int n);
 Scene Gears(int n);
@@ -229,6 +230,17 @@ inline constexpr SceneInfo classicRows[] = {
      .steps = 600,
      .showStep = 100,
      .build = FrictionRow},
+    {.name = "convex-shapes",
+     .title = "capsules, ellipses and four more kinds of shapes fall into a box",
+     .exercises = "convex shapes beyond polygons of 8 vertices (Box2D gets such polygons instead)",
+     .folder = "piles",
+     .isClassic = true,
+     .defaultSize = 4,
+     .minSize = 1,
+     .maxSize = 10000,
+     .steps = 600,
+     .showStep = 150,
+     .build = ConvexShapes},
 };
 
 }  // namespace scenes

@@ -26,7 +26,26 @@ enum class BodyType : std::uint8_t { isStatic, kinematic, dynamic };
 
 /// circle: center, radius. box: halfExtents, center, angle (what SetAsBox takes). polygon: vertices. edge: vertices.
 /// chain: a range of Scene::chainVertices, and vertices as its ghosts.
-enum class ShapeType : std::uint8_t { circle, box, polygon, edge, chain };
+/// The further convex shapes, which our engine has and Box2D gets as polygons of 8 vertices (outline.h). capsule: the
+/// ends as vertices, radius. roundedPolygon: vertices, radius. largePolygon: a range of Scene::chainVertices. ellipse:
+/// halfExtents as semi-axes, center, angle. sector of a disk: center as its tip, radius, opening, angle of its middle.
+/// supported: support, radius around the body's origin.
+enum class ShapeType : std::uint8_t {
+    circle,
+    box,
+    polygon,
+    edge,
+    chain,
+    capsule,
+    roundedPolygon,
+    largePolygon,
+    ellipse,
+    sector,
+    supported
+};
+
+/// The point of a convex shape that is farthest along a direction of length 1, both in body coordinates.
+using SupportFunction = Vec2 (*)(Vec2 direction);
 
 /// What a joint keeps, and the fields of Joint that it reads beside type, bodies and collideConnected; "anchors" are
 /// localAnchorA and localAnchorB.
@@ -51,13 +70,15 @@ inline constexpr int maxPolygonVertices = 8;
 /// worlds of a million fixtures cost no heap block each.
 struct Shape {
     ShapeType type = ShapeType::circle;
-    std::uint8_t vertexCount = 0;  ///< polygon: 3…8; edge: 2, one-sided: 4; chain: 2, a loop: 0
-    float radius = 0.0f;           ///< circle
-    Vec2 center{};                 ///< circle, box
-    Vec2 halfExtents{};            ///< box
-    float angle = 0.0f;            ///< box: its rotation about `center`, rad
-    int firstChainVertex = 0;      ///< chain: the range in Scene::chainVertices; a loop joins its last to its first
-    int chainVertexCount = 0;      ///< chain: ≥ 2, a loop: ≥ 3
+    std::uint8_t vertexCount = 0;  ///< polygons: 3…8; edge: 2, one-sided: 4; chain: 2, a loop: 0; capsule: 2
+    float radius = 0.0f;           ///< circle, sector; capsule, roundedPolygon: of the rounding; supported: bound
+    Vec2 center{};                 ///< circle, box, ellipse, sector
+    Vec2 halfExtents{};            ///< box, ellipse
+    float angle = 0.0f;            ///< box, ellipse: its rotation about `center`, rad; sector: of its middle
+    float opening = 0.0f;          ///< sector: rad, 0.01…π
+    SupportFunction support = nullptr;
+    int firstChainVertex = 0;  ///< chain, largePolygon: the range in Scene::chainVertices; a loop joins its ends
+    int chainVertexCount = 0;  ///< chain: ≥ 2, a loop: ≥ 3; largePolygon: 3…64
     /// polygon: convex, counter-clockwise. edge: both ends v1, v2; if one-sided also the ghosts before v1 and after v2.
     /// chain that is no loop: the ghosts before and after it. One-sided edges and chains collide on the right of their
     /// direction only.
@@ -179,7 +200,7 @@ struct Scene {
     std::vector<Fixture> fixtures;
     std::vector<Joint> joints;
     std::vector<Spawn> spawns;        ///< sorted by afterStep
-    std::vector<Vec2> chainVertices;  ///< of all chains, in body coordinates, m
+    std::vector<Vec2> chainVertices;  ///< of all chains and large polygons, in body coordinates, m
 
     int InitialBodyCount() const { return static_cast<int>(bodies.size() - spawns.size()); }
 
@@ -190,7 +211,7 @@ struct Scene {
                                            static_cast<std::size_t>(b.fixtureCount));
     }
 
-    /// The vertices of a chain of this scene.
+    /// The vertices of a chain or a large polygon of this scene.
     std::span<const Vec2> ChainVerticesOf(const Shape& chain) const {
         return std::span(chainVertices)
             .subspan(static_cast<std::size_t>(chain.firstChainVertex),

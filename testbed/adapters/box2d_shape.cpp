@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "scenes/outline.h"
+
 namespace testbed {
 
 Box2dShape MakeBox2dShape(const scenes::Shape& shape) {
@@ -43,8 +45,14 @@ Box2dShape MakeBox2dShape(const scenes::Shape& shape) {
         }
         case scenes::ShapeType::chain:
             throw std::invalid_argument("a chain is no single shape: take its children");
+        default:
+            break;
     }
     throw std::invalid_argument("scene shape of unknown type");
+}
+
+scenes::Shape Box2dShapeOf(const scenes::Scene& scene, const scenes::Shape& shape) {
+    return scenes::IsFurtherConvex(shape.type) ? scenes::PolygonInstead(scene, shape) : shape;
 }
 
 void MakeBox2dChain(const scenes::Scene& scene, const scenes::Shape& shape, b2ChainShape& chain) {

@@ -19,8 +19,11 @@ namespace testbed {
 
 using Box2dShape = std::variant<b2CircleShape, b2PolygonShape, b2EdgeShape>;
 
-/// Throws std::invalid_argument for a chain, which owns heap.
+/// Throws std::invalid_argument for a chain, which owns heap, and for a further convex shape: see Box2dShapeOf.
 [[nodiscard]] Box2dShape MakeBox2dShape(const scenes::Shape& shape);
+/// What Box2D gets for a shape of a scene: a polygon of at most 8 vertices for the further convex shapes, which it does
+/// not have, else the shape itself.
+[[nodiscard]] scenes::Shape Box2dShapeOf(const scenes::Scene& scene, const scenes::Shape& shape);
 [[nodiscard]] const b2Shape& AsB2Shape(const Box2dShape& shape);
 
 /// Fills a chain that is empty (Box2D's cannot be copied).

@@ -50,7 +50,7 @@ struct Box2dNames {
             body.CreateFixture(&def);
             return;
         }
-        const Box2dShape shape = MakeBox2dShape(fixture.shape);
+        const Box2dShape shape = MakeBox2dShape(Box2dShapeOf(scene, fixture.shape));
         def.shape = &AsB2Shape(shape);
         body.CreateFixture(&def);
     }

@@ -64,7 +64,7 @@ struct ScreeNames {
             body.CreateFixture(&def);
             return;
         }
-        const ScreeShape shape = MakeScreeShape(fixture.shape);
+        const ScreeShape shape = MakeScreeShape(scene, fixture.shape);
         def.shape = &AsShape(shape);
         body.CreateFixture(&def);
     }

@@ -68,7 +68,8 @@ void Box2dFollower::Create(const BodyState& body) {
     const b2Transform xf = TransformOf(body);
     for (const scenes::Fixture& fixture : GetScene().FixturesOf(body.index)) {
         for (int child = 0; child < fixture.shape.ChildCount(); ++child) {
-            Proxy proxy{MakeBox2dShape(scenes::ChildOf(GetScene(), fixture.shape, child)), 0, child};
+            Proxy proxy{MakeBox2dShape(Box2dShapeOf(GetScene(), scenes::ChildOf(GetScene(), fixture.shape, child))), 0,
+                        child};
             b2AABB box;
             AsB2Shape(proxy.shape).ComputeAABB(&box, xf, 0);
             proxy.id = m_broadPhase.CreateProxy(box, ToUserData(m_proxies.size()));

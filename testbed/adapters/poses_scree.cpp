@@ -69,7 +69,7 @@ void ScreeFollower::Create(const BodyState& body) {
     for (const scenes::Fixture& fixture : GetScene().FixturesOf(body.index)) {
         for (int child = 0; child < fixture.shape.ChildCount(); ++child) {
             const ScreeShape& shape =
-                m_shapes.emplace_back(MakeScreeShape(scenes::ChildOf(GetScene(), fixture.shape, child)));
+                m_shapes.emplace_back(MakeScreeShape(GetScene(), scenes::ChildOf(GetScene(), fixture.shape, child)));
             scree::AABB box;
             AsShape(shape).ComputeAABB(&box, xf);
             m_broadPhase->Insert(static_cast<uint32_t>(m_shapes.size() - 1), static_cast<uint32_t>(body.index),

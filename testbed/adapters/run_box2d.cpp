@@ -157,7 +157,7 @@ void Box2dRun::CreateFixture(b2Body& body, int sceneIndex) {
         const b2FixtureDef def = MakeB2FixtureDef(fixture, chain, m_fixtures.size());
         made = body.CreateFixture(&def);
     } else {
-        const Box2dShape shape = MakeBox2dShape(fixture.shape);
+        const Box2dShape shape = MakeBox2dShape(Box2dShapeOf(GetScene(), fixture.shape));
         const b2FixtureDef def = MakeB2FixtureDef(fixture, AsB2Shape(shape), m_fixtures.size());
         made = body.CreateFixture(&def);
     }
@@ -273,8 +273,10 @@ void Box2dRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
             {.body = IndexOf(body),
              .fixture = entry.sceneIndex,
              .child = entry.child,
-             .shape = scenes::ChildOf(GetScene(), GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
-                                      entry.child),
+             .shape = Box2dShapeOf(
+                 GetScene(),
+                 scenes::ChildOf(GetScene(), GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
+                                 entry.child)),
              .sensor = entry.fixture->IsSensor(),
              .tight = FromB2(tight)});
     }

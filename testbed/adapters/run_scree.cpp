@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "scenes/outline.h"
 #include "scree/inspect.h"
 #include "scree/mouse_joint.h"
 #include "scree/world.h"
@@ -105,6 +106,9 @@ void ThrowError(const scree::Error& error, void*) {
                                 "; " + error.cure);
 }
 
+/// Of outlines in pictures: chords of 3.75 degrees.
+constexpr int outlineDirections = 96;
+
 int BodyIndexOf(scree::Body* body) { return static_cast<int>(body->GetUserData().pointer); }
 
 /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
@@ -163,10 +167,11 @@ private:
         scree::Fixture* fixture;
         int sceneIndex;
         int child;
+        std::vector<Vec2> outline{};  ///< of a further convex shape
     };
 
     void CreateFixture(scree::Body& body, int sceneIndex);
-    void AddEntry(const Entry& entry);
+    void AddEntry(Entry entry);
     [[nodiscard]] int IndexOf(const scree::Fixture* fixture) const {
         return m_indexOf[static_cast<size_t>(fixture->GetIndex())];
     }
@@ -186,20 +191,24 @@ private:
     scree::MouseJoint* m_drag = nullptr;
 };
 
-void ScreeRun::AddEntry(const Entry& entry) {
+void ScreeRun::AddEntry(Entry entry) {
     const auto slot = static_cast<size_t>(entry.fixture->GetIndex());
     if (m_indexOf.size() <= slot) m_indexOf.resize(slot + 1, -1);
     m_indexOf[slot] = static_cast<int>(m_fixtures.size());
-    m_fixtures.push_back(entry);
+    m_fixtures.push_back(std::move(entry));
 }
 
 void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
     const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(sceneIndex)];
     const auto index = static_cast<size_t>(sceneIndex);
     if (fixture.shape.type != scenes::ShapeType::chain) {
-        const ScreeShape shape = MakeScreeShape(fixture.shape);
+        const ScreeShape shape = MakeScreeShape(GetScene(), fixture.shape);
         const scree::FixtureDef def = MakeFixtureDef(fixture, AsShape(shape), index);
-        AddEntry({body.CreateFixture(&def), sceneIndex, 0});
+        Entry entry{body.CreateFixture(&def), sceneIndex, 0};
+        if (scenes::IsFurtherConvex(fixture.shape.type)) {
+            entry.outline = scenes::SampleOutline(GetScene(), fixture.shape, outlineDirections);
+        }
+        AddEntry(std::move(entry));
         return;
     }
     const scree::ChainShape chain = MakeScreeChain(GetScene(), fixture.shape);
@@ -312,6 +321,7 @@ void ScreeRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
                                       entry.child),
              .sensor = entry.fixture->IsSensor(),
              .tight = FromScree(tight)});
+        if (!entry.outline.empty()) fixtures.back().outline = entry.outline;
     }
 }
 

@@ -5,11 +5,60 @@
 
 #include "testbed/adapters/scree_shape.h"
 
+#include <span>
 #include <stdexcept>
+#include <type_traits>
+
+#include "scenes/outline.h"
 
 namespace testbed {
 
-ScreeShape MakeScreeShape(const scenes::Shape& shape) {
+namespace {
+
+std::vector<scree::Vec2> Convert(std::span<const scenes::Vec2> points) {
+    std::vector<scree::Vec2> out;
+    for (const scenes::Vec2 v : points) out.push_back(ToScree(v));
+    return out;
+}
+
+scree::ConvexShape MakeSupported(const scenes::Shape& shape) {
+    scree::SupportDef def;
+    def.data = &shape;
+    def.support = [](const void* data, scree::Vec2 direction) {
+        return ToScree(static_cast<const scenes::Shape*>(data)->support(FromScree(direction)));
+    };
+    def.boundingRadius = shape.radius;
+    return scree::MakeFromSupport(def);
+}
+
+scree::ConvexShape MakeConvex(const scenes::Scene& scene, const scenes::Shape& shape) {
+    const std::vector<scree::Vec2> points =
+        Convert(shape.type == scenes::ShapeType::largePolygon ? scene.ChainVerticesOf(shape) : shape.Vertices());
+    const int count = static_cast<int>(points.size());
+    switch (shape.type) {
+        case scenes::ShapeType::capsule:
+            return scree::MakeCapsule(points[0], points[1], shape.radius);
+        case scenes::ShapeType::roundedPolygon:
+            return scree::MakeRoundedPolygon(points.data(), count, shape.radius);
+        case scenes::ShapeType::ellipse:
+            return scree::MakeEllipse(shape.halfExtents.x, shape.halfExtents.y, ToScree(shape.center), shape.angle);
+        case scenes::ShapeType::sector:
+            return scree::MakeCircleSector(shape.radius, shape.opening, ToScree(shape.center), shape.angle);
+        case scenes::ShapeType::supported:
+            return MakeSupported(shape);
+        default:
+            return scree::MakePolygon(points.data(), count);
+    }
+}
+
+}  // namespace
+
+ScreeShape MakeScreeShape(const scenes::Scene& scene, const scenes::Shape& shape) {
+    if (scenes::IsFurtherConvex(shape.type)) {
+        auto convex = std::make_shared<const scree::ConvexShape>(MakeConvex(scene, shape));
+        if (!convex->Validate()) throw std::invalid_argument("scene shape is degenerate");
+        return convex;
+    }
     switch (shape.type) {
         case scenes::ShapeType::circle: {
             scree::CircleShape circle;
@@ -42,6 +91,8 @@ ScreeShape MakeScreeShape(const scenes::Shape& shape) {
         }
         case scenes::ShapeType::chain:
             throw std::invalid_argument("a chain is no single shape: take its children");
+        default:
+            break;
     }
     throw std::invalid_argument("scene shape of unknown type");
 }
@@ -59,7 +110,15 @@ scree::ChainShape MakeScreeChain(const scenes::Scene& scene, const scenes::Shape
 }
 
 const scree::Shape& AsShape(const ScreeShape& shape) {
-    return std::visit([](const auto& s) -> const scree::Shape& { return s; }, shape);
+    return std::visit(
+        []<typename S>(const S& s) -> const scree::Shape& {
+            if constexpr (std::is_base_of_v<scree::Shape, S>) {
+                return s;
+            } else {
+                return *s;
+            }
+        },
+        shape);
 }
 
 }  // namespace testbed

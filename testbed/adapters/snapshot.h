@@ -45,6 +45,7 @@ struct FixtureState {
     Box tight;  ///< tight AABB at the snapshot's pose, skin included
     /// Around `tight` and the tight box before the last step; equals `tight` unless RunOptions::sweptBoxes asks for it.
     Box swept{};
+    std::vector<Vec2> outline{};  ///< of the further convex shapes (scenes/outline.h), in body coordinates; else empty
 };
 
 /// A contact (touching or not) with its manifold in world coordinates.

@@ -74,7 +74,7 @@ private:
     void DrawArm(int body, Point anchor);
     void DrawFixture(const FixtureState& fixture, const Look& look);
     void DrawCircleFixture(const BodyState& body, const scenes::Shape& shape, const Look& look);
-    void DrawPolygonFixture(const BodyState& body, const scenes::Shape& shape, const Look& look);
+    void DrawPolygonFixture(const BodyState& body, const FixtureState& fixture, const Look& look);
 
     const Snapshot& m_snapshot;
     const Camera& m_camera;
@@ -115,7 +115,8 @@ void SceneDrawer::DrawCircleFixture(const BodyState& body, const scenes::Shape& 
     m_canvas.DrawLine(center, {center.x + axis.x * radius, center.y + axis.y * radius}, 1, look.border);
 }
 
-void SceneDrawer::DrawPolygonFixture(const BodyState& body, const scenes::Shape& shape, const Look& look) {
+void SceneDrawer::DrawPolygonFixture(const BodyState& body, const FixtureState& fixture, const Look& look) {
+    const scenes::Shape& shape = fixture.shape;
     m_points.clear();
     if (shape.type == ShapeType::box) {
         // The library's cos and sin serve turned boxes alone, and only a drawing: the engines' poses are not touched.
@@ -127,7 +128,8 @@ void SceneDrawer::DrawPolygonFixture(const BodyState& body, const scenes::Shape&
             m_points.push_back(ToPixel(body, shape.center.x + c * x - s * y, shape.center.y + s * x + c * y));
         }
     } else {
-        for (const scenes::Vec2& vertex : shape.Vertices()) m_points.push_back(ToPixel(body, vertex.x, vertex.y));
+        const std::span<const scenes::Vec2> vertices = fixture.outline.empty() ? shape.Vertices() : fixture.outline;
+        for (const scenes::Vec2& vertex : vertices) m_points.push_back(ToPixel(body, vertex.x, vertex.y));
     }
     Point center{0, 0};
     for (const Point& point : m_points) {
@@ -160,9 +162,8 @@ void SceneDrawer::DrawFixture(const FixtureState& fixture, const Look& look) {
             return m_canvas.DrawLine(ToPixel(body, ends[0].x, ends[0].y), ToPixel(body, ends[1].x, ends[1].y), 1.5,
                                      look.border);
         }
-        case ShapeType::box:
-        case ShapeType::polygon:
-            return DrawPolygonFixture(body, fixture.shape, look);
+        default:
+            return DrawPolygonFixture(body, fixture, look);
     }
 }
 

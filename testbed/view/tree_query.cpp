@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace testbed {
 
@@ -25,7 +26,16 @@ double GetArea(const Box& box) {
 }
 
 /// In body coordinates.
-bool Contains(const scenes::Shape& shape, Vec2 p) {
+bool Contains(std::span<const Vec2> vertices, Vec2 p) {
+    for (size_t i = 0; i < vertices.size(); ++i) {
+        const Vec2 a = vertices[i], b = vertices[(i + 1) % vertices.size()];
+        if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < 0) return false;
+    }
+    return true;
+}
+
+bool Contains(const FixtureState& fixture, Vec2 p) {
+    const scenes::Shape& shape = fixture.shape;
     switch (shape.type) {
         case scenes::ShapeType::circle: {
             const float dx = p.x - shape.center.x, dy = p.y - shape.center.y;
@@ -36,19 +46,14 @@ bool Contains(const scenes::Shape& shape, Vec2 p) {
             const float c = std::cos(shape.angle), s = std::sin(shape.angle);
             return std::abs(c * dx + s * dy) <= shape.halfExtents.x && std::abs(c * dy - s * dx) <= shape.halfExtents.y;
         }
-        case scenes::ShapeType::polygon: {
-            const auto vertices = shape.Vertices();
-            for (size_t i = 0; i < vertices.size(); ++i) {
-                const Vec2 a = vertices[i], b = vertices[(i + 1) % vertices.size()];
-                if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < 0) return false;
-            }
-            return true;
-        }
+        case scenes::ShapeType::polygon:
+            return Contains(shape.Vertices(), p);
         case scenes::ShapeType::edge:
         case scenes::ShapeType::chain:
             return false;
+        default:
+            return Contains(fixture.outline, p);
     }
-    return false;
 }
 
 }  // namespace
@@ -68,7 +73,7 @@ int FindBodyAt(const Snapshot& snapshot, Vec2 point) {
         const FixtureState& fixture = snapshot.fixtures[i];
         const BodyState& body = snapshot.bodies[static_cast<size_t>(fixture.body)];
         if (body.type != scenes::BodyType::dynamic || !Contains(fixture.tight, point)) continue;
-        if (Contains(fixture.shape, ToLocal(body, point))) return fixture.body;
+        if (Contains(fixture, ToLocal(body, point))) return fixture.body;
     }
     return -1;
 }

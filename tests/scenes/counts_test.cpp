@@ -76,6 +76,7 @@ Totals JointSceneTotalsOf(std::string_view name) {
 Totals ClassicTotalsOf(std::string_view name, int n) {
     if (name == "pyramid") return {1, n * (n + 1) / 2, 1, n * (n + 1) / 2};
     if (name == "box-stack") return {1, 5 * n, 1, 5 * n};
+    if (name == "convex-shapes") return {1, 6 * n, 3, 6 * n};
     if (name == "domino-row") return {1, n + 1, 1, n + 1};
     if (name == "bridge") return {1, n + 5, 3, n + 5, n + 1};
     if (name == "chain-heavy-end") return {1, n + 1, 1, n + 1, n + 1};

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "scenes/catalog.h"
+#include "scenes/outline.h"
 
 namespace {
 
@@ -57,8 +58,9 @@ std::string ShapeDefect(const Shape& shape) {
                        : "edge";
         case ShapeType::chain:
             return "a chain is looked at by its edges";
+        default:
+            return "type";
     }
-    return "type";
 }
 
 // Box2D and ours refuse chains with neighbours closer than 5 mm.
@@ -105,7 +107,13 @@ std::string Defect(const Scene& scene) {
     if (nextFixture != static_cast<int>(scene.fixtures.size())) return "fixtures without a body";
     for (const scenes::Fixture& fixture : scene.fixtures) {
         const bool isChain = fixture.shape.type == ShapeType::chain;
-        const std::string defect = isChain ? ChainDefect(scene, fixture.shape) : ShapeDefect(fixture.shape);
+        const bool isFurther = scenes::IsFurtherConvex(fixture.shape.type);
+        // What the further shapes are, and what stands for them, must be good polygons.
+        const std::string defect =
+            isChain     ? ChainDefect(scene, fixture.shape)
+            : isFurther ? ShapeDefect(scenes::PolygonInstead(scene, fixture.shape)) +
+                              (IsConvexCcw(scenes::SampleOutline(scene, fixture.shape, 64)) ? "" : "outline")
+                        : ShapeDefect(fixture.shape);
         if (!defect.empty()) return defect;
         if (scenes::Find(scene.name)->isClassic) continue;
         if (fixture.friction != 0.2f || fixture.restitution != 0.0f) return "the suite's material";
@@ -214,7 +222,7 @@ TEST(Structure, EveryJointTypeAndShapeTypeOccurs) {
         }
     }
     EXPECT_EQ(static_cast<int>(joints.size()), scenes::jointTypeCount);
-    EXPECT_EQ(shapes.size(), 5u);
+    EXPECT_EQ(shapes.size(), 11u);
     EXPECT_TRUE(hasLoop && hasOneSidedEdge && hasConveyor);
 }
 

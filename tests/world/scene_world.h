@@ -35,7 +35,7 @@ inline void AddFixtures(Body& body, const scenes::Scene& scene, int index) {
             def.shape = &chain;
             body.CreateFixture(&def);
         } else {
-            const testbed::ScreeShape shape = testbed::MakeScreeShape(fixture.shape);
+            const testbed::ScreeShape shape = testbed::MakeScreeShape(scene, fixture.shape);
             def.shape = &testbed::AsShape(shape);
             body.CreateFixture(&def);
         }
