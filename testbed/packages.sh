@@ -19,7 +19,7 @@ readonly SCREE_BUILD_PACKAGES=(
 )
 readonly SCREE_TEST_PACKAGES=(
     clang-format-14 clang
-    xvfb xauth                                            # the window without a screen
+    xvfb xauth xdotool                                    # the window without a screen, with real events
     chromium chromium-driver python3                      # drives the report page
     parallel                                              # shards side by side
 )

@@ -40,6 +40,7 @@ struct ViewArguments {
     std::string nodes = "internal";
     std::string style = "alpha";
     std::string camera = "fit";
+    std::string theme = "dark";
     std::string window = "1280x800";
     bool isPaused = false;
     bool noOverlap = false;
@@ -110,6 +111,7 @@ Viewer MakeViewer(const ViewArguments& arguments) {
     viewer.look.overlap = !arguments.noOverlap;
     viewer.look.nodes = ParseNodeSelection(arguments.nodes);
     viewer.look.style = ParseStyle(arguments.style);
+    viewer.look.theme = ParseTheme(arguments.theme);
     viewer.camera = ParseCamera(arguments.camera);
     const scenes::SceneInfo& info = FindScene(arguments.scene);
     LoadScene(viewer, info, CheckedSize(info, arguments.size));
@@ -200,6 +202,9 @@ void AddOptions(CLI::App& app, ViewArguments& arguments) {
     app.add_option("--nodes", arguments.nodes, "Tree nodes: internal, leaves, all, level=K or levels=A..B")
         ->capture_default_str();
     app.add_option("--style", arguments.style, "Colours of the counts: alpha, heat, bands or log")
+        ->capture_default_str();
+    app.add_option("--theme", arguments.theme, "Colours of scenes and panels: dark or light")
+        ->check(CLI::IsMember({"dark", "light"}))
         ->capture_default_str();
     app.add_option("--camera", arguments.camera,
                    "fit, or X,Y,M: the world point in the middle of a pane, metres across")

@@ -11,14 +11,13 @@
 
 #include "testbed/ui/panels.h"
 #include "testbed/ui/scene_view.h"
+#include "testbed/ui/window_colors.h"
 
 namespace testbed {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-constexpr Color gapColor{27, 28, 32, 255};  // between the panes
 
 ordered_json ToJson(Vec2 v) { return {v.x, v.y}; }
 ordered_json ToJson(const Box& box) { return {box.lower.x, box.lower.y, box.upper.x, box.upper.y}; }
@@ -56,6 +55,7 @@ ordered_json DescribePane(const Viewer& viewer, const EnginePane& pane) {
 }  // namespace
 
 void DrawFrame(Viewer& viewer, Gui& gui, Items& items, WindowRenderer& renderer, const FrameInput& input) {
+    gui.SetTheme(viewer.look.theme);
     gui.BeginFrame(input.events, input.width, input.height, input.deltaTime);
     const auto arrange = [&] { ArrangePanes(viewer, GetSceneArea(viewer, input.width, input.height)); };
     arrange();
@@ -69,7 +69,7 @@ void DrawFrame(Viewer& viewer, Gui& gui, Items& items, WindowRenderer& renderer,
     DrawOverlay(viewer, lists);
     const ImDrawData& panels = gui.EndFrame();
 
-    renderer.Begin(input.width, input.height, gapColor);
+    renderer.Begin(input.width, input.height, GetWindowColors(viewer.look.theme).gap);
     const std::vector<Color> palette = MakeLookPalette(viewer.look);
     for (size_t i = 0; i < viewer.panes.size(); ++i) {
         const EnginePane& pane = viewer.panes[i];
@@ -103,6 +103,7 @@ std::string WriteState(const Viewer& viewer) {
                       {"overlap", viewer.look.overlap},
                       {"nodes", GetNodeSelectionName(viewer.look.nodes)},
                       {"style", GetStyleName(viewer.look.style)},
+                      {"theme", GetThemeName(viewer.look.theme)},
                       {"panels", viewer.look.panels},
                       {"search", viewer.search},
                       {"bullets", viewer.bulletCount},

@@ -43,8 +43,23 @@ void MapKeys(ImGuiIO& io) {
     for (const auto& [name, code] : keys) io.KeyMap[name] = code;
 }
 
+void SetColors(Theme theme) {
+    ImVec4* colors = ImGui::GetStyle().Colors;
+    if (theme == Theme::dark) {
+        ImGui::StyleColorsDark();
+        colors[ImGuiCol_WindowBg] = {0.105f, 0.11f, 0.125f, 1};
+        colors[ImGuiCol_Border] = {0.25f, 0.26f, 0.29f, 1};
+        colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = {0.16f, 0.17f, 0.2f, 1};
+    } else {
+        ImGui::StyleColorsLight();
+        colors[ImGuiCol_WindowBg] = {0.95f, 0.95f, 0.955f, 1};
+        colors[ImGuiCol_Border] = {0.72f, 0.73f, 0.75f, 1};
+        colors[ImGuiCol_TitleBg] = colors[ImGuiCol_TitleBgActive] = {0.85f, 0.86f, 0.88f, 1};
+    }
+}
+
 void SetStyle() {
-    ImGui::StyleColorsDark();
+    SetColors(Theme::dark);
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = 0;
     style.FrameRounding = 3;
@@ -54,9 +69,6 @@ void SetStyle() {
     style.ItemSpacing = {6, 4};
     style.IndentSpacing = 14;
     style.ScrollbarSize = 11;
-    style.Colors[ImGuiCol_WindowBg] = {0.105f, 0.11f, 0.125f, 1};
-    style.Colors[ImGuiCol_Border] = {0.25f, 0.26f, 0.29f, 1};
-    style.Colors[ImGuiCol_TitleBg] = style.Colors[ImGuiCol_TitleBgActive] = {0.16f, 0.17f, 0.2f, 1};
 }
 
 /// What has changed in this frame, so that it may not change again.
@@ -119,6 +131,11 @@ Gui::Gui() : m_context(ImGui::CreateContext()) {
 }
 
 Gui::~Gui() { ImGui::DestroyContext(m_context); }
+
+void Gui::SetTheme(Theme theme) {
+    if (theme != m_theme) SetColors(theme);
+    m_theme = theme;
+}
 
 const unsigned char* Gui::GetFontPixels(int& width, int& height) {
     unsigned char* pixels = nullptr;

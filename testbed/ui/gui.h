@@ -12,6 +12,7 @@
 #include <string>
 
 #include "testbed/context/input_event.h"
+#include "testbed/view/theme.h"
 
 struct ImDrawData;
 struct ImGuiContext;
@@ -31,6 +32,8 @@ public:
     Gui(const Gui&) = delete;
     Gui& operator=(const Gui&) = delete;
 
+    /// The colours of panels from the next frame on.
+    void SetTheme(Theme theme);
     /// Coverage of the font's pixels, for the renderer.
     [[nodiscard]] const unsigned char* GetFontPixels(int& width, int& height);
     /// Takes events in order. A button or key changes at most once in a frame, and the pointer does not move after it
@@ -40,6 +43,7 @@ public:
 
 private:
     ImGuiContext* m_context;
+    Theme m_theme = Theme::dark;
     std::deque<InputEvent> m_waiting;
 };
 

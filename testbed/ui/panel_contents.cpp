@@ -15,6 +15,7 @@
 #include <set>
 
 #include "testbed/ui/panels.h"
+#include "testbed/ui/window_colors.h"
 
 namespace testbed {
 
@@ -76,7 +77,8 @@ double RoundUp(double value) {
 
 void DrawStage(const Viewer& viewer, const Stage& stage, ImVec2 lower, ImVec2 upper) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(lower, upper, IM_COL32(20, 21, 24, 255));
+    const WindowColors& colors = GetWindowColors(viewer.look.theme);
+    list.AddRectFilled(lower, upper, colors.plot);
     double top = 0;
     for (const EnginePane& pane : viewer.panes) {
         for (const StepTimes& times : pane.history) top = std::max(top, times.*stage.time);
@@ -91,13 +93,12 @@ void DrawStage(const Viewer& viewer, const Stage& stage, ImVec2 lower, ImVec2 up
             const auto share = static_cast<float>(pane.history[i].*stage.time / top);
             points.emplace_back(x, upper.y - 2 - share * (upper.y - plotTop - 3));
         }
-        list.AddPolyline(points.data(), static_cast<int>(points.size()), GetEngineColor(pane.engine), 0, 1);
+        list.AddPolyline(points.data(), static_cast<int>(points.size()), colors.GetEngine(pane.engine), 0, 1);
     }
-    list.AddLine({lower.x, plotTop}, {upper.x, plotTop}, IM_COL32(70, 72, 80, 255));
-    list.AddText({lower.x + 4, lower.y + 2}, IM_COL32(220, 220, 224, 255), stage.name);
+    list.AddLine({lower.x, plotTop}, {upper.x, plotTop}, colors.plotLine);
+    list.AddText({lower.x + 4, lower.y + 2}, colors.plotText, stage.name);
     const std::string end = fmt::format("{:g} ms", top);
-    list.AddText({upper.x - 4 - ImGui::CalcTextSize(end.c_str()).x, lower.y + 2}, IM_COL32(150, 152, 160, 255),
-                 end.c_str());
+    list.AddText({upper.x - 4 - ImGui::CalcTextSize(end.c_str()).x, lower.y + 2}, colors.plotEnd, end.c_str());
 }
 
 void WriteNode(const EnginePane& pane) {
@@ -116,8 +117,8 @@ void WriteBody(const Viewer& viewer) {
     for (const EnginePane& pane : viewer.panes) {
         if (viewer.pickedBody >= static_cast<int>(pane.snapshot.bodies.size())) continue;
         const BodyState& body = pane.snapshot.bodies[static_cast<size_t>(viewer.pickedBody)];
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetEngineColor(pane.engine)), "body %d  x %.2f  y %.2f%s",
-                           viewer.pickedBody, static_cast<double>(body.position.x),
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetWindowColors(viewer.look.theme).GetEngine(pane.engine)),
+                           "body %d  x %.2f  y %.2f%s", viewer.pickedBody, static_cast<double>(body.position.x),
                            static_cast<double>(body.position.y), body.awake ? "" : "  asleep");
     }
 }
@@ -172,10 +173,10 @@ void DrawFindings(const Viewer& viewer) {
     if (viewer.pickedBody >= 0) WriteBody(viewer);
     for (const EnginePane& pane : viewer.panes) {
         if (pane.trace) {
-            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetEngineColor(pane.engine)),
-                               "query: %d visited, %d tested,\n%d of %d leaves",
-                               static_cast<int>(pane.trace->visited.size()), pane.trace->tested, pane.trace->leaves,
-                               static_cast<int>(pane.snapshot.fixtures.size()));
+            ImGui::TextColored(
+                ImGui::ColorConvertU32ToFloat4(GetWindowColors(viewer.look.theme).GetEngine(pane.engine)),
+                "query: %d visited, %d tested,\n%d of %d leaves", static_cast<int>(pane.trace->visited.size()),
+                pane.trace->tested, pane.trace->leaves, static_cast<int>(pane.snapshot.fixtures.size()));
         }
     }
     bool hasNode = false;

@@ -12,6 +12,7 @@
 #include <exception>
 
 #include "scree/broad_phase_kind.h"
+#include "testbed/ui/window_colors.h"
 
 namespace testbed {
 
@@ -65,7 +66,7 @@ void DrawBar(Viewer& viewer, Items& items) {
     for (size_t i = 0; i < viewerEngines.size(); ++i) {
         ImGui::SameLine(0, i == 0 ? 18.0f : -1.0f);
         bool isOn = viewer.engines[i];
-        ImGui::PushStyleColor(ImGuiCol_Text, GetEngineColor(viewerEngines[i]));
+        ImGui::PushStyleColor(ImGuiCol_Text, GetWindowColors(viewer.look.theme).GetEngine(viewerEngines[i]));
         if (ImGui::Checkbox(viewerEngines[i], &isOn)) Try(viewer, [&] { ToggleEngine(viewer, i); });
         ImGui::PopStyleColor();
         MarkItem(items, fmt::format("engine.{}", viewerEngines[i]));
@@ -188,16 +189,16 @@ void DrawLook(Viewer& viewer, Items& items) {
     ImGui::PopItemWidth();
     ImGui::Checkbox("smooth edges", &look.smooth);
     MarkItem(items, "look.smooth");
+    ImGui::SameLine();
+    bool isLight = look.theme == Theme::light;
+    if (ImGui::Checkbox("light", &isLight)) look.theme = isLight ? Theme::light : Theme::dark;
+    MarkItem(items, "look.light");
     look.opacity = std::clamp(look.opacity, 0.005f, 1.0f);
     look.scaleMax = std::clamp(look.scaleMax, 2, 4000);
     viewer.querySize = std::clamp(viewer.querySize, 0.0f, 10000.0f);
 }
 
 }  // namespace
-
-unsigned GetEngineColor(std::string_view engine) {
-    return engine == "scree" ? IM_COL32(104, 190, 240, 255) : IM_COL32(240, 176, 40, 255);
-}
 
 PixelBox GetSceneArea(const Viewer& viewer, int width, int height) {
     if (!viewer.look.panels) return {0, 0, width, height};

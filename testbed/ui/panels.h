@@ -24,7 +24,4 @@ void DrawTimesPanel(const Viewer& viewer);
 /// What the pointer found: body, node, query; for DrawPanels.
 void DrawFindings(const Viewer& viewer);
 
-/// The colour by which an engine is known in plots and titles, as Dear ImGui packs it.
-[[nodiscard]] unsigned GetEngineColor(std::string_view engine);
-
 }  // namespace testbed

@@ -14,6 +14,7 @@
 
 #include "testbed/context/input_event.h"
 #include "testbed/ui/panels.h"
+#include "testbed/ui/window_colors.h"
 #include "testbed/view/scene_layers.h"
 
 namespace testbed {
@@ -24,9 +25,7 @@ constexpr float clickDistance = 4;  // pixels that a click may move
 constexpr float bulletSpeed = 100;  // m/s: below the 2 m a step at which both engines cap
 constexpr float zoomPerScroll = 1.15f;
 constexpr size_t maxHighlighted = 20000;  // nodes of a trace that are drawn
-constexpr ImU32 queryColor = IM_COL32(255, 226, 64, 255), pathColor = IM_COL32(255, 255, 255, 255);
-constexpr ImU32 visitedLine = IM_COL32(255, 226, 64, 110), noFill = 0;
-constexpr ImU32 leafFill = IM_COL32(90, 235, 170, 90), dragColor = IM_COL32(120, 255, 160, 255);
+constexpr ImU32 noFill = 0;
 
 bool IsInside(const PixelBox& box, float x, float y) {
     return x >= static_cast<float>(box.x0) && x < static_cast<float>(box.x1) && y >= static_cast<float>(box.y0) &&
@@ -136,7 +135,11 @@ void HandleMouse(Viewer& viewer) {
 class PaneOverlay {
 public:
     PaneOverlay(const Viewer& viewer, const EnginePane& pane)
-        : m_viewer(viewer), m_pane(pane), m_camera(GetCamera(viewer, pane)), m_list(*ImGui::GetBackgroundDrawList()) {}
+        : m_viewer(viewer),
+          m_pane(pane),
+          m_camera(GetCamera(viewer, pane)),
+          m_colors(GetWindowColors(viewer.look.theme)),
+          m_list(*ImGui::GetBackgroundDrawList()) {}
 
     void Draw(const DrawList& layers) {
         const PixelBox& area = m_pane.area;
@@ -174,6 +177,7 @@ private:
     const Viewer& m_viewer;
     const EnginePane& m_pane;
     Camera m_camera;
+    const WindowColors& m_colors;
     ImDrawList& m_list;
 };
 
@@ -182,19 +186,19 @@ void PaneOverlay::DrawTrace() {
     const auto& visited = m_pane.trace->visited;
     for (size_t i = 0; i < std::min(visited.size(), maxHighlighted); ++i) {
         const NodeState& node = GetNode(visited[i]);
-        AddBox(node.box, node.child1 < 0 ? leafFill : noFill, visitedLine, 1);
+        AddBox(node.box, node.child1 < 0 ? m_colors.leaf : noFill, m_colors.visitedNode, 1);
     }
     const ImVec2 at = ToPixel(*m_viewer.query);
-    m_list.AddLine({at.x - 6, at.y}, {at.x + 6, at.y}, queryColor);
-    m_list.AddLine({at.x, at.y - 6}, {at.x, at.y + 6}, queryColor);
-    if (m_viewer.querySize > 0) AddBox(MakeQueryBox(*m_viewer.query, m_viewer.querySize), noFill, queryColor, 2);
+    m_list.AddLine({at.x - 6, at.y}, {at.x + 6, at.y}, m_colors.query);
+    m_list.AddLine({at.x, at.y - 6}, {at.x, at.y + 6}, m_colors.query);
+    if (m_viewer.querySize > 0) AddBox(MakeQueryBox(*m_viewer.query, m_viewer.querySize), noFill, m_colors.query, 2);
 }
 
 void PaneOverlay::DrawHovered() {
     if (m_pane.hoveredNode < 0) return;
     for (const int node : GetPath(m_pane.snapshot.nodes, m_pane.hoveredNode)) {
         const bool isLast = node == m_pane.hoveredNode;
-        AddBox(GetNode(node).box, noFill, isLast ? pathColor : IM_COL32(255, 255, 255, 90), isLast ? 2.0f : 1.0f);
+        AddBox(GetNode(node).box, noFill, isLast ? m_colors.path : m_colors.pathAbove, isLast ? 2.0f : 1.0f);
     }
 }
 
@@ -204,8 +208,8 @@ void PaneOverlay::DrawDrag() {
     if (body >= m_pane.snapshot.bodies.size()) return;
     const ImVec2 from = ToPixel(ToWorld(m_pane.snapshot.bodies[body], m_viewer.drag->localPoint));
     const ImVec2 to = ToPixel(m_viewer.drag->target);
-    m_list.AddLine(from, to, dragColor, 2);
-    m_list.AddCircleFilled(from, 4, dragColor);
+    m_list.AddLine(from, to, m_colors.drag, 2);
+    m_list.AddCircleFilled(from, 4, m_colors.drag);
 }
 
 void PaneOverlay::DrawTitle() {
@@ -215,9 +219,9 @@ void PaneOverlay::DrawTitle() {
         fmt::format("{} bodies  {} contacts  {} nodes", s.bodies.size(), s.contactCount, s.nodes.size());
     const auto x = static_cast<float>(m_pane.area.x0), y = static_cast<float>(m_pane.area.y0);
     const float width = ImGui::CalcTextSize((title + "   " + numbers).c_str()).x + 16;
-    m_list.AddRectFilled({x, y}, {x + width, y + 20}, IM_COL32(18, 19, 22, 215));
-    m_list.AddText({x + 6, y + 3}, GetEngineColor(s.engine), title.c_str());
-    m_list.AddText({x + 6 + ImGui::CalcTextSize((title + "   ").c_str()).x, y + 3}, IM_COL32(210, 212, 216, 255),
+    m_list.AddRectFilled({x, y}, {x + width, y + 20}, m_colors.titleStrip);
+    m_list.AddText({x + 6, y + 3}, m_colors.GetEngine(s.engine), title.c_str());
+    m_list.AddText({x + 6 + ImGui::CalcTextSize((title + "   ").c_str()).x, y + 3}, m_colors.titleText,
                    numbers.c_str());
 }
 
@@ -253,6 +257,7 @@ std::vector<DrawList> BuildPaneLists(const Viewer& viewer) {
                                       {.layers = viewer.look.layers,
                                        .nodes = viewer.look.nodes,
                                        .supersampling = viewer.look.smooth ? 2 : 1,
+                                       .theme = viewer.look.theme,
                                        .isOverCounts = viewer.look.overlap}));
     }
     return lists;
@@ -272,7 +277,8 @@ std::vector<Color> MakeLookPalette(const ViewerLook& look) {
     // Beyond this the alpha style has no colours left: 1 − 0.005 to the 1,000th is below 1/100.
     constexpr uint32_t alphaCounts = 1000;
     const bool isAlpha = look.style == Style::alpha;
-    return MakePalette(look.style, double{look.opacity}, isAlpha ? alphaCounts : static_cast<uint32_t>(look.scaleMax));
+    return MakePalette(look.style, double{look.opacity}, isAlpha ? alphaCounts : static_cast<uint32_t>(look.scaleMax),
+                       look.theme);
 }
 
 void DrawOverlay(const Viewer& viewer, std::span<const DrawList> lists) {

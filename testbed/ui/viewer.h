@@ -21,6 +21,7 @@
 #include "testbed/view/camera.h"
 #include "testbed/view/layers.h"
 #include "testbed/view/nodes.h"
+#include "testbed/view/theme.h"
 #include "testbed/view/tree_query.h"
 
 namespace testbed {
@@ -51,6 +52,7 @@ struct ViewerLook {
     float opacity = 0.04f;
     int scaleMax = 40;    ///< count at the end of the colour scale, for all styles but alpha
     bool smooth = false;  ///< four samples a pixel
+    Theme theme = Theme::dark;
     PaneLayout layout = PaneLayout::automatic;
     bool panels = true;
 };

@@ -4,6 +4,7 @@
 // The window as a user meets it: scripts of mouse and keyboard into the program, JSON and pictures out; offscreen, and
 // in a real window on a virtual display.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +12,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "testbed/render/png.h"
 #include "tests/testbed/commands/program.h"
@@ -253,6 +256,97 @@ TEST(View, AWindowShowsWhatOffscreenShows) {
     EXPECT_TRUE(ReadState(folder, "window.json")["dragging"]);
     EXPECT_EQ(folder.Read("window.json"), folder.Read("offscreen.json"));
     EXPECT_TRUE(AreEqual(folder, "window.png", "offscreen.png")) << "both draw with llvmpipe into the same target";
+}
+
+/// Where body 10 of the paused pyramid is in the window, pixels, by the state that a script dumps.
+std::pair<int, int> FindTop(const ScratchFolder& folder, const std::string& view) {
+    WriteScript(folder, "1 move body scree 10\n2 press\n4 dump d.json\n");
+    EXPECT_EQ(folder.Run(view + " --offscreen --script input.txt").exitCode, 0);
+    const json state = ReadState(folder, "d.json");
+    const json engine = state["engines"][0];
+    const auto camera = state["camera"].get<std::vector<double>>();
+    const auto area = engine["area"].get<std::vector<double>>();
+    const auto at = engine["picked"]["position"].get<std::vector<double>>();
+    return {static_cast<int>((area[0] + area[2]) / 2 + (at[0] - camera[0]) * camera[2]),
+            static_cast<int>((area[1] + area[3]) / 2 - (at[1] - camera[1]) * camera[2])};
+}
+
+// Events of the X server itself (XTest), through GLFW, in a window on a virtual display: the pictures that F12 writes
+// must be those that a script of the same events makes without a window.
+TEST(View, RealMouseAndKeysDoWhatScriptsDo) {
+    for (const char* tool : {"xvfb-run", "xdotool"}) {
+        const std::string find = std::string("command -v ") + tool + " >/dev/null";
+        if (std::system(find.c_str()) != 0) GTEST_SKIP() << tool << " is missing: install it by apt";
+    }
+    const ScratchFolder folder;
+    const std::string view = "view pyramid --size 4 --window 900x640 --no-times --no-overlap --paused --steps-before 3";
+    const auto [x, y] = FindTop(folder, view);
+    const std::string from = fmt::format("{} {}", x, y), to = fmt::format("{} {}", x + 60, y - 40);
+    std::ofstream(folder.GetPath() / "real.sh") << fmt::format(R"(mkdir real && cd real
+"{0}" {1} & viewer=$!
+trap 'kill $viewer' EXIT
+window=$(timeout 60 xdotool search --sync --onlyvisible --name '^scree$' | head -n 1)
+Await() {{ for _ in $(seq 600); do compgen -G "$1" >/dev/null && return; sleep 0.1; done; echo "no $1"; exit 1; }}
+xdotool mousemove --window "$window" {2} mousedown 1 mousemove --window "$window" {3} key F12
+Await screenshot-pyramid-0003.png                  # the pointer is where the steps will find it
+for _ in $(seq 20); do xdotool key o; done
+xdotool key F12
+Await screenshot-pyramid-0023.png                  # 20 single steps, not one more
+mv screenshot-pyramid-0023.png held.png
+xdotool mouseup 1 key F12
+Await screenshot-pyramid-0023.png                  # let go
+xdotool key o key F12
+Await screenshot-pyramid-0024.png
+xdotool key p
+Await /proc/$viewer/stat                           # runs
+xdotool key p key bracketright key F12
+Await screenshot-box-stack-0000.png                # paused again, the next scene
+)",
+                                                               SCREE_PROGRAM, view, from, to);
+    const ProgramResult real = folder.Run("", "xvfb-run -a -s '-screen 0 1280x1024x24' bash real.sh; :");
+    ASSERT_TRUE(folder.Has("real/screenshot-pyramid-0024.png")) << real.output;
+    EXPECT_TRUE(folder.Has("real/screenshot-box-stack-0000.png")) << real.output;
+
+    std::string script = fmt::format("1 move {}\n2 press\n4 move {}\n6 key f12\n", from, to);
+    for (int i = 0; i < 20; ++i) script += fmt::format("{} key o\n", 8 + 2 * i);
+    script += "60 key f12\n60 screenshot held.png\n62 release\n64 key f12\n66 key o\n70 key f12\n74 dump d.json\n";
+    WriteScript(folder, script);
+    ASSERT_EQ(folder.Run(view + " --offscreen --script input.txt").exitCode, 0);
+    for (const char* name :
+         {"screenshot-pyramid-0003.png", "held.png", "screenshot-pyramid-0023.png", "screenshot-pyramid-0024.png"}) {
+        EXPECT_TRUE(AreEqual(folder, std::string("real/") + name, name)) << name;
+    }
+    EXPECT_FALSE(AreEqual(folder, "screenshot-pyramid-0023.png", "screenshot-pyramid-0024.png"));
+    // The drag did something: without it the picture is another.
+    ASSERT_EQ(folder
+                  .Run("view pyramid --size 4 --window 900x640 --no-times --no-overlap --paused --steps-before 23 "
+                       "--offscreen --frames 3 --screenshot undragged.png")
+                  .exitCode,
+              0);
+    EXPECT_FALSE(AreEqual(folder, "held.png", "undragged.png"));
+}
+
+TEST(View, TheLightThemeChangesScenesAndPanels) {
+    const ScratchFolder folder;
+    const std::string view = "view pyramid --size 4 --window 900x640 --no-times --paused --offscreen ";
+    ASSERT_EQ(folder.Run(view + "--frames 4 --screenshot dark.png --theme dark").exitCode, 0);
+    ASSERT_EQ(folder.Run(view + "--frames 4 --screenshot light.png --theme light --dump-state light.json").exitCode, 0);
+    EXPECT_EQ(ReadState(folder, "light.json")["theme"], "light");
+    const auto brightShare = [&](const char* name) {
+        const Image image = ReadPng(folder.GetPath() / name);
+        double bright = 0;
+        for (const Color& color : image.pixels) bright += color.r + color.g + color.b > 3 * 160 ? 1 : 0;
+        return bright / static_cast<double>(image.pixels.size());
+    };
+    EXPECT_GT(brightShare("light.png"), 0.75);
+    EXPECT_LT(brightShare("dark.png"), 0.15);
+    // The switch in the panel does the same.
+    WriteScript(folder,
+                "2 move item look.light\n2 click\n6 move 5 5\n9 screenshot switched.png\n9 dump switched.json\n");
+    ASSERT_EQ(folder.Run(view + "--script input.txt").exitCode, 0);
+    EXPECT_EQ(ReadState(folder, "switched.json")["theme"], "light");
+    EXPECT_GT(brightShare("switched.png"), 0.75);
+    EXPECT_EQ(folder.Run(view + "--frames 1 --theme grey").exitCode, 2);
 }
 
 TEST(View, QuitsByItselfAfterItsFrames) {
