@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The page of a comparison of pictures: results, pictures, sidecars and colour tables as JSON in the page, shown by
-// report/page/snapshot.js.
+// report/page/snapshot*.js.
 
 #include "testbed/report/snapshot_page.h"
 
