@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree list`: the scenes with their sizes and what they exercise, as a table or as JSON.
+// `scree list`: the scenes with their sizes and what they exercise, in groups, as a table or as JSON.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "scenes/catalog.h"
 #include "testbed/commands/commands.h"
@@ -24,20 +29,60 @@ std::string DescribeSizes(const scenes::SceneInfo& info) {
     return fmt::format("{} ({}..{})", info.defaultSize, info.minSize, info.maxSize);
 }
 
-void PrintTable() {
-    fmt::print("{:<22}{:<22}{:>6} {:>6}  {}\n", "scene", "size (legal)", "steps", "shown", "what it is, and tests");
+/// A part of the catalogue under a heading of its own.
+struct Group {
+    const char* name;
+    const char* heading;
+};
+constexpr std::array groups{Group{"benchmark", "the benchmark suite (what `scree bench` runs)"},
+                            Group{"classic", "classics, by theme"}, Group{"joint", "one scene per joint"}};
+
+const char* GroupOf(const scenes::SceneInfo& info) {
+    if (!info.isClassic) return groups[0].name;
+    return info.folder == "joints" ? groups[2].name : groups[1].name;
+}
+
+/// The rows of a group; classics that share a theme follow each other.
+std::vector<const scenes::SceneInfo*> SelectGroup(std::string_view group) {
+    std::vector<const scenes::SceneInfo*> rows;
+    std::vector<std::string_view> themes;
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
-        fmt::print("{:<22}{:<22}{:>6} {:>6}  {}\n{:58}  {}\n", info.name, DescribeSizes(info), info.steps,
-                   info.showStep, info.title, "", info.exercises);
+        if (GroupOf(info) != group) continue;
+        rows.push_back(&info);
+        if (std::ranges::find(themes, info.folder) == themes.end()) themes.push_back(info.folder);
+    }
+    if (group == groups[1].name) {
+        std::ranges::stable_sort(rows, {}, [&](const auto* row) { return std::ranges::find(themes, row->folder); });
+    }
+    return rows;
+}
+
+void PrintTable() {
+    for (const Group& group : groups) {
+        const std::vector<const scenes::SceneInfo*> rows = SelectGroup(group.name);
+        fmt::print("{}{}: {} scenes\n", &group == &groups[0] ? "" : "\n", group.heading, rows.size());
+        fmt::print("  {:<22}{:<14}{:<20}{:>6} {:>6}  {}\n", "scene", "theme", "size (legal)", "steps", "shown",
+                   "what it is, and tests");
+        for (const scenes::SceneInfo* info : rows) {
+            fmt::print("  {:<22}{:<14}{:<20}{:>6} {:>6}  {}\n{:72}  {}\n", info->name, info->folder,
+                       DescribeSizes(*info), info->steps, info->showStep, info->title, "", info->exercises);
+        }
     }
 }
 
 void PrintJson() {
     Json list = Json::array();
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
-        Json row = {{"name", info.name},         {"title", info.title},      {"exercises", info.exercises},
-                    {"folder", info.folder},     {"has_size", info.hasSize}, {"default_size", info.defaultSize},
-                    {"min_size", info.minSize},  {"max_size", info.maxSize}, {"steps", info.steps},
+        Json row = {{"name", info.name},
+                    {"group", GroupOf(info)},
+                    {"title", info.title},
+                    {"exercises", info.exercises},
+                    {"folder", info.folder},
+                    {"has_size", info.hasSize},
+                    {"default_size", info.defaultSize},
+                    {"min_size", info.minSize},
+                    {"max_size", info.maxSize},
+                    {"steps", info.steps},
                     {"show_step", info.showStep}};
         if (info.sweep) {
             row["sweep"] = {

@@ -150,16 +150,6 @@ ShardCases SelectShard(const SnapshotArguments& arguments) {
     return chosen;
 }
 
-/// Ways whose picture or state of a case is another than the first way's.
-std::vector<std::string> FindDeviants(const std::vector<VerifyRun>& runs, std::size_t index) {
-    std::vector<std::string> deviants;
-    for (const VerifyRun& run : runs) {
-        if (!run.hashes.empty() && run.hashes[index] != runs.front().hashes[index])
-            deviants.push_back(run.way.GetName());
-    }
-    return deviants;
-}
-
 int RunVerify(const SnapshotArguments& arguments, const Request& request) {
     const ShardCases chosen = SelectShard(arguments);
     CheckWritable(arguments.shard.json);
@@ -204,7 +194,7 @@ int RunList(const SnapshotArguments& arguments) {
     for (std::size_t i = 0; i < chosen.cases.size(); ++i) {
         const SnapshotCase& c = chosen.cases[i];
         const bool hasReference = fs::exists(fs::path(arguments.references) / (c.GetId() + ".png"));
-        fmt::print("{:<46} size {:>4}  {:<8} {}{}\n", c.GetId(), c.size, c.kind, c.layers,
+        fmt::print("{:<46} size {:>4}  {:<8} {:<6} {}{}\n", c.GetId(), c.size, c.kind, c.theme, c.layers,
                    hasReference ? "" : "   (no reference)");
         lines.Add(chosen.numbers[i], {{"id", c.GetId()},
                                       {"scene", c.scene},
@@ -212,6 +202,7 @@ int RunList(const SnapshotArguments& arguments) {
                                       {"step", c.step},
                                       {"kind", c.kind},
                                       {"layers", c.layers},
+                                      {"theme", c.theme},
                                       {"has_reference", hasReference}});
     }
     if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());

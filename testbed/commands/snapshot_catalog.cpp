@@ -24,6 +24,7 @@ struct SnapshotSet {
     std::string_view name, kind, layers;
     int group;  ///< 0 … groupCount − 1: only scenes of this group have it; anyGroup: all
     When when;
+    std::string_view theme = "dark";
 };
 constexpr int groupCount = 3, anyGroup = -1;
 
@@ -35,6 +36,12 @@ constexpr SnapshotSet snapshotSets[] = {
     {"boxes", "render", "bodies,aabbs", 1, When::early},
     {"bvh", "render", "bodies,bvh", 2, When::late},
     {"joints", "render", "bodies,joints", 2, When::early},
+    {"velocities", "render", "bodies,velocities", 0, When::early},
+    {"swept", "render", "bodies,aabbs-swept,aabbs-fattened", 1, When::early},
+    {"partitions", "render", "bodies,partitions", 2, When::late},
+    {"light", "render", "bodies,joints,contacts,impulses", 0, When::late, "light"},
+    {"light-overlap", "overlap", "levels=0..4", 1, When::late, "light"},
+    {"light-islands", "render", "islands,velocities,labels", 2, When::early, "light"},
 };
 
 /// Scenes with sizes are halved until no more fixtures move than this: the whole check stays a matter of seconds.
@@ -68,7 +75,7 @@ std::vector<SnapshotCase> GetSnapshotCatalog() {
                 if (set.group != anyGroup && set.group != group) continue;
                 if (set.when != When::both && set.when != when) continue;
                 cases.push_back({std::string(info.name), size, step, fmt::format("step-{:04}-{}", step, set.name),
-                                 std::string(set.kind), std::string(set.layers)});
+                                 std::string(set.kind), std::string(set.layers), std::string(set.theme)});
             }
         }
     }

@@ -17,9 +17,10 @@ struct SnapshotCase {
     std::string scene;
     int size = 0;
     int step = 0;
-    std::string name;    ///< of the files without extension, for example "step-0090-islands"
-    std::string kind;    ///< overlap or render
-    std::string layers;  ///< render: layers, as --layers takes them; overlap: nodes, as --nodes takes them
+    std::string name;            ///< of the files without extension, for example "step-0090-islands"
+    std::string kind;            ///< overlap or render
+    std::string layers;          ///< render: layers, as --layers takes them; overlap: nodes, as --nodes takes them
+    std::string theme = "dark";  ///< as --theme takes it
 
     /// <scene>/<name>: the reference's path without extension.
     [[nodiscard]] std::string GetId() const { return scene + "/" + name; }

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <chrono>
@@ -33,6 +34,7 @@ PictureOptions MakeOptions(const SnapshotCase& snapshotCase) {
     PictureOptions options;
     options.width = snapshotWidth;
     options.height = snapshotHeight;
+    options.theme = ParseTheme(snapshotCase.theme);
     options.supersampling = 1;  // few colours: a palette, and files of a few kilobytes
     if (snapshotCase.kind == "overlap") {
         options.layers = Layers{};  // the counts alone
@@ -53,6 +55,7 @@ Json DescribeCase(const SnapshotCase& snapshotCase, const Snapshot& snapshot, co
             {"size", snapshotCase.size},
             {"step", snapshotCase.step},
             {"layers", snapshotCase.layers},
+            {"theme", snapshotCase.theme},
             {"backend", GetBackendName(maker.GetBackend())},
             {"gl_renderer", maker.GetRendererName()},
             {"engine", snapshot.engine},
@@ -96,6 +99,8 @@ void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotRun& run
     if (run.perturb) run.perturb(scene);
     RunOptions options;
     options.threads = run.threads;
+    options.sweptBoxes = std::ranges::any_of(
+        cases, [](const SnapshotCase& c) { return c.kind == "render" && ParseLayers(c.layers).Has(Layer::swept); });
     const std::unique_ptr<EngineRun> engine = MakeScreeRun(scene, options);
     Snapshot snapshot;
     for (const SnapshotCase& snapshotCase : cases) {

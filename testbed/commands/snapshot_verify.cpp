@@ -16,7 +16,6 @@
 #include <exception>
 
 #include "testbed/commands/exit_code.h"
-#include "testbed/commands/snapshot_render.h"
 #include "testbed/render/png.h"
 #include "testbed/report/progress.h"
 
@@ -37,7 +36,8 @@ uint64_t HashImage(const Image& image) {
 }
 
 /// In the child: makes all pictures, a line each. Never returns to the caller's code.
-[[noreturn]] void RunChild(std::span<const SnapshotCase> cases, const VerifyWay& way, ContextOptions options, int out) {
+[[noreturn]] void RunChild(std::span<const SnapshotCase> cases, const VerifyWay& way, ContextOptions options,
+                           const Distortion& distortion, int out) {
     int code = exitDone;
     std::string text;
     try {
@@ -46,7 +46,8 @@ uint64_t HashImage(const Image& image) {
         PictureMaker maker(way.backend, options);
         const SnapshotRun run{.threads = SupportedThreads(way.threads)};
         for (const std::span<const SnapshotCase> scene : GroupByScene(cases)) {
-            RenderSnapshots(scene, run, maker, [&](const SnapshotCase&, const SnapshotPicture& picture) {
+            RenderSnapshots(scene, run, maker, [&](const SnapshotCase& snapshotCase, SnapshotPicture picture) {
+                if (distortion) distortion(way, snapshotCase, picture);
                 text += fmt::format("{:016x} {}\n", HashImage(picture.image),
                                     picture.sidecar.at("state_hash").get<std::string>());
             });
@@ -72,7 +73,8 @@ struct Child {
     int pipe = -1;
 };
 
-Child StartChild(std::span<const SnapshotCase> cases, const VerifyWay& way, const ContextOptions& options) {
+Child StartChild(std::span<const SnapshotCase> cases, const VerifyWay& way, const ContextOptions& options,
+                 const Distortion& distortion) {
     int ends[2] = {-1, -1};
     if (pipe(ends) != 0) throw FileError("cannot open a pipe");
     std::fflush(nullptr);  // what is buffered would be written twice
@@ -80,7 +82,7 @@ Child StartChild(std::span<const SnapshotCase> cases, const VerifyWay& way, cons
     if (process < 0) throw FileError("cannot start a process");
     if (process == 0) {
         close(ends[0]);
-        RunChild(cases, way, options, ends[1]);
+        RunChild(cases, way, options, distortion, ends[1]);
     }
     close(ends[1]);
     return {process, ends[0]};
@@ -126,12 +128,12 @@ std::vector<VerifyWay> GetVerifyWays() {
 }
 
 std::vector<VerifyRun> VerifySnapshots(std::span<const SnapshotCase> cases, std::span<const VerifyWay> ways,
-                                       const ContextOptions& contextOptions, int jobs) {
+                                       const ContextOptions& contextOptions, int jobs, const Distortion& distortion) {
     std::vector<Child> children;
     std::vector<VerifyRun> runs;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         while (children.size() < ways.size() && children.size() < i + static_cast<std::size_t>(std::max(jobs, 1))) {
-            children.push_back(StartChild(cases, ways[children.size()], contextOptions));
+            children.push_back(StartChild(cases, ways[children.size()], contextOptions, distortion));
         }
         Progress progress(ways[i].GetName(), 1);
         runs.push_back(FinishChild(children[i], ways[i], cases.size()));
@@ -139,6 +141,16 @@ std::vector<VerifyRun> VerifySnapshots(std::span<const SnapshotCase> cases, std:
         progress.Finish(run.problem.empty() ? fmt::format("{} pictures", run.hashes.size()) : run.problem);
     }
     return runs;
+}
+
+std::vector<std::string> FindDeviants(std::span<const VerifyRun> runs, std::size_t caseIndex) {
+    std::vector<std::string> deviants;
+    for (const VerifyRun& run : runs) {
+        if (!run.hashes.empty() && run.hashes[caseIndex] != runs.front().hashes[caseIndex]) {
+            deviants.push_back(run.way.GetName());
+        }
+    }
+    return deviants;
 }
 
 }  // namespace testbed

@@ -6,11 +6,13 @@
 
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "testbed/commands/snapshot_catalog.h"
+#include "testbed/commands/snapshot_render.h"
 #include "testbed/context/context.h"
 
 namespace testbed {
@@ -35,9 +37,16 @@ struct VerifyRun {
     bool isBackendMissing = false;
 };
 
+/// What a test may do to the pictures of one way, to see that it is found out.
+using Distortion = std::function<void(const VerifyWay&, const SnapshotCase&, SnapshotPicture&)>;
+
 /// Runs every way over the cases, `jobs` processes at a time. Call it before any context is open.
 [[nodiscard]] std::vector<VerifyRun> VerifySnapshots(std::span<const SnapshotCase> cases,
                                                      std::span<const VerifyWay> ways,
-                                                     const ContextOptions& contextOptions, int jobs);
+                                                     const ContextOptions& contextOptions, int jobs,
+                                                     const Distortion& distortion = {});
+
+/// Names of the ways whose picture or state of a case is another than the first way's.
+[[nodiscard]] std::vector<std::string> FindDeviants(std::span<const VerifyRun> runs, std::size_t caseIndex);
 
 }  // namespace testbed
