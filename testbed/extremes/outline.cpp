@@ -117,10 +117,12 @@ std::string DrawOutline(const scenes::Scene& scene, std::span<const BodyReading>
         "<svg xmlns='http://www.w3.org/2000/svg' width='{0}' height='{1}' viewBox='0 0 {0} {1}'>\n<rect width='{0}' "
         "height='{1}' fill='#ffffff'/>\n",
         width, height);
+    // Of many bodies every second, third … so that the whole of a large pile shows; all that do not move.
+    const std::size_t stride = 1 + bodies.size() / mostBodies;
     std::size_t drawn = 0;
     for (std::size_t i = 0; i < bodies.size() && drawn < mostBodies; ++i) {
-        if (!bodies[i].IsFinite()) continue;
         const bool moving = scene.bodies[i].type != scenes::BodyType::isStatic;
+        if (!bodies[i].IsFinite() || (moving && i % stride != 0)) continue;
         for (const scenes::Fixture& fixture : scene.FixturesOf(static_cast<int>(i))) {
             if (!view.Shows(bodies[i].origin, ReachOf(fixture.shape))) continue;
             DrawShape(svg, view, bodies[i], fixture.shape,

@@ -12,7 +12,7 @@
 
 namespace testbed {
 
-/// Fitted to most of the moving bodies (the outermost twentieth may lie outside); at most some thousand are drawn.
+/// Fitted to most of the moving bodies (the outermost twentieth may lie outside); of many, every second, third …
 /// Bodies that are not finite are left out.
 [[nodiscard]] std::string DrawOutline(const scenes::Scene& scene, std::span<const BodyReading> bodies);
 
