@@ -148,6 +148,7 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
     task.sumImpulses = true;
     kernels.finish(task);
     kernels.warmStart(task);
+    kernels.approach(task);
     for (int i = 0; i < 3; ++i) {
         kernels.solveRigid(task);
         kernels.pushApart(task, 0.2f);
@@ -155,6 +156,7 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
         kernels.relax(task);
     }
     kernels.bounce(task);
+    kernels.endBounce(task);
     std::vector<Manifold> manifold = s.contacts.manifold;
     blocks.Store(1.0f, manifold);
     std::vector<std::byte> bytes;

@@ -132,6 +132,7 @@ TEST(ImpactLaws, DiskCollisionsFollowTheClosedForm) {
                 const auto kept = Measure([&]<class E>(E) { return Collide<E>({ratio, e, offset, 0.0}); });
                 keep(worst.ours, kept.ours);
                 keep(worst.box2d, kept.box2d);
+                keep(worst.soft, kept.soft);
             }
         }
         const std::string name = "two disks, mass 1:" + std::to_string(static_cast<int>(ratio)) + ": ";
@@ -150,6 +151,7 @@ TEST(ImpactLaws, RoughObliqueCollisionsKeepAngularMomentum) {
         const auto kept = Measure([ratio]<class E>(E) { return Collide<E>({ratio, 0.5, 0.5, 0.5}); });
         worst.ours.angular = std::max(worst.ours.angular, kept.ours.angular);
         worst.box2d.angular = std::max(worst.box2d.angular, kept.box2d.angular);
+        worst.soft.angular = std::max(worst.soft.angular, kept.soft.angular);
     }
     // Impulses at one contact point keep it; pushing apart the up to 3 cm of overlap (half of it in 3 iterations) moves
     // the centres across their velocities: ≤ 0.015 m of the 1 m of leverage.

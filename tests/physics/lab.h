@@ -82,6 +82,9 @@ struct Pin {
     [[nodiscard]] double Pull() const { return Length(Read(joint->GetReactionForce(static_cast<float>(stepRate)))); }
 };
 
+/// Laboratories of this library run the soft step instead of sequential impulses.
+inline bool runsSoftStep = false;
+
 /// A world without sleep: no law stops to hold because something rests.
 template <class E>
 struct Lab {
@@ -118,7 +121,15 @@ struct Lab {
     }
 
     void Step(int steps = 1, double dt = h) {
-        for (int i = 0; i < steps; ++i) world.Step(static_cast<float>(dt), 8, 3);
+        for (int i = 0; i < steps; ++i) {
+            if constexpr (std::is_same_v<E, Ours>) {
+                if (runsSoftStep) {
+                    world.Step(static_cast<float>(dt), Accuracy::game);
+                    continue;
+                }
+            }
+            world.Step(static_cast<float>(dt), 8, 3);
+        }
     }
 
     World world;
@@ -169,17 +180,21 @@ Invariants Sum(const std::vector<Body*>& bodies) {
     return sum;
 }
 
-/// Runs an experiment, a lambda [](auto engine), in both engines.
+/// Runs an experiment, a lambda [](auto engine), in both engines, in ours by either solver.
 template <class Experiment>
 auto Measure(const Experiment& experiment) {
     using Result = decltype(experiment(Ours{}));
-    return Both<Result>{experiment(Ours{}), experiment(Theirs{})};
+    Both<Result> both{experiment(Ours{}), experiment(Theirs{}), {}};
+    runsSoftStep = true;
+    both.soft = experiment(Ours{});
+    runsSoftStep = false;
+    return both;
 }
 
 /// One quantity out of both results.
 template <class T>
 Both<double> Pick(const Both<T>& both, double T::*field) {
-    return {both.ours.*field, both.box2d.*field};
+    return {both.ours.*field, both.box2d.*field, both.soft.*field};
 }
 
 }  // namespace scree::test

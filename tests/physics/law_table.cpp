@@ -31,7 +31,8 @@ public:
     void TearDown() override {
         if (m_rows.empty()) return;
         std::printf(
-            "\n| law | exact | allowed error | ours | Box2D 2.4.1 | error ratio |\n|---|---|---|---|---|---|\n");
+            "\n| law | exact | allowed error | ours | Box2D 2.4.1 | error ratio | soft step |\n"
+            "|---|---|---|---|---|---|---|\n");
         for (const Row& row : m_rows) {
             const double ours = std::abs(row.measured.ours - row.law.exact);
             const double box2d = std::abs(row.measured.box2d - row.law.exact);
@@ -42,9 +43,10 @@ public:
                 std::printf("%.3g", row.law.tolerance);
             std::printf(" | %.6g | %.6g | ", row.measured.ours, row.measured.box2d);
             if (std::max(ours, box2d) <= row.law.rounding)
-                std::printf("rounding |\n");
+                std::printf("rounding |");
             else
-                std::printf("%.3f |\n", box2d == 0.0 && ours == 0.0 ? 1.0 : ours / box2d);
+                std::printf("%.3f |", box2d == 0.0 && ours == 0.0 ? 1.0 : ours / box2d);
+            std::printf(" %.6g |\n", row.measured.soft);
         }
     }
 
@@ -70,6 +72,12 @@ void Judge(const Law& law, Both<double> measured) {
     EXPECT_LE(ours, law.tolerance) << law.name << ": exact " << law.exact << ", ours " << measured.ours;
     EXPECT_LE(ours, std::max(law.rounding, allowedRatio * box2d))
         << law.name << ": exact " << law.exact << ", ours " << measured.ours << ", Box2D " << measured.box2d;
+    if (law.ofSequential) return;
+    const double soft = std::abs(measured.soft - law.exact);
+    EXPECT_TRUE(std::isfinite(soft)) << law.name;
+    const double bound = law.tolerance == unbounded ? ours : std::max(law.tolerance, ours);
+    EXPECT_LE(soft, std::max(law.rounding, bound))
+        << law.name << ": exact " << law.exact << ", soft step " << measured.soft << ", 8/3 " << measured.ours;
 }
 
 }  // namespace scree::test

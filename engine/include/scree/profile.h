@@ -44,6 +44,9 @@ struct StepReport {
     int continuousEventCount = 0;  ///< times a body was stopped at an impact on its way
     int abandonedCount = 0;        ///< bodies held at an impact because their pair had maxSubSteps events in the step
     float lostTime = 0.0f;         ///< motion that those bodies lost, s, summed
+    int substeps = 0;              ///< of the soft step; 0 with sequential impulses
+    float worstOverlap = 0.0f;     ///< of the skins of two shapes, m; only told by Step(timeStep, tolerance)
+    float worstJointGap = 0.0f;    ///< between the anchors of a joint, m; likewise
     /// Bodies that were put back to where they were, at rest, because their velocity or pose became NaN, infinite or
     /// larger than 1e18. Other bodies and the broad phase never see such a state.
     int nonFiniteCount = 0;

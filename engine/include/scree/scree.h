@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "scree/accuracy.h"
 #include "scree/body.h"
 #include "scree/broad_phase_kind.h"
 #include "scree/chain_shape.h"

@@ -11,6 +11,7 @@
 #include <optional>
 #include <vector>
 
+#include "scree/accuracy.h"
 #include "scree/body.h"
 #include "scree/broad_phase_kind.h"
 #include "scree/chain_shape.h"
@@ -103,6 +104,11 @@ public:
     /// for precise results at 1/60 s; at 4 about as fast as one pass of sequential impulses and far more accurate in
     /// stacks. Free bodies drift exactly. Bad input: an error and an unchanged world.
     StepReport Step(float timeStep, int substeps);
+    /// Advances by `timeStep` seconds at a mark of the accuracy dial.
+    StepReport Step(float timeStep, Accuracy accuracy);
+    /// Advances by `timeStep` seconds in as many sub-steps of the soft step as the errors of the last such step call
+    /// for; StepReport::substeps tells how many. Bad input: an error and an unchanged world.
+    StepReport Step(float timeStep, const Tolerance& tolerance);
     [[nodiscard]] const StepReport& GetReport() const;
     /// Every step ends with MeasureErrors and reports the result. Off by default, and then free.
     void SetMeasureErrors(bool flag);

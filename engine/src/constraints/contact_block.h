@@ -23,17 +23,18 @@ struct alignas(32) ContactBlock {
     int32_t bodyA[blockLanes], bodyB[blockLanes];
     int32_t slot[blockLanes];  ///< position in the solver's list of contacts, −1 for a lane to spare
     Row invMassA, invMassB, invIA, invIB;
-    Row normalX, normalY;                     ///< from A to B
-    Row armA[2], armB[2];                     ///< per point: arm × normal
-    Row tangentArmA, tangentArmB;             ///< arm of the middle of the points × tangent
-    Row normalMass[2], tangentMass;           ///< effective, kg
-    Row separation[2];                        ///< at the start of the step, + the slop, m
-    Row normalImpulse[2], tangentImpulse;     ///< accumulated, N·s
-    Row friction, tangentSpeed, restitution;  ///< restitution: 1 where the lane bounces at all
+    Row normalX, normalY;                  ///< from A to B
+    Row armA[2], armB[2];                  ///< per point: arm × normal
+    Row tangentArmA, tangentArmB;          ///< arm of the middle of the points × tangent
+    Row normalMass[2], tangentMass;        ///< effective, kg
+    Row separation[2];                     ///< at the start of the step, + the slop, m
+    Row normalImpulse[2], tangentImpulse;  ///< accumulated, N·s
+    Row friction, tangentSpeed;
+    Row restitution, restitutionThreshold;  ///< the latter in m/s
     /// Speed that the normal row asks for, m/s: restitution (sequential impulses), or how fast the gap may still close
     /// (soft step).
     Row bias[2];
-    Row bounceSpeed[2];                ///< soft step: to leave with, m/s
+    Row bounceSpeed[2];                ///< soft step: to leave with, m/s; negated while the bounce is solved
     Row totalNormal[2], totalTangent;  ///< soft step: sums over the sub-steps, N·s
 };
 
@@ -84,7 +85,12 @@ struct ContactKernels {
     /// Soft step: one iteration with soft rows, then, after positions have moved, one without push.
     void (*solveSoft)(const KernelTask& task);
     void (*relax)(const KernelTask& task);
-    void (*bounce)(const KernelTask& task);
+    /// Soft step, at the start of a sub-step: finds the bounceSpeed of contacts that do not push yet.
+    void (*approach)(const KernelTask& task);
+    /// One iteration for contacts that push and have a bounceSpeed to leave with; true if there are any. At
+    /// last, endBounce: friction up to that of the blow; it is over, and the impulses are forgotten.
+    bool (*bounce)(const KernelTask& task);
+    void (*endBounce)(const KernelTask& task);
 };
 
 /// The best set this processor has.

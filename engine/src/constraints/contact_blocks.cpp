@@ -38,14 +38,32 @@ void FillSpare(ContactBlock& block, int lane) {
     block.bodyA[lane] = block.bodyA[0];
     block.bodyB[lane] = block.bodyB[0];
     block.slot[lane] = -1;
-    for (ContactBlock::Row* row :
-         {&block.invMassA,         &block.invMassB,         &block.invIA,          &block.invIB,
-          &block.normalX,          &block.normalY,          &block.armA[0],        &block.armA[1],
-          &block.armB[0],          &block.armB[1],          &block.tangentArmA,    &block.tangentArmB,
-          &block.normalImpulse[0], &block.normalImpulse[1], &block.tangentImpulse, &block.friction,
-          &block.tangentSpeed,     &block.restitution,      &block.bias[0],        &block.bias[1],
-          &block.bounceSpeed[0],   &block.bounceSpeed[1],   &block.totalNormal[0], &block.totalNormal[1],
-          &block.totalTangent}) {
+    for (ContactBlock::Row* row : {&block.invMassA,
+                                   &block.invMassB,
+                                   &block.invIA,
+                                   &block.invIB,
+                                   &block.normalX,
+                                   &block.normalY,
+                                   &block.armA[0],
+                                   &block.armA[1],
+                                   &block.armB[0],
+                                   &block.armB[1],
+                                   &block.tangentArmA,
+                                   &block.tangentArmB,
+                                   &block.normalImpulse[0],
+                                   &block.normalImpulse[1],
+                                   &block.tangentImpulse,
+                                   &block.friction,
+                                   &block.tangentSpeed,
+                                   &block.restitution,
+                                   &block.restitutionThreshold,
+                                   &block.bias[0],
+                                   &block.bias[1],
+                                   &block.bounceSpeed[0],
+                                   &block.bounceSpeed[1],
+                                   &block.totalNormal[0],
+                                   &block.totalNormal[1],
+                                   &block.totalTangent}) {
         (*row)[lane] = 0.0f;
     }
     block.separation[0][lane] = block.separation[1][lane] = 1.0f;  // no overlap
@@ -77,12 +95,13 @@ void FillPoints(const LaneInput& lane, ContactBlock& block, int l) {
 
     const Velocity& vA = bodies.velocity[a];
     const Velocity& vB = bodies.velocity[b];
+    const bool atSurface = lane.in.onMoverSurface && bodies.type[a] != dynamicBody;
     Vec2 middle = vec2Zero;
     float push = 0.0f;
     for (int i = 0; i < m.pointCount; ++i) {
         const Vec2 rA = world.points[i] - bodies.position[a].c;
         const Vec2 rB = world.points[i] - bodies.position[b].c;
-        middle += world.points[i];
+        middle += atSurface ? world.points[i] + 0.5f * world.separations[i] * normal : world.points[i];
         block.armA[i][l] = Cross(rA, normal);
         block.armB[i][l] = Cross(rB, normal);
         block.separation[i][l] = world.separations[i] + lane.in.slop;
@@ -93,8 +112,7 @@ void FillPoints(const LaneInput& lane, ContactBlock& block, int l) {
         if (!lane.in.restitution) continue;
         const float closing = Dot(normal, vB.v + Cross(vB.w, rB) - vA.v - Cross(vA.w, rA));
         const bool leaves = closing < -material.restitutionThreshold;
-        block.bounceSpeed[i][l] = leaves ? -material.restitution * closing : 0.0f;
-        block.bias[i][l] = block.bounceSpeed[i][l];
+        block.bias[i][l] = leaves ? -material.restitution * closing : 0.0f;
     }
     middle *= m.pointCount == 2 ? 0.5f : 1.0f;
     block.tangentArmA[l] = Cross(middle - bodies.position[a].c, tangent);
@@ -116,7 +134,8 @@ void FillLane(const LaneInput& lane, ContactBlock& block, int l, int slot) {
     block.invIB[l] = massB.invI;
     block.friction[l] = material.friction;
     block.tangentSpeed[l] = material.tangentSpeed;
-    block.restitution[l] = material.restitution > 0.0f ? 1.0f : 0.0f;
+    block.restitution[l] = material.restitution;
+    block.restitutionThreshold[l] = material.restitutionThreshold;
     FillPoints(lane, block, l);
 }
 

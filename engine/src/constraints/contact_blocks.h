@@ -30,6 +30,9 @@ struct BlockInput {
     float impulseScale;         ///< of warm starting: the kernels' step / last dt, 0 without
     bool restitution = true;    ///< some contact may bounce
     float slop = linearSlop;    ///< overlap to leave, m
+    /// Friction with the unmovable acts on the mover's own surface, so that disks roll by their radius, instead of
+    /// halfway between both surfaces.
+    bool onMoverSurface = false;
 };
 
 /// Blocks and what colouring needs, kept between steps.

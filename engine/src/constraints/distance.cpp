@@ -49,6 +49,10 @@ void WarmStart(const DistanceConstraint& c, const DistanceRow& row, std::vector<
     Store(c.pair, v, velocity);
 }
 
+void SolveBounds(const DistanceConstraint&, DistanceRow&, const JointStep&, std::vector<Velocity>&) {
+    // A rod has none; springs are never held directly.
+}
+
 void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);

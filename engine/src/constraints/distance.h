@@ -23,6 +23,8 @@ struct DistanceConstraint {
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, DistanceRow& row, DistanceConstraint& c);
 void WarmStart(const DistanceConstraint& c, const DistanceRow& row, std::vector<Velocity>& velocity);
+/// Only limits, motors and springs.
+void SolveBounds(const DistanceConstraint& c, DistanceRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.

@@ -30,6 +30,7 @@ struct JointRun {
 
 struct JointConstraints {
     std::vector<JointRun> runs;
+    std::vector<JointRun> bounds;  ///< joints that a direct solve holds, of which limits, motors and springs remain
     std::tuple<std::vector<RevoluteConstraint>, std::vector<PrismaticConstraint>, std::vector<DistanceConstraint>,
                std::vector<PulleyConstraint>, std::vector<MouseConstraint>, std::vector<GearConstraint>,
                std::vector<WheelConstraint>, std::vector<WeldConstraint>, std::vector<FrictionConstraint>,
@@ -38,10 +39,11 @@ struct JointConstraints {
 
     void Clear() {
         runs.clear();
+        bounds.clear();
         std::apply([](auto&... constraints) { (constraints.clear(), ...); }, byType);
     }
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = runs.capacity() * sizeof(JointRun);
+        size_t bytes = (runs.capacity() + bounds.capacity()) * sizeof(JointRun);
         std::apply([&](const auto&... c) { ((bytes += c.capacity() * sizeof(c[0])), ...); }, byType);
         return bytes;
     }

@@ -23,6 +23,8 @@ struct JointPhases {
     int (*prepare)(const JointTask& task, int joint);
     void (*warmStart)(const JointTask& task, const JointRun& run);
     void (*solveVelocity)(const JointTask& task, const JointRun& run);
+    /// Only limits, motors and springs; null for types that no direct solve takes over.
+    void (*solveBounds)(const JointTask& task, const JointRun& run);
     /// True if every joint of the run is within tolerance.
     bool (*solvePosition)(const JointTask& task, const JointRun& run);
 };
@@ -63,6 +65,16 @@ constexpr JointPhases MakePhases() {
         ForEach<Row, Constraint>(
             task, run, [&](const Constraint& c, Row& row) { SolveVelocity(c, row, task.step, task.bodies.velocity); });
     };
+    phases.solveBounds = nullptr;
+    if constexpr (requires(const Constraint& c, Row& row, const JointStep& step, std::vector<Velocity>& velocity) {
+                      SolveBounds(c, row, step, velocity);
+                  }) {
+        phases.solveBounds = [](const JointTask& task, const JointRun& run) {
+            ForEach<Row, Constraint>(task, run, [&](const Constraint& c, Row& row) {
+                SolveBounds(c, row, task.step, task.bodies.velocity);
+            });
+        };
+    }
     phases.solvePosition = [](const JointTask& task, const JointRun& run) {
         bool solved = true;
         ForEach<Row, Constraint>(task, run, [&](const Constraint& c, Row& row) {

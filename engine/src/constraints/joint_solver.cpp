@@ -7,6 +7,8 @@
 
 #include <array>
 
+#include "constraints/joint_tree_rows.h"
+
 namespace scree {
 
 namespace {
@@ -25,25 +27,36 @@ void ScaleJointImpulses(const JointTask& task, std::span<const int> joints) {
     for (const int joint : joints) PhasesOf(task.joints.info[static_cast<size_t>(joint)].type).prepare(task, joint);
 }
 
-void PrepareJoints(const JointTask& task, std::span<const int> joints) {
+void PrepareJoints(const JointTask& task, std::span<const int> joints, std::span<const int> bounded) {
     task.scratch.Clear();
-    std::vector<JointRun>& runs = task.scratch.runs;
-    for (const int joint : joints) {
+    const auto add = [&task](int joint, std::vector<JointRun>& runs) {
         const JointType type = task.joints.info[static_cast<size_t>(joint)].type;
         const int number = PhasesOf(type).prepare(task, joint);
         if (runs.empty() || runs.back().type != type) runs.push_back({type, number, number});
         runs.back().end = number + 1;
+    };
+    for (const int joint : joints) add(joint, task.scratch.runs);
+    for (const int joint : bounded) {
+        ForgetExactImpulse(joint, task.joints);
+        add(joint, task.scratch.bounds);
     }
-    for (const JointRun& run : runs) PhasesOf(run.type).warmStart(task, run);
+    WarmStartJoints(task);
+}
+
+void WarmStartJoints(const JointTask& task) {
+    for (const JointRun& run : task.scratch.runs) PhasesOf(run.type).warmStart(task, run);
+    for (const JointRun& run : task.scratch.bounds) PhasesOf(run.type).warmStart(task, run);
 }
 
 void SolveJointVelocities(const JointTask& task) {
     for (const JointRun& run : task.scratch.runs) PhasesOf(run.type).solveVelocity(task, run);
+    for (const JointRun& run : task.scratch.bounds) PhasesOf(run.type).solveBounds(task, run);
 }
 
 bool SolveJointPositions(const JointTask& task) {
     bool solved = true;
     for (const JointRun& run : task.scratch.runs) solved = PhasesOf(run.type).solvePosition(task, run) && solved;
+    for (const JointRun& run : task.scratch.bounds) solved = PhasesOf(run.type).solvePosition(task, run) && solved;
     return solved;
 }
 

@@ -11,8 +11,11 @@
 
 namespace scree {
 
-/// Makes the constraints of these joints, in this order, and warm-starts them.
-void PrepareJoints(const JointTask& task, std::span<const int> joints);
+/// Makes the constraints of these joints, in this order, and warm-starts them. Of `bounded`, which a direct solve
+/// holds, only limits, motors and springs.
+void PrepareJoints(const JointTask& task, std::span<const int> joints, std::span<const int> bounded = {});
+/// Applies the impulses that the joints have at present once more.
+void WarmStartJoints(const JointTask& task);
 /// Multiplies the impulses that these joints keep for warm starting by task.step.impulseScale, without pushing
 /// anything.
 void ScaleJointImpulses(const JointTask& task, std::span<const int> joints);

@@ -47,14 +47,29 @@ void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vecto
     Store(c.pair, v, velocity);
 }
 
-void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity) {
-    PairVelocity v = Load(c.pair, velocity);
+namespace {
+
+SCREE_INLINE void SolveRange(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step, PairVelocity& v) {
     if (row.motor.enabled) {
         const float impulse = c.alongMass * (row.motor.speed - Speed(c.along, v));
         Apply(c.pair, c.along, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);
     }
     if (row.limit.enabled) SolveLimits(c.pair, c.along, row.limit, v, {c.translation, c.alongMass, step.inverseDt});
+}
+
+}  // namespace
+
+void SolveBounds(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
+                 std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    SolveRange(c, row, step, v);
+    Store(c.pair, v, velocity);
+}
+
+void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
+                   std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    SolveRange(c, row, step, v);
     const Vec2 impulse = c.k.Solve(-Vec2(Speed(c.across, v), Speed(turning, v)));
     row.impulse += impulse;
     Apply(c.pair, c.across, impulse.x, v);

@@ -23,6 +23,9 @@ struct PrismaticConstraint {
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c);
 void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Velocity>& velocity);
+/// Only limits, motors and springs.
+void SolveBounds(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
+                 std::vector<Velocity>& velocity);
 void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.

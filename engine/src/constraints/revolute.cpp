@@ -31,9 +31,9 @@ void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<
     Store(c.pair, v, velocity);
 }
 
-void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity) {
-    PairVelocity v = Load(c.pair, velocity);
+namespace {
+
+SCREE_INLINE void SolveRange(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step, PairVelocity& v) {
     if (row.motor.enabled && c.turnMass > 0.0f) {
         const float impulse = -c.turnMass * (Speed(turning, v) - row.motor.speed);
         Apply(c.pair, turning, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);
@@ -41,6 +41,21 @@ void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointSte
     if (row.limit.enabled && c.turnMass > 0.0f) {
         SolveLimits(c.pair, turning, row.limit, v, {c.angle, c.turnMass, step.inverseDt});
     }
+}
+
+}  // namespace
+
+void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
+                 std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    SolveRange(c, row, step, v);
+    Store(c.pair, v, velocity);
+}
+
+void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
+                   std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    SolveRange(c, row, step, v);
     const Vec2 impulse = c.k.Solve(-PointSpeed(c.arms, v));
     row.impulse += impulse;
     ApplyPoint(c.pair, c.arms, impulse, v);

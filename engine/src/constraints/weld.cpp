@@ -53,6 +53,13 @@ void WarmStart(const WeldConstraint& c, const WeldRow& row, std::vector<Velocity
     Store(c.pair, v, velocity);
 }
 
+void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep&, std::vector<Velocity>& velocity) {
+    if (!c.soft) return;
+    PairVelocity v = Load(c.pair, velocity);
+    Apply(c.pair, turning, SolveSpring(c.spring, Speed(turning, v), row.turnImpulse), v);
+    Store(c.pair, v, velocity);
+}
+
 void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep&, std::vector<Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     if (c.soft) {

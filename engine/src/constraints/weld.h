@@ -24,6 +24,8 @@ struct WeldConstraint {
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, WeldRow& row, WeldConstraint& c);
 void WarmStart(const WeldConstraint& c, const WeldRow& row, std::vector<Velocity>& velocity);
+/// Only limits, motors and springs.
+void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const WeldConstraint& c, const WeldRow& row, std::vector<Position>& position);

@@ -43,14 +43,28 @@ void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Veloci
     Store(c.pair, v, velocity);
 }
 
-void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
-    PairVelocity v = Load(c.pair, velocity);
+namespace {
+
+SCREE_INLINE void SolveRange(const WheelConstraint& c, WheelRow& row, const JointStep& step, PairVelocity& v) {
     if (c.spring.mass > 0.0f) Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.springImpulse), v);
     if (row.motor.enabled) {
         const float impulse = -c.turnMass * (Speed(turning, v) - row.motor.speed);
         Apply(c.pair, turning, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);
     }
     if (row.limit.enabled) SolveLimits(c.pair, c.along, row.limit, v, {c.translation, c.alongMass, step.inverseDt});
+}
+
+}  // namespace
+
+void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    SolveRange(c, row, step, v);
+    Store(c.pair, v, velocity);
+}
+
+void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
+    PairVelocity v = Load(c.pair, velocity);
+    SolveRange(c, row, step, v);
     const float impulse = -c.acrossMass * Speed(c.across, v);
     row.impulse += impulse;
     Apply(c.pair, c.across, impulse, v);

@@ -23,6 +23,8 @@ struct WheelConstraint {
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c);
 void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Velocity>& velocity);
+/// Only limits, motors and springs.
+void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const WheelConstraint& c, const WheelRow& row, std::vector<Position>& position);

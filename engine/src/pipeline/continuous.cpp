@@ -71,6 +71,7 @@ private:
             if (!m_s.resuming) m_s.alpha[Row(body)] = 0.0f;
         }
         m_s.touched.clear();
+        m_s.ballistic.clear();
     }
 
     void End() { m_s.resuming = !m_report.complete; }
@@ -363,14 +364,66 @@ private:
             m_bodies.startPosition[Row(body)] = m_bodies.position[Row(body)];
             m_bodies.UpdateTransform(body);
         }
+        const float rest = (1.0f - alpha) * m_settings.dt;
+        FindAhead(rest);
+        for (size_t i = 0; i < m_s.islandBodies.size(); ++i) AddSpeed(i, -1.0f);
         PrepareContacts(input, m_s.rows);
         for (int i = 0; i < m_settings.velocityIterations; ++i) SolveContactVelocities(m_s.rows, m_bodies.velocity);
         ReportImpulses(m_s.rows, m_events, m_t.contacts);
-
-        const float rest = (1.0f - alpha) * m_settings.dt;
-        for (const int body : m_s.islandBodies) {
-            if (m_bodies.type[Row(body)] != staticBody) Integrate(body, rest);
+        const bool leaves = StaysApart();
+        for (size_t i = 0; i < m_s.islandBodies.size(); ++i) {
+            const int body = m_s.islandBodies[i];
+            if (m_bodies.type[Row(body)] == staticBody) continue;
+            // A body that its contact goes on to hold up is not accelerated.
+            if (leaves) AddSpeed(i, 0.5f);
+            Integrate(body, rest);
+            if (leaves) AddSpeed(i, 0.5f);
         }
+    }
+
+    /// What forces will add to the velocities of the event's bodies in the rest of the step, and have added already.
+    void FindAhead(float rest) {
+        if (m_s.ballistic.empty()) {
+            m_s.ballistic.resize(Row(m_bodies.slots.Size()), 0);
+            for (const int body : m_settings.ballistic) m_s.ballistic[Row(body)] = 1;
+        }
+        m_s.ahead.clear();
+        for (const int body : m_s.islandBodies) {
+            Velocity& ahead = m_s.ahead.emplace_back();
+            if (m_s.ballistic[Row(body)] == 0 || !IsDynamic(body)) continue;
+            const MassRow& mass = m_bodies.mass[Row(body)];
+            const ForceRow force = m_bodies.GetForce(body);
+            const MotionRow& motion = m_bodies.motion[Row(body)];
+            const Vec2 pull = (motion.gravityScale * motion.mass) * m_settings.gravity + force.force;
+            ahead.v = (rest * mass.invMass) * pull;
+            ahead.w = rest * mass.invI * force.torque;
+        }
+    }
+    void AddSpeed(size_t islandBody, float factor) {
+        Velocity& v = m_bodies.velocity[Row(m_s.islandBodies[islandBody])];
+        const Velocity& ahead = m_s.ahead[islandBody];
+        v.v += factor * ahead.v;
+        v.w += factor * ahead.w;
+    }
+
+    /// After the event: no contact of it will be pressed together again by forces within the step.
+    [[nodiscard]] bool StaysApart() const {
+        const auto aheadOf = [this](int body) {
+            const auto at = std::find(m_s.islandBodies.begin(), m_s.islandBodies.end(), body);
+            return at == m_s.islandBodies.end() ? Velocity{}
+                                                : m_s.ahead[static_cast<size_t>(at - m_s.islandBodies.begin())];
+        };
+        for (const ContactVelocityRow& row : m_s.rows.velocity) {
+            const Velocity a = aheadOf(row.bodyA), b = aheadOf(row.bodyB);
+            const Velocity& vA = m_bodies.velocity[Row(row.bodyA)];
+            const Velocity& vB = m_bodies.velocity[Row(row.bodyB)];
+            for (int i = 0; i < row.pointCount; ++i) {
+                const Vec2 speedA = vA.v + a.v + Cross(vA.w + a.w, row.points[i].rA);
+                const Vec2 speedB = vB.v + b.v + Cross(vB.w + b.w, row.points[i].rB);
+                if (Dot(row.normal, speedB - speedA) < 0.0f) return false;
+            }
+        }
+        return true;
     }
 
     void Integrate(int body, float h) {

@@ -13,6 +13,8 @@
 
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/indexed_heap.h"
@@ -32,6 +34,10 @@ struct ContinuousSettings {
     float maxTranslation, maxRotation;  ///< per step
     bool subStepping;                   ///< stop after the first event; the next call goes on from there
     float lengthScale;                  ///< factor on the tolerances
+    Vec2 gravity;
+    /// Bodies that moved under gravity and forces alone, exactly: at an impact they have the speed of that moment, and
+    /// forces act for the rest of the step after it. Without exact drift: none.
+    std::span<const int> ballistic;
 };
 
 struct ContinuousReport {
@@ -63,14 +69,16 @@ struct ToiPair {
 /// Scratch of the stage, kept between steps; with sub-stepping also what is left of an unfinished step.
 struct ContinuousScratch {
     std::vector<ToiPair> pairs;
-    std::vector<int> firstPair;  ///< per body, −1: none
-    std::vector<float> alpha;    ///< per body: the part of the step done at its start position
-    std::vector<int> touched;    ///< bodies whose entries above must be reset
-    std::vector<int> found;      ///< fixtures of one query
-    std::vector<int> knownTo;    ///< per fixture: the round of collecting in which it was found to have a pair
-    int round = 0;               ///< of collecting, counts up; 0: none yet
+    std::vector<int> firstPair;      ///< per body, −1: none
+    std::vector<float> alpha;        ///< per body: the part of the step done at its start position
+    std::vector<int> touched;        ///< bodies whose entries above must be reset
+    std::vector<int> found;          ///< fixtures of one query
+    std::vector<int> knownTo;        ///< per fixture: the round of collecting in which it was found to have a pair
+    int round = 0;                   ///< of collecting, counts up; 0: none yet
+    std::vector<uint8_t> ballistic;  ///< per body; only written once something meets
     IndexedHeap events;
     ContactRows rows;
+    std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
     std::vector<int> islandContacts, islandBodies;
     bool resuming = false;
 };

@@ -69,6 +69,11 @@ void BodyTable::UpdateTransform(int body) {
     const auto i = static_cast<size_t>(body);
     Transform& xf = transform[i];
     xf.q.Set(position[i].a);
+    if (const float rest = position[i].aRest; rest != 0.0f) {
+        const float sine = xf.q.s;
+        xf.q.s += rest * xf.q.c;
+        xf.q.c -= rest * sine;
+    }
     xf.p = position[i].c - Mul(xf.q, mass[i].localCenter);
 }
 

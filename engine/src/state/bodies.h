@@ -26,7 +26,7 @@ struct alignas(16) Velocity {
 struct alignas(16) Position {
     Vec2 c;
     float a;
-    float unused;
+    float aRest;  ///< what the angle lacks below its last digit, rad; kept by the soft step
 };
 
 /// What the constraints need of a mass. 16 bytes; all zero for static and kinematic bodies but the centre.

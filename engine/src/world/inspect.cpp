@@ -42,6 +42,7 @@ void AddBodies(const BodyTable& bodies, Hasher& hash) {
         hash.Add(static_cast<uint64_t>(body));
         hash.Add(bodies.position[b].c);
         hash.Add(bodies.position[b].a);
+        hash.Add(bodies.position[b].aRest);
         hash.Add(bodies.velocity[b].v);
         hash.Add(bodies.velocity[b].w);
         const ForceRow force = bodies.GetForce(body);
@@ -80,6 +81,8 @@ void AddFixtures(const FixtureTable& fixtures, Hasher& hash) {
 void AddSettings(const WorldState& s, Hasher& hash) {
     hash.Add(s.def.gravity);
     hash.Add(s.lastInverseDt);
+    hash.Add(static_cast<uint64_t>(s.demand.substeps));
+    for (const float demand : {s.demand.overlap, s.demand.jointGap, s.demand.pullRate}) hash.Add(demand);
     const bool flags[] = {s.def.allowSleep,  s.def.warmStarting, s.def.continuousPhysics,
                           s.def.subStepping, s.def.exactDrift,   s.autoClearForces,
                           s.pairsStale};
@@ -166,7 +169,7 @@ MemoryUse GetMemoryUse(const World& world) {
     use.broadPhase = s.broadPhase->GetMemoryBytes() + s.pairs.capacity() * sizeof(Pair);
     use.solverScratch = s.solverScratch.contacts.velocity.capacity() * sizeof(ContactVelocityRow) +
                         s.solverScratch.contacts.position.capacity() * sizeof(ContactPositionRow) +
-                        s.solverScratch.joints.GetMemoryBytes() +
+                        s.solverScratch.joints.GetMemoryBytes() + s.solverScratch.tree.GetMemoryBytes() +
                         (s.islandScratch.first.capacity() + s.islandScratch.entries.capacity()) * sizeof(int);
     return use;
 }

@@ -90,6 +90,10 @@ template <Is<MotorJointDef> Self, typename Visit>
 void Fields(Self& d, Visit& visit) {
     visit(d.linearOffset), visit(d.angularOffset), visit(d.maxForce), visit(d.maxTorque), visit(d.correctionFactor);
 }
+template <Is<Tolerance> Self, typename Visit>
+void Fields(Self& t, Visit& visit) {
+    visit(t.overlap), visit(t.jointGap), visit(t.leastSubsteps), visit(t.mostSubsteps);
+}
 /// Its joints are written as indices.
 template <Is<GearJointDef> Self, typename Visit>
 void Fields(Self& d, Visit& visit) {

@@ -156,6 +156,7 @@ constexpr Row calls[] = {
     {"World::DestroyJoint", CallDestroyJoint},
     {"World::Step", Call<static_cast<StepReport (World::*)(float, int, int)>(&World::Step)>},
     {"World::Step (sub-steps)", Call<static_cast<StepReport (World::*)(float, int)>(&World::Step)>},
+    {"World::Step (tolerance)", Call<static_cast<StepReport (World::*)(float, const Tolerance&)>(&World::Step)>},
     SCREE_CALL(World::SetAutoClearForces),
     SCREE_CALL(World::ClearForces),
     SCREE_CALL(World::SetGravity),
@@ -290,7 +291,8 @@ ReplayReport Replay(std::span<const std::byte> recording, const std::function<vo
         }
         if (!MakeCall(number, *report.world, arguments)) return report;
         ++report.calls;
-        const bool isStep = number == CallNumber("World::Step") || number == CallNumber("World::Step (sub-steps)");
+        const bool isStep = number == CallNumber("World::Step") || number == CallNumber("World::Step (sub-steps)") ||
+                            number == CallNumber("World::Step (tolerance)");
         if (isStep) ++report.steps;
     }
     report.valid = true;

@@ -53,7 +53,7 @@ void Fields(Self& row, Visit& visit) {
 }
 template <Is<Position> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.c), visit(row.a);
+    visit(row.c), visit(row.a), visit(row.aRest);
 }
 template <Is<MassRow> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
@@ -191,6 +191,7 @@ void Fields(Self& info, Visit& visit) {
 template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
     visit(s.pairsStale), visit(s.autoClearForces), visit(s.lastInverseDt), visit(s.continuousScratch.resuming);
+    visit(s.demand);
 }
 
 }  // namespace scree

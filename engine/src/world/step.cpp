@@ -39,6 +39,7 @@ struct StepRequest {
     float dt;
     int velocityIterations, positionIterations;
     int substeps;
+    bool measure = false;  ///< note what the sub-steps of the next step may be picked from
 };
 
 /// The request as WorldDef::solver wants it.
@@ -46,7 +47,7 @@ StepRequest Resolve(const WorldState& s, StepRequest request) {
     if (s.def.solver == SolverKind::softStep && request.substeps == 0) {
         request.substeps = SubstepsFor(request.velocityIterations);
     } else if (s.def.solver == SolverKind::sequentialImpulses && request.substeps > 0) {
-        request = {request.dt, 2 * request.substeps, std::max(1, 3 * request.substeps / 4), 0};
+        request = {request.dt, 2 * request.substeps, std::max(1, 3 * request.substeps / 4), 0, false};
     } else if (request.substeps > 0) {
         request.velocityIterations = 2 * request.substeps;  // of continuous events
     }
@@ -78,9 +79,15 @@ SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
 }
 
 void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& report) {
+    std::span<const int> ballistic;
+    if (settings.substeps > 0) {
+        ballistic = s.active.isolated;
+    } else if (settings.exactDrift) {
+        ballistic = s.islands.isolated;
+    }
     const ContinuousReport done =
         SolveContinuous({settings.dt, settings.velocityIterations, settings.maxTranslation, settings.maxRotation,
-                         s.def.subStepping, settings.lengthScale},
+                         s.def.subStepping, settings.lengthScale, settings.gravity, ballistic},
                         s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase}, s.continuousScratch);
     report.continuousEventCount = done.events;
     report.abandonedCount = done.abandoned;
@@ -98,6 +105,10 @@ bool NeedsContinuous(WorldState& s) {
 SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings, Stopwatch& watch,
                                    StepReport& report) {
     s.active.Clear();
+    if (s.solverScratch.anglesHaveRests) {
+        for (const int body : s.bodies.movers) s.bodies.position[static_cast<size_t>(body)].aRest = 0.0f;
+        s.solverScratch.anglesHaveRests = false;
+    }
     FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     report.profile.islands = watch.Lap();
     return SolveIslands(settings, s.fixtures, s.islands, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints},
@@ -105,21 +116,24 @@ SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings
 }
 
 /// Islands are only looked for when something may fall asleep or wake.
-SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
+SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, bool measure, Stopwatch& watch,
+                         StepReport& report) {
     s.islands.Clear();
+    s.solverScratch.anglesHaveRests = true;
     if (NeedsIslands(s.contacts, s.joints, s.bodies, settings.dt)) {
         FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     }
     GatherActive(s.contacts, s.joints, s.bodies, s.islandScratch, s.active);
     report.profile.islands = watch.Lap();
-    const SolverCounts counts = SolveSoft(settings, s.fixtures, s.active, s.Events(),
-                                          {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
+    const SolverCounts counts =
+        SolveSoft(settings, s.fixtures, s.active, s.Events(),
+                  {*s.pool, s.bodies, s.contacts, s.joints, measure ? &s.demand : nullptr}, s.solverScratch);
     SleepIslands(settings, s.active, s.islands, s.bodies);
     return counts;
 }
 
-void SolveWholeStep(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
-    const SolverCounts counts = settings.substeps > 0 ? RunSoftStep(s, settings, watch, report)
+void SolveWholeStep(WorldState& s, const SolverSettings& settings, bool measure, Stopwatch& watch, StepReport& report) {
+    const SolverCounts counts = settings.substeps > 0 ? RunSoftStep(s, settings, measure, watch, report)
                                                       : RunSequentialImpulses(s, settings, watch, report);
     report.profile.solver = watch.Lap();
     report.cappedCount = counts.capped;
@@ -140,9 +154,9 @@ void ForgetNonFiniteImpulses(ContactTable& contacts) {
     }
 }
 
-void Simulate(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepReport& report) {
+void Simulate(WorldState& s, const SolverSettings& settings, bool measure, Stopwatch& watch, StepReport& report) {
     // With sub-stepping a step may end after an event; this one then only goes on with the rest.
-    if (!s.continuousScratch.resuming) SolveWholeStep(s, settings, watch, report);
+    if (!s.continuousScratch.resuming) SolveWholeStep(s, settings, measure, watch, report);
     if (NeedsContinuous(s)) RunContinuous(s, settings, report);
     report.profile.continuous = watch.Lap();
     if (report.nonFiniteCount > 0) ForgetNonFiniteImpulses(s.contacts);
@@ -191,9 +205,11 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     s.kernels = NeededKernels(s);  // the listener has had its say about contacts
     if (s.kernels.bodyForces) s.bodies.EnsureForces();
     if (s.def.exactDrift) s.bodies.startVelocity.resize(s.bodies.velocity.size());
-    if (request.dt >= shortestStep) Simulate(s, MakeSettings(s, request), watch, report);
+    if (request.dt >= shortestStep) Simulate(s, MakeSettings(s, request), request.measure, watch, report);
     if (s.autoClearForces) world.ClearForces();
 
+    report.substeps = request.substeps;
+    if (request.measure) report.worstOverlap = s.demand.overlap, report.worstJointGap = s.demand.jointGap;
     report.bodyCount = s.bodies.slots.Count();
     report.contactCount = s.contacts.Count();
     report.pairCount = static_cast<int64_t>(s.pairs.size());
@@ -202,6 +218,20 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     s.report = report;
     if (recording.IsOn()) recording.NoteHash(inspect::GetStateHash(world));
     return report;
+}
+
+/// Sub-steps that keep the tolerance if this step is like the last: a resting overlap beyond the slop and a joint's gap
+/// shrink with the square of their number. It falls by one a step, so that a blow does not make it swing.
+int SubstepsFor(const StepDemand& last, const Tolerance& tolerance, float dt) {
+    if (last.substeps == 0) return tolerance.leastSubsteps;
+    const float sink = Max(last.overlap - linearSlop, 0.0f), allowed = tolerance.overlap - linearSlop;
+    const float excess = Max(sink / allowed, last.jointGap / tolerance.jointGap);
+    const float byErrors = static_cast<float>(last.substeps) * std::sqrt(excess);
+    const float byPull = 2.0f * dt * last.pullRate;
+    const auto most = static_cast<float>(tolerance.mostSubsteps);
+    const int wanted = static_cast<int>(std::ceil(Min(Max(byErrors, byPull), most)));
+    return std::clamp(wanted, std::clamp(last.substeps - 1, tolerance.leastSubsteps, tolerance.mostSubsteps),
+                      tolerance.mostSubsteps);
 }
 
 }  // namespace
@@ -223,6 +253,37 @@ StepReport World::Step(float timeStep, int substeps) {
     if (guard.Failed()) return m_state->report;
     const Recording recording = guard.Record(timeStep, substeps);
     return Run(*this, {timeStep, 0, 0, substeps}, recording);
+}
+
+StepReport World::Step(float timeStep, Accuracy accuracy) {
+    switch (accuracy) {
+        case Accuracy::draft:
+            return Step(timeStep, 4, 2);
+        case Accuracy::game:
+            return Step(timeStep, 4);
+        case Accuracy::fine:
+            return Step(timeStep, 8);
+        case Accuracy::precise:
+            return Step(timeStep, 16);
+    }
+    Guard(*m_state, "World::Step (accuracy)")
+        .Require(false, ErrorCode::outOfRange, "accuracy", "give a mark of enum Accuracy");
+    return m_state->report;
+}
+
+StepReport World::Step(float timeStep, const Tolerance& tolerance) {
+    Guard guard(*m_state, "World::Step (tolerance)");
+    guard.Unlocked("call Step outside of callbacks").Amount(timeStep, "timeStep");
+    guard.Finite(tolerance.overlap, "tolerance.overlap").Finite(tolerance.jointGap, "tolerance.jointGap");
+    guard.Require(tolerance.overlap > linearSlop, ErrorCode::outOfRange, "tolerance.overlap",
+                  "give more than linearSlop");
+    guard.Require(tolerance.jointGap > 0.0f, ErrorCode::outOfRange, "tolerance.jointGap", "give more than 0");
+    guard.Require(tolerance.leastSubsteps >= 1, ErrorCode::outOfRange, "tolerance.leastSubsteps", "give at least 1");
+    guard.Require(tolerance.mostSubsteps >= tolerance.leastSubsteps, ErrorCode::outOfRange, "tolerance.mostSubsteps",
+                  "give at least leastSubsteps");
+    if (guard.Failed()) return m_state->report;
+    const Recording recording = guard.Record(timeStep, tolerance);
+    return Run(*this, {timeStep, 0, 0, SubstepsFor(m_state->demand, tolerance, timeStep), true}, recording);
 }
 
 }  // namespace scree

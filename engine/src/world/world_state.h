@@ -62,6 +62,7 @@ struct WorldState {
     bool locked = false;  ///< callbacks are running: nothing may be created, destroyed or moved
     bool autoClearForces = true;
     float lastInverseDt = 0.0f;
+    StepDemand demand;  ///< of the last step with a tolerance
     StepReport report;
     TOIStats distanceWork;  ///< of the last step
     bool measureErrors = false;

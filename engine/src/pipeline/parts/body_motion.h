@@ -37,7 +37,8 @@ inline bool FinishPose(BodyTable& bodies, size_t b) {
         bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
     }
     // Bodies that do not turn keep their rotation: the sine and cosine would be the same.
-    if (bodies.position[b].a == bodies.startPosition[b].a) {
+    const Position& start = bodies.startPosition[b];
+    if (bodies.position[b].a == start.a && bodies.position[b].aRest == start.aRest) {
         Transform& xf = bodies.transform[b];
         xf.p = bodies.position[b].c - Mul(xf.q, bodies.mass[b].localCenter);
     } else {

@@ -57,4 +57,14 @@ inline float RunPushApart(TaskPool& pool, const KernelTask& task, const ContactK
     return least;
 }
 
+/// A pass of bounce: true if a contact bounces.
+inline bool RunBounce(TaskPool& pool, const KernelTask& task, const ContactKernels& kernels) {
+    bool bounced[maxWorkers] = {};
+    RunKernel(pool, task,
+              [&](const KernelTask& part, int worker) { bounced[worker] = kernels.bounce(part) || bounced[worker]; });
+    bool any = false;
+    for (const bool b : bounced) any = any || b;
+    return any;
+}
+
 }  // namespace scree

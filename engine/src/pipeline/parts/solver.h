@@ -11,6 +11,7 @@
 #include "constraints/contact_blocks.h"
 #include "constraints/contact_rows.h"
 #include "constraints/joint_solver.h"
+#include "constraints/joint_tree.h"
 #include "scree/features.h"
 #include "scree/world_callbacks.h"
 #include "state/bodies.h"
@@ -46,16 +47,18 @@ struct Twist {
 struct alignas(64) SoftBody {
     int body;
     bool jointed;
-    float linearDamp, angularDamp;  ///< factors of one sub-step
-    Twist speedUp;                  ///< by gravity and forces in one sub-step
-    Twist before;                   ///< velocity at the start of the sub-step
-    Twist unpushed;                 ///< after forces, before constraints, without what contacts do
-    Twist pushed;                   ///< change by contacts
+    float linearDamp, angularDamp;  ///< factors of half a sub-step
+    Twist kick;                     ///< by gravity and forces in half a sub-step
+    Twist unpushed;                 ///< velocity after the last kick, before constraints, without what contacts do
+    Twist pushed;                   ///< change by contacts in the last sub-step
+    Twist gained;                   ///< change by contacts in this sub-step so far
 };
 static_assert(sizeof(SoftBody) == 64);
 
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
+    bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
+    JointTree tree;
     ContactRows contacts;
     ContactBlocks blocks;
     JointConstraints joints;
@@ -128,11 +131,25 @@ decltype(auto) WithBodyKernel(const KernelSet& kernels, Visit&& visit) {
     return withLimit(std::false_type{});
 }
 
+/// What a step found, from which a tolerance picks the sub-steps of the next one.
+struct StepDemand {
+    int substeps = 0;       ///< of that step; 0: there was none
+    float overlap = 0.0f;   ///< worst, m
+    float jointGap = 0.0f;  ///< worst, m
+    float pullRate = 0.0f;  ///< how fast pulled links swing, 1/s (JointTree::GetPullRate)
+
+    template <typename Self, typename Visit>
+    static void Fields(Self& d, Visit&& visit) {
+        visit(d.substeps), visit(d.overlap), visit(d.jointGap), visit(d.pullRate);
+    }
+};
+
 struct SolverTables {
     TaskPool& pool;
     BodyTable& bodies;
     ContactTable& contacts;
     JointTable& joints;
+    StepDemand* demand = nullptr;  ///< filled by the soft step if given
 };
 
 }  // namespace scree

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A direct solve of joints whose bodies form trees: chains, bridges between fixed points, ragdolls, cars. All joints of
+// a tree are held at once, exactly, in time that grows with their number, however unequal the masses are.
+//
+// The rows of all joints form the system G·M⁻¹·Gᵀ·λ = b. Taken from the leaves to the root, a joint is coupled with the
+// joints after it on one body only, so that elimination makes nothing new (Baraff, "Linear-Time Dynamics using Lagrange
+// Multipliers", SIGGRAPH 1996; block LDLᵀ in a perfect elimination order of a chordal graph). In double.
+//
+// In time the joints are held as by RATTLE (Andersen, "Rattle: a 'velocity' version of the Shake algorithm", J. Comput.
+// Phys. 52, 1983; Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, VII.1.4): before a move, impulses
+// along the Jacobians of the present pose such that the joints are closed at the next pose; after it, impulses that
+// leave no speed along the joints. Both push at shared points, so momentum and angular momentum are kept.
+
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "constraints/joint_phases.h"
+
+namespace scree {
+
+struct JointTreeInput {
+    const BodyTable& bodies;
+    const JointTable& joints;
+    std::span<const int> list;  ///< joints to hold
+};
+
+class JointTree {
+public:
+    JointTree();
+    ~JointTree();
+    JointTree(const JointTree&) = delete;
+    JointTree& operator=(const JointTree&) = delete;
+
+    /// Finds the trees among the joints. O(bodies + joints).
+    void Build(const JointTreeInput& input);
+    [[nodiscard]] bool IsEmpty() const;
+    /// Joints of the list that belong to no tree, in its order: of types without exact rows, in loops, or on a body
+    /// with very many joints.
+    [[nodiscard]] std::span<const int> GetOthers() const;
+    /// Joints of trees that have limits, motors or springs besides.
+    [[nodiscard]] std::span<const int> GetBounded() const;
+
+    /// Where bodies stand within the step.
+    struct Poses {
+        const BodyTable& bodies;             ///< start positions of the step
+        const std::vector<Velocity>& delta;  ///< per body: motion since then
+    };
+    /// At the present poses, from which both solves below take their Jacobians.
+    void Factorize(const Poses& poses);
+    /// Changes velocities so that a move of `h` seconds ends with closed joints, to O(h³).
+    void SolveBeforeMove(const Poses& poses, float h, std::vector<Velocity>& velocity);
+    /// Removes all speed along the joints; after Factorize at the new poses.
+    void SolveAfterMove(std::vector<Velocity>& velocity);
+    /// Writes the impulses of the last two solves, times `scale`, into the joints.
+    void Store(float scale, JointTable& joints) const;
+    /// After a step of `dt` seconds: the largest √(T/(m·l)) of a pull T of a joint at a link of mass m and length l,
+    /// 1/s. A step needs at least twice as many sub-steps as it has such times, or the pull swings its links too far in
+    /// one.
+    [[nodiscard]] float GetPullRate(float dt) const;
+    [[nodiscard]] size_t GetMemoryBytes() const;
+
+private:
+    struct Data;
+    std::unique_ptr<Data> m;
+};
+
+}  // namespace scree

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What a direct solve needs of one joint, in double: the exact constraints of its type at a given pose, their errors
+// and Jacobians, and where their impulses are kept.
+
+#pragma once
+
+#include <cmath>
+#include <span>
+
+#include "constraints/joint_math.h"
+#include "state/joints.h"
+
+namespace scree {
+
+inline constexpr int maxTreeRows = 3;
+
+/// Centre of mass, angle, and rotation.
+struct TreePose {
+    double x, y, angle, cos, sin;
+};
+
+/// What is held of a joint.
+enum class TreeKind : uint8_t {
+    point,          ///< both anchors together
+    pointAndAngle,  ///< and no turning
+    slide,          ///< B's anchor on a line fixed in A, and no turning
+    line,           ///< B's anchor on a line fixed in A
+    rod,            ///< the distance of the anchors
+};
+constexpr int RowCount(TreeKind kind) {
+    return kind == TreeKind::pointAndAngle ? 3 : kind == TreeKind::point || kind == TreeKind::slide ? 2 : 1;
+}
+
+/// A joint's constants.
+struct TreeShape {
+    TreeKind kind;
+    double ax, ay, bx, by;  ///< anchors from the centres of mass, in the bodies' frames
+    double axisX, axisY;    ///< of slide and line, in A's frame
+    double reference;       ///< angle, rad, or length, m
+};
+
+/// Constraints at one pose. A row's speed is a·(vx, vy, w) of A plus b·(…) of B.
+struct TreeRows {
+    int count;
+    double error[maxTreeRows];  ///< m or rad
+    double a[maxTreeRows][3], b[maxTreeRows][3];
+    double axisX, axisY;  ///< of slide, line and rod, in world coordinates
+};
+
+/// False if no direct solve takes over joints of this type. `bounded`: it has limits, motors or springs besides.
+bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, int joint, TreeShape& shape, bool& bounded);
+/// Impulses of the rows → the joint's table.
+void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows], int joint,
+                  JointTable& joints);
+/// Sets the impulses of the exact rows to 0, so that warm starting leaves them out.
+void ForgetExactImpulse(int joint, JointTable& joints);
+
+/// The largest distance by which the anchors of these joints miss each other; only of joints with exact rows, m.
+float WorstJointGap(const BodyTable& bodies, const JointTable& joints, std::span<const int> list);
+
+/// Rotates (cos, sin) by `angle`: the Taylor series of a part small enough, doubled back.
+inline void Turn(double cos, double sin, double angle, TreePose& pose) {
+    int halvings = 0;
+    while (std::abs(angle) > 0.25 && halvings < 60) angle *= 0.5, ++halvings;
+    const double square = angle * angle;
+    double c = 1.0 - square / 2.0 * (1.0 - square / 12.0 * (1.0 - square / 30.0 * (1.0 - square / 56.0)));
+    double s = angle * (1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0 * (1.0 - square / 72.0))));
+    for (; halvings > 0; --halvings) {
+        const double doubled = 2.0 * s * c;
+        c = 1.0 - 2.0 * s * s;
+        s = doubled;
+    }
+    pose.cos = cos * c - sin * s;
+    pose.sin = sin * c + cos * s;
+}
+
+/// Errors, and with `jacobian` the rows too.
+template <bool jacobian>
+inline void MakeRows(const TreeShape& shape, const TreePose& a, const TreePose& b, TreeRows& rows) {
+    const double rax = a.cos * shape.ax - a.sin * shape.ay, ray = a.sin * shape.ax + a.cos * shape.ay;
+    const double rbx = b.cos * shape.bx - b.sin * shape.by, rby = b.sin * shape.bx + b.cos * shape.by;
+    const double dx = b.x - a.x + (rbx - rax), dy = b.y - a.y + (rby - ray);
+    const auto noTurning = [&](int i) {
+        rows.error[i] = b.angle - a.angle - shape.reference;
+        if constexpr (jacobian) {
+            rows.a[i][0] = rows.a[i][1] = rows.b[i][0] = rows.b[i][1] = 0.0;
+            rows.a[i][2] = -1.0, rows.b[i][2] = 1.0;
+        }
+    };
+    /// Along (x, y), with A's arm reaching `rx`, `ry` from its centre.
+    const auto along = [&](int i, double x, double y, double rx, double ry) {
+        rows.a[i][0] = -x, rows.a[i][1] = -y, rows.a[i][2] = -(rx * y - ry * x);
+        rows.b[i][0] = x, rows.b[i][1] = y, rows.b[i][2] = rbx * y - rby * x;
+    };
+    switch (shape.kind) {
+        case TreeKind::pointAndAngle:
+            noTurning(2);
+            [[fallthrough]];
+        case TreeKind::point:
+            rows.error[0] = dx, rows.error[1] = dy;
+            if constexpr (jacobian) along(0, 1.0, 0.0, rax, ray), along(1, 0.0, 1.0, rax, ray);
+            return;
+        case TreeKind::slide:
+            noTurning(1);
+            [[fallthrough]];
+        case TreeKind::line: {
+            const double x = a.cos * shape.axisX - a.sin * shape.axisY;
+            const double y = a.sin * shape.axisX + a.cos * shape.axisY;
+            rows.error[0] = -y * dx + x * dy;
+            if constexpr (jacobian) {
+                rows.axisX = x, rows.axisY = y;
+                along(0, -y, x, rax + dx, ray + dy);
+            }
+            return;
+        }
+        case TreeKind::rod: {
+            const double length = std::sqrt(dx * dx + dy * dy);
+            rows.error[0] = length - shape.reference;
+            if constexpr (jacobian) {
+                const double inverse = length > double{linearSlop} ? 1.0 / length : 0.0;
+                rows.axisX = inverse * dx, rows.axisY = inverse * dy;
+                along(0, rows.axisX, rows.axisY, rax, ray);
+            }
+            return;
+        }
+    }
+}
+
+}  // namespace scree

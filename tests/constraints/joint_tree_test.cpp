@@ -1,0 +1,349 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The direct solve of joint trees against a dense solve in double whose Jacobians are difference quotients of the
+// joints' definitions; which joints form trees; what it does where joints repeat each other.
+
+#include "constraints/joint_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree {
+
+namespace {
+
+using namespace test;
+
+using Pose = std::array<double, 3>;  ///< of the centre of mass: x, y, angle
+using Poses = std::vector<Pose>;     ///< by body index
+
+/// One scalar constraint as a function of all poses, straight from the meaning of the joint.
+struct Constraint {
+    int a, b;
+    std::function<double(const Pose&, const Pose&)> error;
+};
+
+struct Place {
+    double x, y;
+};
+Place ToWorld(const Pose& pose, Vec2 local) {
+    const double c = std::cos(pose[2]), s = std::sin(pose[2]), x = double{local.x}, y = double{local.y};
+    return {pose[0] + c * x - s * y, pose[1] + s * x + c * y};
+}
+
+/// Random bodies of masses 1 to 1000 hung on each other and on the ground by random joints; no two on the same pair.
+class Forest {
+public:
+    Forest(unsigned seed, int count) : world(Vec2{0.0f, 0.0f}), m_random(seed) {
+        m_ground = AddBody(world, staticBody, {0.0f, 0.0f});
+        std::vector<Body*> bodies;
+        for (int i = 0; i < count; ++i) {
+            Body* body = AddBody(world, dynamicBody, {5.0f * Draw(), 5.0f * Draw()}, 3.0f * Draw());
+            AddBox(body, 0.3f + 0.1f * Draw(), 0.2f, std::pow(10.0f, 1.5f + 1.5f * Draw()));
+            body->SetLinearVelocity({3.0f * Draw(), 3.0f * Draw()});
+            body->SetAngularVelocity(4.0f * Draw());
+            if (i > 0 && Draw() > -0.8f) {
+                Hang(bodies[static_cast<size_t>(m_random() % static_cast<unsigned>(std::max(1, std::min(i, 3)))) +
+                            static_cast<size_t>(std::max(0, i - 3))],
+                     body);
+            }
+            if (Draw() > 0.6f) Hang(m_ground, body);
+            bodies.push_back(body);
+        }
+    }
+
+    World world;
+    std::vector<int> joints;
+    std::vector<Constraint> constraints;
+
+private:
+    float Draw() { return std::uniform_real_distribution<float>(-1.0f, 1.0f)(m_random); }
+
+    void Add(const JointDef& def) { joints.push_back(world.CreateJoint(&def)->GetIndex()); }
+    void Hang(Body* a, Body* b) {
+        const Vec2 place = 0.5f * (a->GetWorldCenter() + b->GetWorldCenter());
+        switch (m_random() % 5) {
+            case 0: {
+                RevoluteJointDef def;
+                def.Initialize(a, b, place);
+                Add(def);
+                return AddPoint(a, b, def.localAnchorA, def.localAnchorB);
+            }
+            case 1: {
+                WeldJointDef def;
+                def.Initialize(a, b, place);
+                Add(def);
+                AddPoint(a, b, def.localAnchorA, def.localAnchorB);
+                return AddAngle(a, b);
+            }
+            case 2: {
+                PrismaticJointDef def;
+                def.Initialize(a, b, place, {0.6f, 0.8f});
+                Add(def);
+                AddAngle(a, b);
+                return AddLine(a, b, def.localAnchorA, def.localAnchorB, def.localAxisA);
+            }
+            case 3: {
+                WheelJointDef def;
+                def.Initialize(a, b, place, {0.8f, -0.6f});
+                Add(def);
+                return AddLine(a, b, def.localAnchorA, def.localAnchorB, def.localAxisA);
+            }
+            default: {
+                DistanceJointDef def;
+                def.Initialize(a, b, a->GetWorldCenter() + Vec2{0.1f, 0.2f}, b->GetWorldCenter() - Vec2{0.2f, 0.1f});
+                def.minLength = def.maxLength = def.length;
+                Add(def);
+                const Vec2 anchorA = Local(a, def.localAnchorA), anchorB = Local(b, def.localAnchorB);
+                constraints.push_back({a->GetIndex(), b->GetIndex(), [=](const Pose& pa, const Pose& pb) {
+                                           const Place p = ToWorld(pa, anchorA), q = ToWorld(pb, anchorB);
+                                           return std::hypot(q.x - p.x, q.y - p.y) - double{def.length};
+                                       }});
+            }
+        }
+    }
+    static Vec2 Local(const Body* body, Vec2 anchor) { return anchor - body->GetLocalCenter(); }
+    void AddPoint(const Body* a, const Body* b, Vec2 anchorA, Vec2 anchorB) {
+        const Vec2 la = Local(a, anchorA), lb = Local(b, anchorB);
+        for (const bool isX : {true, false}) {
+            constraints.push_back({a->GetIndex(), b->GetIndex(), [=](const Pose& pa, const Pose& pb) {
+                                       const Place p = ToWorld(pa, la), q = ToWorld(pb, lb);
+                                       return isX ? q.x - p.x : q.y - p.y;
+                                   }});
+        }
+    }
+    void AddAngle(const Body* a, const Body* b) {
+        const double reference = double{b->GetAngle()} - double{a->GetAngle()};
+        constraints.push_back(
+            {a->GetIndex(), b->GetIndex(), [=](const Pose& pa, const Pose& pb) { return pb[2] - pa[2] - reference; }});
+    }
+    void AddLine(const Body* a, const Body* b, Vec2 anchorA, Vec2 anchorB, Vec2 axis) {
+        const Vec2 la = Local(a, anchorA), lb = Local(b, anchorB);
+        constraints.push_back({a->GetIndex(), b->GetIndex(), [=](const Pose& pa, const Pose& pb) {
+                                   const Place p = ToWorld(pa, la), q = ToWorld(pb, lb);
+                                   const Place u = ToWorld({0.0, 0.0, pa[2]}, axis);
+                                   return u.x * (q.y - p.y) - u.y * (q.x - p.x);
+                               }});
+    }
+
+    std::mt19937 m_random;
+    Body* m_ground;
+};
+
+Poses ReadPoses(const BodyTable& bodies) {
+    Poses poses;
+    for (const Position& p : bodies.position) poses.push_back({double{p.c.x}, double{p.c.y}, double{p.a}});
+    return poses;
+}
+
+/// Rows of constraints over 3 numbers a body, by central differences.
+std::vector<std::vector<double>> Jacobian(const std::vector<Constraint>& constraints, const Poses& poses) {
+    std::vector<std::vector<double>> rows;
+    for (const Constraint& c : constraints) {
+        std::vector<double> row(3 * poses.size(), 0.0);
+        for (const bool isA : {true, false}) {
+            const auto body = static_cast<size_t>(isA ? c.a : c.b);
+            for (size_t k = 0; k < 3; ++k) {
+                const auto at = [&](double shift) {
+                    Pose a = poses[static_cast<size_t>(c.a)], b = poses[static_cast<size_t>(c.b)];
+                    (isA ? a : b)[k] += shift;
+                    return c.error(a, b);
+                };
+                row[3 * body + k] = (at(1e-6) - at(-1e-6)) / 2e-6;
+            }
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+/// Gaussian elimination with pivoting.
+std::vector<double> SolveDense(std::vector<std::vector<double>> m, std::vector<double> b) {
+    const size_t n = b.size();
+    for (size_t k = 0; k < n; ++k) {
+        size_t pivot = k;
+        for (size_t i = k; i < n; ++i) pivot = std::abs(m[i][k]) > std::abs(m[pivot][k]) ? i : pivot;
+        std::swap(m[k], m[pivot]), std::swap(b[k], b[pivot]);
+        for (size_t i = k + 1; i < n; ++i) {
+            const double factor = m[i][k] / m[k][k];
+            for (size_t j = k; j < n; ++j) m[i][j] -= factor * m[k][j];
+            b[i] -= factor * b[k];
+        }
+    }
+    for (size_t k = n; k-- > 0;) {
+        for (size_t j = k + 1; j < n; ++j) b[k] -= m[k][j] * b[j];
+        b[k] /= m[k][k];
+    }
+    return b;
+}
+
+/// Velocities without speed along the constraints, by mass-weighted projection.
+std::vector<double> ProjectDense(const Forest& forest, const BodyTable& bodies) {
+    const auto g = Jacobian(forest.constraints, ReadPoses(bodies));
+    std::vector<double> v, inverse;
+    for (size_t b = 0; b < bodies.velocity.size(); ++b) {
+        for (const float x : {bodies.velocity[b].v.x, bodies.velocity[b].v.y, bodies.velocity[b].w})
+            v.push_back(double{x});
+        for (const float x : {bodies.mass[b].invMass, bodies.mass[b].invMass, bodies.mass[b].invI})
+            inverse.push_back(double{x});
+    }
+    std::vector<std::vector<double>> matrix(g.size(), std::vector<double>(g.size(), 0.0));
+    std::vector<double> right(g.size(), 0.0);
+    for (size_t i = 0; i < g.size(); ++i) {
+        for (size_t k = 0; k < v.size(); ++k) right[i] -= g[i][k] * v[k];
+        for (size_t j = 0; j < g.size(); ++j) {
+            for (size_t k = 0; k < v.size(); ++k) matrix[i][j] += g[i][k] * inverse[k] * g[j][k];
+        }
+    }
+    const std::vector<double> impulse = SolveDense(matrix, right);
+    for (size_t i = 0; i < g.size(); ++i) {
+        for (size_t k = 0; k < v.size(); ++k) v[k] += inverse[k] * g[i][k] * impulse[i];
+    }
+    return v;
+}
+
+TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
+    int solved = 0;
+    for (unsigned seed = 1; seed <= 200; ++seed) {
+        Forest forest(seed, 2 + static_cast<int>(seed % 19));
+        WorldState& s = forest.world.GetState();
+        JointTree tree;
+        tree.Build({s.bodies, s.joints, forest.joints});
+        // Bodies welded twice to the ground repeat rows: the dense solve has no answer.
+        if (forest.joints.empty() || forest.constraints.size() > 3 * (s.bodies.position.size() - 1)) continue;
+        ASSERT_TRUE(tree.GetOthers().empty()) << seed;
+        const std::vector<double> exact = ProjectDense(forest, s.bodies);
+        bool isSingular = false;
+        for (const double v : exact) isSingular = isSingular || !std::isfinite(v) || std::abs(v) > 100.0;
+        if (isSingular) continue;
+        std::vector<Velocity> delta(s.bodies.velocity.size());
+        s.bodies.startPosition = s.bodies.position;
+        tree.Factorize({s.bodies, delta});
+        tree.SolveAfterMove(s.bodies.velocity);
+        for (size_t b = 0; b < delta.size(); ++b) {
+            const Velocity& v = s.bodies.velocity[b];
+            EXPECT_NEAR(double{v.v.x}, exact[3 * b], 1e-4) << seed;
+            EXPECT_NEAR(double{v.v.y}, exact[3 * b + 1], 1e-4) << seed;
+            EXPECT_NEAR(double{v.w}, exact[3 * b + 2], 1e-3) << seed;
+        }
+        ++solved;
+    }
+    EXPECT_GT(solved, 120);
+}
+
+TEST(JointTree, AMoveEndsWithClosedJoints) {
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+        Forest forest(seed, 8);
+        WorldState& s = forest.world.GetState();
+        JointTree tree;
+        tree.Build({s.bodies, s.joints, forest.joints});
+        if (forest.joints.empty() || forest.constraints.size() > 3 * (s.bodies.position.size() - 1)) continue;
+        std::vector<Velocity> delta(s.bodies.velocity.size());
+        s.bodies.startPosition = s.bodies.position;
+        tree.Factorize({s.bodies, delta});
+        tree.SolveAfterMove(s.bodies.velocity);  // a motion that the joints allow
+        const float h = 1.0f / 960.0f;
+        tree.SolveBeforeMove({s.bodies, delta}, h, s.bodies.velocity);
+        Poses poses = ReadPoses(s.bodies);
+        double fastest = 0.0;
+        for (size_t b = 0; b < poses.size(); ++b) {
+            const Velocity& v = s.bodies.velocity[b];
+            poses[b][0] += double{h} * double{v.v.x};
+            poses[b][1] += double{h} * double{v.v.y};
+            poses[b][2] += double{h} * double{v.w};
+            fastest = std::max(fastest, std::abs(double{v.w}));
+        }
+        if (fastest > 50.0) continue;
+        for (const Constraint& c : forest.constraints) {
+            const double error = c.error(poses[static_cast<size_t>(c.a)], poses[static_cast<size_t>(c.b)]);
+            EXPECT_LT(std::abs(error), 2e-6) << seed;  // floats of up to 5 m
+        }
+    }
+}
+
+RevoluteJointDef Pin(Body* a, Body* b, Vec2 place) {
+    RevoluteJointDef def;
+    def.Initialize(a, b, place);
+    return def;
+}
+
+TEST(JointTree, LeavesLoopsToTheRowsAndTakesTheOtherTrees) {
+    World world({0.0f, 0.0f});
+    Body* ground = AddBody(world, staticBody, {0.0f, 0.0f});
+    std::vector<Body*> bodies;
+    for (int i = 0; i < 5; ++i) {
+        bodies.push_back(AddBody(world, dynamicBody, {static_cast<float>(i), 0.0f}));
+        AddBox(bodies.back(), 0.5f, 0.1f);
+    }
+    const auto add = [&](Body* a, Body* b, Vec2 place) {
+        const RevoluteJointDef def = Pin(a, b, place);
+        return world.CreateJoint(&def)->GetIndex();
+    };
+    // A triangle of 0, 1, 2 and a bridge of 3, 4 between two fixed points.
+    const std::vector<int> loop{add(bodies[0], bodies[1], {0.5f, 0.0f}), add(bodies[1], bodies[2], {1.5f, 0.0f}),
+                                add(bodies[2], bodies[0], {1.0f, 1.0f})};
+    const std::vector<int> bridge{add(ground, bodies[3], {2.5f, 0.0f}), add(bodies[3], bodies[4], {3.5f, 0.0f}),
+                                  add(bodies[4], ground, {4.5f, 0.0f})};
+    std::vector<int> all = loop;
+    all.insert(all.end(), bridge.begin(), bridge.end());
+    const WorldState& s = world.GetState();
+    JointTree tree;
+    tree.Build({s.bodies, s.joints, all});
+    EXPECT_FALSE(tree.IsEmpty());
+    EXPECT_EQ(std::vector<int>(tree.GetOthers().begin(), tree.GetOthers().end()), loop);
+    EXPECT_TRUE(tree.GetBounded().empty());
+    tree.Build({s.bodies, s.joints, loop});
+    EXPECT_TRUE(tree.IsEmpty());
+    EXPECT_EQ(tree.GetOthers().size(), loop.size());
+}
+
+TEST(JointTree, HoldsABodyThatIsWeldedTwice) {
+    World world({0.0f, -10.0f});
+    Body* ground = AddBody(world, staticBody, {0.0f, 0.0f});
+    Body* plank = AddBody(world, dynamicBody, {0.0f, 2.0f});
+    AddBox(plank, 2.0f, 0.1f);
+    for (const float x : {-2.0f, 2.0f}) {
+        WeldJointDef def;
+        def.Initialize(ground, plank, {x, 2.0f});
+        world.CreateJoint(&def);
+    }
+    for (int i = 0; i < 120; ++i) world.Step(1.0f / 60.0f, Accuracy::game);
+    EXPECT_NEAR(plank->GetPosition().y, 2.0f, 1e-5f);
+    EXPECT_NEAR(plank->GetAngle(), 0.0f, 1e-5f);
+}
+
+TEST(JointTree, LimitsAndMotorsOfATreeAreKept) {
+    // An arm that falls onto its limit, and one that a motor turns.
+    World world({0.0f, -10.0f});
+    Body* ground = AddBody(world, staticBody, {0.0f, 0.0f});
+    Body* arm = AddBody(world, dynamicBody, {0.5f, 0.0f});
+    Body* wheel = AddBody(world, dynamicBody, {5.0f, 0.0f});
+    AddBox(arm, 0.5f, 0.05f), AddCircle(wheel, 0.5f);
+    RevoluteJointDef limited = Pin(ground, arm, {0.0f, 0.0f});
+    limited.enableLimit = true;
+    limited.lowerAngle = -0.5f, limited.upperAngle = 0.5f;
+    world.CreateJoint(&limited);
+    RevoluteJointDef driven = Pin(ground, wheel, {5.0f, 0.0f});
+    driven.enableMotor = true;
+    driven.motorSpeed = 3.0f;
+    driven.maxMotorTorque = 0.2f;
+    world.CreateJoint(&driven);
+    const float inertia = wheel->GetInertia();
+    for (int i = 0; i < 30; ++i) world.Step(1.0f / 60.0f, Accuracy::game);
+    EXPECT_NEAR(wheel->GetAngularVelocity(), std::min(3.0f, 0.2f * 0.5f / inertia), 1e-3f);
+    for (int i = 0; i < 270; ++i) world.Step(1.0f / 60.0f, Accuracy::game);
+    EXPECT_NEAR(arm->GetAngle(), -0.5f, angularSlop);
+    EXPECT_NEAR(arm->GetAngularVelocity(), 0.0f, 1e-3f);
+    EXPECT_NEAR(wheel->GetAngularVelocity(), 3.0f, 1e-3f);
+}
+
+}  // namespace
+
+}  // namespace scree
