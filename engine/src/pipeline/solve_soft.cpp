@@ -147,6 +147,7 @@ public:
     }
 
     void Substep(bool first) {
+        constexpr int coldIterations = 32;
         if (first ? m_settings.impulseScale > 0.0f : m_bounced) ExpectPush();
         if (m_s.blocks.Bounces()) RunKernel(Pool(), m_task, m_kernels.approach);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
@@ -155,14 +156,18 @@ public:
         if (HasRows()) {
             // Each sub-step pushes twice, with half of its forces each time.
             PrepareJoints(JointWork(first ? 0.5f * SubstepScale() : 1.0f), m_s.tree.GetOthers(), m_s.tree.GetBounded());
-            SolveJointVelocities(JointWork(1.0f));
         }
-        NotePush([&] { RunKernel(Pool(), m_task, m_kernels.solveSoft); });
+        if (first && !m_s.tree.IsEmpty()) m_s.tree.Factorize(Poses());
+        ProjectTree();
+        if (HasRows()) SolveJointVelocities(JointWork(1.0f));
+        NotePush([&] {
+            RunKernel(Pool(), m_task, m_kernels.solveSoft);
+            if (!first || m_settings.impulseScale > 0.0f) return;
+            // Nothing is known of the contacts yet: piles would sag before their impulses have grown.
+            for (int i = 0; i < coldIterations; ++i) RunKernel(Pool(), m_task, m_kernels.solveSoft);
+        });
         m_bounced = m_s.blocks.Bounces() && Bounce();
-        if (!m_s.tree.IsEmpty()) {
-            if (first) m_s.tree.Factorize(Poses());
-            m_s.tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
-        }
+        if (!m_s.tree.IsEmpty()) m_s.tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             ForEachSoft([&](SoftBody& soft) {
                 Velocity& v = VelocityOf(soft);
@@ -174,11 +179,14 @@ public:
         if (HasRows()) {
             CorrectJoints();
             WarmStartJoints(JointWork(1.0f));
-            SolveJointVelocities(JointWork(1.0f));
         }
         if (!m_s.tree.IsEmpty()) {
             m_s.tree.Factorize(Poses());
             m_s.tree.SolveAfterMove(m_bodies.velocity);
+        }
+        if (HasRows()) {
+            SolveJointVelocities(JointWork(1.0f));
+            if (!m_s.tree.IsEmpty()) m_s.tree.SolveAfterMove(m_bodies.velocity);
         }
         NotePush([&] { RunKernel(Pool(), m_task, m_kernels.relax); });
         ForEachSoft([&](SoftBody& soft) { EndPush(soft); });
@@ -255,6 +263,12 @@ private:
         return {{0.5f * m_h, 1.0f / m_h, impulseScale}, m_bodies, m_tables.joints, m_s.joints};
     }
     [[nodiscard]] JointTree::Poses Poses() const { return {m_bodies, m_s.delta}; }
+
+    /// Limits, motors and contacts of a tree must see what its joints make of the forces.
+    void ProjectTree() {
+        const bool isAlone = m_s.blocks.IsEmpty() && !HasRows();
+        if (!m_s.tree.IsEmpty() && !isAlone) m_s.tree.SolveAfterMove(m_bodies.velocity);
+    }
 
     /// True if a contact bounced; blows that meet in one body are solved together.
     bool Bounce() {
