@@ -14,7 +14,7 @@ namespace scree {
 /// Columns of the body table, four floats a row, and the constants of the step.
 struct FreeBodiesTask {
     float* velocity;       ///< v, w
-    float* position;       ///< centre of mass, angle
+    float* position;       ///< centre of mass, angle, its rest
     float* startPosition;  ///< written: the position before
     float* transform;      ///< origin, sine, cosine
     const float* mass;     ///< 1/mass, 1/inertia, local centre
