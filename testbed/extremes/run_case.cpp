@@ -237,14 +237,14 @@ double SmallestExtent(const scenes::Scene& scene, int body) {
     return smallest;
 }
 
-double SumEnergy(const scenes::Scene& scene, std::span<const BodyReading> bodies, Point gravity) {
+double SumEnergy(const scenes::Scene& scene, std::span<const BodyReading> bodies, Point pull) {
     double sum = 0.0;
     for (size_t i = 0; i < bodies.size(); ++i) {
         if (scene.bodies[i].type != scenes::BodyType::dynamic) continue;
         const BodyReading& b = bodies[i];
         const double scale = double{scene.bodies[i].gravityScale};
         sum += 0.5 * b.mass * Dot(b.velocity, b.velocity) + 0.5 * b.inertia * b.spin * b.spin -
-               scale * b.mass * Dot(gravity, b.centre);
+               scale * b.mass * Dot(pull, b.centre);
     }
     return sum;
 }

@@ -9,8 +9,8 @@
 
 #include <bit>
 #include <cstring>
-#include <memory>
 #include <limits>
+#include <memory>
 #include <random>
 #include <vector>
 

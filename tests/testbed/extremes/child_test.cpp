@@ -60,8 +60,12 @@ TEST(ExtremesCommand, RunsCasesAndWritesTheMatrix) {
     ASSERT_EQ(results.size(), 3 * settings);
     EXPECT_NE(result.output.find(std::to_string(results.size()) + " runs: 3 cases, "), std::string::npos);
     for (const ExtremeResult& one : results) {
-        if (one.name == "light-on-heavy-1e0") EXPECT_EQ(one.verdict.grade, Grade::accurate) << one.setting;
-        if (one.setting.starts_with("scree")) EXPECT_GE(one.verdict.grade, Grade::survives) << one.name;
+        if (one.name == "light-on-heavy-1e0") {
+            EXPECT_EQ(one.verdict.grade, Grade::accurate) << one.setting;
+        }
+        if (one.setting.starts_with("scree")) {
+            EXPECT_GE(one.verdict.grade, Grade::survives) << one.name;
+        }
     }
     const std::string csv = folder.Read("out/cases.csv"), page = folder.Read("out/index.html");
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), 1 + results.size());
