@@ -38,19 +38,21 @@ void b2DistanceProxy::Set(const b2Shape* shape, int32 index) {
             Set(polygon->m_vertices, polygon->m_count, shape->m_radius);
             break;
         }
-        case b2Shape::e_edge:
-            Set(&static_cast<const b2EdgeShape*>(shape)->m_vertex1, 2, shape->m_radius);
+        // Two ends are kept here, as in Box2D: an edge's are no array, and a loop may be rebuilt.
+        case b2Shape::e_edge: {
+            const auto* edge = static_cast<const b2EdgeShape*>(shape);
+            m_buffer[0] = edge->m_vertex1;
+            m_buffer[1] = edge->m_vertex2;
+            Set(m_buffer, 2, shape->m_radius);
             break;
-        default:
-            Set(static_cast<const b2ChainShape*>(shape)->m_vertices + index, 2, shape->m_radius);
+        }
+        default: {
+            const auto* chain = static_cast<const b2ChainShape*>(shape);
+            m_buffer[0] = chain->m_vertices[index];
+            m_buffer[1] = chain->m_vertices[index + 1];
+            Set(m_buffer, 2, shape->m_radius);
             break;
-    }
-    if (shape->GetType() == b2Shape::e_edge || shape->GetType() == b2Shape::e_chain) {
-        // The two ends are kept here, as in Box2D: an edge's are no array, and a loop may be rebuilt.
-        const auto* edge = static_cast<const b2EdgeShape*>(shape);
-        m_buffer[0] = shape->GetType() == b2Shape::e_edge ? edge->m_vertex1 : m_vertices[0];
-        m_buffer[1] = shape->GetType() == b2Shape::e_edge ? edge->m_vertex2 : m_vertices[1];
-        m_vertices = m_buffer;
+        }
     }
 }
 
