@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "testbed/laws/measure.h"
 #include "tests/physics/lab.h"
 
 namespace scree::test {
@@ -111,40 +112,13 @@ TEST(JointLaws, AMotorReachesItsSpeedAndLimitsHold) {
     Judge({"driven arm: stop at a lower limit of -1, rad", -1.0, slop, 1e-5}, Pick(back, &Driven::stop));
 }
 
-/// Equilibrium of N equal links of length 1 hung over a span: tan θᵢ = (i − (N+1)/2)·w/H and Σ cos θᵢ = span.
-struct Catenary {
-    double horizontal = 0.0, sag = 0.0, endPull = 0.0;  ///< forces in weights of a link
-    std::vector<double> angle;                          ///< of each link, falling first
-};
-
-Catenary SolveCatenary(int links, double span) {
-    const auto tangent = [links](int i, double horizontal) { return (i - 0.5 * (links + 1)) / horizontal; };
-    double low = 1e-3, high = 1e4;
-    for (int k = 0; k < 200; ++k) {
-        const double mid = std::sqrt(low * high);
-        double width = 0.0;
-        for (int i = 1; i <= links; ++i) width += std::cos(std::atan(tangent(i, mid)));
-        (width < span ? low : high) = mid;
-    }
-    Catenary result;
-    result.horizontal = low;
-    double y = 0.0;
-    for (int i = 1; i <= links; ++i) {
-        result.angle.push_back(std::atan(tangent(i, low)));
-        y += std::sin(result.angle.back());
-        result.sag = std::max(result.sag, -y);
-    }
-    result.endPull = std::hypot(low, 0.5 * links);
-    return result;
-}
-
 struct Bridge {
     double sag = 0.0, pull = 0.0, gap = 0.0;
 };
 
 /// Hangs links in the exact shape and lets them find their own, damped so that they come to rest.
 template <class E>
-Bridge HangBridge(const Catenary& shape) {
+Bridge HangBridge(const testbed::Catenary& shape) {
     Lab<E> lab;
     double span = 0.0;
     for (const double angle : shape.angle) span += std::cos(angle);
@@ -185,7 +159,7 @@ Bridge HangBridge(const Catenary& shape) {
 
 TEST(JointLaws, ABridgeHangsInItsCatenary) {
     for (const int links : {20, 40}) {
-        const Catenary exact = SolveCatenary(links, 0.8 * links);
+        const testbed::Catenary exact = testbed::SolveCatenary(links, 0.8 * links);
         if (links == 40) {
             EXPECT_NEAR(exact.sag, 10.6210, 1e-4);
             EXPECT_NEAR(exact.endPull, 24.1443, 1e-4);

@@ -242,8 +242,10 @@ TEST(View, SaysWhatIsWrong) {
     EXPECT_NE(noDisplay.output.find("--offscreen"), std::string::npos) << noDisplay.output;
 }
 
+bool IsInstalled(const std::string& tool) { return std::system(("command -v " + tool + " >/dev/null").c_str()) == 0; }
+
 TEST(View, AWindowShowsWhatOffscreenShows) {
-    if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "xvfb-run is missing: install xvfb";
+    ASSERT_TRUE(IsInstalled("xvfb-run")) << "tests/run installs it (package xvfb)";
     const ScratchFolder folder;
     WriteScript(folder, "0 move 300 300\n4 move body scree 10\n5 press\n7 move world scree 2 6\n30 dump state.json\n");
     const std::string view = std::string("view pyramid ") + common;
@@ -274,10 +276,8 @@ std::pair<int, int> FindTop(const ScratchFolder& folder, const std::string& view
 // Events of the X server itself (XTest), through GLFW, in a window on a virtual display: the pictures that F12 writes
 // must be those that a script of the same events makes without a window.
 TEST(View, RealMouseAndKeysDoWhatScriptsDo) {
-    for (const char* tool : {"xvfb-run", "xdotool"}) {
-        const std::string find = std::string("command -v ") + tool + " >/dev/null";
-        if (std::system(find.c_str()) != 0) GTEST_SKIP() << tool << " is missing: install it by apt";
-    }
+    ASSERT_TRUE(IsInstalled("xvfb-run")) << "tests/run installs it (package xvfb)";
+    ASSERT_TRUE(IsInstalled("xdotool")) << "tests/run installs it (package xdotool)";
     const ScratchFolder folder;
     const std::string view = "view pyramid --size 4 --window 900x640 --no-times --no-overlap --paused --steps-before 3";
     const auto [x, y] = FindTop(folder, view);
