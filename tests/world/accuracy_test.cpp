@@ -61,8 +61,8 @@ TEST(Accuracy, ATighterToleranceTakesMoreSubstepsAndIsKept) {
         tolerance.overlap = overlap;
         StepReport report;
         for (int i = 0; i < 300; ++i) report = world.Step(dt, tolerance);
-        EXPECT_LE(report.worstOverlap, 1.02f * overlap);
-        EXPECT_GT(report.worstOverlap, linearSlop);
+        EXPECT_LE(report.errors.overlap, 1.02f * overlap);
+        EXPECT_GT(report.errors.overlap, linearSlop);
         EXPECT_GE(report.substeps, before);
         before = report.substeps;
     }
@@ -78,13 +78,18 @@ TEST(Accuracy, APulledChainGetsTheSubstepsThatItsPullNeeds) {
         for (int i = 0; i < 180; ++i) {
             const StepReport report = world.Step(dt, Tolerance{});
             highest = std::max(highest, report.substeps);
-            gap = std::max(gap, report.worstJointGap);
+            gap = std::max(gap, report.errors.jointGap);
         }
         EXPECT_LT(gap, Tolerance{}.jointGap) << load;
         return highest;
     };
     EXPECT_EQ(most(1.0f), 4);
-    EXPECT_GT(most(1000.0f), 4);
+    int before = 4;
+    for (const float load : {1000.0f, 3000.0f, 10000.0f}) {  // its pull goes up and down many times a swing
+        const int now = most(load);
+        EXPECT_GT(now, before) << load;
+        before = now;
+    }
 }
 
 TEST(Accuracy, ToleranceIsDeterministicAndSurvivesSnapshotsAndRecordings) {
@@ -123,12 +128,13 @@ TEST(Accuracy, BadInputIsRefused) {
     };
     expect("tolerance.overlap", {.overlap = linearSlop});
     expect("tolerance.overlap", {.overlap = std::numeric_limits<float>::quiet_NaN()});
+    expect("tolerance.overlap", {.overlap = std::numeric_limits<float>::infinity()});
     expect("tolerance.jointGap", {.jointGap = 0.0f});
     expect("tolerance.leastSubsteps", {.leastSubsteps = 0});
     expect("tolerance.mostSubsteps", {.leastSubsteps = 8, .mostSubsteps = 4});
     world.Step(dt, static_cast<Accuracy>(9));
     EXPECT_STREQ(log.last.field, "accuracy");
-    EXPECT_EQ(log.count, 6);
+    EXPECT_EQ(log.count, 7);
 }
 
 }  // namespace

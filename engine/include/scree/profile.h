@@ -35,8 +35,8 @@ struct StepReport {
     int bodyCount = 0;
     int awakeBodyCount = 0;     ///< dynamic and kinematic bodies that were simulated
     int isolatedBodyCount = 0;  ///< of these, bodies without contacts and joints: they took the ballistic path
-    int islandCount = 0;        ///< islands of two or more bodies, or with a constraint; the soft step looks for
-                                ///< islands only when something may fall asleep or wake: 0 else
+    int islandCount = 0;        ///< islands of two or more bodies, or with a constraint; a soft step without a
+                                ///< tolerance looks for islands only when something may fall asleep or wake: 0 else
     int contactCount = 0;
     int touchingCount = 0;         ///< as found by this step's narrow phase
     int64_t pairCount = 0;         ///< pairs reported by the broad phase
@@ -44,13 +44,12 @@ struct StepReport {
     int continuousEventCount = 0;  ///< times a body was stopped at an impact on its way
     int abandonedCount = 0;        ///< bodies held at an impact because their pair had maxSubSteps events in the step
     float lostTime = 0.0f;         ///< motion that those bodies lost, s, summed
-    int substeps = 0;              ///< of the soft step; 0 with sequential impulses
-    float worstOverlap = 0.0f;     ///< of the skins of two shapes, m; only told by Step(timeStep, tolerance)
-    float worstJointGap = 0.0f;    ///< between the anchors of a joint, m; likewise
+    int substeps = 0;              ///< of the soft step, in the island that took most; 0 with sequential impulses
+    int64_t bodySubsteps = 0;      ///< the same summed over the awake bodies, each with those of its island
     /// Bodies that were put back to where they were, at rest, because their velocity or pose became NaN, infinite or
     /// larger than 1e18. Other bodies and the broad phase never see such a state.
     int nonFiniteCount = 0;
-    StepErrors errors;  ///< only while World::SetMeasureErrors is on
+    StepErrors errors;  ///< of steps with a tolerance, and of all while World::SetMeasureErrors is on; else 0
 };
 
 }  // namespace scree

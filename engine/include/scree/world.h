@@ -106,8 +106,9 @@ public:
     StepReport Step(float timeStep, int substeps);
     /// Advances by `timeStep` seconds at a mark of the accuracy dial.
     StepReport Step(float timeStep, Accuracy accuracy);
-    /// Advances by `timeStep` seconds in as many sub-steps of the soft step as the errors of the last such step call
-    /// for; StepReport::substeps tells how many. Bad input: an error and an unchanged world.
+    /// Advances by `timeStep` seconds by the soft step, each island in as many sub-steps as its errors of the last such
+    /// step call for; StepReport tells the most of an island, the sum, and the errors that are left. Bad input: an
+    /// error and an unchanged world.
     StepReport Step(float timeStep, const Tolerance& tolerance);
     [[nodiscard]] const StepReport& GetReport() const;
     /// Every step ends with MeasureErrors and reports the result. Off by default, and then free.

@@ -464,21 +464,20 @@ void JointTree::SolveAfterMove(std::vector<Velocity>& velocity) {
     StoreVelocities(m->bodies, velocity);
 }
 
-float JointTree::GetPullRate(float dt) const {
-    double largest = 0.0;
+void JointTree::NotePullRates(float dt, std::vector<BodyDemand>& demand) const {
     for (const TreeJoint& joint : m->joints) {
         if (joint.rows.count < 2) continue;
         const double pull = std::hypot(joint.total[0], joint.total[1]) / double{dt};
-        const auto add = [&](const TreeBody& body, double x, double y) {
+        const auto note = [&](const TreeBody& body, double x, double y) {
             if (body.invMass == 0.0 || body.invI == 0.0) return;
             // A rod pulled at its end: inertia m·l²/3 about the other end of the arm l/2.
             const double arm = std::hypot(x, y), inertia = 1.0 / body.invI + arm * arm / body.invMass;
-            largest = std::max(largest, pull * arm / (1.5 * inertia));
+            float& rate = demand[At(body.body)].pullRate;
+            rate = std::max(rate, static_cast<float>(std::sqrt(pull * arm / (1.5 * inertia))));
         };
-        add(m->bodies[At(joint.a)], joint.shape.ax, joint.shape.ay);
-        add(m->bodies[At(joint.b)], joint.shape.bx, joint.shape.by);
+        note(m->bodies[At(joint.a)], joint.shape.ax, joint.shape.ay);
+        note(m->bodies[At(joint.b)], joint.shape.bx, joint.shape.by);
     }
-    return static_cast<float>(std::sqrt(largest));
 }
 
 void JointTree::Store(float scale, JointTable& joints) const {

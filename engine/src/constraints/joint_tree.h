@@ -57,10 +57,10 @@ public:
     void SolveAfterMove(std::vector<Velocity>& velocity);
     /// Writes the impulses of the last two solves, times `scale`, into the joints.
     void Store(float scale, JointTable& joints) const;
-    /// After a step of `dt` seconds: the largest √(T/(m·l)) of a pull T of a joint at a link of mass m and length l,
-    /// 1/s. A step needs at least twice as many sub-steps as it has such times, or the pull swings its links too far in
-    /// one.
-    [[nodiscard]] float GetPullRate(float dt) const;
+    /// After a step of `dt` seconds: raises BodyDemand::pullRate to √(T/(m·l)) of a pull T of a joint at a link of mass
+    /// m and length l, 1/s. A step needs at least twice as many sub-steps as it has such times, or the pull swings its
+    /// links too far in one.
+    void NotePullRates(float dt, std::vector<BodyDemand>& demand) const;
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:

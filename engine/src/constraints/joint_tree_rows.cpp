@@ -102,26 +102,6 @@ bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, int joint,
     return isExact;
 }
 
-float WorstJointGap(const BodyTable& bodies, const JointTable& joints, std::span<const int> list) {
-    const auto poseOf = [&bodies](int body) {
-        const Position& p = bodies.position[static_cast<size_t>(body)];
-        const Rot& q = bodies.transform[static_cast<size_t>(body)].q;
-        return TreePose{double{p.c.x}, double{p.c.y}, double{p.a}, double{q.c}, double{q.s}};
-    };
-    double worst = 0.0;
-    for (const int joint : list) {
-        TreeShape shape;
-        bool bounded = false;
-        if (!MakeTreeShape(bodies, joints, joint, shape, bounded)) continue;
-        const JointInfo& info = joints.info[static_cast<size_t>(joint)];
-        TreeRows rows{};
-        MakeRows<false>(shape, poseOf(info.bodyA), poseOf(info.bodyB), rows);
-        const bool twoAnchors = shape.kind == TreeKind::point || shape.kind == TreeKind::pointAndAngle;
-        worst = std::max(worst, twoAnchors ? std::hypot(rows.error[0], rows.error[1]) : std::abs(rows.error[0]));
-    }
-    return static_cast<float>(worst);
-}
-
 void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows], int joint,
                   JointTable& joints) {
     const JointInfo& info = joints.info[static_cast<size_t>(joint)];

@@ -57,9 +57,6 @@ void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&im
 /// Sets the impulses of the exact rows to 0, so that warm starting leaves them out.
 void ForgetExactImpulse(int joint, JointTable& joints);
 
-/// The largest distance by which the anchors of these joints miss each other; only of joints with exact rows, m.
-float WorstJointGap(const BodyTable& bodies, const JointTable& joints, std::span<const int> list);
-
 /// Rotates (cos, sin) by `angle`: the Taylor series of a part small enough, doubled back.
 inline void Turn(double cos, double sin, double angle, TreePose& pose) {
     int halvings = 0;

@@ -21,19 +21,22 @@ float InverseMassAt(const BodyTable& bodies, int body, Vec2 point, Vec2 normal) 
     return mass.invMass + mass.invI * arm * arm;
 }
 
-void MeasureContact(const MeasuredTables& t, int contact, float slop, float dt, StepErrors& errors) {
+/// Returns the overlap, ≥ 0, and raises the residual.
+float MeasureContact(const MeasuredTables& t, int contact, float slop, float dt, float& residual) {
     const ContactPair& pair = t.contacts.pair[Row(contact)];
     const Manifold& manifold = t.contacts.manifold[Row(contact)];
     WorldManifold world;
     world.Initialize(&manifold, t.bodies.transform[Row(pair.bodyA)], t.fixtures.shape[pair.fixtureA]->m_radius,
                      t.bodies.transform[Row(pair.bodyB)], t.fixtures.shape[pair.fixtureB]->m_radius);
+    float overlap = 0.0f;
     for (int i = 0; i < manifold.pointCount; ++i) {
         const float inverse = InverseMassAt(t.bodies, pair.bodyA, world.points[i], world.normal) +
                               InverseMassAt(t.bodies, pair.bodyB, world.points[i], world.normal);
         const float pushed = manifold.points[i].normalImpulse * inverse * dt;
-        errors.overlap = Max(errors.overlap, -world.separations[i]);
-        errors.residual = Max(errors.residual, Abs(Min(pushed, world.separations[i] + slop)));
+        overlap = Max(overlap, -world.separations[i]);
+        residual = Max(residual, Abs(Min(pushed, world.separations[i] + slop)));
     }
+    return overlap;
 }
 
 /// The two anchors of a joint in world coordinates.
@@ -80,25 +83,45 @@ float ErrorOf(const MeasuredTables&, const JointInfo&, const JointRow&) {
     return 0.0f;
 }
 
-}  // namespace
-
-StepErrors MeasureErrors(const MeasuredTables& t, float slop, float dt) {
+/// Calls note(body, body, overlap or gap, member of BodyDemand) for each contact and joint.
+template <typename Note>
+StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
     StepErrors errors;
     constexpr uint8_t pushing = ContactFlag::alive | ContactFlag::touching | ContactFlag::enabled;
     for (int contact = 0; contact < t.contacts.Size(); ++contact) {
         const ContactPair& pair = t.contacts.pair[Row(contact)];
         if ((t.contacts.flags[Row(contact)] & (pushing | ContactFlag::sensor)) != pushing) continue;
-        if (IsAnyActive(t.bodies, pair.bodyA, pair.bodyB)) MeasureContact(t, contact, slop, dt, errors);
+        if (!IsAnyActive(t.bodies, pair.bodyA, pair.bodyB)) continue;
+        const float overlap = MeasureContact(t, contact, slop, dt, errors.residual);
+        errors.overlap = Max(errors.overlap, overlap);
+        note(pair.bodyA, pair.bodyB, overlap, &BodyDemand::overlap);
     }
-    for (int joint = 0; joint < t.joints.slots.Size(); ++joint) {
-        if (!t.joints.slots.IsAlive(joint)) continue;
+    for (int joint = t.joints.listHead; joint >= 0; joint = t.joints.info[Row(joint)].listNext) {
         const JointInfo& info = t.joints.info[Row(joint)];
         if (!IsAnyActive(t.bodies, info.bodyA, info.bodyB)) continue;
         JointTable::WithStore(t.joints, info.type, [&](const auto& store) {
-            errors.jointGap = Max(errors.jointGap, ErrorOf(t, info, store.rows[Row(info.row)]));
+            const float gap = ErrorOf(t, info, store.rows[Row(info.row)]);
+            errors.jointGap = Max(errors.jointGap, gap);
+            note(info.bodyA, info.bodyB, gap, &BodyDemand::jointGap);
         });
     }
     return errors;
+}
+
+}  // namespace
+
+StepErrors MeasureErrors(const MeasuredTables& t, float slop, float dt) {
+    return Measure(t, slop, dt, [](int, int, float, float BodyDemand::*) {});
+}
+
+StepErrors MeasureDemand(const MeasuredTables& t, float slop, float dt, std::vector<BodyDemand>& demand) {
+    return Measure(t, slop, dt, [&](int a, int b, float error, float BodyDemand::*which) {
+        for (const int body : {a, b}) {
+            if (t.bodies.type[Row(body)] == staticBody) continue;
+            float& worst = demand[Row(body)].*which;
+            worst = Max(worst, error);
+        }
+    });
 }
 
 }  // namespace scree

@@ -23,5 +23,7 @@ struct MeasuredTables {
 /// Over contacts that push and joints with an awake body. `slop` is the overlap that the solver means to leave, m, `dt`
 /// the length of the step whose impulses the contacts hold, s.
 StepErrors MeasureErrors(const MeasuredTables& tables, float slop, float dt);
+/// The same, and what of it each mover has its part in: raises overlaps and joint gaps of BodyTable::demand.
+StepErrors MeasureDemand(const MeasuredTables& tables, float slop, float dt, std::vector<BodyDemand>& demand);
 
 }  // namespace scree

@@ -20,7 +20,6 @@
 
 #include "pipeline/solve_soft.h"
 
-#include "constraints/joint_tree_rows.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
@@ -193,10 +192,6 @@ public:
     }
 
     SolverCounts Finish() {
-        if (m_tables.demand != nullptr && !m_s.blocks.IsEmpty()) {
-            const float least = RunPushApart(Pool(), m_task, m_kernels, 0.0f) - m_settings.Slop();
-            m_tables.demand->overlap = Max(0.0f, -least);
-        }
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
         if (HasRows()) {
@@ -358,16 +353,12 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
     SolverCounts counts = WithBodyKernel(settings.kernels, [&](auto forces, auto limit) {
         return SolveIsolated<forces, limit>(settings, active, tables.pool, tables.bodies);
     });
-    if (tables.demand != nullptr) *tables.demand = {settings.substeps, 0.0f, 0.0f, 0.0f};
     if (active.bodies.empty()) return counts;
     SoftSolver solver(settings, active, tables, scratch);
     solver.Prepare(fixtures, events.listener != nullptr);
     for (int i = 0; i < settings.substeps; ++i) solver.Substep(i == 0);
     counts += solver.Finish();
-    if (tables.demand != nullptr) {
-        tables.demand->jointGap = WorstJointGap(tables.bodies, tables.joints, active.joints);
-        tables.demand->pullRate = scratch.tree.GetPullRate(settings.dt);
-    }
+    if (tables.noteDemand) scratch.tree.NotePullRates(settings.dt, tables.bodies.demand);
     ReportBlockImpulses(scratch, true, active.contacts, events, tables.contacts);
     return counts;
 }

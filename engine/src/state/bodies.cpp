@@ -18,6 +18,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     EnsureRow(mass, index);
     if (!force.empty()) EnsureRow(force, index);
     EnsureRow(motion, index);
+    if (!demand.empty()) EnsureRow(demand, index);
     EnsureRow(sleepTime, index);
     EnsureRow(flags, index);
     EnsureRow(type, index);
@@ -33,6 +34,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     mass[i] = {0.0f, 0.0f, vec2Zero};
     ClearForce(index);
     motion[i] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
+    if (!demand.empty()) demand[i] = {};
     sleepTime[i] = 0.0f;
     flags[i] = static_cast<uint16_t>((def.awake && !isStatic ? BodyFlag::awake : 0) |
                                      (def.allowSleep ? BodyFlag::autoSleep : 0) | (def.bullet ? BodyFlag::bullet : 0) |

@@ -49,6 +49,15 @@ struct alignas(16) MotionRow {
     float mass;  ///< kg; 0 for static and kinematic bodies
 };
 
+/// What a step with a tolerance found at a body; the next one picks its sub-steps from it.
+struct BodyDemand {
+    float overlap = 0.0f;   ///< deepest, of the skins, m
+    float jointGap = 0.0f;  ///< largest, m
+    float pullRate = 0.0f;  ///< how fast pulled links swing, 1/s (JointTree::NotePullRates)
+    int substeps = 0;       ///< of that step; 0: there was none
+    float wanted = 0.0f;    ///< sub-steps that the body called for by itself; falls slowly
+};
+
 struct BodyFlag {
     static constexpr uint16_t awake = 1, autoSleep = 2, bullet = 4, fixedRotation = 8, enabled = 16;
 };
@@ -74,8 +83,9 @@ struct BodyTable {
     std::vector<MassRow> mass;
     std::vector<ForceRow> force;  ///< empty until a step or a call needs it: nobody has any
     std::vector<MotionRow> motion;
-    std::vector<float> sleepTime;  ///< s
-    std::vector<uint16_t> flags;   ///< BodyFlag
+    std::vector<BodyDemand> demand;  ///< empty until a step has a tolerance
+    std::vector<float> sleepTime;    ///< s
+    std::vector<uint16_t> flags;     ///< BodyFlag
     std::vector<BodyType> type;
     std::vector<BodyInfo> info;
     std::deque<Body> handles;

@@ -35,6 +35,11 @@ private:
     uint64_t m_hash = 0x5CEEull;
 };
 
+void AddDemand(const BodyDemand& demand, Hasher& hash) {
+    for (const float value : {demand.overlap, demand.jointGap, demand.pullRate, demand.wanted}) hash.Add(value);
+    hash.Add(static_cast<uint64_t>(demand.substeps));
+}
+
 void AddBodies(const BodyTable& bodies, Hasher& hash) {
     for (int body = 0; body < bodies.slots.Size(); ++body) {
         if (!bodies.slots.IsAlive(body)) continue;
@@ -54,6 +59,7 @@ void AddBodies(const BodyTable& bodies, Hasher& hash) {
         hash.Add(bodies.motion[b].gravityScale);
         hash.Add(bodies.motion[b].linearDamping);
         hash.Add(bodies.motion[b].angularDamping);
+        if (!bodies.demand.empty()) AddDemand(bodies.demand[b], hash);
         hash.Add(bodies.sleepTime[b]);
         hash.Add(static_cast<uint64_t>(bodies.flags[b]) << 8 | bodies.type[b]);
         hash.Add(static_cast<uint64_t>(bodies.info[b].fixtureCount));
@@ -81,8 +87,6 @@ void AddFixtures(const FixtureTable& fixtures, Hasher& hash) {
 void AddSettings(const WorldState& s, Hasher& hash) {
     hash.Add(s.def.gravity);
     hash.Add(s.lastInverseDt);
-    hash.Add(static_cast<uint64_t>(s.demand.substeps));
-    for (const float demand : {s.demand.overlap, s.demand.jointGap, s.demand.pullRate}) hash.Add(demand);
     const bool flags[] = {s.def.allowSleep,  s.def.warmStarting, s.def.continuousPhysics,
                           s.def.subStepping, s.def.exactDrift,   s.autoClearForces,
                           s.pairsStale};
@@ -142,8 +146,10 @@ const TOIStats& GetDistanceWork(const World& world) { return world.GetState().di
 void GetContactColours(const World& world, std::vector<int>& colours) {
     const WorldState& s = world.GetState();
     colours.assign(static_cast<size_t>(s.contacts.Size()), -1);
-    // The soft step solves all active contacts, sequential impulses those of large islands.
-    const std::vector<int>& list = s.active.contacts.empty() ? s.solverScratch.wide.contacts : s.active.contacts;
+    // The soft step solves all active contacts, or group by group; sequential impulses those of large islands.
+    const std::vector<int>& active =
+        s.substepGroups.empty() ? s.active.contacts : s.substepGroups.back().lists.contacts;
+    const std::vector<int>& list = s.active.contacts.empty() ? s.solverScratch.wide.contacts : active;
     const std::span<const int> found = s.solverScratch.blocks.GetColours();
     if (list.empty() || found.size() != list.size()) return;
     for (size_t i = 0; i < list.size(); ++i) {
@@ -158,8 +164,9 @@ MemoryUse GetMemoryUse(const World& world) {
     MemoryUse use;
     use.bytesPerBody = sizeof(Velocity) + 2 * sizeof(Position) + sizeof(Transform) + sizeof(MassRow) +
                        (s.bodies.force.empty() ? 0 : sizeof(ForceRow)) +
-                       (s.bodies.startVelocity.empty() ? 0 : sizeof(Velocity)) + sizeof(MotionRow) + sizeof(float) +
-                       sizeof(uint16_t) + sizeof(BodyType) + sizeof(BodyInfo) + sizeof(Body);
+                       (s.bodies.startVelocity.empty() ? 0 : sizeof(Velocity)) + sizeof(MotionRow) +
+                       (s.bodies.demand.empty() ? 0 : sizeof(BodyDemand)) + sizeof(float) + sizeof(uint16_t) +
+                       sizeof(BodyType) + sizeof(BodyInfo) + sizeof(Body);
     use.bytesPerFixture = FixtureTable::GetBytesPerRow();
     use.bytesPerContact = ContactTable::GetBytesPerRow();
     use.bodies = static_cast<size_t>(s.bodies.slots.Size()) * use.bytesPerBody;

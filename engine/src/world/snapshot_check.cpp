@@ -6,6 +6,7 @@
 
 #include "world/snapshot_check.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scree {
@@ -25,6 +26,11 @@ bool IsFinite(const BodyTable& t, size_t b) {
                        std::isfinite(t.position[b].a) && std::isfinite(t.startPosition[b].a);
     return poses && std::isfinite(xf.q.s) && std::isfinite(xf.q.c) && t.velocity[b].v.IsValid() &&
            std::isfinite(t.velocity[b].w);
+}
+
+bool IsPossible(const BodyDemand& demand) {
+    return demand.overlap >= 0.0f && demand.jointGap >= 0.0f && demand.pullRate >= 0.0f && demand.substeps >= 0 &&
+           demand.wanted >= 0.0f;
 }
 
 bool IsBodyListWhole(const BodyTable& t) {
@@ -60,6 +66,8 @@ bool AreBodiesConsistent(const BodyTable& t) {
     if (!HaveSize(t.force.empty() ? 0 : size, t.force)) return false;
     if (!HaveSize(t.startVelocity.empty() ? 0 : size, t.startVelocity)) return false;
     if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.info)) return false;
+    if (!HaveSize(t.demand.empty() ? 0 : size, t.demand)) return false;
+    if (!std::all_of(t.demand.begin(), t.demand.end(), IsPossible)) return false;
     for (size_t b = 0; b < size; ++b) {
         if (t.type[b] > dynamicBody) return false;
         if (t.slots.IsAlive(static_cast<int>(b)) && !IsFinite(t, b)) return false;

@@ -67,6 +67,10 @@ template <Is<MotionRow> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
     visit(row.linearDamping), visit(row.angularDamping), visit(row.gravityScale), visit(row.mass);
 }
+template <Is<BodyDemand> Self, typename Visit>
+void Fields(Self& row, Visit& visit) {
+    visit(row.overlap), visit(row.jointGap), visit(row.pullRate), visit(row.substeps), visit(row.wanted);
+}
 template <Is<BodyInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
     visit(info.inertia), visit(info.fixtureHead), visit(info.fixtureCount), visit(info.jointCount);
@@ -75,8 +79,8 @@ void Fields(Self& info, Visit& visit) {
 template <Is<BodyTable> Self, typename Visit>
 void Fields(Self& t, Visit& visit) {
     visit(t.slots), visit(t.velocity), visit(t.startVelocity), visit(t.position), visit(t.startPosition);
-    visit(t.transform), visit(t.mass), visit(t.force), visit(t.motion), visit(t.sleepTime), visit(t.flags);
-    visit(t.type), visit(t.info), visit(t.movers), visit(t.listHead), visit(t.lastMover);
+    visit(t.transform), visit(t.mass), visit(t.force), visit(t.motion), visit(t.demand), visit(t.sleepTime);
+    visit(t.flags), visit(t.type), visit(t.info), visit(t.movers), visit(t.listHead), visit(t.lastMover);
 }
 
 template <Is<Filter> Self, typename Visit>
@@ -191,7 +195,6 @@ void Fields(Self& info, Visit& visit) {
 template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
     visit(s.pairsStale), visit(s.autoClearForces), visit(s.lastInverseDt), visit(s.continuousScratch.resuming);
-    visit(s.demand);
 }
 
 }  // namespace scree

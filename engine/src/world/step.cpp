@@ -8,7 +8,9 @@
 #include "base/clock.h"
 #include "pipeline/continuous.h"
 #include "pipeline/find_islands.h"
+#include "pipeline/group_substeps.h"
 #include "pipeline/match_contacts.h"
+#include "pipeline/measure_errors.h"
 #include "pipeline/narrow_phase.h"
 #include "pipeline/solve_islands.h"
 #include "pipeline/solve_soft.h"
@@ -39,7 +41,7 @@ struct StepRequest {
     float dt;
     int velocityIterations, positionIterations;
     int substeps;
-    bool measure = false;  ///< note what the sub-steps of the next step may be picked from
+    const Tolerance* tolerance = nullptr;  ///< if given, islands may take more than `substeps`
 };
 
 /// The request as WorldDef::solver wants it.
@@ -47,9 +49,7 @@ StepRequest Resolve(const WorldState& s, StepRequest request) {
     if (s.def.solver == SolverKind::softStep && request.substeps == 0) {
         request.substeps = SubstepsFor(request.velocityIterations);
     } else if (s.def.solver == SolverKind::sequentialImpulses && request.substeps > 0) {
-        request = {request.dt, 2 * request.substeps, std::max(1, 3 * request.substeps / 4), 0, false};
-    } else if (request.substeps > 0) {
-        request.velocityIterations = 2 * request.substeps;  // of continuous events
+        request = {request.dt, 2 * request.substeps, std::max(1, 3 * request.substeps / 4), 0};
     }
     return request;
 }
@@ -85,9 +85,10 @@ void RunContinuous(WorldState& s, const SolverSettings& settings, StepReport& re
     } else if (settings.exactDrift) {
         ballistic = s.islands.isolated;
     }
+    const int iterations = settings.substeps > 0 ? 2 * report.substeps : settings.velocityIterations;
     const ContinuousReport done =
-        SolveContinuous({settings.dt, settings.velocityIterations, settings.maxTranslation, settings.maxRotation,
-                         s.def.subStepping, settings.lengthScale, settings.gravity, ballistic},
+        SolveContinuous({settings.dt, iterations, settings.maxTranslation, settings.maxRotation, s.def.subStepping,
+                         settings.lengthScale, settings.gravity, ballistic},
                         s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase}, s.continuousScratch);
     report.continuousEventCount = done.events;
     report.abandonedCount = done.abandoned;
@@ -115,25 +116,43 @@ SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings
                         s.solverScratch);
 }
 
-/// Islands are only looked for when something may fall asleep or wake.
-SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, bool measure, Stopwatch& watch,
+/// Islands are only looked for when something may fall asleep or wake, or when each has its own number of sub-steps.
+SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, const Tolerance* tolerance, Stopwatch& watch,
                          StepReport& report) {
     s.islands.Clear();
     s.solverScratch.anglesHaveRests = true;
-    if (NeedsIslands(s.contacts, s.joints, s.bodies, settings.dt)) {
+    if (tolerance != nullptr || NeedsIslands(s.contacts, s.joints, s.bodies, settings.dt)) {
         FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
     }
     GatherActive(s.contacts, s.joints, s.bodies, s.islandScratch, s.active);
-    report.profile.islands = watch.Lap();
-    const SolverCounts counts =
-        SolveSoft(settings, s.fixtures, s.active, s.Events(),
-                  {*s.pool, s.bodies, s.contacts, s.joints, measure ? &s.demand : nullptr}, s.solverScratch);
+    const auto solve = [&](const SolverSettings& own, const IslandTable& lists) {
+        report.substeps = own.substeps;  // groups come with rising numbers
+        report.bodySubsteps += static_cast<int64_t>(lists.bodies.size() + lists.isolated.size()) * own.substeps;
+        return SolveSoft(own, s.fixtures, lists, s.Events(),
+                         {*s.pool, s.bodies, s.contacts, s.joints, tolerance != nullptr}, s.solverScratch);
+    };
+    SolverCounts counts;
+    if (tolerance == nullptr) {
+        report.profile.islands = watch.Lap();
+        counts = solve(settings, s.active);
+    } else {
+        GroupBySubsteps({s.islands, s.active, s.contacts, s.joints, *tolerance, settings.Slop(), settings.dt}, s.bodies,
+                        s.substepGroups);
+        report.profile.islands = watch.Lap();
+        for (const SubstepGroup& group : s.substepGroups) {
+            SolverSettings own = settings;
+            own.substeps = group.substeps;
+            counts += solve(own, group.lists);
+        }
+    }
     SleepIslands(settings, s.active, s.islands, s.bodies);
     return counts;
 }
 
-void SolveWholeStep(WorldState& s, const SolverSettings& settings, bool measure, Stopwatch& watch, StepReport& report) {
-    const SolverCounts counts = settings.substeps > 0 ? RunSoftStep(s, settings, measure, watch, report)
+void SolveWholeStep(WorldState& s, const SolverSettings& settings, const Tolerance* tolerance, Stopwatch& watch,
+                    StepReport& report) {
+    s.substepGroups.clear();
+    const SolverCounts counts = settings.substeps > 0 ? RunSoftStep(s, settings, tolerance, watch, report)
                                                       : RunSequentialImpulses(s, settings, watch, report);
     report.profile.solver = watch.Lap();
     report.cappedCount = counts.capped;
@@ -154,9 +173,10 @@ void ForgetNonFiniteImpulses(ContactTable& contacts) {
     }
 }
 
-void Simulate(WorldState& s, const SolverSettings& settings, bool measure, Stopwatch& watch, StepReport& report) {
+void Simulate(WorldState& s, const SolverSettings& settings, const Tolerance* tolerance, Stopwatch& watch,
+              StepReport& report) {
     // With sub-stepping a step may end after an event; this one then only goes on with the rest.
-    if (!s.continuousScratch.resuming) SolveWholeStep(s, settings, measure, watch, report);
+    if (!s.continuousScratch.resuming) SolveWholeStep(s, settings, tolerance, watch, report);
     if (NeedsContinuous(s)) RunContinuous(s, settings, report);
     report.profile.continuous = watch.Lap();
     if (report.nonFiniteCount > 0) ForgetNonFiniteImpulses(s.contacts);
@@ -188,12 +208,19 @@ private:
     TaskPool* m_pool;
 };
 
+/// As World::MeasureErrors, and for the bodies' demands.
+StepErrors NoteDemand(WorldState& s) {
+    return MeasureDemand({s.bodies, s.fixtures, s.contacts, s.joints}, linearSlop * s.def.lengthScale,
+                         1.0f / s.lastInverseDt, s.bodies.demand);
+}
+
 StepReport Run(World& world, const StepRequest& asked, const Recording& recording) {
     WorldState& s = world.GetState();
     const StepRequest request = Resolve(s, asked);
     Stopwatch total;
     Stopwatch watch;
     StepReport report;
+    report.substeps = request.substeps;
     s.distanceWork = {};
     const WorldLock lock(s);
     if (s.pairsStale) FindPairsAndMatch(s, FreshOrder::oldestFirst);
@@ -205,33 +232,20 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
     s.kernels = NeededKernels(s);  // the listener has had its say about contacts
     if (s.kernels.bodyForces) s.bodies.EnsureForces();
     if (s.def.exactDrift) s.bodies.startVelocity.resize(s.bodies.velocity.size());
-    if (request.dt >= shortestStep) Simulate(s, MakeSettings(s, request), request.measure, watch, report);
+    if (request.dt >= shortestStep) Simulate(s, MakeSettings(s, request), request.tolerance, watch, report);
     if (s.autoClearForces) world.ClearForces();
 
-    report.substeps = request.substeps;
-    if (request.measure) report.worstOverlap = s.demand.overlap, report.worstJointGap = s.demand.jointGap;
     report.bodyCount = s.bodies.slots.Count();
     report.contactCount = s.contacts.Count();
     report.pairCount = static_cast<int64_t>(s.pairs.size());
     report.profile.step = total.Lap();
-    if (s.measureErrors) report.errors = world.MeasureErrors();
+    if (asked.tolerance != nullptr || s.measureErrors) {
+        const bool solved = report.bodySubsteps > 0;
+        report.errors = request.tolerance != nullptr && solved ? NoteDemand(s) : world.MeasureErrors();
+    }
     s.report = report;
     if (recording.IsOn()) recording.NoteHash(inspect::GetStateHash(world));
     return report;
-}
-
-/// Sub-steps that keep the tolerance if this step is like the last: a resting overlap beyond the slop and a joint's gap
-/// shrink with the square of their number. It falls by one a step, so that a blow does not make it swing.
-int SubstepsFor(const StepDemand& last, const Tolerance& tolerance, float dt) {
-    if (last.substeps == 0) return tolerance.leastSubsteps;
-    const float sink = Max(last.overlap - linearSlop, 0.0f), allowed = tolerance.overlap - linearSlop;
-    const float excess = Max(sink / allowed, last.jointGap / tolerance.jointGap);
-    const float byErrors = static_cast<float>(last.substeps) * std::sqrt(excess);
-    const float byPull = 2.0f * dt * last.pullRate;
-    const auto most = static_cast<float>(tolerance.mostSubsteps);
-    const int wanted = static_cast<int>(std::ceil(Min(Max(byErrors, byPull), most)));
-    return std::clamp(wanted, std::clamp(last.substeps - 1, tolerance.leastSubsteps, tolerance.mostSubsteps),
-                      tolerance.mostSubsteps);
 }
 
 }  // namespace
@@ -275,15 +289,15 @@ StepReport World::Step(float timeStep, const Tolerance& tolerance) {
     Guard guard(*m_state, "World::Step (tolerance)");
     guard.Unlocked("call Step outside of callbacks").Amount(timeStep, "timeStep");
     guard.Finite(tolerance.overlap, "tolerance.overlap").Finite(tolerance.jointGap, "tolerance.jointGap");
-    guard.Require(tolerance.overlap > linearSlop, ErrorCode::outOfRange, "tolerance.overlap",
-                  "give more than linearSlop");
+    guard.Require(tolerance.overlap > linearSlop * m_state->def.lengthScale, ErrorCode::outOfRange, "tolerance.overlap",
+                  "give more than linearSlop times WorldDef::lengthScale");
     guard.Require(tolerance.jointGap > 0.0f, ErrorCode::outOfRange, "tolerance.jointGap", "give more than 0");
     guard.Require(tolerance.leastSubsteps >= 1, ErrorCode::outOfRange, "tolerance.leastSubsteps", "give at least 1");
     guard.Require(tolerance.mostSubsteps >= tolerance.leastSubsteps, ErrorCode::outOfRange, "tolerance.mostSubsteps",
                   "give at least leastSubsteps");
     if (guard.Failed()) return m_state->report;
     const Recording recording = guard.Record(timeStep, tolerance);
-    return Run(*this, {timeStep, 0, 0, SubstepsFor(m_state->demand, tolerance, timeStep), true}, recording);
+    return Run(*this, {timeStep, 0, 0, tolerance.leastSubsteps, &tolerance}, recording);
 }
 
 }  // namespace scree

@@ -12,6 +12,7 @@
 #include "broad_phase/broad_phase.h"
 #include "pipeline/continuous.h"
 #include "pipeline/find_islands.h"
+#include "pipeline/group_substeps.h"
 #include "pipeline/narrow_phase.h"
 #include "pipeline/solve_islands.h"
 #include "scree/world.h"
@@ -40,8 +41,9 @@ struct WorldState {
     std::vector<Pair> pairs;  ///< of the last pair finding
     bool pairsStale = false;  ///< boxes changed since then
 
-    IslandTable islands;  ///< of the last step; the soft step may do without
-    IslandTable active;   ///< of the last soft step: what was solved, without islands
+    IslandTable islands;                      ///< of the last step; the soft step may do without
+    IslandTable active;                       ///< of the last soft step: what was solved, without islands
+    std::vector<SubstepGroup> substepGroups;  ///< of the last step if it had a tolerance
     NarrowPhaseScratch narrowPhaseScratch;
     IslandScratch islandScratch;
     SolverScratch solverScratch;
@@ -62,7 +64,6 @@ struct WorldState {
     bool locked = false;  ///< callbacks are running: nothing may be created, destroyed or moved
     bool autoClearForces = true;
     float lastInverseDt = 0.0f;
-    StepDemand demand;  ///< of the last step with a tolerance
     StepReport report;
     TOIStats distanceWork;  ///< of the last step
     bool measureErrors = false;

@@ -131,25 +131,12 @@ decltype(auto) WithBodyKernel(const KernelSet& kernels, Visit&& visit) {
     return withLimit(std::false_type{});
 }
 
-/// What a step found, from which a tolerance picks the sub-steps of the next one.
-struct StepDemand {
-    int substeps = 0;       ///< of that step; 0: there was none
-    float overlap = 0.0f;   ///< worst, m
-    float jointGap = 0.0f;  ///< worst, m
-    float pullRate = 0.0f;  ///< how fast pulled links swing, 1/s (JointTree::GetPullRate)
-
-    template <typename Self, typename Visit>
-    static void Fields(Self& d, Visit&& visit) {
-        visit(d.substeps), visit(d.overlap), visit(d.jointGap), visit(d.pullRate);
-    }
-};
-
 struct SolverTables {
     TaskPool& pool;
     BodyTable& bodies;
     ContactTable& contacts;
     JointTable& joints;
-    StepDemand* demand = nullptr;  ///< filled by the soft step if given
+    bool noteDemand = false;  ///< the soft step notes pull rates in BodyTable::demand
 };
 
 }  // namespace scree

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Stage, only of steps with a tolerance: islands → groups of islands that take the same number of sub-steps.
+
+#pragma once
+
+#include <vector>
+
+#include "scree/accuracy.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/islands.h"
+#include "state/joints.h"
+
+namespace scree {
+
+/// Islands to be solved together.
+struct SubstepGroup {
+    int substeps = 0;
+    IslandTable lists;  ///< without ranges of islands; in the order of the lists that were divided
+};
+
+struct GroupInput {
+    const IslandTable& islands;  ///< of the step
+    const IslandTable& active;   ///< the same bodies, contacts and joints, in the order in which to solve them
+    const ContactTable& contacts;
+    const JointTable& joints;
+    const Tolerance& tolerance;
+    float slop;  ///< overlap that the solver means to leave, m
+    float dt;    ///< of the step, s
+};
+
+/// Smallest of the numbers 1, 2, 3, 4, 6, 8, 12, … (two an octave, so that groups are few) that is no less than
+/// `wanted`, within the tolerance's range.
+int RoundUpSubsteps(float wanted, const Tolerance& tolerance);
+
+/// Each island gets as many sub-steps as the most demanding of its bodies calls for, by what the last such step found;
+/// isolated bodies get the least. Divides `active` into `groups`, fewest sub-steps first, and starts the bodies'
+/// demands of this step anew.
+void GroupBySubsteps(const GroupInput& input, BodyTable& bodies, std::vector<SubstepGroup>& groups);
+
+}  // namespace scree
