@@ -137,16 +137,103 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
     }
 }
 
+/// What one lane must hold, by WorldManifold::Initialize; block sides are swapped where B cannot be pushed.
+void ExpectFilled(const WorldState& s, int contact, bool onMoverSurface, const ContactBlock& block, int l) {
+    const auto c = static_cast<size_t>(contact);
+    const ContactPair& pair = s.contacts.pair[c];
+    const Manifold& m = s.contacts.manifold[c];
+    const auto at = [](int body) { return static_cast<size_t>(body); };
+    const bool swapped = s.bodies.type[at(pair.bodyB)] != dynamicBody;
+    const int a = swapped ? pair.bodyB : pair.bodyA, b = swapped ? pair.bodyA : pair.bodyB;
+    WorldManifold world;
+    world.Initialize(&m, s.bodies.transform[at(pair.bodyA)], s.fixtures.shape[pair.fixtureA]->m_radius,
+                     s.bodies.transform[at(pair.bodyB)], s.fixtures.shape[pair.fixtureB]->m_radius);
+    const Vec2 normal = swapped ? -world.normal : world.normal, tangent = Cross(normal, 1.0f);
+    EXPECT_EQ(block.bodyA[l], a);
+    EXPECT_EQ(block.bodyB[l], b);
+    EXPECT_EQ((Vec2{block.normalX[l], block.normalY[l]}), normal);
+    const bool atSurface = onMoverSurface && s.bodies.type[at(a)] != dynamicBody;
+    Vec2 middle = vec2Zero;
+    for (int p = 0; p < m.pointCount; ++p) {
+        EXPECT_EQ(block.armA[p][l], Cross(world.points[p] - s.bodies.position[at(a)].c, normal));
+        EXPECT_EQ(block.armB[p][l], Cross(world.points[p] - s.bodies.position[at(b)].c, normal));
+        EXPECT_EQ(block.separation[p][l], world.separations[p] + linearSlop);
+        EXPECT_EQ(block.normalImpulse[p][l], 0.5f * m.points[p].normalImpulse);
+        const Vec2 rA = world.points[p] - s.bodies.position[at(a)].c, rB = world.points[p] - s.bodies.position[at(b)].c;
+        const Velocity &vA = s.bodies.velocity[at(a)], &vB = s.bodies.velocity[at(b)];
+        const float closing = Dot(normal, vB.v + Cross(vB.w, rB) - vA.v - Cross(vA.w, rA));
+        const ContactMaterial& material = s.contacts.material[c];
+        EXPECT_EQ(block.bias[p][l], closing < -material.restitutionThreshold ? -material.restitution * closing : 0.0f);
+        middle += atSurface ? world.points[p] + 0.5f * world.separations[p] * normal : world.points[p];
+    }
+    if (m.pointCount == 2) middle *= 0.5f;
+    EXPECT_EQ(block.tangentArmA[l], Cross(middle - s.bodies.position[at(a)].c, tangent));
+    EXPECT_EQ(block.tangentArmB[l], Cross(middle - s.bodies.position[at(b)].c, tangent));
+    EXPECT_EQ(block.friction[l], s.contacts.material[c].friction);
+    EXPECT_EQ(block.invMassB[l], s.bodies.mass[at(b)].invMass);
+    EXPECT_EQ(block.invIB[l], s.bodies.mass[at(b)].invI);
+}
+
+TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
+    World world({0.0f, -10.0f});
+    MakeHeap(world, 200, 4.0f);
+    WorldState& s = world.GetState();
+    const std::vector<int> list = TouchingContacts(s);
+    for (size_t i = 0; i < list.size(); i += 2) s.contacts.material[static_cast<size_t>(list[i])].restitution = 0.5f;
+    for (const bool onMoverSurface : {false, true}) {
+        for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
+            ContactBlocks blocks;
+            blocks.Build({.pool = *s.pool,
+                          .bodies = s.bodies,
+                          .fixtures = s.fixtures,
+                          .contacts = s.contacts,
+                          .list = list,
+                          .impulseScale = 0.5f,
+                          .onMoverSurface = onMoverSurface,
+                          .kernels = *kernels});
+            std::vector<Velocity> unused(s.bodies.velocity.size());
+            const KernelTask task = blocks.Task(unused, unused);
+            size_t lanes = 0, circles = 0, spare = 0;
+            for (int r = 0; r < task.rangeCount; ++r) {
+                for (int k = task.ranges[r].begin; k < task.ranges[r].end; ++k) {
+                    for (int l = 0; l < blockLanes; ++l) {
+                        const ContactBlock& block = task.blocks[k];
+                        if (block.slot[l] < 0) {
+                            ++spare;
+                            EXPECT_EQ(block.invMassA[l] + block.invMassB[l] + block.normalMass[0][l], 0.0f);
+                            EXPECT_GT(block.separation[0][l], 0.0f);
+                            continue;
+                        }
+                        const int contact = list[static_cast<size_t>(block.slot[l])];
+                        ExpectFilled(s, contact, onMoverSurface, block, l);
+                        ++lanes;
+                        circles +=
+                            s.contacts.manifold[static_cast<size_t>(contact)].type == Manifold::e_circles ? 1 : 0;
+                    }
+                }
+            }
+            EXPECT_EQ(lanes, list.size());
+            EXPECT_GT(circles, 10u);
+            EXPECT_GT(spare, 0u);
+        }
+    }
+}
+
 /// All kernels in turn on one copy of the bodies; what they leave behind, as bytes.
 std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s, const std::vector<int>& list) {
     ContactBlocks blocks;
-    blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
+    blocks.Build({.pool = *s.pool,
+                  .bodies = s.bodies,
+                  .fixtures = s.fixtures,
+                  .contacts = s.contacts,
+                  .list = list,
+                  .impulseScale = 1.0f,
+                  .kernels = kernels});
     std::vector<Velocity> velocity = s.bodies.velocity;
     std::vector<Velocity> delta(velocity.size());
     KernelTask task = blocks.Task(velocity, delta);
     task.soft = {240.0f, 9.0f, 0.94f, 0.06f, 1.0f};
     task.sumImpulses = true;
-    kernels.finish(task);
     kernels.warmStart(task);
     kernels.approach(task);
     for (int i = 0; i < 3; ++i) {
@@ -205,7 +292,6 @@ TEST(ContactKernels, OneContactEqualsTheScalarRows) {
         ContactBlocks blocks;
         blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
         const KernelTask task = blocks.Task(wide, delta);
-        GetContactKernels().finish(task);
         for (int i = 0; i < 8; ++i) {
             SolveContactVelocities(rows, scalar);
             GetContactKernels().solveRigid(task);

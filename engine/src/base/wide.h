@@ -47,10 +47,14 @@ SCREE_KERNEL F8 Or8(F8 a, F8 b) { return {_mm256_or_ps(a.v, b.v)}; }
 SCREE_KERNEL F8 Select8(F8 mask, F8 yes, F8 no) { return {_mm256_blendv_ps(no.v, yes.v, mask.v)}; }
 SCREE_KERNEL bool AnySet8(F8 mask) { return _mm256_movemask_ps(mask.v) != 0; }
 SCREE_KERNEL bool AllSet8(F8 mask) { return _mm256_movemask_ps(mask.v) == 0xFF; }
+/// Bit i is lane i of the mask.
+SCREE_KERNEL uint32_t Bits8(F8 mask) { return static_cast<uint32_t>(_mm256_movemask_ps(mask.v)); }
+SCREE_KERNEL F8 Sqrt8(F8 a) { return {_mm256_sqrt_ps(a.v)}; }
 
-/// The numbers of eight rows of four.
-SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
-    const auto row = [&](int i) { return _mm_load_ps(rows + 4 * static_cast<int64_t>(index[i])); };
+/// The numbers of eight rows of four; rowOf(i) is where the i-th row is.
+template <typename RowOf>
+SCREE_KERNEL void GatherRows8(RowOf&& rowOf, F8& x, F8& y, F8& z, F8& w) {
+    const auto row = [&](int i) { return _mm_loadu_ps(rowOf(i)); };
     const auto pair = [&](int i) { return _mm256_insertf128_ps(_mm256_castps128_ps256(row(i)), row(i + 4), 1); };
     const __m256 r0 = pair(0), r1 = pair(1), r2 = pair(2), r3 = pair(3);
     const __m256 xy01 = _mm256_unpacklo_ps(r0, r1), zw01 = _mm256_unpackhi_ps(r0, r1);
@@ -100,12 +104,22 @@ SCREE_KERNEL F8 Select8(F8 mask, F8 yes, F8 no) {
 }
 SCREE_KERNEL bool AnySet8(F8 mask) { return (_mm_movemask_ps(mask.lo) | _mm_movemask_ps(mask.hi)) != 0; }
 SCREE_KERNEL bool AllSet8(F8 mask) { return (_mm_movemask_ps(mask.lo) & _mm_movemask_ps(mask.hi)) == 0xF; }
+SCREE_KERNEL uint32_t Bits8(F8 mask) {
+    return static_cast<uint32_t>(_mm_movemask_ps(mask.lo) | _mm_movemask_ps(mask.hi) << 4);
+}
+SCREE_KERNEL F8 Sqrt8(F8 a) { return {_mm_sqrt_ps(a.lo), _mm_sqrt_ps(a.hi)}; }
 
-SCREE_KERNEL void Gather4(const float* rows, const int32_t* index, __m128& x, __m128& y, __m128& z, __m128& w) {
-    const auto row = [&](int i) { return _mm_load_ps(rows + 4 * static_cast<int64_t>(index[i])); };
-    __m128 r0 = row(0), r1 = row(1), r2 = row(2), r3 = row(3);
-    _MM_TRANSPOSE4_PS(r0, r1, r2, r3);
-    x = r0, y = r1, z = r2, w = r3;
+SCREE_KERNEL void Transpose4(const float* r0, const float* r1, const float* r2, const float* r3, __m128* columns) {
+    columns[0] = _mm_loadu_ps(r0), columns[1] = _mm_loadu_ps(r1);
+    columns[2] = _mm_loadu_ps(r2), columns[3] = _mm_loadu_ps(r3);
+    _MM_TRANSPOSE4_PS(columns[0], columns[1], columns[2], columns[3]);
+}
+template <typename RowOf>
+SCREE_KERNEL void GatherRows8(RowOf&& rowOf, F8& x, F8& y, F8& z, F8& w) {
+    __m128 lo[4], hi[4];
+    Transpose4(rowOf(0), rowOf(1), rowOf(2), rowOf(3), lo);
+    Transpose4(rowOf(4), rowOf(5), rowOf(6), rowOf(7), hi);
+    x = {lo[0], hi[0]}, y = {lo[1], hi[1]}, z = {lo[2], hi[2]}, w = {lo[3], hi[3]};
 }
 SCREE_KERNEL void Scatter4(float* rows, const int32_t* index, __m128 x, __m128 y, __m128 z, __m128 w) {
     _MM_TRANSPOSE4_PS(x, y, z, w);
@@ -113,10 +127,6 @@ SCREE_KERNEL void Scatter4(float* rows, const int32_t* index, __m128 x, __m128 y
     _mm_store_ps(rows + 4 * static_cast<int64_t>(index[2]), z);
     _mm_store_ps(rows + 4 * static_cast<int64_t>(index[1]), y);
     _mm_store_ps(rows + 4 * static_cast<int64_t>(index[0]), x);
-}
-SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
-    Gather4(rows, index, x.lo, y.lo, z.lo, w.lo);
-    Gather4(rows, index + 4, x.hi, y.hi, z.hi, w.hi);
 }
 SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z, F8 w) {
     Scatter4(rows, index + 4, x.hi, y.hi, z.hi, w.hi);
@@ -189,9 +199,18 @@ SCREE_KERNEL bool AllSet8(F8 mask) {
     }
     return true;
 }
-SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
+SCREE_KERNEL uint32_t Bits8(F8 mask) {
+    uint32_t bits = 0;
+    for (int i = 0; i < laneCount; ++i) bits |= (mask.v[i] != 0.0f ? 1u : 0u) << i;
+    return bits;
+}
+SCREE_KERNEL F8 Sqrt8(F8 a) {
+    return EachLane([&](int i) { return __builtin_sqrtf(a.v[i]); });
+}
+template <typename RowOf>
+SCREE_KERNEL void GatherRows8(RowOf&& rowOf, F8& x, F8& y, F8& z, F8& w) {
     for (int i = 0; i < laneCount; ++i) {
-        const float* row = rows + 4 * static_cast<int64_t>(index[i]);
+        const float* row = rowOf(i);
         x.v[i] = row[0], y.v[i] = row[1], z.v[i] = row[2], w.v[i] = row[3];
     }
 }
@@ -204,6 +223,10 @@ SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z, 
 
 #endif
 
+/// The numbers of eight rows of four, by their indices.
+SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
+    GatherRows8([&](int i) { return rows + 4 * static_cast<int64_t>(index[i]); }, x, y, z, w);
+}
 /// The first three numbers of eight rows of four.
 SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z) {
     F8 unused;

@@ -38,6 +38,35 @@ struct alignas(32) ContactBlock {
     Row totalNormal[2], totalTangent;  ///< soft step: sums over the sub-steps, N·s
 };
 
+// A manifold as floats: two points of five (x, y, normal impulse, tangent impulse, id), then the local normal, the
+// local point, and one with its type and number of points (scree/collision.h).
+inline constexpr int manifoldFloats = 15, manifoldPointFloats = 5, manifoldNormalAt = 10;
+
+/// Where filling finds what it needs: columns of the tables of bodies and contacts, rows of floats.
+struct FillSource {
+    const float* transform;  ///< by body: x, y, sine, cosine of the origin
+    const float* position;   ///< by body: x, y of the centre of mass, and two more
+    const float* velocity;   ///< by body: x, y, angular, and one more
+    const float* mass;       ///< by body: inverse mass, inverse inertia, and two more
+    const float* manifold;   ///< by contact: Manifold
+    const float* material;   ///< by contact: friction, restitution, restitution threshold, tangent speed
+    float impulseScale;      ///< of warm starting
+    float slop;              ///< m
+    bool restitution;        ///< some contact may bounce
+    bool onMoverSurface;     ///< where friction with the unmovable acts (BlockInput)
+};
+
+/// What filling is told of the contacts of one block; its bodies and slots are set.
+struct alignas(32) FillLanes {
+    using Row = float[blockLanes];
+    int32_t contact[blockLanes];
+    Row referenceIsB;      ///< 1: the manifold's face, or its first circle, is on side B; else 0
+    Row isCircles;         ///< 1 or 0
+    Row radiusA, radiusB;  ///< of the shapes of side A and B, m
+    int32_t count;         ///< lanes in use; the others repeat the first
+    bool anyCircles;
+};
+
 /// What a run of blocks has in common.
 struct BlockKind {
     bool fixedA;
@@ -75,8 +104,8 @@ struct KernelTask {
 /// The kernels for one instruction set. All sets give the same bits.
 struct ContactKernels {
     const char* name;
-    /// Effective masses from arms and inverse masses.
-    void (*finish)(const KernelTask& task);
+    /// Everything but bodies and slots, of a block of this kind; true if one of its contacts may bounce.
+    bool (*fill)(const FillSource& source, const FillLanes& lanes, BlockKind kind, ContactBlock& block);
     void (*warmStart)(const KernelTask& task);
     /// Sequential impulses: one iteration on velocities.
     void (*solveRigid)(const KernelTask& task);

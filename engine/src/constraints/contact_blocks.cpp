@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
+#include <limits>
 
 #include "scree/settings.h"
 
@@ -33,110 +35,21 @@ Sides SidesOf(const ContactPair& pair, uint8_t kind) {
     return swapped ? Sides{pair.bodyB, pair.bodyA, true} : Sides{pair.bodyA, pair.bodyB, false};
 }
 
-/// Lanes to spare: the first lane's bodies, no mass.
-void FillSpare(ContactBlock& block, int lane) {
-    block.bodyA[lane] = block.bodyA[0];
-    block.bodyB[lane] = block.bodyB[0];
-    block.slot[lane] = -1;
-    for (ContactBlock::Row* row : {&block.invMassA,
-                                   &block.invMassB,
-                                   &block.invIA,
-                                   &block.invIB,
-                                   &block.normalX,
-                                   &block.normalY,
-                                   &block.armA[0],
-                                   &block.armA[1],
-                                   &block.armB[0],
-                                   &block.armB[1],
-                                   &block.tangentArmA,
-                                   &block.tangentArmB,
-                                   &block.normalImpulse[0],
-                                   &block.normalImpulse[1],
-                                   &block.tangentImpulse,
-                                   &block.friction,
-                                   &block.tangentSpeed,
-                                   &block.restitution,
-                                   &block.restitutionThreshold,
-                                   &block.bias[0],
-                                   &block.bias[1],
-                                   &block.bounceSpeed[0],
-                                   &block.bounceSpeed[1],
-                                   &block.totalNormal[0],
-                                   &block.totalNormal[1],
-                                   &block.totalTangent}) {
-        (*row)[lane] = 0.0f;
-    }
-    block.separation[0][lane] = block.separation[1][lane] = 1.0f;  // no overlap
-}
+static_assert(sizeof(Manifold) == manifoldFloats * sizeof(float));
+static_assert(offsetof(Manifold, localNormal) == manifoldNormalAt * sizeof(float));
+static_assert(sizeof(ManifoldPoint) == manifoldPointFloats * sizeof(float));
 
-/// What Fill reads of one contact.
-struct LaneInput {
-    const BlockInput& in;
-    int contact;
-    Sides sides;
-};
-
-void FillPoints(const LaneInput& lane, ContactBlock& block, int l) {
-    const auto c = static_cast<size_t>(lane.contact);
-    const BodyTable& bodies = lane.in.bodies;
-    const ContactPair& pair = lane.in.contacts.pair[c];
-    const Manifold& m = lane.in.contacts.manifold[c];
-    const ContactMaterial& material = lane.in.contacts.material[c];
-    const auto a = static_cast<size_t>(lane.sides.a), b = static_cast<size_t>(lane.sides.b);
-
-    WorldManifold world;
-    world.Initialize(&m, bodies.transform[static_cast<size_t>(pair.bodyA)],
-                     lane.in.fixtures.shape[pair.fixtureA]->m_radius, bodies.transform[static_cast<size_t>(pair.bodyB)],
-                     lane.in.fixtures.shape[pair.fixtureB]->m_radius);
-    const Vec2 normal = lane.sides.swapped ? -world.normal : world.normal;
-    const Vec2 tangent = Cross(normal, 1.0f);
-    block.normalX[l] = normal.x;
-    block.normalY[l] = normal.y;
-
-    const Velocity& vA = bodies.velocity[a];
-    const Velocity& vB = bodies.velocity[b];
-    const bool atSurface = lane.in.onMoverSurface && bodies.type[a] != dynamicBody;
-    Vec2 middle = vec2Zero;
-    float push = 0.0f;
-    for (int i = 0; i < m.pointCount; ++i) {
-        const Vec2 rA = world.points[i] - bodies.position[a].c;
-        const Vec2 rB = world.points[i] - bodies.position[b].c;
-        middle += atSurface ? world.points[i] + 0.5f * world.separations[i] * normal : world.points[i];
-        block.armA[i][l] = Cross(rA, normal);
-        block.armB[i][l] = Cross(rB, normal);
-        block.separation[i][l] = world.separations[i] + lane.in.slop;
-        block.normalImpulse[i][l] = lane.in.impulseScale * m.points[i].normalImpulse;
-        push += m.points[i].tangentImpulse;
-        block.totalNormal[i][l] = 0.0f;
-        block.bounceSpeed[i][l] = block.bias[i][l] = 0.0f;
-        if (!lane.in.restitution) continue;
-        const float closing = Dot(normal, vB.v + Cross(vB.w, rB) - vA.v - Cross(vA.w, rA));
-        const bool leaves = closing < -material.restitutionThreshold;
-        block.bias[i][l] = leaves ? -material.restitution * closing : 0.0f;
-    }
-    middle *= m.pointCount == 2 ? 0.5f : 1.0f;
-    block.tangentArmA[l] = Cross(middle - bodies.position[a].c, tangent);
-    block.tangentArmB[l] = Cross(middle - bodies.position[b].c, tangent);
-    block.tangentImpulse[l] = lane.in.impulseScale * push;
-    block.totalTangent[l] = 0.0f;
-}
-
-void FillLane(const LaneInput& lane, ContactBlock& block, int l, int slot) {
-    const MassRow& massA = lane.in.bodies.mass[static_cast<size_t>(lane.sides.a)];
-    const MassRow& massB = lane.in.bodies.mass[static_cast<size_t>(lane.sides.b)];
-    const ContactMaterial& material = lane.in.contacts.material[static_cast<size_t>(lane.contact)];
-    block.bodyA[l] = lane.sides.a;
-    block.bodyB[l] = lane.sides.b;
-    block.slot[l] = slot;
-    block.invMassA[l] = massA.invMass;
-    block.invMassB[l] = massB.invMass;
-    block.invIA[l] = massA.invI;
-    block.invIB[l] = massB.invI;
-    block.friction[l] = material.friction;
-    block.tangentSpeed[l] = material.tangentSpeed;
-    block.restitution[l] = material.restitution;
-    block.restitutionThreshold[l] = material.restitutionThreshold;
-    FillPoints(lane, block, l);
+FillSource SourceOf(const BlockInput& input) {
+    return {&input.bodies.transform.data()->p.x,
+            &input.bodies.position.data()->c.x,
+            &input.bodies.velocity.data()->v.x,
+            &input.bodies.mass.data()->invMass,
+            &input.contacts.manifold.data()->points[0].localPoint.x,
+            &input.contacts.material.data()->friction,
+            input.impulseScale,
+            input.slop,
+            input.restitution,
+            input.onMoverSurface};
 }
 
 }  // namespace
@@ -260,24 +173,51 @@ void ContactBlocks::Prefetch(const BlockInput& input, size_t block) const {
 #endif
 }
 
+void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lanes) {
+    ContactBlock& block = m_blocks[k];
+    lanes.count = 0;
+    lanes.anyCircles = false;
+    for (int l = 0; l < blockLanes; ++l) {
+        const int i = m_order[k * blockLanes + static_cast<size_t>(l)];
+        block.slot[l] = i;
+        if (i < 0) {
+            // Lanes to spare come last and repeat the first.
+            lanes.contact[l] = lanes.contact[0];
+            block.bodyA[l] = block.bodyA[0], block.bodyB[l] = block.bodyB[0];
+            for (FillLanes::Row* row : {&lanes.referenceIsB, &lanes.isCircles, &lanes.radiusA, &lanes.radiusB})
+                (*row)[l] = (*row)[0];
+            continue;
+        }
+        const int contact = input.list[static_cast<size_t>(i)];
+        const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
+        const Sides sides = SidesOf(pair, m_class[static_cast<size_t>(i)]);
+        const Manifold::Type type = input.contacts.manifold[static_cast<size_t>(contact)].type;
+        const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
+        const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
+        const bool isCircles = type == Manifold::e_circles;
+        ++lanes.count;
+        lanes.contact[l] = contact;
+        block.bodyA[l] = sides.a, block.bodyB[l] = sides.b;
+        lanes.referenceIsB[l] = (type == Manifold::e_faceB) != sides.swapped ? 1.0f : 0.0f;
+        lanes.isCircles[l] = isCircles ? 1.0f : 0.0f;
+        lanes.anyCircles |= isCircles;
+        lanes.radiusA[l] = sides.swapped ? radiusB : radiusA;
+        lanes.radiusB[l] = sides.swapped ? radiusA : radiusB;
+    }
+}
+
 /// Fills blocks [begin, end); true if a contact of them bounces.
 bool ContactBlocks::FillRange(const BlockInput& input, size_t begin, size_t end) {
-    // Block by block, so that the rows of one stay in the nearest cache while its lanes are written.
     bool bounces = false;
+    FillLanes lanes{};
+    const FillSource source = SourceOf(input);
+    auto range = std::upper_bound(m_ranges.begin(), m_ranges.end(), static_cast<int32_t>(begin),
+                                  [](int32_t block, const BlockRange& r) { return block < r.end; });
     for (size_t k = begin; k < end; ++k) {
-        ContactBlock& block = m_blocks[k];
+        if (static_cast<int32_t>(k) == range->end) ++range;
         Prefetch(input, k);
-        for (int l = 0; l < blockLanes; ++l) {
-            const int i = m_order[k * blockLanes + static_cast<size_t>(l)];
-            if (i < 0) {
-                FillSpare(block, l);
-                continue;
-            }
-            const int contact = input.list[static_cast<size_t>(i)];
-            const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
-            FillLane({input, contact, SidesOf(pair, m_class[static_cast<size_t>(i)])}, block, l, i);
-            bounces |= input.contacts.material[static_cast<size_t>(contact)].restitution > 0.0f;
-        }
+        NameLanes(input, k, lanes);
+        bounces |= input.kernels.fill(source, lanes, range->kind, m_blocks[k]);
     }
     return bounces;
 }
@@ -328,6 +268,19 @@ void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impuls
             out.tangentImpulses[p] = tangent;
         }
     }
+}
+
+float ContactBlocks::GetSeparation(size_t at, const std::vector<Velocity>& delta) const {
+    const ContactBlock& block = m_blocks[static_cast<size_t>(m_lane[at] / blockLanes)];
+    const int l = m_lane[at] % blockLanes;
+    const Velocity& a = delta[static_cast<size_t>(block.bodyA[l])];
+    const Velocity& b = delta[static_cast<size_t>(block.bodyB[l])];
+    const float closer = Dot({block.normalX[l], block.normalY[l]}, b.v - a.v);
+    float least = std::numeric_limits<float>::max();
+    for (int p = 0; p < ((m_class[at] & twoPointBit) != 0 ? 2 : 1); ++p) {
+        least = Min(least, block.separation[p][l] + closer + (block.armB[p][l] * b.w - block.armA[p][l] * a.w));
+    }
+    return least;
 }
 
 KernelTask ContactBlocks::Task(std::vector<Velocity>& velocity, std::vector<Velocity>& delta) {

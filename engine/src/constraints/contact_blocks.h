@@ -33,6 +33,7 @@ struct BlockInput {
     /// Friction with the unmovable acts on the mover's own surface, so that disks roll by their radius, instead of
     /// halfway between both surfaces.
     bool onMoverSurface = false;
+    const ContactKernels& kernels = GetContactKernels();
 };
 
 /// Blocks and what colouring needs, kept between steps.
@@ -44,6 +45,9 @@ public:
     void Store(float scale, std::vector<Manifold>& manifold) const;
     /// Impulses summed over the step (soft step) or accumulated, by position in the list; for reports.
     void GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const;
+
+    /// The smallest separation of a contact, by position in the list, when bodies have moved by `delta`; + the slop, m.
+    [[nodiscard]] float GetSeparation(size_t at, const std::vector<Velocity>& delta) const;
 
     [[nodiscard]] KernelTask Task(std::vector<Velocity>& velocity, std::vector<Velocity>& delta);
     [[nodiscard]] bool IsEmpty() const { return m_ranges.empty(); }
@@ -58,6 +62,7 @@ private:
     void ColourFixed(const BlockInput& input);
     void MakeRanges(const BlockInput& input);
     void Fill(const BlockInput& input);
+    void NameLanes(const BlockInput& input, size_t block, FillLanes& lanes);
     bool FillRange(const BlockInput& input, size_t begin, size_t end);
     void Prefetch(const BlockInput& input, size_t block) const;
 

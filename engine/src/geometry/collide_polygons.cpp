@@ -10,6 +10,7 @@
 
 #include "geometry/clip.h"
 #include "geometry/lanes.h"
+#include "geometry/polygon_preference.h"
 #include "scree/collision.h"
 
 namespace scree {
@@ -177,10 +178,7 @@ void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Tra
     const AxisSearch search = SearchAxes(*polygonA, xfA, *polygonB, xfB);
     if (search.apart) return;
 
-    // A needs to be clearly worse to lose: two faces nearly in one plane would otherwise alternate as the reference.
-    // Small bodies have a thin skin (WorldDef::lengthScale); that share of the default one is the usual preference.
-    constexpr float usual = 0.1f * linearSlop;
-    const float preference = radius > 0.0f ? Min(usual, 0.025f * radius) : usual;
+    const float preference = ReferencePreference(radius);
     const Side sideA{*polygonA, xfA, search.a.face};
     const Side sideB{*polygonB, xfB, search.b.face};
     const bool flipped = search.b.separation > search.a.separation + preference;

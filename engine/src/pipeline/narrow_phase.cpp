@@ -5,6 +5,7 @@
 
 #include "pipeline/narrow_phase.h"
 
+#include "geometry/collide_quads.h"
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/destroy_contact.h"
 #include "pipeline/parts/make_contact.h"
@@ -45,28 +46,75 @@ bool IsActive(int contact, const NarrowPhaseTables& t) {
     return t.bodies.IsActive(pair.bodyA) || t.bodies.IsActive(pair.bodyB);
 }
 
-/// Below this many contacts the manifolds are not worth waking workers for.
-constexpr int leastContacts = 128;
+/// From this many contacts on, manifolds are computed ahead: together where shapes allow it, and by all workers.
+constexpr int leastContacts = 16;
+/// Below this many they are not worth waking workers for.
+constexpr int leastContactsToShare = 128;
 
-/// Computes the manifolds that are sure to be wanted. Bodies that wake on the way may add some, which follow in order.
+/// Computes the manifolds that are sure to be wanted of a range of contacts.
+class AheadOfOrder {
+public:
+    AheadOfOrder(const NarrowPhaseTables& tables, TOIStats& work, std::vector<uint8_t>& findings)
+        : m_t(tables), m_work(work), m_findings(findings) {}
+
+    void Compute(int begin, int end) {
+        for (int contact = end; contact-- > begin;) {
+            Fetch(contact, m_t);
+            constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
+            const uint8_t flags = m_t.contacts.flags[static_cast<size_t>(contact)];
+            if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
+            if ((flags & ContactFlag::sensor) != 0 || !Batch(contact)) {
+                Note(contact, ComputeManifold(contact, m_t.fixtures, m_t.bodies, m_work, m_t.contacts));
+            }
+        }
+        if (m_batch.Size() > 0) ComputeBatch();
+    }
+
+private:
+    bool Batch(int contact) {
+        const ContactPair& pair = m_t.contacts.pair[static_cast<size_t>(contact)];
+        const Shape& a = *m_t.fixtures.shape[pair.fixtureA];
+        const Shape& b = *m_t.fixtures.shape[pair.fixtureB];
+        if (!QuadBatch::Takes(a) || !QuadBatch::Takes(b)) return false;
+        m_batch.Add(contact, static_cast<const PolygonShape&>(a), m_t.bodies.transform[static_cast<size_t>(pair.bodyA)],
+                    static_cast<const PolygonShape&>(b), m_t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
+        if (m_batch.IsFull()) ComputeBatch();
+        return true;
+    }
+
+    void ComputeBatch() {
+        m_batch.Collide();
+        for (int i = 0; i < m_batch.Size(); ++i) {
+            Manifold& manifold = m_t.contacts.manifold[static_cast<size_t>(m_batch.GetId(i))];
+            const OldPoints old(manifold);
+            m_batch.Write(i, manifold);
+            old.CarryImpulses(manifold);
+            Note(m_batch.GetId(i), manifold.pointCount > 0);
+        }
+        m_batch.Clear();
+    }
+
+    void Note(int contact, bool touches) {
+        m_findings[static_cast<size_t>(contact)] = touches ? NarrowPhaseScratch::touching : NarrowPhaseScratch::apart;
+    }
+
+    const NarrowPhaseTables& m_t;
+    TOIStats& m_work;
+    std::vector<uint8_t>& m_findings;
+    QuadBatch m_batch;
+};
+
+/// Bodies that wake on the way may add manifolds to these, which follow in order.
 void ComputeAhead(const NarrowPhaseTables& t, TOIStats& work, std::vector<uint8_t>& findings) {
     findings.assign(static_cast<size_t>(t.contacts.Size()), NarrowPhaseScratch::nothing);
-    t.pool.For(t.contacts.Size(), leastContacts, [&](int begin, int end, int) {
-        for (int contact = end; contact-- > begin;) {
-            Fetch(contact, t);
-            constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
-            const auto c = static_cast<size_t>(contact);
-            if ((t.contacts.flags[c] & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, t)) continue;
-            const bool touches = ComputeManifold(contact, t.fixtures, t.bodies, work, t.contacts);
-            findings[c] = touches ? NarrowPhaseScratch::touching : NarrowPhaseScratch::apart;
-        }
-    });
+    t.pool.For(t.contacts.Size(), leastContactsToShare,
+               [&](int begin, int end, int) { AheadOfOrder(t, work, findings).Compute(begin, end); });
 }
 
 }  // namespace
 
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
-    const bool ahead = events.listener == nullptr && t.pool.GetWorkerCount() > 1 && t.contacts.Size() >= leastContacts;
+    const bool ahead = events.listener == nullptr && t.contacts.Size() >= leastContacts;
     if (ahead) ComputeAhead(t, *events.work, scratch.findings);
     int touchingCount = 0;
     for (int contact = t.contacts.Size(); contact-- > 0;) {

@@ -22,7 +22,7 @@ struct NarrowPhaseTables {
     ContactTable& contacts;
 };
 
-/// What the workers found out of each contact, kept between steps to save allocation.
+/// What was found out ahead of each contact, kept between steps to save allocation.
 struct NarrowPhaseScratch {
     enum Finding : uint8_t { nothing, apart, touching };
     std::vector<uint8_t> findings;
@@ -31,8 +31,9 @@ struct NarrowPhaseScratch {
 /// Newest row first, as Box2D tells its events: destroys the contacts whose boxes have parted and those that joints and
 /// filters refuse when they are asked again (ContactFlag::refilter); of the others with an awake body, recomputes the
 /// manifold, carries impulses over by feature id, reports changes and wakes the bodies of contacts that began or ended.
-/// Returns the number of touching contacts. With several workers and no listener the manifolds are computed ahead, in
-/// parallel; all that depends on the order (who wakes, what is destroyed) stays in order, so the result is the same.
+/// Returns the number of touching contacts. Without a listener the manifolds are computed ahead, polygons eight pairs
+/// at a time and by all workers; what depends on the order (who wakes, what is destroyed) stays in order, so the result
+/// is the same.
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables tables, NarrowPhaseScratch& scratch);
 
 }  // namespace scree

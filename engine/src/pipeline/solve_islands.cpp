@@ -146,7 +146,7 @@ private:
     std::span<const int> m_bodies, m_contacts, m_joints;
 };
 
-/// The solve of all islands with many contacts together, by the vector kernels; the methods are the phases in order.
+/// The solve of islands with contacts together, by the vector kernels; the methods are the phases in order.
 /// Separations are linear in the bodies' motion, with the normals and arms of the start of the step.
 class WideSolver {
 public:
@@ -170,7 +170,6 @@ public:
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.friction = m_settings.kernels.friction;
         m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;
-        RunKernel(Pool(), m_task, m_kernels.finish);
         if (m_settings.impulseScale > 0.0f) RunKernel(Pool(), m_task, m_kernels.warmStart);
         if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);
     }
@@ -195,14 +194,22 @@ public:
         });
     }
 
-    bool SolvePositions() {
-        for (int i = 0; i < m_settings.positionIterations; ++i) {
-            bool solved =
-                RunPushApart(Pool(), m_task, m_kernels, baumgarte) - m_settings.Slop() >= ContactTolerance(m_settings);
-            if (HasJoints()) solved = CorrectJoints() && solved;
-            if (solved) return true;
+    /// Stops as soon as everything is within tolerance. What is not by then is judged island by island.
+    void SolvePositions() {
+        bool contactsSolved = false, jointsSolved = false;
+        for (int i = 0; i < m_settings.positionIterations && !(contactsSolved && jointsSolved); ++i) {
+            contactsSolved = IsWithinTolerance(RunPushApart(Pool(), m_task, m_kernels, baumgarte));
+            jointsSolved = !HasJoints() || CorrectJoints();
         }
-        return false;
+        m_s.islandSolved.clear();
+        int contact = 0;  // the islands' contacts lie one behind the other in the blocks' list
+        for (const Island& island : m_s.wide.islands) {
+            const int end = contact + island.contactEnd - island.contactBegin;
+            const bool joints = jointsSolved || island.jointBegin == island.jointEnd;
+            const bool solved = joints && (contactsSolved || (IsSleepy(island) && AreContactsSolved(contact, end)));
+            m_s.islandSolved.push_back(solved ? 1 : 0);
+            contact = end;
+        }
     }
 
     int Finish() {
@@ -215,10 +222,10 @@ public:
         return counts.nonFinite;
     }
 
-    void Sleep(bool positionsSolved) {
+    void Sleep() {
         if (!m_settings.allowSleep) return;
-        for (const Island& island : m_s.wide.islands) {
-            SleepIsland(m_bodies, Bodies(m_islands, island), m_settings, positionsSolved);
+        for (size_t i = 0; i < m_s.wide.islands.size(); ++i) {
+            SleepIsland(m_bodies, Bodies(m_islands, m_s.wide.islands[i]), m_settings, m_s.islandSolved[i] != 0);
         }
     }
 
@@ -227,6 +234,24 @@ private:
     [[nodiscard]] bool HasJoints() const { return !m_s.wide.joints.empty(); }
     [[nodiscard]] JointTask JointWork() {
         return {{m_settings.dt, 1.0f / m_settings.dt, m_settings.impulseScale}, m_bodies, m_tables.joints, m_s.joints};
+    }
+
+    [[nodiscard]] bool IsWithinTolerance(float separation) const {
+        return separation - m_settings.Slop() >= ContactTolerance(m_settings);
+    }
+    /// Of the contacts [begin, end) of the blocks' list.
+    [[nodiscard]] bool AreContactsSolved(int begin, int end) const {
+        for (int i = begin; i < end; ++i) {
+            if (!IsWithinTolerance(m_s.blocks.GetSeparation(static_cast<size_t>(i), m_s.delta))) return false;
+        }
+        return true;
+    }
+    /// False if a body of the island has moved too lately for the island to fall asleep in this step.
+    [[nodiscard]] bool IsSleepy(const Island& island) const {
+        for (const int b : Bodies(m_islands, island)) {
+            if (m_bodies.sleepTime[static_cast<size_t>(b)] + m_settings.dt < timeToSleep) return false;
+        }
+        return true;
     }
 
     void Move(size_t b) {
@@ -347,15 +372,14 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& is
                        [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
 }
 
-/// From this many contacts in an island on, colours fill their vectors well enough to pay.
+/// From this many contacts in a step on, colours fill their vectors well enough to pay.
 constexpr int wideContactCount = 128;
 
-bool IsWide(const Island& island) { return island.contactEnd - island.contactBegin >= wideContactCount; }
+bool HasContacts(const Island& island) { return island.contactBegin != island.contactEnd; }
 
 void GatherWide(const IslandTable& islands, IslandTable& wide) {
-    wide.Clear();
     for (const Island& island : islands.islands) {
-        if (!IsWide(island)) continue;
+        if (!HasContacts(island)) continue;
         wide.islands.push_back(island);
         const auto append = [](std::vector<int>& to, std::span<const int> from) {
             to.insert(to.end(), from.begin(), from.end());
@@ -372,10 +396,10 @@ void SolveWide(const SolverSettings& settings, const FixtureTable& fixtures, con
     solver.Prepare(fixtures);
     solver.SolveVelocities();
     counts.capped += solver.IntegratePositions();
-    const bool positionsSolved = solver.SolvePositions();
+    solver.SolvePositions();
     counts.nonFinite += solver.Finish();
     ReportBlockImpulses(scratch, false, scratch.wide.contacts, events, tables.contacts);
-    solver.Sleep(positionsSolved);
+    solver.Sleep();
 }
 
 }  // namespace
@@ -383,8 +407,9 @@ void SolveWide(const SolverSettings& settings, const FixtureTable& fixtures, con
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
     SolverCounts counts = SolveIsolated(settings, islands, tables.pool, tables.bodies);
+    const bool wide = islands.contacts.size() >= wideContactCount;
     for (const Island& island : islands.islands) {
-        if (IsWide(island)) continue;
+        if (wide && HasContacts(island)) continue;
         IslandSolver solver(settings, islands, island, tables, scratch);
         solver.Prepare(fixtures);
         solver.SolveVelocities();
@@ -394,8 +419,11 @@ SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fi
         ReportImpulses(scratch.contacts, events, tables.contacts);
         solver.Sleep(positionsSolved);
     }
-    GatherWide(islands, scratch.wide);
-    if (!scratch.wide.islands.empty()) SolveWide(settings, fixtures, islands, events, tables, scratch, counts);
+    scratch.wide.Clear();
+    if (wide) {
+        GatherWide(islands, scratch.wide);
+        SolveWide(settings, fixtures, islands, events, tables, scratch, counts);
+    }
     return counts;
 }
 

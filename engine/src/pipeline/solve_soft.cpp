@@ -142,7 +142,6 @@ public:
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
         m_task.sumImpulses = report || m_s.blocks.Bounces();
-        RunKernel(Pool(), m_task, m_kernels.finish);
     }
 
     void Substep(bool first) {

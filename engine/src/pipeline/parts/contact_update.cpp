@@ -24,26 +24,6 @@ void Collide(Manifold& manifold, const Shape& shapeA, const Transform& xfA, cons
     }
 }
 
-/// The points of a manifold as it was.
-struct OldPoints {
-    int count;
-    uint32_t key[maxManifoldPoints];
-};
-
-/// Gives each point the impulses of the old point with its feature id, 0 if there was none. Collision functions leave
-/// impulses alone, so those of a point that kept its place are there already.
-void MatchImpulses(const OldPoints& old, Manifold& fresh) {
-    const ManifoldPoint was[maxManifoldPoints] = {fresh.points[0], fresh.points[1]};
-    for (int i = 0; i < fresh.pointCount; ++i) {
-        ManifoldPoint& p = fresh.points[i];
-        int from = 0;
-        while (from < old.count && old.key[from] != p.id.key) ++from;
-        if (from == i && i < old.count) continue;
-        p.normalImpulse = from < old.count ? was[from].normalImpulse : 0.0f;
-        p.tangentImpulse = from < old.count ? was[from].tangentImpulse : 0.0f;
-    }
-}
-
 void Tell(ContactListener& listener, Contact* contact, bool wasTouching, bool isTouching, const Manifold* old) {
     if (!wasTouching && isTouching) listener.BeginContact(contact);
     if (wasTouching && !isTouching) listener.EndContact(contact);
@@ -70,9 +50,9 @@ bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable&
         CountDistance(work, result.iterations);
         return result.overlaps;
     }
-    const OldPoints old{manifold.pointCount, {manifold.points[0].id.key, manifold.points[1].id.key}};
+    const OldPoints old(manifold);
     Collide(manifold, shapeA, xfA, shapeB, xfB);
-    if (manifold.pointCount > 0) MatchImpulses(old, manifold);
+    old.CarryImpulses(manifold);
     return manifold.pointCount > 0;
 }
 

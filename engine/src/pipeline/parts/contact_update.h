@@ -13,6 +13,32 @@
 
 namespace scree {
 
+/// The points of a manifold as it was, taken before it is computed anew. Collision functions leave impulses alone, so
+/// those of a point that keeps its place are there already.
+class OldPoints {
+public:
+    explicit OldPoints(const Manifold& manifold)
+        : m_count(manifold.pointCount), m_key{manifold.points[0].id.key, manifold.points[1].id.key} {}
+
+    /// Gives each point the impulses of the old point with its feature id, 0 if there was none.
+    void CarryImpulses(Manifold& fresh) const {
+        if (fresh.pointCount == 0) return;
+        const ManifoldPoint was[maxManifoldPoints] = {fresh.points[0], fresh.points[1]};
+        for (int i = 0; i < fresh.pointCount; ++i) {
+            ManifoldPoint& p = fresh.points[i];
+            int from = 0;
+            while (from < m_count && m_key[from] != p.id.key) ++from;
+            if (from == i && i < m_count) continue;
+            p.normalImpulse = from < m_count ? was[from].normalImpulse : 0.0f;
+            p.tangentImpulse = from < m_count ? was[from].tangentImpulse : 0.0f;
+        }
+    }
+
+private:
+    int m_count;
+    uint32_t m_key[maxManifoldPoints];
+};
+
 /// The manifold at the present transforms, with the impulses of the old one by feature id; true if the fixtures touch.
 /// Nothing else changes but `work`, the counts of what sensors cost, so contacts may be computed in any order and at
 /// the same time.

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The kernel for the instruction set that the whole library is compiled for, and the choice of the best one.
+
+#define SCREE_QUAD_KERNEL CollideQuadsBase
+#include "geometry/quad_kernel.inc"
+
+namespace scree {
+
+#if defined(SCREE_HAS_AVX2_KERNELS)
+void CollideQuadsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
+#endif
+
+QuadKernel GetQuadKernel() {
+#if defined(SCREE_HAS_AVX2_KERNELS)
+    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+    if (hasAvx2) return &CollideQuadsAvx2;
+#endif
+    return &CollideQuadsBase;
+}
+
+}  // namespace scree

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Eight pairs of polygons with three or four corners side by side, as the vector kernel reads and writes them. Plain
+// data only, because translation units for different instruction sets share it.
+
+#pragma once
+
+#include <cstdint>
+
+namespace scree {
+
+inline constexpr int quadLanes = 8;
+
+/// The polygons of one side, [corner][lane]. Corners beyond a polygon's number repeat the first.
+struct alignas(32) QuadShapes {
+    using Row = float[quadLanes];
+    Row vertexX[4], vertexY[4], normalX[4], normalY[4];
+    Row last;  ///< number of corners − 1
+};
+
+struct alignas(32) QuadPairs {
+    using Row = float[quadLanes];
+    QuadShapes a, b;
+    const float* placedA[quadLanes];  ///< Transform: x, y, sine, cosine
+    const float* placedB[quadLanes];
+    Row radius;      ///< of both skins together, m
+    Row preference;  ///< by how much B's face must be better to be the reference, m
+};
+
+/// What was found; bit l of a mask is lane l.
+struct alignas(32) QuadContacts {
+    using Row = float[quadLanes];
+    uint32_t touching;                           ///< the rest counts for these lanes only
+    uint32_t flipped;                            ///< the reference face is B's
+    uint32_t isCut[2];                           ///< the clip against the reference face's first, second end cut…
+    uint32_t hasMoved[2];                        ///< …its first point off, so that the second became the first
+    uint32_t keeps[2];                           ///< the point lies within the skins
+    Row face, faceNext, incident, incidentNext;  ///< corner numbers
+    Row localNormalX, localNormalY;              ///< of the reference face
+    Row localPointX, localPointY;                ///< its middle
+    Row pointX[2], pointY[2];                    ///< in the incident polygon's frame
+};
+
+using QuadKernel = void (*)(const QuadPairs& pairs, QuadContacts& contacts);
+
+/// The best kernel this processor has. All give the same bits.
+QuadKernel GetQuadKernel();
+
+}  // namespace scree

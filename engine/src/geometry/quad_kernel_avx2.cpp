@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The kernel for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
+
+#if defined(__AVX2__)
+#define SCREE_QUAD_KERNEL CollideQuadsAvx2
+#include "geometry/quad_kernel.inc"
+#endif
