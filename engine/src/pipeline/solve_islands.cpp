@@ -372,14 +372,38 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& is
                        [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
 }
 
-/// From this many contacts in a step on, colours fill their vectors well enough to pay.
-constexpr int wideContactCount = 128;
+/// Which islands are solved side by side by the vector kernels: all that have contacts if these are many enough to fill
+/// the vectors; otherwise the tiny ones, where the order of contacts matters least, if they do so together.
+class WideChoice {
+public:
+    explicit WideChoice(const IslandTable& islands) : m_all(islands.contacts.size() >= 128) {
+        if (m_all || islands.contacts.size() < leastTogether) return;
+        size_t together = 0;
+        for (const Island& island : islands.islands) together += IsTiny(island) ? ContactCount(island) : 0;
+        m_tiny = together >= leastTogether;
+    }
 
-bool HasContacts(const Island& island) { return island.contactBegin != island.contactEnd; }
+    [[nodiscard]] bool Any() const { return m_all || m_tiny; }
+    [[nodiscard]] bool Has(const Island& island) const {
+        return ContactCount(island) > 0 && (m_all || (m_tiny && IsTiny(island)));
+    }
 
-void GatherWide(const IslandTable& islands, IslandTable& wide) {
+private:
+    static constexpr size_t leastTogether = 32;
+
+    static size_t ContactCount(const Island& island) {
+        return static_cast<size_t>(island.contactEnd - island.contactBegin);
+    }
+    static bool IsTiny(const Island& island) { return ContactCount(island) <= 8; }
+
+    bool m_all, m_tiny = false;
+};
+
+void GatherWide(const IslandTable& islands, const WideChoice& choice, IslandTable& wide) {
+    wide.Clear();
+    if (!choice.Any()) return;
     for (const Island& island : islands.islands) {
-        if (!HasContacts(island)) continue;
+        if (!choice.Has(island)) continue;
         wide.islands.push_back(island);
         const auto append = [](std::vector<int>& to, std::span<const int> from) {
             to.insert(to.end(), from.begin(), from.end());
@@ -407,9 +431,9 @@ void SolveWide(const SolverSettings& settings, const FixtureTable& fixtures, con
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
     SolverCounts counts = SolveIsolated(settings, islands, tables.pool, tables.bodies);
-    const bool wide = islands.contacts.size() >= wideContactCount;
+    const WideChoice wide(islands);
     for (const Island& island : islands.islands) {
-        if (wide && HasContacts(island)) continue;
+        if (wide.Has(island)) continue;
         IslandSolver solver(settings, islands, island, tables, scratch);
         solver.Prepare(fixtures);
         solver.SolveVelocities();
@@ -419,11 +443,8 @@ SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fi
         ReportImpulses(scratch.contacts, events, tables.contacts);
         solver.Sleep(positionsSolved);
     }
-    scratch.wide.Clear();
-    if (wide) {
-        GatherWide(islands, scratch.wide);
-        SolveWide(settings, fixtures, islands, events, tables, scratch, counts);
-    }
+    GatherWide(islands, wide, scratch.wide);
+    if (wide.Any()) SolveWide(settings, fixtures, islands, events, tables, scratch, counts);
     return counts;
 }
 
