@@ -1,13 +1,25 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Farthest vertex plus radius; faces against a way.
+// Farthest vertex plus radius; faces against a way and against a point.
 
 #include "geometry/reach.h"
 
 #include "scree/convex_shape.h"
 
 namespace scree {
+
+namespace {
+
+/// Between a point and the segment from a to b.
+float DistanceToSegment(Vec2 point, Vec2 a, Vec2 b) {
+    const Vec2 along = b - a;
+    const float lengthSquared = along.LengthSquared();
+    const float u = lengthSquared > 0.0f ? Dot(point - a, along) / lengthSquared : 0.0f;
+    return Distance(point, a + Clamp(u, 0.0f, 1.0f) * along);
+}
+
+}  // namespace
 
 float Reach(const Shape& shape, Vec2 center) {
     float farthest = 0.0f;
@@ -43,6 +55,8 @@ bool WayIsClear(const Shape& shape, const Transform& xf, Vec2 from, Vec2 to, flo
     const Vec2 b = MulT(xf, to);
     const float reach = radius + shape.m_radius;
     switch (shape.GetType()) {
+        case Shape::e_circle:
+            return DistanceToSegment(static_cast<const CircleShape&>(shape).m_p, a, b) > reach;
         case Shape::e_polygon: {
             const auto& polygon = static_cast<const PolygonShape&>(shape);
             for (int i = 0; i < polygon.m_count; ++i) {
@@ -64,6 +78,28 @@ bool WayIsClear(const Shape& shape, const Transform& xf, Vec2 from, Vec2 to, flo
         }
         default:
             return false;
+    }
+}
+
+float LeastDistance(const Shape& shape, const Transform& xf, Vec2 point) {
+    const Vec2 p = MulT(xf, point);
+    switch (shape.GetType()) {
+        case Shape::e_circle:
+            return Distance(p, static_cast<const CircleShape&>(shape).m_p) - shape.m_radius;
+        case Shape::e_edge: {
+            const auto& edge = static_cast<const EdgeShape&>(shape);
+            return DistanceToSegment(p, edge.m_vertex1, edge.m_vertex2) - shape.m_radius;
+        }
+        case Shape::e_polygon: {
+            const auto& polygon = static_cast<const PolygonShape&>(shape);
+            float farthest = Dot(polygon.m_normals[0], p - polygon.m_vertices[0]);
+            for (int i = 1; i < polygon.m_count; ++i) {
+                farthest = Max(farthest, Dot(polygon.m_normals[i], p - polygon.m_vertices[i]));
+            }
+            return farthest - shape.m_radius;
+        }
+        default:
+            return 0.0f;
     }
 }
 

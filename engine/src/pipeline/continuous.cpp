@@ -98,12 +98,13 @@ private:
             m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
         }
         if (m_dynamicTargets) SweepBoxes();
+        const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_settings.lengthScale};
         for (const int body : m_bodies.movers) {
             if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
             if (!IsDynamic(body)) {
                 CollectPairs(body, true);  // even at rest: what hits it looks only for static fixtures
             } else if (m_bodies.IsActive(body) && Moves(body)) {
-                CollectPairs(body, IsBullet(body));
+                CollectFirst(body, nearby);
             }
         }
     }
@@ -152,6 +153,22 @@ private:
         sweep.a = m_bodies.position[Row(body)].a;
         sweep.alpha0 = m_s.alpha[Row(body)];
         return sweep;
+    }
+
+    /// CollectPairs for a dynamic body that has no pairs yet but those of kinematic bodies and bullets with it.
+    void CollectFirst(int body, const NearStatics::Tables& tables) {
+        const bool isBullet = IsBullet(body);
+        const auto known = isBullet ? std::nullopt : m_s.nearStatics.Find(body, tables);
+        if (!known) return CollectPairs(body, isBullet);
+        if (known->empty()) return;
+        for (int f = m_bodies.info[Row(body)].fixtureHead; f >= 0; f = m_t.fixtures.info[Row(f)].next) {
+            if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
+            MarkKnown(body, f);
+            const AABB box = SweptBox(body, f);
+            for (const int other : *known) {
+                if (TestOverlap(box, m_t.broadPhase.GetBox(static_cast<uint32_t>(other)))) AddPair(f, other);
+            }
+        }
     }
 
     /// Makes the pairs of a body with everything on its way and puts their events into the heap.

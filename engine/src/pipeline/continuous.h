@@ -21,6 +21,7 @@
 #include "broad_phase/broad_phase.h"
 #include "constraints/contact_rows.h"
 #include "pipeline/contact_events.h"
+#include "pipeline/parts/near_statics.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
 #include "state/fixtures.h"
@@ -76,6 +77,7 @@ struct ContinuousScratch {
     std::vector<int> knownTo;        ///< per fixture: the round of collecting in which it was found to have a pair
     int round = 0;                   ///< of collecting, counts up; 0: none yet
     std::vector<uint8_t> ballistic;  ///< per body; only written once something meets
+    NearStatics nearStatics;
     IndexedHeap events;
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step

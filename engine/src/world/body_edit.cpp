@@ -152,6 +152,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle) {
     s.bodies.startPosition[b] = s.bodies.position[b];
     if (!IsEnabled()) return ErrorCode::ok;
     UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
+    ForgetNearStatics(s, m_index);
     s.pairsStale = true;
     return ErrorCode::ok;
 }
@@ -220,6 +221,7 @@ ErrorCode Body::SetMassData(const MassData* data) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, *data);
     const size_t b = Row(m_index);
+    ForgetNearStatics(s, m_index);
     s.bodies.motion[b].mass = mass;
     s.bodies.info[b].inertia = inertia;
     s.bodies.mass[b] = {1.0f / mass, rotates ? 1.0f / inertia : 0.0f, data->center};

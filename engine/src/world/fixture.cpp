@@ -29,7 +29,10 @@ Features FeaturesAs(WorldState& s, int fixture, bool sensor) {
 }  // namespace
 
 Shape::Type Fixture::GetType() const { return m_state->fixtures.type[Row(m_index)]; }
-Shape* Fixture::GetShape() { return m_state->fixtures.GetOwnShape(m_index); }
+Shape* Fixture::GetShape() {
+    m_state->continuousScratch.nearStatics.Disable();
+    return m_state->fixtures.GetOwnShape(m_index);
+}
 const Shape* Fixture::GetShape() const { return m_state->fixtures.shape[Row(m_index)]; }
 
 ErrorCode Fixture::SetSensor(bool sensor) {
@@ -42,6 +45,7 @@ ErrorCode Fixture::SetSensor(bool sensor) {
     const FixtureFeatureEdit edit(*m_state, m_index);
     flag = sensor ? 1 : 0;
     const int body = m_state->fixtures.body[Row(m_index)];
+    ForgetNearStatics(*m_state, body);
     ContactTable& contacts = m_state->contacts;
     for (const int c : contacts.OfBody(body)) {
         if (!contacts.IsAlive(c)) continue;

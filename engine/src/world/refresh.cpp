@@ -52,11 +52,18 @@ void AddProxy(WorldState& s, int fixture) {
     s.fixtures.shape[f]->ComputeAABB(&box, s.bodies.transform[b]);
     s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), MotionOf(s.bodies.type[b]), box);
     s.fixtures.info[f].inBroadPhase = true;
+    ForgetNearStatics(s, s.fixtures.body[f]);
     s.pairsStale = true;
+}
+
+void ForgetNearStatics(WorldState& s, int body) {
+    NearStatics& near = s.continuousScratch.nearStatics;
+    s.bodies.type[static_cast<size_t>(body)] == staticBody ? near.ForgetAll() : near.Forget(body);
 }
 
 void RestoreProxy(WorldState& s, int fixture, const AABB& box) {
     const auto body = static_cast<uint32_t>(s.fixtures.body[static_cast<size_t>(fixture)]);
+    ForgetNearStatics(s, static_cast<int>(body));
     s.broadPhase->Restore(static_cast<uint32_t>(fixture), body, MotionOf(s.bodies.type[body]), box);
 }
 
@@ -93,6 +100,7 @@ void RefilterBodies(WorldState& s, int bodyA, int bodyB) {
 }
 
 void ResetMass(WorldState& s, int body) {
+    ForgetNearStatics(s, body);
     const auto b = static_cast<size_t>(body);
     BodyInfo& info = s.bodies.info[b];
     MassRow& row = s.bodies.mass[b];

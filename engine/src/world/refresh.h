@@ -12,6 +12,8 @@ namespace scree {
 
 /// Finds all pairs of the stored boxes and marks or makes their contacts.
 void FindPairsAndMatch(WorldState& state, FreshOrder order);
+/// What continuous collision knows about static fixtures near the body is forgotten; of all bodies if it is static.
+void ForgetNearStatics(WorldState& state, int body);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
 void AddProxy(WorldState& state, int fixture);
 void RemoveProxy(WorldState& state, int fixture);

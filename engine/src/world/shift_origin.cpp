@@ -22,6 +22,7 @@ ErrorCode World::ShiftOrigin(Vec2 newOrigin) {
         s.bodies.startPosition[b].c -= newOrigin;
         if (s.bodies.Has(body, BodyFlag::enabled)) UpdateBodyBoxes(s.bodies, s.fixtures, body, vec2Zero, *s.broadPhase);
     }
+    s.continuousScratch.nearStatics.ForgetAll();
     s.joints.ShiftOrigin(newOrigin);
     return ErrorCode::ok;
 }

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What a body can meet is never missing from what is kept for it: against a search for the time of impact with every
+// static fixture, on random ways among shapes of every kind, with edits in between. And worlds run alike with and
+// without.
+
+#include "pipeline/parts/near_statics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "geometry/reach.h"
+#include "scree/convex_shape.h"
+#include "scree/inspect.h"
+#include "scree/time_of_impact.h"
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree::test {
+namespace {
+
+class Randomly {
+public:
+    explicit Randomly(uint32_t seed) : m_engine(seed) {}
+    float Between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_engine); }
+    int Below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_engine); }
+    Vec2 InSquare(float half) { return {Between(-half, half), Between(-half, half)}; }
+
+private:
+    std::mt19937 m_engine;
+};
+
+Fixture* AddSomething(Body* body, Randomly& random) {
+    switch (random.Below(4)) {
+        case 0:
+            return AddCircle(body, random.Between(0.1f, 1.5f));
+        case 1:
+            return AddBox(body, random.Between(0.1f, 2.0f), random.Between(0.05f, 0.5f));
+        case 2: {
+            EdgeShape edge;
+            edge.SetTwoSided(random.InSquare(2.0f), random.InSquare(2.0f) + Vec2{0.1f, 0.1f});
+            return body->CreateFixture(&edge, 1.0f);
+        }
+        default: {
+            const ConvexShape capsule = MakeCapsule({-0.4f, 0.0f}, {0.5f, 0.2f}, 0.2f);
+            return body->CreateFixture(&capsule, 1.0f);
+        }
+    }
+}
+
+bool Meets(const WorldState& s, int mover, int fixture, int other) {
+    const auto m = static_cast<size_t>(mover);
+    TOIInput input;
+    input.proxyA.Set(s.fixtures.shape[static_cast<size_t>(other)], 0);
+    input.proxyB.Set(s.fixtures.shape[static_cast<size_t>(fixture)], 0);
+    const auto still = static_cast<size_t>(s.fixtures.body[static_cast<size_t>(other)]);
+    input.sweepA.localCenter = s.bodies.mass[still].localCenter;
+    input.sweepA.c0 = input.sweepA.c = s.bodies.position[still].c;
+    input.sweepA.a0 = input.sweepA.a = s.bodies.position[still].a;
+    input.sweepB.localCenter = s.bodies.mass[m].localCenter;
+    input.sweepB.c0 = s.bodies.startPosition[m].c, input.sweepB.c = s.bodies.position[m].c;
+    input.sweepB.a0 = s.bodies.startPosition[m].a, input.sweepB.a = s.bodies.position[m].a;
+    input.tMax = 1.0f;
+    TOIOutput output;
+    TimeOfImpact(&output, &input);
+    return output.state != TOIOutput::e_separated;
+}
+
+TEST(NearStatics, MissNothingThatABodyMeets) {
+    int known = 0, met = 0, empty = 0;
+    for (uint32_t seed = 0; seed < 40; ++seed) {
+        Randomly random(seed);
+        World world({0.0f, 0.0f});
+        std::vector<Body*> statics;
+        for (int i = 0; i < 25; ++i) {
+            statics.push_back(AddBody(world, staticBody, random.InSquare(12.0f)));
+            AddSomething(statics.back(), random);
+        }
+        Body* mover = AddBody(world, dynamicBody, {0.0f, 0.0f});
+        for (int i = random.Below(3); i >= 0; --i) AddSomething(mover, random);
+        WorldState& s = world.GetState();
+        const auto m = static_cast<size_t>(mover->GetIndex());
+        for (int step = 0; step < 60; ++step) {
+            if (random.Below(10) == 0) {
+                ASSERT_EQ(statics[static_cast<size_t>(random.Below(25))]->SetTransform(random.InSquare(12.0f), 1.0f),
+                          ErrorCode::ok);
+            }
+            if (random.Below(15) == 0) AddSomething(mover, random);
+            if (random.Below(20) == 0) {
+                ASSERT_EQ(mover->SetTransform(random.InSquare(10.0f), random.Between(-3.0f, 3.0f)), ErrorCode::ok);
+            }
+            s.bodies.startPosition[m] = s.bodies.position[m];
+            const float size = random.Below(4) == 0 ? 2.0f : 0.2f;
+            s.bodies.position[m].c += random.InSquare(size);
+            s.bodies.position[m].a += random.Between(-2.0f, 2.0f);
+            s.bodies.UpdateTransform(mover->GetIndex());
+            const auto near = s.continuousScratch.nearStatics.Find(
+                mover->GetIndex(), {s.bodies, s.fixtures, *s.broadPhase, s.def.lengthScale});
+            if (!near) continue;
+            ++known;
+            empty += near->empty() ? 1 : 0;
+            EXPECT_TRUE(std::is_sorted(near->begin(), near->end()));
+            for (const Fixture* f = mover->GetFixtureList(); f != nullptr; f = f->GetNext()) {
+                for (const Body* body : statics) {
+                    const int other = body->GetFixtureList()->GetIndex();
+                    if (!Meets(s, mover->GetIndex(), f->GetIndex(), other)) continue;
+                    ++met;
+                    EXPECT_NE(std::find(near->begin(), near->end(), other), near->end())
+                        << "seed " << seed << " step " << step << " fixture " << other;
+                }
+            }
+        }
+    }
+    EXPECT_GT(known, 1000);
+    EXPECT_GT(met, 300);
+    EXPECT_GT(empty, 100);
+}
+
+TEST(NearStatics, KnowNothingWhileAProgramHoldsAShape) {
+    World world({0.0f, 0.0f});
+    AddGround(world);
+    Body* body = AddBody(world, dynamicBody, {0.0f, 5.0f});
+    Fixture* fixture = AddCircle(body, 0.5f);
+    WorldState& s = world.GetState();
+    const NearStatics::Tables tables{s.bodies, s.fixtures, *s.broadPhase, 1.0f};
+    EXPECT_TRUE(s.continuousScratch.nearStatics.Find(body->GetIndex(), tables).has_value());
+    ASSERT_NE(fixture->GetShape(), nullptr);
+    EXPECT_FALSE(s.continuousScratch.nearStatics.Find(body->GetIndex(), tables).has_value());
+}
+
+/// Falls and slides over slopes at speed. `hold` keeps what is near from being known.
+uint64_t RunSlopes(bool hold, int& events) {
+    World world({0.0f, -10.0f});
+    Body* ground = AddGround(world);
+    if (hold) {
+        EXPECT_NE(ground->GetFixtureList()->GetShape(), nullptr);
+    }
+    for (int i = 0; i < 20; ++i) {
+        Body* slope = AddBody(world, staticBody, {-20.0f + 2.0f * static_cast<float>(i), 4.0f + (i % 3)});
+        AddBox(slope, 1.2f, 0.05f);
+        EXPECT_EQ(slope->SetTransform(slope->GetPosition(), i % 2 == 0 ? 0.5f : -0.4f), ErrorCode::ok);
+    }
+    Randomly random(3);
+    for (int i = 0; i < 120; ++i) {
+        Body* body = AddBody(world, dynamicBody, {random.Between(-18.0f, 18.0f), random.Between(8.0f, 30.0f)});
+        i % 2 == 0 ? AddCircle(body, 0.2f) : AddBox(body, 0.2f, 0.15f);
+        body->SetLinearVelocity({random.Between(-10.0f, 10.0f), -40.0f});
+    }
+    events = 0;
+    for (int step = 0; step < 200; ++step) events += world.Step(1.0f / 60.0f, 8, 3).continuousEventCount;
+    return inspect::GetStateHash(world);
+}
+
+TEST(NearStatics, ChangeNoResult) {
+    int with = 0, without = 0;
+    EXPECT_EQ(RunSlopes(false, with), RunSlopes(true, without));
+    EXPECT_EQ(with, without);
+    EXPECT_GT(with, 100);
+}
+
+TEST(LeastDistance, IsNeverMoreThanTheDistance) {
+    Randomly random(9);
+    int close = 0;
+    for (int i = 0; i < 20000; ++i) {
+        World world({0.0f, 0.0f});
+        Body* body = AddBody(world, staticBody, random.InSquare(1.0f));
+        const Fixture* fixture = AddSomething(body, random);
+        ASSERT_EQ(body->SetTransform(body->GetPosition(), random.Between(-3.0f, 3.0f)), ErrorCode::ok);
+        const Vec2 p = random.InSquare(4.0f);
+        DistanceInput input;
+        CircleShape point;
+        point.m_p = p;
+        point.m_radius = 0.0f;
+        input.proxyA.Set(fixture->GetShape(), 0);
+        input.proxyB.Set(&point, 0);
+        input.transformA = body->GetTransform();
+        input.transformB.SetIdentity();
+        input.useRadii = true;
+        SimplexCache cache;
+        cache.count = 0;
+        DistanceOutput output;
+        Distance(&output, &cache, &input);
+        const float least = LeastDistance(*fixture->GetShape(), body->GetTransform(), p);
+        EXPECT_LE(least, output.distance + 1e-5f);
+        const bool exact = fixture->GetType() == Shape::e_circle || fixture->GetType() == Shape::e_edge;
+        if (exact && output.distance > 0.0f) {
+            EXPECT_NEAR(least, output.distance, 1e-5f);
+        }
+        close += least > 0.0f && least > 0.5f * output.distance ? 1 : 0;
+    }
+    EXPECT_GT(close, 5000);
+}
+
+}  // namespace
+}  // namespace scree::test
