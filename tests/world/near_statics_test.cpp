@@ -90,6 +90,22 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
                           ErrorCode::ok);
             }
             if (random.Below(15) == 0) AddSomething(mover, random);
+            if (Body* body = statics[static_cast<size_t>(random.Below(25))]; random.Below(10) == 0) {
+                // Static ones come and go in every way.
+                const BodyType type = body->GetType() == staticBody ? dynamicBody : staticBody;
+                switch (random.Below(3)) {
+                    case 0:
+                        ASSERT_EQ(body->SetType(type), ErrorCode::ok);
+                        break;
+                    case 1:
+                        ASSERT_EQ(body->SetEnabled(!body->IsEnabled()), ErrorCode::ok);
+                        break;
+                    default:
+                        ASSERT_EQ(body->DestroyFixture(body->GetFixtureList()), ErrorCode::ok);
+                        AddSomething(body, random);
+                        break;
+                }
+            }
             if (random.Below(20) == 0) {
                 ASSERT_EQ(mover->SetTransform(random.InSquare(10.0f), random.Between(-3.0f, 3.0f)), ErrorCode::ok);
             }
@@ -106,6 +122,7 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
             EXPECT_TRUE(std::is_sorted(near->begin(), near->end()));
             for (const Fixture* f = mover->GetFixtureList(); f != nullptr; f = f->GetNext()) {
                 for (const Body* body : statics) {
+                    if (body->GetType() != staticBody || !body->IsEnabled()) continue;
                     const int other = body->GetFixtureList()->GetIndex();
                     if (!Meets(s, mover->GetIndex(), f->GetIndex(), other)) continue;
                     ++met;

@@ -169,6 +169,7 @@ ErrorCode Body::SetType(BodyType type) {
     if (s.bodies.type[b] == type) return ErrorCode::ok;
     const BodyFeatureEdit edit(s, m_index, true);
     const bool changesList = (s.bodies.type[b] == staticBody) != (type == staticBody);
+    ForgetNearStatics(s, m_index);  // as what it was
     s.bodies.type[b] = type;
     if (changesList) s.bodies.Relist(m_index);
     ResetMass(s, m_index);

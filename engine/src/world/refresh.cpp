@@ -45,6 +45,11 @@ void FindPairsAndMatch(WorldState& s, FreshOrder order) {
     s.pairsStale = false;
 }
 
+void ForgetNearStatics(WorldState& s, int body) {
+    NearStatics& near = s.continuousScratch.nearStatics;
+    s.bodies.type[static_cast<size_t>(body)] == staticBody ? near.ForgetAll() : near.Forget(body);
+}
+
 void AddProxy(WorldState& s, int fixture) {
     const auto f = static_cast<size_t>(fixture);
     const auto b = static_cast<size_t>(s.fixtures.body[f]);
@@ -54,11 +59,6 @@ void AddProxy(WorldState& s, int fixture) {
     s.fixtures.info[f].inBroadPhase = true;
     ForgetNearStatics(s, s.fixtures.body[f]);
     s.pairsStale = true;
-}
-
-void ForgetNearStatics(WorldState& s, int body) {
-    NearStatics& near = s.continuousScratch.nearStatics;
-    s.bodies.type[static_cast<size_t>(body)] == staticBody ? near.ForgetAll() : near.Forget(body);
 }
 
 void RestoreProxy(WorldState& s, int fixture, const AABB& box) {
@@ -72,6 +72,7 @@ void RemoveProxy(WorldState& s, int fixture) {
     if (!info.inBroadPhase) return;
     s.broadPhase->Remove(static_cast<uint32_t>(fixture));
     info.inBroadPhase = false;
+    ForgetNearStatics(s, s.fixtures.body[static_cast<size_t>(fixture)]);
     s.pairsStale = true;
 }
 
