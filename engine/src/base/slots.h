@@ -72,7 +72,13 @@ private:
 /// Grows a column so that `index` exists.
 template <typename T>
 void EnsureRow(std::vector<T>& column, int index, const T& fill = T()) {
-    if (static_cast<size_t>(index) >= column.size()) column.resize(static_cast<size_t>(index) + 1, fill);
+    const auto i = static_cast<size_t>(index);
+    if (i < column.size()) return;
+    if (i == column.size()) {
+        column.push_back(fill);  // the usual case, and several times as fast
+    } else {
+        column.resize(i + 1, fill);
+    }
 }
 
 }  // namespace scree

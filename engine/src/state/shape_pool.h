@@ -87,12 +87,14 @@ private:
 
     template <typename Bits>
     static size_t PlaceOf(const Bits& bits) {
-        // Multiplication and the high bits of the sum of all words (Fibonacci hashing).
+        // Fibonacci hashing. Half of the numbers are enough: a polygon's normals, the second half, follow from the rest.
+        constexpr size_t size = std::tuple_size_v<Bits>, words = size < 8 ? size : size / 2;
         uint64_t sum = 0;
-        for (const float number : bits) {
-            uint32_t word;
-            std::memcpy(&word, &number, sizeof word);
+        for (size_t i = 0; i < words; i += 2) {
+            uint64_t word = 0;
+            std::memcpy(&word, &bits[i], i + 1 < words ? sizeof word : sizeof(float));
             sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
+            sum ^= sum >> 32;
         }
         return static_cast<size_t>(sum >> 56);
     }
