@@ -51,12 +51,13 @@ SCREE_KERNEL bool AllSet8(F8 mask) { return _mm256_movemask_ps(mask.v) == 0xFF; 
 SCREE_KERNEL uint32_t Bits8(F8 mask) { return static_cast<uint32_t>(_mm256_movemask_ps(mask.v)); }
 SCREE_KERNEL F8 Sqrt8(F8 a) { return {_mm256_sqrt_ps(a.v)}; }
 
-/// The numbers of eight rows of four; rowOf(i) is where the i-th row is.
-template <typename RowOf>
-SCREE_KERNEL void GatherRows8(RowOf&& rowOf, F8& x, F8& y, F8& z, F8& w) {
-    const auto row = [&](int i) { return _mm_loadu_ps(rowOf(i)); };
-    const auto pair = [&](int i) { return _mm256_insertf128_ps(_mm256_castps128_ps256(row(i)), row(i + 4), 1); };
-    const __m256 r0 = pair(0), r1 = pair(1), r2 = pair(2), r3 = pair(3);
+SCREE_KERNEL __m256 LoadTwoRows(const float* low, const float* high) {
+    return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1);
+}
+/// The numbers of eight rows of four, wherever they are.
+SCREE_KERNEL void GatherRows8(const float* const (&row)[laneCount], F8& x, F8& y, F8& z, F8& w) {
+    const __m256 r0 = LoadTwoRows(row[0], row[4]), r1 = LoadTwoRows(row[1], row[5]);
+    const __m256 r2 = LoadTwoRows(row[2], row[6]), r3 = LoadTwoRows(row[3], row[7]);
     const __m256 xy01 = _mm256_unpacklo_ps(r0, r1), zw01 = _mm256_unpackhi_ps(r0, r1);
     const __m256 xy23 = _mm256_unpacklo_ps(r2, r3), zw23 = _mm256_unpackhi_ps(r2, r3);
     x.v = _mm256_shuffle_ps(xy01, xy23, _MM_SHUFFLE(1, 0, 1, 0));
@@ -114,11 +115,10 @@ SCREE_KERNEL void Transpose4(const float* r0, const float* r1, const float* r2, 
     columns[2] = _mm_loadu_ps(r2), columns[3] = _mm_loadu_ps(r3);
     _MM_TRANSPOSE4_PS(columns[0], columns[1], columns[2], columns[3]);
 }
-template <typename RowOf>
-SCREE_KERNEL void GatherRows8(RowOf&& rowOf, F8& x, F8& y, F8& z, F8& w) {
+SCREE_KERNEL void GatherRows8(const float* const (&row)[laneCount], F8& x, F8& y, F8& z, F8& w) {
     __m128 lo[4], hi[4];
-    Transpose4(rowOf(0), rowOf(1), rowOf(2), rowOf(3), lo);
-    Transpose4(rowOf(4), rowOf(5), rowOf(6), rowOf(7), hi);
+    Transpose4(row[0], row[1], row[2], row[3], lo);
+    Transpose4(row[4], row[5], row[6], row[7], hi);
     x = {lo[0], hi[0]}, y = {lo[1], hi[1]}, z = {lo[2], hi[2]}, w = {lo[3], hi[3]};
 }
 SCREE_KERNEL void Scatter4(float* rows, const int32_t* index, __m128 x, __m128 y, __m128 z, __m128 w) {
@@ -207,11 +207,9 @@ SCREE_KERNEL uint32_t Bits8(F8 mask) {
 SCREE_KERNEL F8 Sqrt8(F8 a) {
     return EachLane([&](int i) { return __builtin_sqrtf(a.v[i]); });
 }
-template <typename RowOf>
-SCREE_KERNEL void GatherRows8(RowOf&& rowOf, F8& x, F8& y, F8& z, F8& w) {
+SCREE_KERNEL void GatherRows8(const float* const (&row)[laneCount], F8& x, F8& y, F8& z, F8& w) {
     for (int i = 0; i < laneCount; ++i) {
-        const float* row = rowOf(i);
-        x.v[i] = row[0], y.v[i] = row[1], z.v[i] = row[2], w.v[i] = row[3];
+        x.v[i] = row[i][0], y.v[i] = row[i][1], z.v[i] = row[i][2], w.v[i] = row[i][3];
     }
 }
 SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z, F8 w) {
@@ -225,7 +223,9 @@ SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z, 
 
 /// The numbers of eight rows of four, by their indices.
 SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z, F8& w) {
-    GatherRows8([&](int i) { return rows + 4 * static_cast<int64_t>(index[i]); }, x, y, z, w);
+    const float* row[laneCount];
+    for (int i = 0; i < laneCount; ++i) row[i] = rows + 4 * static_cast<int64_t>(index[i]);
+    GatherRows8(row, x, y, z, w);
 }
 /// The first three numbers of eight rows of four.
 SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y, F8& z) {
