@@ -87,7 +87,8 @@ private:
 
     template <typename Bits>
     static size_t PlaceOf(const Bits& bits) {
-        // Fibonacci hashing. Half of the numbers are enough: a polygon's normals, the second half, follow from the rest.
+        // Fibonacci hashing. Half of the numbers are enough: a polygon's normals, the second half, follow from the
+        // rest.
         constexpr size_t size = std::tuple_size_v<Bits>, words = size < 8 ? size : size / 2;
         uint64_t sum = 0;
         for (size_t i = 0; i < words; i += 2) {
