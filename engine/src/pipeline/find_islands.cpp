@@ -6,6 +6,8 @@
 
 #include "pipeline/find_islands.h"
 
+#include <algorithm>
+
 namespace scree {
 
 namespace {
@@ -15,41 +17,51 @@ constexpr uint8_t solvedFlags = ContactFlag::alive | ContactFlag::touching | Con
 /// Contacts that push: touching, enabled, no sensor.
 bool Pushes(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::sensor)) == solvedFlags; }
 
-/// Contacts of each mover, the newest row first. Rows of static bodies are neither cleared nor read: in mostly static
-/// worlds they would cost more than the rest.
-void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
-    s.first.resize(static_cast<size_t>(bodies.slots.Size()));
-    s.end.resize(s.first.size());
-    for (const int body : bodies.movers) s.end[static_cast<size_t>(body)] = 0;
-    const size_t count = contacts.flags.size();
-    const auto isMover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody; };
-    for (size_t c = 0; c < count; ++c) {
-        if (!Pushes(contacts.flags[c])) continue;
-        const ContactPair& pair = contacts.pair[c];
-        if (isMover(pair.bodyA)) ++s.end[static_cast<size_t>(pair.bodyA)];
-        if (isMover(pair.bodyB)) ++s.end[static_cast<size_t>(pair.bodyB)];
+/// Makes the column 0 for all movers, static bodies left aside if they are many: in mostly static worlds their rows
+/// would cost more than the rest.
+template <typename T>
+void ClearForMovers(const BodyTable& bodies, std::vector<T>& column) {
+    column.resize(static_cast<size_t>(bodies.slots.Size()));
+    if (bodies.movers.size() * 8 >= column.size()) {
+        std::fill(column.begin(), column.end(), T{0});
+        return;
     }
-    int total = 0;
-    for (const int body : bodies.movers) {
-        const auto b = static_cast<size_t>(body);
-        total += s.end[b];
-        s.first[b] = s.end[b] = total;  // filling moves the start down
-    }
-    s.entries.resize(static_cast<size_t>(total));
-    for (size_t c = 0; c < count; ++c) {
-        if (!Pushes(contacts.flags[c])) continue;
-        const ContactPair& pair = contacts.pair[c];
-        if (isMover(pair.bodyA))
-            s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyA)])] = static_cast<int>(c);
-        if (isMover(pair.bodyB))
-            s.entries[static_cast<size_t>(--s.first[static_cast<size_t>(pair.bodyB)])] = static_cast<int>(c);
-    }
+    for (const int body : bodies.movers) column[static_cast<size_t>(body)] = 0;
 }
 
-/// Makes `bodySeen` false for all movers.
-void ForgetSeen(const BodyTable& bodies, IslandScratch& s) {
-    s.bodySeen.resize(static_cast<size_t>(bodies.slots.Size()));
-    for (const int body : bodies.movers) s.bodySeen[static_cast<size_t>(body)] = 0;
+/// Contacts of each mover that has some, the newest row first; these movers become `touched`, the others `untouched`.
+void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
+    ClearForMovers(bodies, s.end);
+    ClearForMovers(bodies, s.progress);
+    s.first.resize(s.end.size());
+    const size_t count = contacts.flags.size();
+    const auto isMover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody; };
+    int total = 0;
+    for (size_t c = 0; c < count; ++c) {
+        if (!Pushes(contacts.flags[c])) continue;
+        const ContactPair& pair = contacts.pair[c];
+        const bool moverA = isMover(pair.bodyA), moverB = isMover(pair.bodyB);
+        if (moverA) ++s.end[static_cast<size_t>(pair.bodyA)];
+        if (moverB) ++s.end[static_cast<size_t>(pair.bodyB)];
+        total += (moverA ? 1 : 0) + (moverB ? 1 : 0);
+    }
+    s.entries.resize(static_cast<size_t>(total));
+    int used = 0;
+    const auto add = [&](int body, size_t contact) {
+        const auto b = static_cast<size_t>(body);
+        if (s.progress[b] == IslandScratch::untouched) {
+            s.progress[b] = IslandScratch::touched;
+            used += s.end[b];
+            s.first[b] = s.end[b] = used;  // filling moves the start down
+        }
+        s.entries[static_cast<size_t>(--s.first[b])] = static_cast<int>(contact);
+    };
+    for (size_t c = 0; c < count; ++c) {
+        if (!Pushes(contacts.flags[c])) continue;
+        const ContactPair& pair = contacts.pair[c];
+        if (isMover(pair.bodyA)) add(pair.bodyA, c);
+        if (isMover(pair.bodyB)) add(pair.bodyB, c);
+    }
 }
 
 class IslandSearch {
@@ -63,7 +75,7 @@ public:
         island.bodyBegin = static_cast<int>(m_islands.bodies.size());
         island.contactBegin = static_cast<int>(m_islands.contacts.size());
         island.jointBegin = static_cast<int>(m_islands.joints.size());
-        Push(seed);
+        PushOther(seed);
         while (!m_scratch.stack.empty()) {
             const int body = m_scratch.stack.back();
             m_scratch.stack.pop_back();
@@ -80,18 +92,20 @@ public:
     }
 
 private:
-    void Push(int body) {
-        m_scratch.bodySeen[static_cast<size_t>(body)] = 1;
+    void Push(int body, bool isTouched) {
+        m_scratch.progress[static_cast<size_t>(body)] = isTouched ? IslandScratch::seen : IslandScratch::seenUntouched;
         m_scratch.stack.push_back(body);
     }
 
     void PushOther(int other) {
-        if (m_bodies.type[static_cast<size_t>(other)] != staticBody && !m_scratch.bodySeen[static_cast<size_t>(other)])
-            Push(other);
+        if (m_bodies.type[static_cast<size_t>(other)] == staticBody) return;
+        const uint8_t progress = m_scratch.progress[static_cast<size_t>(other)];
+        if (progress < IslandScratch::seen) Push(other, progress == IslandScratch::touched);
     }
 
     void VisitContacts(int body) {
         const auto b = static_cast<size_t>(body);
+        if (m_scratch.progress[b] != IslandScratch::seen) return;
         for (int e = m_scratch.first[b]; e < m_scratch.end[b]; ++e) {
             const int contact = m_scratch.entries[static_cast<size_t>(e)];
             if (m_scratch.contactSeen[static_cast<size_t>(contact)]) continue;
@@ -128,7 +142,6 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
                  IslandTable& islands) {
     islands.Clear();
     BuildAdjacency(contacts, bodies, scratch);
-    ForgetSeen(bodies, scratch);
     scratch.contactSeen.assign(contacts.flags.size(), 0);
     scratch.jointSeen.assign(joints.info.size(), 0);
 
@@ -137,9 +150,9 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
     for (size_t m = bodies.movers.size(); m-- > 0;) {  // newest first, as Box2D walks its body list
         const int body = bodies.movers[m];
         const auto b = static_cast<size_t>(body);
-        if (!bodies.IsActive(body) || scratch.bodySeen[b]) continue;
-        if (scratch.first[b] == scratch.end[b] && (!anyJoints || bodies.info[b].jointCount == 0)) {
-            scratch.bodySeen[b] = 1;
+        constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
+        if ((bodies.flags[b] & active) != active || scratch.progress[b] >= IslandScratch::seen) continue;
+        if (scratch.progress[b] == IslandScratch::untouched && (!anyJoints || bodies.info[b].jointCount == 0)) {
             islands.isolated.push_back(body);
         } else {
             search.Grow(body);
@@ -176,24 +189,26 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
                   IslandScratch& scratch, IslandTable& active) {
     active.Clear();
-    ForgetSeen(bodies, scratch);
+    ClearForMovers(bodies, scratch.progress);
+    const auto note = [&](int body) { scratch.progress[static_cast<size_t>(body)] = IslandScratch::touched; };
     for (size_t c = 0; c < contacts.flags.size(); ++c) {
         if (!Pushes(contacts.flags[c])) continue;
         const ContactPair& pair = contacts.pair[c];
         if (!bodies.IsActive(pair.bodyA) && !bodies.IsActive(pair.bodyB)) continue;
         active.contacts.push_back(static_cast<int>(c));
-        scratch.bodySeen[static_cast<size_t>(pair.bodyA)] = scratch.bodySeen[static_cast<size_t>(pair.bodyB)] = 1;
+        note(pair.bodyA), note(pair.bodyB);
     }
     for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
         const JointInfo& info = joints.info[static_cast<size_t>(joint)];
         const bool enabled = bodies.Has(info.bodyA, BodyFlag::enabled) && bodies.Has(info.bodyB, BodyFlag::enabled);
         if (!enabled || (!bodies.IsActive(info.bodyA) && !bodies.IsActive(info.bodyB))) continue;
         active.joints.push_back(joint);
-        scratch.bodySeen[static_cast<size_t>(info.bodyA)] = scratch.bodySeen[static_cast<size_t>(info.bodyB)] = 1;
+        note(info.bodyA), note(info.bodyB);
     }
     for (const int body : bodies.movers) {
         if (!bodies.IsActive(body)) continue;
-        (scratch.bodySeen[static_cast<size_t>(body)] != 0 ? active.bodies : active.isolated).push_back(body);
+        const bool isAlone = scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
+        (isAlone ? active.isolated : active.bodies).push_back(body);
     }
 }
 

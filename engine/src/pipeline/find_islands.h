@@ -16,9 +16,12 @@ namespace scree {
 
 /// Scratch of the search, kept between steps to save allocation.
 struct IslandScratch {
-    std::vector<int> first, end;    ///< per mover: range of its contacts in `entries`
+    /// How far the search is with a mover: whether it has contacts, and whether it was put on the stack.
+    enum Progress : uint8_t { untouched, touched, seen, seenUntouched };
+
+    std::vector<int> first, end;    ///< per touched mover: range of its contacts in `entries`
     std::vector<int> entries;       ///< contacts by body
-    std::vector<uint8_t> bodySeen;  ///< per mover
+    std::vector<uint8_t> progress;  ///< per mover
     std::vector<uint8_t> contactSeen, jointSeen;
     std::vector<int> stack;
 };
