@@ -14,7 +14,7 @@ namespace scree {
 float Reach(const Shape& shape, Vec2 center);
 
 /// True if a disk of `radius` whose centre goes from `from` to `to` (world) surely stays outside the shape placed at
-/// `xf`, because one of the shape's faces has the whole way in front of it, or a circle is far from it. Quick and
+/// `xf`: exact for circles and edges, by one face that has the whole way in front of it for polygons. Quick and
 /// conservative: false proves nothing.
 bool WayIsClear(const Shape& shape, const Transform& xf, Vec2 from, Vec2 to, float radius);
 
