@@ -73,6 +73,7 @@ struct LabOptions {
     bool capped = true;                 ///< ours: cap speed at 2 m and π/2 per step as Box2D does
     double restitutionThreshold = 1.0;  ///< of all fixtures, m/s
     double lengthScale = 1.0;           ///< ours: WorldDef::lengthScale
+    Point place{};                      ///< where the scene's origin is put, m: both engines get the sum as they can
     int workers = 1;                    ///< ours: threads
 };
 

@@ -18,6 +18,7 @@ struct Box2dNames {
     using Joint = b2Joint;
     using WorldManifold = b2WorldManifold;
 
+    static Point ToPoint(b2Vec2 v) { return {double{v.x}, double{v.y}}; }
     static b2Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
     static std::unique_ptr<World> MakeWorld(const scenes::Scene& scene, const LabOptions& options) {
@@ -28,16 +29,19 @@ struct Box2dNames {
         return world;
     }
 
-    static b2BodyDef MakeBodyDef(const scenes::Body& body) {
+    static b2BodyDef MakeBodyDef(const scenes::Body& body, Point at) {
         b2BodyDef def;
         def.type = body.type == scenes::BodyType::dynamic     ? b2_dynamicBody
                    : body.type == scenes::BodyType::kinematic ? b2_kinematicBody
                                                               : b2_staticBody;
-        def.position = ToB2(body.position);
+        def.position = ToVec(at);
         def.linearVelocity = ToB2(body.linearVelocity);
         FillBodyDef(def, body);
         return def;
     }
+
+    static Point GetOrigin(const Body& body) { return ToPoint(body.GetPosition()); }
+    static Point GetCentre(const Body& body) { return ToPoint(body.GetWorldCenter()); }
 
     static void AddFixture(Body& body, const scenes::Scene& scene, int index, float restitutionThreshold) {
         const scenes::Fixture& fixture = scene.fixtures[static_cast<size_t>(index)];

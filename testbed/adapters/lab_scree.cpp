@@ -24,6 +24,7 @@ struct ScreeNames {
     using Joint = scree::Joint;
     using WorldManifold = scree::WorldManifold;
 
+    static Point ToPoint(scree::Vec2 v) { return {double{v.x}, double{v.y}}; }
     static scree::Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
     static std::unique_ptr<World> MakeWorld(const scenes::Scene& scene, const LabOptions& options) {
@@ -43,15 +44,21 @@ struct ScreeNames {
         return world;
     }
 
-    static scree::BodyDef MakeBodyDef(const scenes::Body& body) {
+    static scree::BodyDef MakeBodyDef(const scenes::Body& body, Point at) {
         scree::BodyDef def;
         def.type = body.type == scenes::BodyType::dynamic     ? scree::dynamicBody
                    : body.type == scenes::BodyType::kinematic ? scree::kinematicBody
                                                               : scree::staticBody;
-        def.position = ToScree(body.position);
+        def.position = ToVec(at);
+        def.positionRest = ToVec(at - ToPoint(def.position));
         def.linearVelocity = ToScree(body.linearVelocity);
         FillBodyDef(def, body);
         return def;
+    }
+
+    static Point GetOrigin(const Body& body) { return ToPoint(body.GetPosition()) + ToPoint(body.GetPositionRest()); }
+    static Point GetCentre(const Body& body) {
+        return ToPoint(body.GetWorldCenter()) + ToPoint(body.GetWorldCenterRest());
     }
 
     static void AddFixture(Body& body, const scenes::Scene& scene, int index, float restitutionThreshold) {

@@ -44,8 +44,8 @@ public:
         const Body& b = *At(body);
         const auto& q = b.GetTransform().q;
         BodyReading reading;
-        reading.origin = ToPoint(b.GetPosition());
-        reading.centre = ToPoint(b.GetWorldCenter());
+        reading.origin = E::GetOrigin(b);
+        reading.centre = E::GetCentre(b);
         reading.cos = double{q.c};
         reading.sin = double{q.s};
         // A float angle of hundreds of radians is coarse; the rotation is not.
@@ -131,7 +131,7 @@ private:
     }
 
     void AddBody(const scenes::Body& body, const LabOptions& options) {
-        auto def = E::MakeBodyDef(body);
+        auto def = E::MakeBodyDef(body, options.place + ToPoint(body.position));
         def.userData.pointer = m_bodies.size();
         Body* made = m_world->CreateBody(&def);
         m_bodies.push_back(made);

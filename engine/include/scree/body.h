@@ -31,6 +31,7 @@ struct BodyUserData {
 struct BodyDef {
     BodyType type = staticBody;
     Vec2 position{0.0f, 0.0f};        ///< of the body's origin, m
+    Vec2 positionRest{0.0f, 0.0f};    ///< what `position` lacks below its last digit, m: the origin is at the sum
     float angle = 0.0f;               ///< rad
     Vec2 linearVelocity{0.0f, 0.0f};  ///< of the origin, m/s
     float angularVelocity = 0.0f;     ///< rad/s
@@ -60,12 +61,17 @@ public:
     /// Destroys all edges of the chain that `fixture` belongs to.
     ErrorCode DestroyChain(Fixture* fixture);
 
-    /// Moves the body at once, contacts follow in the next step. Refused while the world is locked.
-    ErrorCode SetTransform(Vec2 position, float angle);
+    /// Moves the body at once, contacts follow in the next step. Its origin is put to position + positionRest, m.
+    /// Refused while the world is locked.
+    ErrorCode SetTransform(Vec2 position, float angle, Vec2 positionRest = {0.0f, 0.0f});
     [[nodiscard]] const Transform& GetTransform() const;
     [[nodiscard]] Vec2 GetPosition() const;
     [[nodiscard]] float GetAngle() const;
     [[nodiscard]] Vec2 GetWorldCenter() const;
+    /// What GetPosition and GetWorldCenter lack below their last digit, m: far from the origin (WorldDef::farDistance)
+    /// the body is at the sum of both, which a program adds in double. 0 in worlds without far bodies.
+    [[nodiscard]] Vec2 GetPositionRest() const;
+    [[nodiscard]] Vec2 GetWorldCenterRest() const;
     [[nodiscard]] Vec2 GetLocalCenter() const;
 
     /// Velocity of the centre of mass, m/s. Static bodies ignore it; a non-zero one wakes the body.
@@ -153,6 +159,8 @@ public:
     Body& operator=(const Body&) = delete;
 
 private:
+    [[nodiscard]] Vec2 FromCentre(Vec2 worldPoint) const;
+
     WorldState* m_state;
     int m_index;
 };

@@ -59,7 +59,9 @@ public:
     }
     ErrorCode SetBullet(bool flag) requires(set.Has(Feature::continuousBullet)) { return m_body->SetBullet(flag); }
     ErrorCode SetLinearVelocity(Vec2 v) { return m_body->SetLinearVelocity(v); }
-    ErrorCode SetTransform(Vec2 position, float angle) { return m_body->SetTransform(position, angle); }
+    ErrorCode SetTransform(Vec2 position, float angle, Vec2 positionRest = {0.0f, 0.0f}) {
+        return m_body->SetTransform(position, angle, positionRest);
+    }
     [[nodiscard]] Vec2 GetPosition() const { return m_body->GetPosition(); }
     [[nodiscard]] float GetAngle() const { return m_body->GetAngle(); }
     [[nodiscard]] Vec2 GetLinearVelocity() const { return m_body->GetLinearVelocity(); }

@@ -68,6 +68,10 @@ struct WorldDef {
     /// edges, overlap left by the solver, the continuous collision's target, speed of pushing apart, speed of falling
     /// asleep) are Box2D's times this. 1 suits bodies of 0.1 to 100 m; 0.001 a world of millimetres.
     float lengthScale = 1.0f;
+    /// Once a body is farther than this from the origin in x or y, m at a length scale of 1, all positions of the world
+    /// have a low-order part (Body::GetPositionRest), so that bodies behave there as they do near the origin; 16 bytes
+    /// a body. 0: from the start; infinity: only once a program gives a rest (BodyDef::positionRest).
+    float farDistance = 1024.0f;
     /// Which solver runs whatever Step is called: Step(dt, 8, 3) is taken for 4 sub-steps and the other way round.
     SolverKind solver = SolverKind::automatic;
     SoftStepDef softStep;
@@ -156,7 +160,7 @@ public:
     [[nodiscard]] FeatureUsers GetFeatureUsers() const;
     void SetExactDrift(bool flag);
     [[nodiscard]] bool GetExactDrift() const;
-    /// Subtracts `newOrigin` from every position: for worlds so large that floats get coarse. Refused while locked.
+    /// Subtracts `newOrigin` from every position: for programs that draw near their origin. Refused while locked.
     ErrorCode ShiftOrigin(Vec2 newOrigin);
     /// True inside Step, and in callbacks of queries and of destruction.
     [[nodiscard]] bool IsLocked() const;

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "scree/settings.h"
+#include "state/frames.h"
 
 namespace scree {
 
@@ -50,6 +51,19 @@ FillSource SourceOf(const BlockInput& input) {
             input.slop,
             input.restitution,
             input.onMoverSurface};
+}
+
+/// The two bodies of a lane, far from the origin.
+void PlaceLane(const BodyTable& bodies, const Sides& sides, int lane, FillLanes& lanes) {
+    const Vec2 frame = FrameOf(bodies, sides.a, sides.b);
+    const auto place = [&](int body, float(&transform)[4], float(&position)[4]) {
+        const Transform xf = TransformIn(frame, bodies, body);
+        transform[0] = xf.p.x, transform[1] = xf.p.y, transform[2] = xf.q.s, transform[3] = xf.q.c;
+        const Vec2 centre = CentreIn(frame, bodies, body);
+        position[0] = centre.x, position[1] = centre.y;
+    };
+    place(sides.a, lanes.transformA[lane], lanes.positionA[lane]);
+    place(sides.b, lanes.transformB[lane], lanes.positionB[lane]);
 }
 
 }  // namespace
@@ -177,6 +191,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
     ContactBlock& block = m_blocks[k];
     lanes.count = 0;
     lanes.anyCircles = false;
+    lanes.isFar = input.bodies.IsFar();
     for (int l = 0; l < blockLanes; ++l) {
         const int i = m_order[k * blockLanes + static_cast<size_t>(l)];
         block.slot[l] = i;
@@ -186,6 +201,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
             block.bodyA[l] = block.bodyA[0], block.bodyB[l] = block.bodyB[0];
             for (FillLanes::Row* row : {&lanes.referenceIsB, &lanes.isCircles, &lanes.radiusA, &lanes.radiusB})
                 (*row)[l] = (*row)[0];
+            if (lanes.isFar) PlaceLane(input.bodies, {block.bodyA[0], block.bodyB[0], false}, l, lanes);
             continue;
         }
         const int contact = input.list[static_cast<size_t>(i)];
@@ -203,6 +219,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
         lanes.anyCircles |= isCircles;
         lanes.radiusA[l] = sides.swapped ? radiusB : radiusA;
         lanes.radiusB[l] = sides.swapped ? radiusA : radiusB;
+        if (lanes.isFar) PlaceLane(input.bodies, sides, l, lanes);
     }
 }
 

@@ -5,6 +5,7 @@
 // (so no energy is added), re-evaluating the manifold at the corrected poses in every iteration.
 
 #include "constraints/contact_rows.h"
+#include "state/frames.h"
 
 namespace scree {
 
@@ -54,14 +55,13 @@ inline Transform PlaceBody(const Position& position, Vec2 localCenter) {
 
 }  // namespace
 
-float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, const PushApart& how) {
+float SolveContactPositions(const ContactRows& rows, BodyTable& bodies, const PushApart& how) {
     const float slop = linearSlop * how.lengthScale, largest = maxLinearCorrection * how.lengthScale;
     float smallest = 0.0f;
     for (const ContactPositionRow& row : rows.position) {
-        Position& stateA = position[static_cast<size_t>(row.bodyA)];
-        Position& stateB = position[static_cast<size_t>(row.bodyB)];
-        Position a = stateA;
-        Position b = stateB;
+        const Vec2 frame = FrameOf(bodies, row.bodyA, row.bodyB);
+        Position a = PositionIn(frame, bodies, row.bodyA);
+        Position b = PositionIn(frame, bodies, row.bodyB);
         for (int i = 0; i < row.pointCount; ++i) {
             const Transform xfA = PlaceBody(a, row.massA.localCenter);
             const Transform xfB = PlaceBody(b, row.massB.localCenter);
@@ -84,8 +84,8 @@ float SolveContactPositions(const ContactRows& rows, std::vector<Position>& posi
             b.a += row.massB.invI * Cross(rB, push);
         }
         // Bodies without mass are not written: what blows up must not reach the ground, which others stand on.
-        if (row.massA.invMass > 0.0f) stateA = a;
-        if (row.massB.invMass > 0.0f) stateB = b;
+        if (row.massA.invMass > 0.0f) StorePosition(frame, a, row.bodyA, bodies);
+        if (row.massB.invMass > 0.0f) StorePosition(frame, b, row.bodyB, bodies);
     }
     return smallest;
 }

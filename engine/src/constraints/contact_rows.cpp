@@ -5,6 +5,8 @@
 
 #include "constraints/contact_rows.h"
 
+#include "state/frames.h"
+
 namespace scree {
 
 namespace {
@@ -87,7 +89,10 @@ ContactVelocityRow MakeVelocityRow(const ContactPrepareInput& in, int contact, f
     const Velocity& velocityB = in.bodies.velocity[b];
 
     WorldManifold world;
-    world.Initialize(&m, in.bodies.transform[a], radiusA, in.bodies.transform[b], radiusB);
+    const Vec2 frame = FrameOf(in.bodies, pair.bodyA, pair.bodyB);
+    const Vec2 centreA = CentreIn(frame, in.bodies, pair.bodyA), centreB = CentreIn(frame, in.bodies, pair.bodyB);
+    world.Initialize(&m, TransformIn(frame, in.bodies, pair.bodyA), radiusA, TransformIn(frame, in.bodies, pair.bodyB),
+                     radiusB);
 
     ContactVelocityRow row;
     row.bodyA = pair.bodyA;
@@ -106,8 +111,8 @@ ContactVelocityRow MakeVelocityRow(const ContactPrepareInput& in, int contact, f
         ContactPointRow& p = row.points[i];
         p.normalImpulse = in.impulseScale * m.points[i].normalImpulse;
         p.tangentImpulse = in.impulseScale * m.points[i].tangentImpulse;
-        p.rA = world.points[i] - in.bodies.position[a].c;
-        p.rB = world.points[i] - in.bodies.position[b].c;
+        p.rA = world.points[i] - centreA;
+        p.rB = world.points[i] - centreB;
         p.normalMass = EffectiveMass(row, p, row.normal);
         p.tangentMass = EffectiveMass(row, p, tangent);
         p.velocityBias = 0.0f;

@@ -81,6 +81,6 @@ struct PushApart {
     float lengthScale = 1.0f;  ///< factor on slop and largest push
 };
 /// One iteration of position correction; returns the smallest separation seen, m.
-float SolveContactPositions(const ContactRows& rows, std::vector<Position>& position, const PushApart& how = {});
+float SolveContactPositions(const ContactRows& rows, BodyTable& bodies, const PushApart& how = {});
 
 }  // namespace scree

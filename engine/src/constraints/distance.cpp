@@ -67,15 +67,15 @@ void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointSte
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, std::vector<Position>& position) {
-    PairPosition pose = Load(c.pair, position);
+bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, BodyTable& bodies) {
+    PairPosition pose = Load(c.pair, bodies);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     const float length = arms.gap.Length();
     const float error = length - Clamp(length, row.limit.lower, row.limit.upper);
     const AxisRow line = MakeLine(arms, length, std::numeric_limits<float>::min());
     const float mass = c.mass > 0.0f ? c.mass : InverseOrZero(InverseMass(c.pair, line));
     Apply(c.pair, line, -mass * error, pose);
-    Store(c.pair, pose, position);
+    Store(c.pair, pose, bodies);
     return Abs(error) < linearSlop;
 }
 

@@ -13,13 +13,14 @@ namespace scree {
 namespace {
 
 /// Axis and arms of one side for the present poses, times the ratio; returns the side's share of the inverse mass.
-float UpdateSide(const GearSide& side, const std::vector<Position>& position, float ratio, GearConstraint::Side& c) {
+float UpdateSide(const GearSide& side, const BodyTable& bodies, float ratio, GearConstraint::Side& c) {
     if (!side.slides) {
         c.axis = vec2Zero;
         c.arm = c.againstArm = ratio;
     } else {
-        const Position& body = position[static_cast<size_t>(c.body)];
-        const Position& against = position[static_cast<size_t>(c.against)];
+        const Vec2 frame = FrameOf(bodies, c.body, c.against);
+        const Position body = PositionIn(frame, bodies, c.body);
+        const Position against = PositionIn(frame, bodies, c.against);
         const Rot turn(against.a);
         const Vec2 axis = Mul(turn, side.againstAxis);
         const Vec2 arm = Mul(Rot(body.a), side.localAnchor - c.mass.localCenter);
@@ -33,9 +34,10 @@ float UpdateSide(const GearSide& side, const std::vector<Position>& position, fl
 }
 
 /// Angle or translation of a side's joint.
-float Coordinate(const GearSide& side, const std::vector<Position>& position, const GearConstraint::Side& c) {
-    const Position& body = position[static_cast<size_t>(c.body)];
-    const Position& against = position[static_cast<size_t>(c.against)];
+float Coordinate(const GearSide& side, const BodyTable& bodies, const GearConstraint::Side& c) {
+    const Vec2 frame = FrameOf(bodies, c.body, c.against);
+    const Position body = PositionIn(frame, bodies, c.body);
+    const Position against = PositionIn(frame, bodies, c.against);
     if (!side.slides) return body.a - against.a - side.referenceAngle;
     const Rot turn(against.a);
     const Vec2 anchor = body.c + Mul(Rot(body.a), side.localAnchor - c.mass.localCenter);
@@ -43,18 +45,27 @@ float Coordinate(const GearSide& side, const std::vector<Position>& position, co
     return Dot(anchor - origin, Mul(turn, side.againstAxis));
 }
 
-template <typename T>
-void ApplyGear(const GearConstraint& c, float impulse, std::vector<T>& column) {
+void PushBody(const MassRow& mass, Vec2 impulse, float turn, int body, std::vector<Velocity>& velocity) {
+    Push(mass, impulse, turn, velocity[static_cast<size_t>(body)]);
+}
+void PushBody(const MassRow& mass, Vec2 impulse, float turn, int body, BodyTable& bodies) {
+    const auto b = static_cast<size_t>(body);
+    bodies.Shift(b, mass.invMass * impulse);
+    bodies.position[b].a += mass.invI * turn;
+}
+
+template <typename Bodies>
+void ApplyGear(const GearConstraint& c, float impulse, Bodies& bodies) {
     for (const GearConstraint::Side& s : c.side) {
-        if (s.mass.invMass > 0.0f) Push(s.mass, impulse * s.axis, impulse * s.arm, column[static_cast<size_t>(s.body)]);
+        if (s.mass.invMass > 0.0f) PushBody(s.mass, impulse * s.axis, impulse * s.arm, s.body, bodies);
         if (s.againstMass.invMass > 0.0f) {
-            Push(s.againstMass, -impulse * s.axis, -impulse * s.againstArm, column[static_cast<size_t>(s.against)]);
+            PushBody(s.againstMass, -impulse * s.axis, -impulse * s.againstArm, s.against, bodies);
         }
     }
 }
 
-float UpdateSides(const GearRow& row, const std::vector<Position>& position, GearConstraint& c) {
-    return UpdateSide(row.side[0], position, 1.0f, c.side[0]) + UpdateSide(row.side[1], position, row.ratio, c.side[1]);
+float UpdateSides(const GearRow& row, const BodyTable& bodies, GearConstraint& c) {
+    return UpdateSide(row.side[0], bodies, 1.0f, c.side[0]) + UpdateSide(row.side[1], bodies, row.ratio, c.side[1]);
 }
 
 }  // namespace
@@ -69,7 +80,7 @@ void Prepare(const JointInput& in, GearRow& row, GearConstraint& c) {
         s.againstMass = in.bodies.mass[static_cast<size_t>(s.against)];
         c.active = c.active && in.bodies.Has(s.body, BodyFlag::enabled) && in.bodies.Has(s.against, BodyFlag::enabled);
     }
-    c.mass = InverseOrZero(UpdateSides(row, in.bodies.position, c));
+    c.mass = InverseOrZero(UpdateSides(row, in.bodies, c));
     for (int i = 0; i < 2; ++i) {
         row.side[i].axis = c.side[i].axis;
         row.side[i].arm = c.side[i].arm;
@@ -94,13 +105,13 @@ void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep&, std:
     ApplyGear(c, impulse, velocity);
 }
 
-bool SolvePosition(const GearConstraint& c, const GearRow& row, std::vector<Position>& position) {
+bool SolvePosition(const GearConstraint& c, const GearRow& row, BodyTable& bodies) {
     if (!c.active) return true;
     GearConstraint now = c;
-    now.mass = InverseOrZero(UpdateSides(row, position, now));
-    const float error = Coordinate(row.side[0], position, now.side[0]) +
-                        row.ratio * Coordinate(row.side[1], position, now.side[1]) - row.constant;
-    ApplyGear(now, -now.mass * error, position);
+    now.mass = InverseOrZero(UpdateSides(row, bodies, now));
+    const float error = Coordinate(row.side[0], bodies, now.side[0]) +
+                        row.ratio * Coordinate(row.side[1], bodies, now.side[1]) - row.constant;
+    ApplyGear(now, -now.mass * error, bodies);
     return Abs(error) <= (row.side[0].slides ? linearSlop : angularSlop);
 }
 

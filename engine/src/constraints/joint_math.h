@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "state/bodies.h"
+#include "state/frames.h"
 #include "state/joints.h"
 
 /// The iterations only run at full speed if both bodies stay in registers, which takes inlining all the way down.
@@ -47,7 +48,7 @@ struct PairState {
     T a, b;
 };
 using PairVelocity = PairState<Velocity>;
-using PairPosition = PairState<Position>;
+using PairPosition = PairState<Position>;  ///< in the frame of the pair
 
 inline JointPair MakePair(const JointInput& in) {
     return {in.info.bodyA, in.info.bodyB, in.bodies.mass[static_cast<size_t>(in.info.bodyA)],
@@ -55,7 +56,8 @@ inline JointPair MakePair(const JointInput& in) {
 }
 
 inline PairPosition PoseOf(const JointPair& p, const BodyTable& bodies) {
-    return {bodies.position[static_cast<size_t>(p.a)], bodies.position[static_cast<size_t>(p.b)]};
+    const Vec2 frame = FrameOf(bodies, p.a, p.b);
+    return {PositionIn(frame, bodies, p.a), PositionIn(frame, bodies, p.b)};
 }
 
 /// Number by number: the next joint reads what this one wrote, and a wide read of narrow writes has to wait for them.
@@ -75,6 +77,19 @@ template <typename T>
 SCREE_INLINE void Store(const JointPair& p, const PairState<T>& state, std::vector<T>& column) {
     if (p.massA.invMass > 0.0f) Copy(state.a, column[static_cast<size_t>(p.a)]);
     if (p.massB.invMass > 0.0f) Copy(state.b, column[static_cast<size_t>(p.b)]);
+}
+
+/// Positions in the frame of the pair.
+SCREE_INLINE PairPosition Load(const JointPair& p, const BodyTable& bodies) {
+    return bodies.IsFar() ? PoseOf(p, bodies) : Load(p, bodies.position);
+}
+inline void StoreFar(const JointPair& p, const PairPosition& pose, BodyTable& bodies) {
+    const Vec2 frame = FrameOf(bodies, p.a, p.b);
+    if (p.massA.invMass > 0.0f) StorePosition(frame, pose.a, p.a, bodies);
+    if (p.massB.invMass > 0.0f) StorePosition(frame, pose.b, p.b, bodies);
+}
+SCREE_INLINE void Store(const JointPair& p, const PairPosition& pose, BodyTable& bodies) {
+    bodies.IsFar() ? StoreFar(p, pose, bodies) : Store(p, pose, bodies.position);
 }
 
 SCREE_INLINE void Push(const MassRow& mass, Vec2 impulse, float turn, Velocity& body) {

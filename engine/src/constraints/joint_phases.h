@@ -77,9 +77,8 @@ constexpr JointPhases MakePhases() {
     }
     phases.solvePosition = [](const JointTask& task, const JointRun& run) {
         bool solved = true;
-        ForEach<Row, Constraint>(task, run, [&](const Constraint& c, Row& row) {
-            solved = SolvePosition(c, row, task.bodies.position) && solved;
-        });
+        ForEach<Row, Constraint>(
+            task, run, [&](const Constraint& c, Row& row) { solved = SolvePosition(c, row, task.bodies) && solved; });
         return solved;
     };
     return phases;

@@ -274,8 +274,10 @@ void JointTree::Factorize(const Poses& poses) {
         const bool isStatic = poses.bodies.type[At(b.body)] == staticBody;
         const Velocity delta = isStatic ? Velocity{} : poses.delta[At(b.body)];
         const Position& from = isStatic ? poses.bodies.position[At(b.body)] : start;
-        b.pose.x = double{from.c.x} + double{delta.v.x};
-        b.pose.y = double{from.c.y} + double{delta.v.y};
+        const PositionRest& rests = poses.bodies.IsFar() ? poses.bodies.rest[At(b.body)] : PositionRest{};
+        const Vec2 rest = isStatic ? rests.end : rests.start;
+        b.pose.x = double{from.c.x} + (double{rest.x} + double{delta.v.x});
+        b.pose.y = double{from.c.y} + (double{rest.y} + double{delta.v.y});
         b.pose.angle = double{from.a} + (double{from.aRest} + double{delta.w});
         Turn(b.startCos, b.startSin, double{delta.w}, b.pose);
     }

@@ -12,10 +12,11 @@ namespace scree {
 void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c) {
     c.body = in.info.bodyB;
     const auto b = static_cast<size_t>(c.body);
-    const Position& pose = in.bodies.position[b];
+    const Vec2 frame = FrameOf(in.bodies, c.body, c.body);
+    const Position pose = PositionIn(frame, in.bodies, c.body);
     c.mass = in.bodies.mass[b];
     c.arm = Mul(Rot(pose.a), row.localAnchorB - c.mass.localCenter);
-    const Vec2 error = pose.c + c.arm - row.target;
+    const Vec2 error = pose.c + c.arm - (row.target - frame);
     const Spring spring = MakeSpring({row.stiffness, row.damping, 1.0f, 0.0f}, in.step.dt);
     c.gamma = spring.gamma;
     c.bias = spring.bias * error;
@@ -42,7 +43,7 @@ void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& ste
     Push(c.mass, impulse, Cross(c.arm, impulse), v);
 }
 
-bool SolvePosition(const MouseConstraint&, const MouseRow&, std::vector<Position>&) { return true; }
+bool SolvePosition(const MouseConstraint&, const MouseRow&, BodyTable&) { return true; }
 
 const JointPhases mousePhases = MakePhases<MouseRow, MouseConstraint>();
 

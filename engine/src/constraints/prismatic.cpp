@@ -77,8 +77,8 @@ void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointS
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Position>& position) {
-    PairPosition pose = Load(c.pair, position);
+bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, BodyTable& bodies) {
+    PairPosition pose = Load(c.pair, bodies);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     const Vec2 axis = Mul(Rot(pose.a.a), row.localAxisA);
     const AxisRow along = MakeSlide(arms, axis), across = MakeSlide(arms, axis.Skew());
@@ -96,7 +96,7 @@ bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, std::v
     Apply(c.pair, across, impulse.x, pose);
     Apply(c.pair, turning, impulse.y, pose);
     Apply(c.pair, along, impulse.z, pose);
-    Store(c.pair, pose, position);
+    Store(c.pair, pose, bodies);
     return Max(Abs(error.x), Abs(limitError)) <= linearSlop && Abs(error.y) <= angularSlop;
 }
 

@@ -27,10 +27,11 @@ Rope MakeRope(Vec2 arm, Vec2 anchor, Vec2 groundAnchor) {
 }
 
 /// Fills the geometry for a pose; returns how much rope is missing.
-float Update(const PulleyRow& row, const PairPosition& pose, PulleyConstraint& c) {
+float Update(const PulleyRow& row, const BodyTable& bodies, const PairPosition& pose, PulleyConstraint& c) {
+    const Vec2 frame = FrameOf(bodies, c.pair.a, c.pair.b);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    const Rope a = MakeRope(arms.a, pose.a.c + arms.a, row.groundAnchorA);
-    const Rope b = MakeRope(arms.b, pose.b.c + arms.b, row.groundAnchorB);
+    const Rope a = MakeRope(arms.a, pose.a.c + arms.a, row.groundAnchorA - frame);
+    const Rope b = MakeRope(arms.b, pose.b.c + arms.b, row.groundAnchorB - frame);
     c.axisA = a.axis;
     c.axisB = b.axis;
     c.armA = a.arm;
@@ -52,7 +53,7 @@ void Pull(const PulleyConstraint& c, float tension, float ratio, PairState<T>& s
 
 void Prepare(const JointInput& in, PulleyRow& row, PulleyConstraint& c) {
     c.pair = MakePair(in);
-    Update(row, PoseOf(c.pair, in.bodies), c);
+    Update(row, in.bodies, PoseOf(c.pair, in.bodies), c);
     row.axis = c.axisB;
     row.impulse = Scaled(row.impulse, in.step.impulseScale);
 }
@@ -73,12 +74,12 @@ void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep&, 
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, std::vector<Position>& position) {
-    PairPosition pose = Load(c.pair, position);
+bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, BodyTable& bodies) {
+    PairPosition pose = Load(c.pair, bodies);
     PulleyConstraint now = c;
-    const float missing = Update(row, pose, now);
+    const float missing = Update(row, bodies, pose, now);
     Pull(now, -now.mass * missing, row.ratio, pose);
-    Store(c.pair, pose, position);
+    Store(c.pair, pose, bodies);
     return Abs(missing) < linearSlop;
 }
 

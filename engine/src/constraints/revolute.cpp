@@ -62,8 +62,8 @@ void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointSte
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Position>& position) {
-    PairPosition pose = Load(c.pair, position);
+bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, BodyTable& bodies) {
+    PairPosition pose = Load(c.pair, bodies);
     float angularError = 0.0f;
     if (row.limit.enabled && c.turnMass > 0.0f) {
         const float angle = pose.b.a - pose.a.a - row.referenceAngle;
@@ -78,7 +78,7 @@ bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, std::vec
     }
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     ApplyPoint(c.pair, arms, PointMatrix(c.pair, arms).Solve(-arms.gap), pose);
-    Store(c.pair, pose, position);
+    Store(c.pair, pose, bodies);
     return arms.gap.Length() <= linearSlop && angularError <= angularSlop;
 }
 

@@ -27,6 +27,6 @@ void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep&
 void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Position>& position);
+bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, BodyTable& bodies);
 
 }  // namespace scree

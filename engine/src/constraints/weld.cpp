@@ -76,8 +76,8 @@ void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep&, std:
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const WeldConstraint& c, const WeldRow& row, std::vector<Position>& position) {
-    PairPosition pose = Load(c.pair, position);
+bool SolvePosition(const WeldConstraint& c, const WeldRow& row, BodyTable& bodies) {
+    PairPosition pose = Load(c.pair, bodies);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     const Mat22 point = PointMatrix(c.pair, arms);
     float angularError = 0.0f;
@@ -88,7 +88,7 @@ bool SolvePosition(const WeldConstraint& c, const WeldRow& row, std::vector<Posi
         ApplyBlock(c, arms, SolveBlock(WeldMatrix(c.pair, arms, point), point, arms.gap, angle), pose);
         angularError = Abs(angle);
     }
-    Store(c.pair, pose, position);
+    Store(c.pair, pose, bodies);
     return arms.gap.Length() <= linearSlop && angularError <= angularSlop;
 }
 

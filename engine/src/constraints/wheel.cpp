@@ -71,8 +71,8 @@ void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& ste
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const WheelConstraint& c, const WheelRow& row, std::vector<Position>& position) {
-    PairPosition pose = Load(c.pair, position);
+bool SolvePosition(const WheelConstraint& c, const WheelRow& row, BodyTable& bodies) {
+    PairPosition pose = Load(c.pair, bodies);
     float limitError = 0.0f;
     if (row.limit.enabled) {
         const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
@@ -87,7 +87,7 @@ bool SolvePosition(const WheelConstraint& c, const WheelRow& row, std::vector<Po
     const AxisRow across = MakeSlide(arms, Mul(Rot(pose.a.a), row.localAxisA).Skew());
     const float error = Dot(across.axis, arms.gap);
     Apply(c.pair, across, -error * c.acrossMass, pose);
-    Store(c.pair, pose, position);
+    Store(c.pair, pose, bodies);
     return Max(Abs(error), Abs(limitError)) <= linearSlop;
 }
 

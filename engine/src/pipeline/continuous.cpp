@@ -13,6 +13,7 @@
 #include "pipeline/parts/make_contact.h"
 #include "pipeline/parts/report_impulses.h"
 #include "scree/time_of_impact.h"
+#include "state/frames.h"
 #include "state/limits.h"
 
 namespace scree {
@@ -30,6 +31,7 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 struct BodyBackup {
     int body;
     Position start, end;
+    PositionRest rest;
     Transform transform;
     float alpha;
 };
@@ -89,7 +91,8 @@ private:
     [[nodiscard]] bool Moves(int body) const {
         const Position& from = m_bodies.startPosition[Row(body)];
         const Position& to = m_bodies.position[Row(body)];
-        return !(from.c == to.c) || from.a != to.a;
+        if (!(from.c == to.c) || from.a != to.a) return true;
+        return m_bodies.IsFar() && !(m_bodies.rest[Row(body)].start == m_bodies.rest[Row(body)].end);
     }
 
     void FindCandidates() {
@@ -125,9 +128,10 @@ private:
     /// Covers the fixture on its whole way: the boxes at both ends, widened by how far a turning point leaves the
     /// straight line between its ends.
     [[nodiscard]] AABB SweptBox(int body, int fixture) const {
-        const Sweep sweep = SweepOf(body);
+        const Vec2 frame = FrameOf(m_bodies, body, body);
+        const Sweep sweep = SweepOf(body, frame);
         const Shape& shape = *m_t.fixtures.shape[Row(fixture)];
-        Transform xf = m_bodies.transform[Row(body)];  // at the end
+        Transform xf = TransformIn(frame, m_bodies, body);  // at the end
         AABB box, start;
         shape.ComputeAABB(&box, xf);
         if (sweep.a0 != sweep.a) xf.q.Set(sweep.a0);
@@ -141,15 +145,15 @@ private:
             box.lowerBound -= Vec2{bulge, bulge};
             box.upperBound += Vec2{bulge, bulge};
         }
-        return box;
+        return m_bodies.IsFar() ? ToWorld(frame, box) : box;
     }
 
-    [[nodiscard]] Sweep SweepOf(int body) const {
+    [[nodiscard]] Sweep SweepOf(int body, Vec2 frame) const {
         Sweep sweep;
         sweep.localCenter = m_bodies.mass[Row(body)].localCenter;
-        sweep.c0 = m_bodies.startPosition[Row(body)].c;
+        sweep.c0 = StartIn(frame, m_bodies, body);
         sweep.a0 = m_bodies.startPosition[Row(body)].a;
-        sweep.c = m_bodies.position[Row(body)].c;
+        sweep.c = CentreIn(frame, m_bodies, body);
         sweep.a = m_bodies.position[Row(body)].a;
         sweep.alpha0 = m_s.alpha[Row(body)];
         return sweep;
@@ -227,10 +231,11 @@ private:
 
     /// Spares the search for a time of impact where boxes overlap but shapes are far apart, as with slanted slabs.
     [[nodiscard]] bool IsClear(int fixture, int other) const {
-        const auto body = Row(m_t.fixtures.body[Row(fixture)]);
-        const float reach = Reach(*m_t.fixtures.shape[Row(fixture)], m_bodies.mass[body].localCenter);
-        return WayIsClear(*m_t.fixtures.shape[Row(other)], m_bodies.transform[Row(m_t.fixtures.body[Row(other)])],
-                          m_bodies.startPosition[body].c, m_bodies.position[body].c, reach);
+        const int body = m_t.fixtures.body[Row(fixture)], otherBody = m_t.fixtures.body[Row(other)];
+        const float reach = Reach(*m_t.fixtures.shape[Row(fixture)], m_bodies.mass[Row(body)].localCenter);
+        const Vec2 frame = FrameOf(m_bodies, body, otherBody);
+        return WayIsClear(*m_t.fixtures.shape[Row(other)], TransformIn(frame, m_bodies, otherBody),
+                          StartIn(frame, m_bodies, body), CentreIn(frame, m_bodies, body), reach);
     }
 
     [[nodiscard]] int Next(int pair, int body) const {
@@ -256,8 +261,9 @@ private:
         TOIInput input;
         input.proxyA.Set(m_t.fixtures.shape[Row(pair.fixtureA)], 0);
         input.proxyB.Set(m_t.fixtures.shape[Row(pair.fixtureB)], 0);
-        input.sweepA = SweepOf(pair.bodyA);
-        input.sweepB = SweepOf(pair.bodyB);
+        const Vec2 frame = FrameOf(m_bodies, pair.bodyA, pair.bodyB);
+        input.sweepA = SweepOf(pair.bodyA, frame);
+        input.sweepB = SweepOf(pair.bodyB, frame);
         const float alpha0 = Max(input.sweepA.alpha0, input.sweepB.alpha0);
         if (alpha0 >= 1.0f) return 1.0f;
         input.sweepA.Advance(alpha0);
@@ -274,20 +280,30 @@ private:
 
     /// Moves the body to the given part of the step, where its motion starts (and for now ends).
     BodyBackup Advance(int body, float alpha) {
-        const BodyBackup backup{body, m_bodies.startPosition[Row(body)], m_bodies.position[Row(body)],
-                                m_bodies.transform[Row(body)], m_s.alpha[Row(body)]};
-        Sweep sweep = SweepOf(body);
+        const BodyBackup backup{body,
+                                m_bodies.startPosition[Row(body)],
+                                m_bodies.position[Row(body)],
+                                m_bodies.IsFar() ? m_bodies.rest[Row(body)] : PositionRest{},
+                                m_bodies.transform[Row(body)],
+                                m_s.alpha[Row(body)]};
+        const Vec2 frame = FrameOf(m_bodies, body, body);
+        Sweep sweep = SweepOf(body, frame);
         sweep.Advance(alpha);
-        m_bodies.startPosition[Row(body)] = {sweep.c0, sweep.a0, 0.0f};
-        m_bodies.position[Row(body)] = m_bodies.startPosition[Row(body)];
+        m_bodies.position[Row(body)] = {sweep.c0, sweep.a0, 0.0f};
+        if (m_bodies.IsFar()) {
+            m_bodies.position[Row(body)].c = frame;
+            m_bodies.rest[Row(body)].end = sweep.c0;
+        }
         m_s.alpha[Row(body)] = alpha;
         m_bodies.UpdateTransform(body);
+        m_bodies.NoteStart(Row(body));
         return backup;
     }
 
     void Restore(const BodyBackup& backup) {
         m_bodies.startPosition[Row(backup.body)] = backup.start;
         m_bodies.position[Row(backup.body)] = backup.end;
+        if (m_bodies.IsFar()) m_bodies.rest[Row(backup.body)] = backup.rest;
         m_bodies.transform[Row(backup.body)] = backup.transform;
         m_s.alpha[Row(backup.body)] = backup.alpha;
     }
@@ -358,8 +374,9 @@ private:
 
     [[nodiscard]] bool BoxesOverlap(const ToiPair& pair) const {
         AABB a, b;
-        m_t.fixtures.shape[Row(pair.fixtureA)]->ComputeAABB(&a, m_bodies.transform[Row(pair.bodyA)]);
-        m_t.fixtures.shape[Row(pair.fixtureB)]->ComputeAABB(&b, m_bodies.transform[Row(pair.bodyB)]);
+        const Vec2 frame = FrameOf(m_bodies, pair.bodyA, pair.bodyB);
+        m_t.fixtures.shape[Row(pair.fixtureA)]->ComputeAABB(&a, TransformIn(frame, m_bodies, pair.bodyA));
+        m_t.fixtures.shape[Row(pair.fixtureB)]->ComputeAABB(&b, TransformIn(frame, m_bodies, pair.bodyB));
         return TestOverlap(a, b);
     }
 
@@ -374,12 +391,12 @@ private:
             if (row.bodyB != pair.bodyA && row.bodyB != pair.bodyB) row.massB.invMass = row.massB.invI = 0.0f;
         }
         for (int i = 0; i < positionIterations; ++i) {
-            if (SolveContactPositions(m_s.rows, m_bodies.position, push) >= tolerance) break;
+            if (SolveContactPositions(m_s.rows, m_bodies, push) >= tolerance) break;
         }
         for (const int body : {pair.bodyA, pair.bodyB}) {
             Quarantine(body);
-            m_bodies.startPosition[Row(body)] = m_bodies.position[Row(body)];
             m_bodies.UpdateTransform(body);
+            m_bodies.NoteStart(Row(body));
         }
         const float rest = (1.0f - alpha) * m_settings.dt;
         FindAhead(rest);
@@ -450,20 +467,18 @@ private:
         if (way > m_settings.maxTranslation || turn > m_settings.maxRotation) ++m_report.capped;
         if (way > m_settings.maxTranslation) v.v *= m_settings.maxTranslation / way;
         if (turn > m_settings.maxRotation) v.w *= m_settings.maxRotation / turn;
-        Position& p = m_bodies.position[Row(body)];
-        p.c += h * v.v;
-        p.a += h * v.w;
+        m_bodies.Shift(Row(body), h * v.v);
+        m_bodies.position[Row(body)].a += h * v.w;
         Quarantine(body);
         m_bodies.UpdateTransform(body);
     }
 
     /// A body that is not finite any more goes back to where the event found it, at rest.
     void Quarantine(int body) {
-        Position& p = m_bodies.position[Row(body)];
         Velocity& v = m_bodies.velocity[Row(body)];
-        if (IsInRange(p, v)) return;
+        if (IsInRange(m_bodies.position[Row(body)], v) && IsInRange(m_bodies.GetRest(body))) return;
         ++m_report.nonFinite;
-        p = m_bodies.startPosition[Row(body)];
+        m_bodies.ReturnToStart(Row(body));
         v = {vec2Zero, 0.0f, 0.0f};
     }
 

@@ -6,6 +6,8 @@
 
 #include "pipeline/measure_errors.h"
 
+#include "state/frames.h"
+
 namespace scree {
 
 namespace {
@@ -15,9 +17,9 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 bool IsAnyActive(const BodyTable& bodies, int a, int b) { return bodies.IsActive(a) || bodies.IsActive(b); }
 
 /// 1 / (effective mass) of the normal at a point.
-float InverseMassAt(const BodyTable& bodies, int body, Vec2 point, Vec2 normal) {
+float InverseMassAt(const BodyTable& bodies, Vec2 frame, int body, Vec2 point, Vec2 normal) {
     const MassRow& mass = bodies.mass[Row(body)];
-    const float arm = Cross(point - bodies.position[Row(body)].c, normal);
+    const float arm = Cross(point - CentreIn(frame, bodies, body), normal);
     return mass.invMass + mass.invI * arm * arm;
 }
 
@@ -26,12 +28,13 @@ float MeasureContact(const MeasuredTables& t, int contact, float slop, float dt,
     const ContactPair& pair = t.contacts.pair[Row(contact)];
     const Manifold& manifold = t.contacts.manifold[Row(contact)];
     WorldManifold world;
-    world.Initialize(&manifold, t.bodies.transform[Row(pair.bodyA)], t.fixtures.shape[pair.fixtureA]->m_radius,
-                     t.bodies.transform[Row(pair.bodyB)], t.fixtures.shape[pair.fixtureB]->m_radius);
+    const Vec2 frame = FrameOf(t.bodies, pair.bodyA, pair.bodyB);
+    world.Initialize(&manifold, TransformIn(frame, t.bodies, pair.bodyA), t.fixtures.shape[pair.fixtureA]->m_radius,
+                     TransformIn(frame, t.bodies, pair.bodyB), t.fixtures.shape[pair.fixtureB]->m_radius);
     float overlap = 0.0f;
     for (int i = 0; i < manifold.pointCount; ++i) {
-        const float inverse = InverseMassAt(t.bodies, pair.bodyA, world.points[i], world.normal) +
-                              InverseMassAt(t.bodies, pair.bodyB, world.points[i], world.normal);
+        const float inverse = InverseMassAt(t.bodies, frame, pair.bodyA, world.points[i], world.normal) +
+                              InverseMassAt(t.bodies, frame, pair.bodyB, world.points[i], world.normal);
         const float pushed = manifold.points[i].normalImpulse * inverse * dt;
         overlap = Max(overlap, -world.separations[i]);
         residual = Max(residual, Abs(Min(pushed, world.separations[i] + slop)));
@@ -42,8 +45,7 @@ float MeasureContact(const MeasuredTables& t, int contact, float slop, float dt,
 /// The two anchors of a joint in world coordinates.
 template <typename JointRow>
 Vec2 GapOf(const MeasuredTables& t, const JointInfo& info, const JointRow& row) {
-    return Mul(t.bodies.transform[Row(info.bodyB)], row.localAnchorB) -
-           Mul(t.bodies.transform[Row(info.bodyA)], row.localAnchorA);
+    return GapBetween(t.bodies, info.bodyA, row.localAnchorA, info.bodyB, row.localAnchorB);
 }
 
 float Beyond(const LimitState& limit, float x) {
@@ -73,9 +75,11 @@ float ErrorOf(const MeasuredTables& t, const JointInfo& info, const DistanceRow&
     return Abs(length - Clamp(length, row.limit.lower, row.limit.upper));
 }
 float ErrorOf(const MeasuredTables& t, const JointInfo& info, const PulleyRow& row) {
-    const Vec2 a = Mul(t.bodies.transform[Row(info.bodyA)], row.localAnchorA);
-    const Vec2 b = Mul(t.bodies.transform[Row(info.bodyB)], row.localAnchorB);
-    return Abs(row.constant - Distance(a, row.groundAnchorA) - row.ratio * Distance(b, row.groundAnchorB));
+    const Vec2 frame = FrameOf(t.bodies, info.bodyA, info.bodyB);
+    const Vec2 a = Mul(TransformIn(frame, t.bodies, info.bodyA), row.localAnchorA);
+    const Vec2 b = Mul(TransformIn(frame, t.bodies, info.bodyB), row.localAnchorB);
+    return Abs(row.constant - Distance(a, row.groundAnchorA - frame) -
+               row.ratio * Distance(b, row.groundAnchorB - frame));
 }
 /// The others hold no two points together.
 template <typename JointRow>

@@ -9,6 +9,7 @@
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/destroy_contact.h"
 #include "pipeline/parts/make_contact.h"
+#include "state/frames.h"
 
 namespace scree {
 
@@ -76,8 +77,15 @@ private:
         const Shape& a = *m_t.fixtures.shape[pair.fixtureA];
         const Shape& b = *m_t.fixtures.shape[pair.fixtureB];
         if (!QuadBatch::Takes(a) || !QuadBatch::Takes(b)) return false;
-        m_batch.Add(contact, static_cast<const PolygonShape&>(a), m_t.bodies.transform[static_cast<size_t>(pair.bodyA)],
-                    static_cast<const PolygonShape&>(b), m_t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
+        const Transform* xfA = &m_t.bodies.transform[static_cast<size_t>(pair.bodyA)];
+        const Transform* xfB = &m_t.bodies.transform[static_cast<size_t>(pair.bodyB)];
+        if (m_t.bodies.IsFar()) {
+            const Vec2 frame = FrameOf(m_t.bodies, pair.bodyA, pair.bodyB);
+            Transform* const near = m_near[m_batch.Size()];
+            near[0] = TransformIn(frame, m_t.bodies, pair.bodyA), near[1] = TransformIn(frame, m_t.bodies, pair.bodyB);
+            xfA = &near[0], xfB = &near[1];
+        }
+        m_batch.Add(contact, static_cast<const PolygonShape&>(a), *xfA, static_cast<const PolygonShape&>(b), *xfB);
         if (m_batch.IsFull()) ComputeBatch();
         return true;
     }
@@ -102,6 +110,7 @@ private:
     TOIStats& m_work;
     std::vector<uint8_t>& m_findings;
     QuadBatch m_batch;
+    Transform m_near[quadLanes][2];  ///< of the batch, far from the origin
 };
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order.

@@ -19,7 +19,7 @@ namespace {
 /// sum with a force of 0 stays (it turns −0 into 0).
 template <bool forces>
 void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t b) {
-    bodies.startPosition[b] = bodies.position[b];
+    bodies.NoteStart(b);
     if (settings.exactDrift) bodies.startVelocity[b] = bodies.velocity[b];
     if (bodies.type[b] != dynamicBody) return;
     const float h = settings.dt;
@@ -65,7 +65,7 @@ template <bool limit>
 bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, size_t b) {
     bool capped = false;
     const Velocity motion = MotionOf<limit>(settings, bodies, b, capped);
-    bodies.position[b].c += motion.v;
+    bodies.Shift(b, motion.v);
     bodies.position[b].a += motion.w;
     return capped;
 }
@@ -116,7 +116,7 @@ public:
     /// Stops as soon as everything is within tolerance; false if it never was.
     bool SolvePositions() {
         for (int i = 0; i < m_settings.positionIterations; ++i) {
-            bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies.position,
+            bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies,
                                                 {baumgarte, m_settings.lengthScale}) >= ContactTolerance(m_settings);
             solved = SolveJointPositions(JointWork()) && solved;
             if (solved) return true;
@@ -255,7 +255,7 @@ private:
     }
 
     void Move(size_t b) {
-        m_bodies.position[b].c = m_bodies.startPosition[b].c + m_s.delta[b].v;
+        m_bodies.SetMotion(b, m_s.delta[b].v);
         m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
     }
 
@@ -267,7 +267,7 @@ private:
         for (const int body : m_s.wide.bodies) {
             const auto b = static_cast<size_t>(body);
             if (m_bodies.info[b].jointCount == 0) continue;
-            m_s.delta[b].v = m_bodies.position[b].c - m_bodies.startPosition[b].c;
+            m_s.delta[b].v = m_bodies.GetMotion(b);
             m_s.delta[b].w = m_bodies.position[b].a - m_bodies.startPosition[b].a;
         }
         return solved;
@@ -312,7 +312,8 @@ public:
     SolverCounts Move(std::span<const int> rows) const {
         SolverCounts counts;
         size_t done = 0;
-        for (; !m_settings.exactDrift && done + laneCount <= rows.size(); done += laneCount) {
+        const bool byEight = !m_settings.exactDrift && !m_bodies.IsFar();
+        for (; byEight && done + laneCount <= rows.size(); done += laneCount) {
             counts += MoveEight(rows.subspan(done, laneCount));
         }
         for (; done < rows.size(); ++done) counts += MoveOne(rows[done]);

@@ -20,6 +20,7 @@
 
 #include "pipeline/solve_soft.h"
 
+#include "base/two_sum.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
@@ -82,13 +83,11 @@ bool MoveBody(const SolverSettings& settings, BodyTable& bodies, size_t b, Veloc
         }
     }
     const Position& start = bodies.startPosition[b];
-    bodies.position[b].c = start.c + delta.v;
-    // The rounding error of the sum is kept (Knuth, "The Art of Computer Programming" 2, 4.2.2): a wheel that has
-    // turned a hundred times is not to lose its phase.
-    const float turn = delta.w + start.aRest, angle = start.a + turn;
-    const float added = angle - start.a;
-    bodies.position[b].a = angle;
-    bodies.position[b].aRest = (start.a - (angle - added)) + (turn - added);
+    bodies.SetMotion(b, delta.v);
+    // The rounding error of the sum is kept: a wheel that has turned a hundred times is not to lose its phase.
+    const RoundedSum angle = TwoSum(start.a, delta.w + start.aRest);
+    bodies.position[b].a = angle.sum;
+    bodies.position[b].aRest = angle.rest;
     return capped;
 }
 
@@ -99,7 +98,7 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
     return CountOver(pool, active.isolated.size(), [&](size_t at) {
         const int body = active.isolated[at];
         const auto b = static_cast<size_t>(body);
-        bodies.startPosition[b] = bodies.position[b];
+        bodies.NoteStart(b);
         SoftBody soft = MakeSoftBody<forces>(settings, bodies, body);
         Velocity v = bodies.velocity[b];
         Velocity delta{};
@@ -218,7 +217,7 @@ private:
     void PrepareBodies() {
         for (const int body : m_islands.bodies) {
             const auto b = static_cast<size_t>(body);
-            m_bodies.startPosition[b] = m_bodies.position[b];
+            m_bodies.NoteStart(b);
             m_s.soft.push_back(MakeSoftBody<forces>(m_settings, m_bodies, body));
             if (!HasJoints() || m_bodies.info[b].jointCount == 0) continue;
             m_s.soft.back().jointed = true;
@@ -323,13 +322,13 @@ private:
     void CorrectJoints() {
         for (const int i : m_s.jointed) {
             const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
-            m_bodies.position[b].c = m_bodies.startPosition[b].c + m_s.delta[b].v;
+            m_bodies.SetMotion(b, m_s.delta[b].v);
             m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
         }
         SolveJointPositions(JointWork(1.0f));
         for (const int i : m_s.jointed) {
             const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
-            m_s.delta[b].v = m_bodies.position[b].c - m_bodies.startPosition[b].c;
+            m_s.delta[b].v = m_bodies.GetMotion(b);
             m_s.delta[b].w = m_bodies.position[b].a - m_bodies.startPosition[b].a;
         }
     }

@@ -6,6 +6,7 @@
 #include "pipeline/update_boxes.h"
 
 #include "geometry/boxes.h"
+#include "state/frames.h"
 
 namespace scree {
 
@@ -34,12 +35,14 @@ public:
 
     void Add(int body) {
         const auto b = static_cast<size_t>(body);
-        const Vec2 displacement = m_bodies.position[b].c - m_bodies.startPosition[b].c;
-        const Transform xf = m_bodies.transform[b];
+        const Vec2 displacement = m_bodies.GetMotion(b);
+        const Vec2 c = m_bodies.position[b].c;
+        m_farthest = Max(m_farthest, Max(Abs(c.x), Abs(c.y)));
+        const BodyPlace place(m_bodies, body);
         for (int f = m_bodies.info[b].fixtureHead; f >= 0; f = m_fixtures.info[static_cast<size_t>(f)].next) {
             if (m_count == capacity) Flush();
             BoxUpdate& update = m_updates[m_count++];
-            update.box = BoxOfFixture(m_fixtures, static_cast<size_t>(f), xf);
+            update.box = place.OutOf(BoxOfFixture(m_fixtures, static_cast<size_t>(f), place.xf));
             update.displacement = displacement;
             update.fixture = static_cast<uint32_t>(f);
         }
@@ -48,6 +51,7 @@ public:
         m_broadPhase.UpdateMany({m_updates, m_count});
         m_count = 0;
     }
+    [[nodiscard]] float GetFarthest() const { return m_farthest; }
 
 private:
     static constexpr size_t capacity = 512;
@@ -56,13 +60,14 @@ private:
     const FixtureTable& m_fixtures;
     BroadPhase& m_broadPhase;
     size_t m_count = 0;
+    float m_farthest = 0.0f;
     BoxUpdate m_updates[capacity];
 };
 
 }  // namespace
 
-void UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
-                      std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
+float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
+                       std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
     BoxBatch batch(bodies, fixtures, broadPhase);
     for (const int body : bodies.movers) {
         if (bodies.IsActive(body)) batch.Add(body);
@@ -77,14 +82,16 @@ void UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
         }
     }
     batch.Flush();
+    return batch.GetFarthest();
 }
 
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, int body, Vec2 displacement,
                      BroadPhase& broadPhase) {
-    const Transform& xf = bodies.transform[static_cast<size_t>(body)];
+    const BodyPlace place(bodies, body);
     for (int f = bodies.info[static_cast<size_t>(body)].fixtureHead; f >= 0;
          f = fixtures.info[static_cast<size_t>(f)].next) {
-        broadPhase.Update(static_cast<uint32_t>(f), BoxOfFixture(fixtures, static_cast<size_t>(f), xf), displacement);
+        broadPhase.Update(static_cast<uint32_t>(f),
+                          place.OutOf(BoxOfFixture(fixtures, static_cast<size_t>(f), place.xf)), displacement);
     }
 }
 

@@ -16,8 +16,9 @@ namespace scree {
 
 /// Gives the broad phase the present box of every fixture of every body that moved in the step: the active ones, and
 /// those of the lists `solved` that fell asleep in it. The lists may be of an earlier step, and their bodies gone.
-void UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
-                      std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase);
+/// Returns the largest coordinate of their centres, m.
+float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
+                       std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase);
 
 /// Gives the broad phase the present box of every fixture of `body`; `displacement` is the way its origin went.
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, int body, Vec2 displacement,

@@ -5,7 +5,20 @@
 
 #include "state/bodies.h"
 
+#include "base/two_sum.h"
+
 namespace scree {
+
+namespace {
+
+/// c + below as the float nearest to it and what that lacks.
+void Normalize(Vec2& c, Vec2& below) {
+    const RoundedSum x = TwoSum(c.x, below.x), y = TwoSum(c.y, below.y);
+    c = {x.sum, y.sum};
+    below = {x.rest, y.rest};
+}
+
+}  // namespace
 
 int BodyTable::Add(WorldState* state, const BodyDef& def) {
     const int index = slots.Allocate();
@@ -14,6 +27,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     if (!startVelocity.empty()) EnsureRow(startVelocity, index);
     EnsureRow(position, index);
     EnsureRow(startPosition, index);
+    if (IsFar()) EnsureRow(rest, index);
     EnsureRow(transform, index);
     EnsureRow(mass, index);
     if (!force.empty()) EnsureRow(force, index);
@@ -28,10 +42,8 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     type[i] = def.type;
     const bool isStatic = def.type == staticBody;
     velocity[i] = {isStatic ? vec2Zero : def.linearVelocity, isStatic ? 0.0f : def.angularVelocity, 0.0f};
-    position[i] = {def.position, def.angle, 0.0f};
-    startPosition[i] = position[i];
-    transform[i].Set(def.position, def.angle);
     mass[i] = {0.0f, 0.0f, vec2Zero};
+    Place(i, def.position, def.positionRest, def.angle);
     ClearForce(index);
     motion[i] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
     if (!demand.empty()) demand[i] = {};
@@ -71,12 +83,71 @@ void BodyTable::UpdateTransform(int body) {
     const auto i = static_cast<size_t>(body);
     Transform& xf = transform[i];
     xf.q.Set(position[i].a);
-    if (const float rest = position[i].aRest; rest != 0.0f) {
+    if (const float turn = position[i].aRest; turn != 0.0f) {
         const float sine = xf.q.s;
-        xf.q.s += rest * xf.q.c;
-        xf.q.c -= rest * sine;
+        xf.q.s += turn * xf.q.c;
+        xf.q.c -= turn * sine;
     }
-    xf.p = position[i].c - Mul(xf.q, mass[i].localCenter);
+    UpdateOrigin(i);
+}
+
+void BodyTable::UpdateFarOrigin(size_t b, Vec2 arm) {
+    Normalize(position[b].c, rest[b].end);
+    Vec2 below = rest[b].end - arm;
+    transform[b].p = position[b].c;
+    Normalize(transform[b].p, below);
+}
+
+Vec2 BodyTable::GetOriginRest(int body) const {
+    if (!IsFar()) return vec2Zero;
+    const auto b = static_cast<size_t>(body);
+    Vec2 origin = position[b].c, below = rest[b].end - Mul(transform[b].q, mass[b].localCenter);
+    Normalize(origin, below);
+    return below;
+}
+
+void BodyTable::Place(size_t b, Vec2 p, Vec2 originRest, float a) {
+    Transform& xf = transform[b];
+    xf.Set(p, a);
+    position[b] = {p, a, 0.0f};
+    if (IsFar()) {
+        rest[b].end = originRest + Mul(xf.q, mass[b].localCenter);
+        UpdateOrigin(b);
+    } else {
+        position[b].c = Mul(xf, mass[b].localCenter);
+    }
+    NoteStart(b);
+}
+
+Vec2 BodyTable::SetLocalCenter(size_t b, Vec2 center) {
+    const Transform& xf = transform[b];
+    const Vec2 way = Mul(xf.q, center) - Mul(xf.q, mass[b].localCenter);
+    const Vec2 before = position[b].c;
+    mass[b].localCenter = center;
+    if (IsFar()) {
+        rest[b].end += way;
+        UpdateOrigin(b);
+    } else {
+        position[b].c = Mul(xf, center);
+    }
+    NoteStart(b);
+    return IsFar() ? way : position[b].c - before;
+}
+
+void BodyTable::ShiftOrigin(size_t b, Vec2 newOrigin) {
+    if (!IsFar()) {
+        for (Vec2* p : {&transform[b].p, &position[b].c, &startPosition[b].c}) *p -= newOrigin;
+        return;
+    }
+    const auto shift = [newOrigin](Vec2& c, Vec2& below) {
+        Vec2 lost = -newOrigin;
+        Normalize(c, lost);
+        below += lost;
+        Normalize(c, below);
+    };
+    shift(position[b].c, rest[b].end);
+    shift(startPosition[b].c, rest[b].start);
+    UpdateOrigin(b);
 }
 
 void BodyTable::Relist(int body) {

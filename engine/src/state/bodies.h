@@ -29,6 +29,12 @@ struct alignas(16) Position {
     float aRest;  ///< what the angle lacks below its last digit, rad; kept by the soft step
 };
 
+/// What the centre of a body far from the origin lacks below the last digit of `position` and `startPosition`, m: it is
+/// at c + rest, exactly. 16 bytes.
+struct alignas(16) PositionRest {
+    Vec2 end{0.0f, 0.0f}, start{0.0f, 0.0f};
+};
+
 /// What the constraints need of a mass. 16 bytes; all zero for static and kinematic bodies but the centre.
 struct alignas(16) MassRow {
     float invMass;  ///< 1/kg
@@ -79,6 +85,7 @@ struct BodyTable {
     std::vector<Velocity> startVelocity;  ///< at the start of the last step; empty until a step drifts exactly
     std::vector<Position> position;       ///< at the end of the last step
     std::vector<Position> startPosition;  ///< at its start
+    std::vector<PositionRest> rest;       ///< empty until a body is far (WorldDef::farDistance): all are 0
     std::vector<Transform> transform;     ///< of the origin
     std::vector<MassRow> mass;
     std::vector<ForceRow> force;  ///< empty until a step or a call needs it: nobody has any
@@ -106,6 +113,47 @@ struct BodyTable {
     /// Wakes and restarts the sleep timer; static bodies stay as they are.
     void Wake(int body);
     void PutToSleep(int body);
+    /// Positions have rests.
+    [[nodiscard]] bool IsFar() const { return !rest.empty(); }
+    /// Makes `rest` a column like the others; without bodies, from the first one on.
+    void EnsureRests() { rest.resize(position.empty() ? 1 : position.size()); }
+    [[nodiscard]] Vec2 GetRest(int body) const { return rest.empty() ? vec2Zero : rest[static_cast<size_t>(body)].end; }
+    /// The body starts the step where it is.
+    void NoteStart(size_t b) {
+        startPosition[b] = position[b];
+        if (IsFar()) rest[b].start = rest[b].end;
+    }
+    /// The body goes back to where it started the step.
+    void ReturnToStart(size_t b) {
+        position[b] = startPosition[b];
+        if (IsFar()) rest[b].end = rest[b].start;
+    }
+    /// Moves the centre. Far from the origin only the rest changes until UpdateTransform.
+    void Shift(size_t b, Vec2 way) { (IsFar() ? rest[b].end : position[b].c) += way; }
+    /// Puts the centre where it was at the start of the step plus `way`; the same.
+    void SetMotion(size_t b, Vec2 way) {
+        position[b].c = IsFar() ? startPosition[b].c : startPosition[b].c + way;
+        if (IsFar()) rest[b].end = rest[b].start + way;
+    }
+    /// The way of the centre since the start of the step.
+    [[nodiscard]] Vec2 GetMotion(size_t b) const {
+        const Vec2 way = position[b].c - startPosition[b].c;
+        return IsFar() ? way + (rest[b].end - rest[b].start) : way;
+    }
+    /// The origin that belongs to `position`, from the rotation that `transform` has.
+    void UpdateOrigin(size_t b) {
+        const Vec2 arm = Mul(transform[b].q, mass[b].localCenter);
+        if (IsFar()) return UpdateFarOrigin(b, arm);
+        transform[b].p = position[b].c - arm;
+    }
+    /// What `transform[body].p` lacks below its last digit, m.
+    [[nodiscard]] Vec2 GetOriginRest(int body) const;
+    /// Puts the origin to p + rest with the angle `a`, and the start of the step there.
+    void Place(size_t b, Vec2 p, Vec2 originRest, float a);
+    /// Moves the centre of mass within the body, which stays where it is. Returns how far.
+    Vec2 SetLocalCenter(size_t b, Vec2 center);
+    /// Subtracts `newOrigin` from the positions.
+    void ShiftOrigin(size_t b, Vec2 newOrigin);
     /// The transform that belongs to `position`.
     void UpdateTransform(int body);
     /// Makes `force` a column like the others.
@@ -120,6 +168,8 @@ struct BodyTable {
     void Relist(int body);
 
 private:
+    /// The same with rests, each of which it makes as small as it can be.
+    void UpdateFarOrigin(size_t b, Vec2 arm);
     void Link(int body);
     void Unlink(int body);
 };

@@ -65,6 +65,9 @@ const Transform& Body::GetTransform() const { return m_state->bodies.transform[R
 Vec2 Body::GetPosition() const { return GetTransform().p; }
 float Body::GetAngle() const { return m_state->bodies.position[Row(m_index)].a; }
 Vec2 Body::GetWorldCenter() const { return m_state->bodies.position[Row(m_index)].c; }
+Vec2 Body::GetPositionRest() const { return m_state->bodies.GetOriginRest(m_index); }
+Vec2 Body::GetWorldCenterRest() const { return m_state->bodies.GetRest(m_index); }
+Vec2 Body::FromCentre(Vec2 worldPoint) const { return worldPoint - GetWorldCenter() - GetWorldCenterRest(); }
 Vec2 Body::GetLocalCenter() const { return m_state->bodies.mass[Row(m_index)].localCenter; }
 
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
@@ -95,7 +98,7 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
     if (guard.Living(m_state->bodies.slots, m_index).Finite(force, "force").Finite(point, "point").Failed())
         return guard.Code();
     if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
-    const ForceRow sum = AddForce(*m_state, m_index, force, Cross(point - GetWorldCenter(), force));
+    const ForceRow sum = AddForce(*m_state, m_index, force, Cross(FromCentre(point), force));
     if (RequireSum(guard, sum, "force").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, force, point, wake);
     if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)] = sum;
@@ -128,7 +131,7 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
     Guard guard(*m_state, "Body::ApplyLinearImpulse");
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Finite(point, "point").Failed())
         return guard.Code();
-    const Velocity sum = AddImpulse(*m_state, m_index, impulse, Cross(point - GetWorldCenter(), impulse));
+    const Velocity sum = AddImpulse(*m_state, m_index, impulse, Cross(FromCentre(point), impulse));
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, point, wake);
     if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
@@ -171,13 +174,16 @@ void Body::GetMassData(MassData* data) const {
 
 Vec2 Body::GetWorldPoint(Vec2 localPoint) const { return Mul(GetTransform(), localPoint); }
 Vec2 Body::GetWorldVector(Vec2 localVector) const { return Mul(GetTransform().q, localVector); }
-Vec2 Body::GetLocalPoint(Vec2 worldPoint) const { return MulT(GetTransform(), worldPoint); }
+Vec2 Body::GetLocalPoint(Vec2 worldPoint) const {
+    return MulT(GetTransform().q, worldPoint - GetPosition() - GetPositionRest());
+}
 Vec2 Body::GetLocalVector(Vec2 worldVector) const { return MulT(GetTransform().q, worldVector); }
 Vec2 Body::GetLinearVelocityFromWorldPoint(Vec2 worldPoint) const {
-    return GetLinearVelocity() + Cross(GetAngularVelocity(), worldPoint - GetWorldCenter());
+    return GetLinearVelocity() + Cross(GetAngularVelocity(), FromCentre(worldPoint));
 }
 Vec2 Body::GetLinearVelocityFromLocalPoint(Vec2 localPoint) const {
-    return GetLinearVelocityFromWorldPoint(GetWorldPoint(localPoint));
+    if (!m_state->bodies.IsFar()) return GetLinearVelocityFromWorldPoint(GetWorldPoint(localPoint));
+    return GetLinearVelocity() + Cross(GetAngularVelocity(), GetWorldVector(localPoint - GetLocalCenter()));
 }
 
 float Body::GetLinearDamping() const { return m_state->bodies.motion[Row(m_index)].linearDamping; }

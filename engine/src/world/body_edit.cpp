@@ -140,16 +140,15 @@ ErrorCode Body::DestroyChain(Fixture* fixture) {
     return ErrorCode::ok;
 }
 
-ErrorCode Body::SetTransform(Vec2 position, float angle) {
+ErrorCode Body::SetTransform(Vec2 position, float angle, Vec2 positionRest) {
     WorldState& s = *m_state;
     Guard guard(s, "Body::SetTransform");
     guard.Living(s.bodies.slots, m_index).Unlocked("move bodies outside of Step and callbacks");
-    if (guard.Near(position, "position").Near(angle, "angle").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, position, angle);
-    const size_t b = Row(m_index);
-    s.bodies.transform[b].Set(position, angle);
-    s.bodies.position[b] = {Mul(s.bodies.transform[b], s.bodies.mass[b].localCenter), angle, 0.0f};
-    s.bodies.startPosition[b] = s.bodies.position[b];
+    guard.Near(position, "position").Near(angle, "angle").Near(positionRest, "positionRest");
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, position, angle, positionRest);
+    NotePosition(s, position, positionRest);
+    s.bodies.Place(Row(m_index), position, positionRest, angle);
     if (!IsEnabled()) return ErrorCode::ok;
     UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
     ForgetNearStatics(s, m_index);
@@ -225,11 +224,9 @@ ErrorCode Body::SetMassData(const MassData* data) {
     ForgetNearStatics(s, m_index);
     s.bodies.motion[b].mass = mass;
     s.bodies.info[b].inertia = inertia;
-    s.bodies.mass[b] = {1.0f / mass, rotates ? 1.0f / inertia : 0.0f, data->center};
-    const Vec2 oldCenter = s.bodies.position[b].c;
-    s.bodies.position[b].c = Mul(s.bodies.transform[b], data->center);
-    s.bodies.startPosition[b] = s.bodies.position[b];
-    s.bodies.velocity[b].v += Cross(s.bodies.velocity[b].w, s.bodies.position[b].c - oldCenter);
+    s.bodies.mass[b].invMass = 1.0f / mass;
+    s.bodies.mass[b].invI = rotates ? 1.0f / inertia : 0.0f;
+    s.bodies.velocity[b].v += Cross(s.bodies.velocity[b].w, s.bodies.SetLocalCenter(b, data->center));
     return ErrorCode::ok;
 }
 

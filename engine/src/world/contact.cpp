@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "state/frames.h"
 #include "world/guard.h"
 #include "world/world_state.h"
 
@@ -37,9 +38,14 @@ const Manifold* Contact::GetManifold() const { return &m_state->contacts.manifol
 
 void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
     const ContactPair& p = m_state->contacts.pair[Row(m_index)];
-    worldManifold->Initialize(GetManifold(), m_state->bodies.transform[Row(p.bodyA)],
-                              m_state->fixtures.shape[p.fixtureA]->m_radius, m_state->bodies.transform[Row(p.bodyB)],
+    const BodyTable& bodies = m_state->bodies;
+    const Vec2 frame = FrameOf(bodies, p.bodyA, p.bodyB);
+    worldManifold->Initialize(GetManifold(), TransformIn(frame, bodies, p.bodyA),
+                              m_state->fixtures.shape[p.fixtureA]->m_radius, TransformIn(frame, bodies, p.bodyB),
                               m_state->fixtures.shape[p.fixtureB]->m_radius);
+    if (bodies.IsFar()) {
+        for (Vec2& point : worldManifold->points) point += frame;
+    }
 }
 
 bool Contact::IsTouching() const { return m_state->contacts.Has(m_index, ContactFlag::touching); }

@@ -7,6 +7,7 @@
 
 #include <utility>
 
+#include "state/frames.h"
 #include "world/guard.h"
 #include "world/refresh.h"
 
@@ -90,12 +91,17 @@ Fixture* Fixture::GetNext() {
 const Fixture* Fixture::GetNext() const { return const_cast<Fixture*>(this)->GetNext(); }
 FixtureUserData& Fixture::GetUserData() { return m_state->fixtures.info[Row(m_index)].userData; }
 
-bool Fixture::TestPoint(Vec2 p) const { return GetShape()->TestPoint(GetBody()->GetTransform(), p); }
+bool Fixture::TestPoint(Vec2 p) const {
+    const BodyPlace place(m_state->bodies, GetBody()->GetIndex());
+    return GetShape()->TestPoint(place.xf, p - place.frame);
+}
 bool Fixture::RayCast(RayCastOutput* output, const RayCastInput& input) const {
     Guard guard(*m_state, "Fixture::RayCast");
     guard.NotNull(output != nullptr, "output", "pass where to write").Finite(input.p1, "RayCastInput::p1");
     guard.Finite(input.p2, "RayCastInput::p2").Amount(input.maxFraction, "RayCastInput::maxFraction");
-    return !guard.Failed() && GetShape()->RayCast(output, input, GetBody()->GetTransform());
+    const BodyPlace place(m_state->bodies, GetBody()->GetIndex());
+    const RayCastInput ray{input.p1 - place.frame, input.p2 - place.frame, input.maxFraction};
+    return !guard.Failed() && GetShape()->RayCast(output, ray, place.xf);
 }
 void Fixture::GetMassData(MassData* massData) const {
     Guard guard(*m_state, "Fixture::GetMassData");

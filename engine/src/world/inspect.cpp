@@ -48,6 +48,7 @@ void AddBodies(const BodyTable& bodies, Hasher& hash) {
         hash.Add(bodies.position[b].c);
         hash.Add(bodies.position[b].a);
         hash.Add(bodies.position[b].aRest);
+        if (bodies.IsFar()) hash.Add(bodies.rest[b].end);
         hash.Add(bodies.velocity[b].v);
         hash.Add(bodies.velocity[b].w);
         const ForceRow force = bodies.GetForce(body);
@@ -164,6 +165,7 @@ MemoryUse GetMemoryUse(const World& world) {
     MemoryUse use;
     use.bytesPerBody = sizeof(Velocity) + 2 * sizeof(Position) + sizeof(Transform) + sizeof(MassRow) +
                        (s.bodies.force.empty() ? 0 : sizeof(ForceRow)) +
+                       (s.bodies.rest.empty() ? 0 : sizeof(PositionRest)) +
                        (s.bodies.startVelocity.empty() ? 0 : sizeof(Velocity)) + sizeof(MotionRow) +
                        (s.bodies.demand.empty() ? 0 : sizeof(BodyDemand)) + sizeof(float) + sizeof(uint16_t) +
                        sizeof(BodyType) + sizeof(BodyInfo) + sizeof(Body);

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "scree/distance.h"
+#include "state/frames.h"
 #include "world/guard.h"
 
 namespace scree {
@@ -19,8 +20,11 @@ bool Sees(const QueryFilter& filter, const FixtureTable& fixtures, uint32_t fixt
     return filter.maskBits == 0xFFFF || (filter.maskBits & fixtures.filter[fixture].categoryBits) != 0;
 }
 
-const Transform& TransformOf(const WorldState& s, uint32_t fixture) {
-    return s.bodies.transform[static_cast<size_t>(s.fixtures.body[fixture])];
+BodyPlace PlaceOf(const WorldState& s, uint32_t fixture) { return {s.bodies, s.fixtures.body[fixture]}; }
+
+bool Contains(const WorldState& s, uint32_t fixture, Vec2 point) {
+    const BodyPlace place = PlaceOf(s, fixture);
+    return s.fixtures.shape[fixture]->TestPoint(place.xf, point - place.frame);
 }
 
 /// Exact ray casts on the broad phase's candidates: visit(input, fixture, hit) answers as in World::RayCast.
@@ -29,7 +33,9 @@ void CastRay(WorldState& s, Vec2 p1, Vec2 p2, Visit visit) {
     const WorldLock lock(s);
     s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t f) {
         RayCastOutput hit;
-        if (!s.fixtures.shape[f]->RayCast(&hit, input, TransformOf(s, f))) return input.maxFraction;
+        const BodyPlace place = PlaceOf(s, f);
+        const RayCastInput ray{input.p1 - place.frame, input.p2 - place.frame, input.maxFraction};
+        if (!s.fixtures.shape[f]->RayCast(&hit, ray, place.xf)) return input.maxFraction;
         return visit(input, f, hit);
     });
 }
@@ -59,19 +65,20 @@ std::optional<ShapeHit> CastAgainst(WorldState& s, uint32_t f, const Shape& shap
     ShapeCastInput input;
     input.proxyA.Set(s.fixtures.shape[f], 0);
     input.proxyB.Set(&shape, 0);
-    input.transformA = TransformOf(s, f);
-    input.transformB = xf;
+    const BodyPlace place = PlaceOf(s, f);
+    input.transformA = place.xf;
+    input.transformB = place.In(xf);
     input.translationB = translation;
-    if (TestOverlap(s.fixtures.shape[f], 0, &shape, 0, input.transformA, xf)) {
-        DistanceInput near{input.proxyA, input.proxyB, input.transformA, xf, true};
+    if (TestOverlap(s.fixtures.shape[f], 0, &shape, 0, input.transformA, input.transformB)) {
+        DistanceInput near{input.proxyA, input.proxyB, input.transformA, input.transformB, true};
         SimplexCache cache;
         DistanceOutput closest;
         Distance(&closest, &cache, &near);
-        return ShapeHit{fixture, closest.pointA, vec2Zero, 0.0f};
+        return ShapeHit{fixture, place.frame + closest.pointA, vec2Zero, 0.0f};
     }
     ShapeCastOutput output;
     if (!ShapeCast(&output, &input)) return std::nullopt;
-    return ShapeHit{fixture, output.point, output.normal, output.lambda};
+    return ShapeHit{fixture, place.frame + output.point, output.normal, output.lambda};
 }
 
 /// Everything in the way of the shape, in the order of touch; ties by fixture index, so that no algorithm shows.
@@ -169,7 +176,7 @@ ErrorCode World::QueryPoint(Vec2 point, const std::function<bool(Fixture*)>& vis
         return guard.Code();
     const WorldLock lock(s);
     s.broadPhase->Query({point, point}, [&](uint32_t f) {
-        if (!Sees(filter, s.fixtures, f) || !s.fixtures.shape[f]->TestPoint(TransformOf(s, f), point)) return true;
+        if (!Sees(filter, s.fixtures, f) || !Contains(s, f, point)) return true;
         return visit(&s.fixtures.handles[f]);
     });
     return ErrorCode::ok;
@@ -186,7 +193,8 @@ ErrorCode World::OverlapShape(const Shape& shape, const Transform& xf, const std
     const WorldLock lock(s);
     s.broadPhase->Query(box, [&](uint32_t f) {
         if (!Sees(filter, s.fixtures, f)) return true;
-        if (!TestOverlap(s.fixtures.shape[f], 0, &shape, 0, TransformOf(s, f), xf)) return true;
+        const BodyPlace place = PlaceOf(s, f);
+        if (!TestOverlap(s.fixtures.shape[f], 0, &shape, 0, place.xf, place.In(xf))) return true;
         return visit(&s.fixtures.handles[f]);
     });
     return ErrorCode::ok;

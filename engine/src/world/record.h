@@ -23,7 +23,7 @@ constexpr uint32_t CallNumber(std::string_view name) {
 }
 
 /// In front of every recording: letters and, in the highest byte, the version of the format.
-inline constexpr uint64_t recordingMagic = 0x0163657265726373ull;
+inline constexpr uint64_t recordingMagic = 0x0263657265726373ull;
 
 /// Follows every Step in a recording.
 inline constexpr uint32_t hashRecord = CallNumber("state hash");
@@ -38,7 +38,7 @@ void Fields(Self& def, Visit& visit) {
     visit(def.type), visit(def.position), visit(def.angle), visit(def.linearVelocity), visit(def.angularVelocity);
     visit(def.linearDamping), visit(def.angularDamping), visit(def.allowSleep), visit(def.awake);
     visit(def.fixedRotation), visit(def.bullet), visit(def.enabled), visit(def.userData.pointer);
-    visit(def.gravityScale);
+    visit(def.gravityScale), visit(def.positionRest);
 }
 /// All but the shape.
 template <Is<FixtureDef> Self, typename Visit>

@@ -6,6 +6,7 @@
 #include "world/refresh.h"
 
 #include "pipeline/parts/destroy_contact.h"
+#include "state/frames.h"
 #include "state/limits.h"
 #include "world/guard.h"
 
@@ -53,8 +54,10 @@ void ForgetNearStatics(WorldState& s, int body) {
 void AddProxy(WorldState& s, int fixture) {
     const auto f = static_cast<size_t>(fixture);
     const auto b = static_cast<size_t>(s.fixtures.body[f]);
+    const BodyPlace place(s.bodies, s.fixtures.body[f]);
     AABB box;
-    s.fixtures.shape[f]->ComputeAABB(&box, s.bodies.transform[b]);
+    s.fixtures.shape[f]->ComputeAABB(&box, place.xf);
+    box = place.OutOf(box);
     s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), MotionOf(s.bodies.type[b]), box);
     s.fixtures.info[f].inBroadPhase = true;
     ForgetNearStatics(s, s.fixtures.body[f]);
@@ -105,15 +108,12 @@ void ResetMass(WorldState& s, int body) {
     const auto b = static_cast<size_t>(body);
     BodyInfo& info = s.bodies.info[b];
     MassRow& row = s.bodies.mass[b];
-    Position& position = s.bodies.position[b];
-    const Transform& xf = s.bodies.transform[b];
     float& mass = s.bodies.motion[b].mass;
     mass = 0.0f;
     info.inertia = 0.0f;
-    row = {0.0f, 0.0f, vec2Zero};
+    row.invMass = row.invI = 0.0f;
     if (s.bodies.type[b] != dynamicBody) {
-        position.c = xf.p;
-        s.bodies.startPosition[b] = position;
+        s.bodies.SetLocalCenter(b, vec2Zero);
         return;
     }
     Vec2 center = vec2Zero;
@@ -134,12 +134,13 @@ void ResetMass(WorldState& s, int body) {
     if (turns) info.inertia -= mass * Dot(center, center);
     row.invI = turns ? UsableInverse(info.inertia) : 0.0f;
     if (row.invI == 0.0f) info.inertia = 0.0f;
-    const Vec2 oldCenter = position.c;
-    row.localCenter = center;
-    position.c = Mul(xf, center);
-    s.bodies.startPosition[b] = position;
     Velocity& velocity = s.bodies.velocity[b];
-    velocity.v += Cross(velocity.w, position.c - oldCenter);
+    velocity.v += Cross(velocity.w, s.bodies.SetLocalCenter(b, center));
+}
+
+void NotePosition(WorldState& s, Vec2 position, Vec2 rest) {
+    const bool hasRest = rest.x != 0.0f || rest.y != 0.0f;
+    if (hasRest || IsFar(s, Max(Abs(position.x), Abs(position.y)))) s.bodies.EnsureRests();
 }
 
 }  // namespace scree

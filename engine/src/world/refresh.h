@@ -29,4 +29,9 @@ void RefilterBodies(WorldState& state, int bodyA, int bodyB);
 /// Mass, centre and inertia of a body from its fixtures.
 void ResetMass(WorldState& state, int body);
 
+/// A body with such a coordinate, m, makes the positions of the world have rests (WorldDef::farDistance).
+inline bool IsFar(const WorldState& s, float coordinate) { return coordinate > s.def.farDistance * s.def.lengthScale; }
+/// Makes them have rests if this position calls for it.
+void NotePosition(WorldState& s, Vec2 position, Vec2 rest);
+
 }  // namespace scree

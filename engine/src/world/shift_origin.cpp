@@ -6,6 +6,7 @@
 
 #include "pipeline/update_boxes.h"
 #include "world/guard.h"
+#include "world/refresh.h"
 
 namespace scree {
 
@@ -16,10 +17,10 @@ ErrorCode World::ShiftOrigin(Vec2 newOrigin) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(newOrigin);
     for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
-        const auto b = static_cast<size_t>(body);
-        s.bodies.transform[b].p -= newOrigin;
-        s.bodies.position[b].c -= newOrigin;
-        s.bodies.startPosition[b].c -= newOrigin;
+        NotePosition(s, s.bodies.position[static_cast<size_t>(body)].c - newOrigin, vec2Zero);
+    }
+    for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
+        s.bodies.ShiftOrigin(static_cast<size_t>(body), newOrigin);
         if (s.bodies.Has(body, BodyFlag::enabled)) UpdateBodyBoxes(s.bodies, s.fixtures, body, vec2Zero, *s.broadPhase);
     }
     s.continuousScratch.nearStatics.ForgetAll();

@@ -24,7 +24,8 @@ bool IsFinite(const BodyTable& t, size_t b) {
     const Transform& xf = t.transform[b];
     const bool poses = t.position[b].c.IsValid() && t.startPosition[b].c.IsValid() && xf.p.IsValid() &&
                        std::isfinite(t.position[b].a) && std::isfinite(t.startPosition[b].a);
-    return poses && std::isfinite(xf.q.s) && std::isfinite(xf.q.c) && t.velocity[b].v.IsValid() &&
+    const bool rests = t.rest.empty() || (t.rest[b].end.IsValid() && t.rest[b].start.IsValid());
+    return poses && rests && std::isfinite(xf.q.s) && std::isfinite(xf.q.c) && t.velocity[b].v.IsValid() &&
            std::isfinite(t.velocity[b].w);
 }
 
@@ -64,6 +65,7 @@ bool AreBodiesConsistent(const BodyTable& t) {
     const size_t size = Row(t.slots.Size());
     if (!t.slots.IsConsistent() || !HaveSize(size, t.velocity, t.position, t.startPosition)) return false;
     if (!HaveSize(t.force.empty() ? 0 : size, t.force)) return false;
+    if (!HaveSize(t.rest.empty() ? 0 : size, t.rest)) return false;
     if (!HaveSize(t.startVelocity.empty() ? 0 : size, t.startVelocity)) return false;
     if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.info)) return false;
     if (!HaveSize(t.demand.empty() ? 0 : size, t.demand)) return false;

@@ -44,7 +44,7 @@ void Fields(Self& def, Visit& visit) {
     visit(def.warmStarting), visit(def.maxTranslation), visit(def.maxRotation), visit(def.continuousPhysics);
     visit(def.subStepping), visit(def.exactDrift), visit(def.solver), visit(def.softStep.contactHertzRatio);
     visit(def.softStep.contactDampingRatio), visit(def.softStep.contactPushSpeed);
-    visit(def.lengthScale);
+    visit(def.lengthScale), visit(def.farDistance);
 }
 
 template <Is<Velocity> Self, typename Visit>
@@ -54,6 +54,10 @@ void Fields(Self& row, Visit& visit) {
 template <Is<Position> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
     visit(row.c), visit(row.a), visit(row.aRest);
+}
+template <Is<PositionRest> Self, typename Visit>
+void Fields(Self& row, Visit& visit) {
+    visit(row.end), visit(row.start);
 }
 template <Is<MassRow> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
@@ -79,6 +83,7 @@ void Fields(Self& info, Visit& visit) {
 template <Is<BodyTable> Self, typename Visit>
 void Fields(Self& t, Visit& visit) {
     visit(t.slots), visit(t.velocity), visit(t.startVelocity), visit(t.position), visit(t.startPosition);
+    visit(t.rest);
     visit(t.transform), visit(t.mass), visit(t.force), visit(t.motion), visit(t.demand), visit(t.sleepTime);
     visit(t.flags), visit(t.type), visit(t.info), visit(t.movers), visit(t.listHead), visit(t.lastMover);
 }

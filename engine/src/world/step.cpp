@@ -27,8 +27,10 @@ namespace {
 
 /// Boxes of everything that moved, then pairs and contacts of the new poses.
 void RunBroadPhase(WorldState& s) {
-    UpdateMovedBoxes(s.bodies, s.fixtures,
-                     {&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, *s.broadPhase);
+    const float farthest =
+        UpdateMovedBoxes(s.bodies, s.fixtures,
+                         {&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, *s.broadPhase);
+    if (IsFar(s, farthest)) s.bodies.EnsureRests();
     FindPairsAndMatch(s, FreshOrder::newestFirst);
 }
 

@@ -118,8 +118,8 @@ Finding Check(const BodyDef& def) {
     if (def.type != staticBody && def.type != kinematicBody && def.type != dynamicBody) {
         return {ErrorCode::outOfRange, "BodyDef::type", "use staticBody, kinematicBody or dynamicBody"};
     }
-    return First(CheckNear(def.position, "BodyDef::position"), CheckNear(def.angle, "BodyDef::angle"),
-                 CheckNear(def.linearVelocity, "BodyDef::linearVelocity"),
+    return First(CheckNear(def.position, "BodyDef::position"), CheckNear(def.positionRest, "BodyDef::positionRest"),
+                 CheckNear(def.angle, "BodyDef::angle"), CheckNear(def.linearVelocity, "BodyDef::linearVelocity"),
                  CheckNear(def.angularVelocity, "BodyDef::angularVelocity"),
                  CheckAmount(def.linearDamping, "BodyDef::linearDamping"),
                  CheckAmount(def.angularDamping, "BodyDef::angularDamping"),
@@ -171,6 +171,8 @@ Finding Check(const WorldDef& def) {
         return {ErrorCode::outOfRange, "WorldDef::maxTranslation", "give a length above 0"};
     if (!(def.lengthScale >= 1e-6f && def.lengthScale <= 1e6f))
         return {ErrorCode::outOfRange, "WorldDef::lengthScale", "give a length from 1e-6 to 1e6 m"};
+    if (!(def.farDistance >= 0.0f))
+        return {ErrorCode::outOfRange, "WorldDef::farDistance", "give a distance of at least 0"};
     if (!(def.maxRotation > 0.0f)) return {ErrorCode::outOfRange, "WorldDef::maxRotation", "give an angle above 0"};
     return {};
 }

@@ -71,6 +71,7 @@ Body* World::CreateBody(const BodyDef* def) {
     const Features used = UnderSettings(FeaturesOf(*def), s.def).Add(Feature::sleeping, sleeps);
     if (Guard(s, name).Uses(used).Failed()) return nullptr;
     const Recording recording(s, name, *def);
+    NotePosition(s, def->position, def->positionRest);
     const int index = s.bodies.Add(&s, *def);
     AddBodyFeatures(s, index, 1);
     return &s.bodies.handles[static_cast<size_t>(index)];

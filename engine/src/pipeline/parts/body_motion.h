@@ -31,16 +31,16 @@ inline CapFactors CapMotion(const SolverSettings& settings, Vec2 translation, fl
 /// Updates the transform; a body that is not finite any more, or beyond all bounds (limits.h), goes back to its start,
 /// at rest. Returns true if it did.
 inline bool FinishPose(BodyTable& bodies, size_t b) {
-    const bool finite = IsInRange(bodies.position[b], bodies.velocity[b]);
+    const bool finite =
+        IsInRange(bodies.position[b], bodies.velocity[b]) && IsInRange(bodies.GetRest(static_cast<int>(b)));
     if (!finite) {
-        bodies.position[b] = bodies.startPosition[b];
+        bodies.ReturnToStart(b);
         bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
     }
     // Bodies that do not turn keep their rotation: the sine and cosine would be the same.
     const Position& start = bodies.startPosition[b];
     if (bodies.position[b].a == start.a && bodies.position[b].aRest == start.aRest) {
-        Transform& xf = bodies.transform[b];
-        xf.p = bodies.position[b].c - Mul(xf.q, bodies.mass[b].localCenter);
+        bodies.UpdateOrigin(b);
     } else {
         bodies.UpdateTransform(static_cast<int>(b));
     }

@@ -7,6 +7,7 @@
 #include "pipeline/parts/contact_update.h"
 
 #include "geometry/collide.h"
+#include "state/frames.h"
 
 namespace scree {
 
@@ -38,8 +39,8 @@ bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable&
     const ContactPair& pair = contacts.pair[c];
     const Shape& shapeA = *fixtures.shape[pair.fixtureA];
     const Shape& shapeB = *fixtures.shape[pair.fixtureB];
-    const Transform& xfA = bodies.transform[static_cast<size_t>(pair.bodyA)];
-    const Transform& xfB = bodies.transform[static_cast<size_t>(pair.bodyB)];
+    const Vec2 frame = FrameOf(bodies, pair.bodyA, pair.bodyB);
+    const Transform xfA = TransformIn(frame, bodies, pair.bodyA), xfB = TransformIn(frame, bodies, pair.bodyB);
     Manifold& manifold = contacts.manifold[c];
     if (contacts.Has(contact, ContactFlag::sensor)) {
         manifold.pointCount = 0;  // sensors push nobody

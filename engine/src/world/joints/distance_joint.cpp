@@ -74,7 +74,9 @@ ErrorCode DistanceJoint::SetMaxLength(float maxLength) {
     if (code == ErrorCode::ok) Row().limit.upperImpulse = 0.0f;
     return code;
 }
-float DistanceJoint::GetCurrentLength() const { return Distance(GetAnchorA(), GetAnchorB()); }
+float DistanceJoint::GetCurrentLength() const {
+    return GetAnchorGap(*this, Row().localAnchorA, Row().localAnchorB).Length();
+}
 
 ErrorCode DistanceJoint::SetStiffness(float stiffness) {
     return JointEdit(m_state, this, "DistanceJoint::SetStiffness")

@@ -5,6 +5,7 @@
 
 #include "scree/joint.h"
 
+#include "state/frames.h"
 #include "world/joints/joint_access.h"
 
 namespace scree {
@@ -93,9 +94,15 @@ ErrorCode SetLimits(JointEdit edit, LimitState& limit, float lower, float upper)
     return edit.Code();
 }
 
+Vec2 GetAnchorGap(const Joint& joint, Vec2 localAnchorA, Vec2 localAnchorB) {
+    Body& a = *joint.GetBodyA();
+    return GapBetween(a.GetWorld()->GetState().bodies, a.GetIndex(), localAnchorA, joint.GetBodyB()->GetIndex(),
+                      localAnchorB);
+}
+
 float GetSlide(const Joint& joint, const SlideFrame& frame) {
     const Body& a = *joint.GetBodyA();
-    const Vec2 gap = joint.GetBodyB()->GetWorldPoint(frame.localAnchorB) - a.GetWorldPoint(frame.localAnchorA);
+    const Vec2 gap = GetAnchorGap(joint, frame.localAnchorA, frame.localAnchorB);
     return Dot(gap, a.GetWorldVector(frame.localAxisA));
 }
 
@@ -103,7 +110,7 @@ float GetSlideSpeed(const Joint& joint, const SlideFrame& frame) {
     const Body& a = *joint.GetBodyA();
     const Body& b = *joint.GetBodyB();
     const Vec2 axis = a.GetWorldVector(frame.localAxisA);
-    const Vec2 gap = b.GetWorldPoint(frame.localAnchorB) - a.GetWorldPoint(frame.localAnchorA);
+    const Vec2 gap = GetAnchorGap(joint, frame.localAnchorA, frame.localAnchorB);
     const Vec2 speed =
         b.GetLinearVelocityFromLocalPoint(frame.localAnchorB) - a.GetLinearVelocityFromLocalPoint(frame.localAnchorA);
     return Dot(axis, speed) + Dot(gap, Cross(a.GetAngularVelocity(), axis));

@@ -86,6 +86,8 @@ ErrorCode SetLimits(JointEdit edit, LimitState& limit, float lower, float upper)
 struct SlideFrame {
     Vec2 localAnchorA, localAnchorB, localAxisA;
 };
+/// From A's anchor to B's, m.
+Vec2 GetAnchorGap(const Joint& joint, Vec2 localAnchorA, Vec2 localAnchorB);
 /// Way from A's anchor to B's along the axis, m, and how fast it grows, m/s.
 float GetSlide(const Joint& joint, const SlideFrame& frame);
 float GetSlideSpeed(const Joint& joint, const SlideFrame& frame);

@@ -5,6 +5,7 @@
 
 #include "scree/motor_joint.h"
 
+#include "state/frames.h"
 #include "world/joints/joint_access.h"
 #include "world/joints/joint_definitions.h"
 
@@ -16,7 +17,8 @@ void MotorJointDef::Initialize(Body* a, Body* b) {
     bodyA = a;
     bodyB = b;
     if (a == nullptr || b == nullptr) return;  // CreateJoint says so
-    linearOffset = a->GetLocalPoint(b->GetPosition());
+    const BodyTable& bodies = a->GetWorld()->GetState().bodies;
+    linearOffset = a->GetLocalVector(GapBetween(bodies, a->GetIndex(), vec2Zero, b->GetIndex(), vec2Zero));
     angularOffset = b->GetAngle() - a->GetAngle();
 }
 

@@ -5,10 +5,21 @@
 
 #include "scree/pulley_joint.h"
 
+#include "state/frames.h"
 #include "world/joints/joint_access.h"
 #include "world/joints/joint_definitions.h"
 
 namespace scree {
+
+namespace {
+
+float RopeLength(Body* body, Vec2 localAnchor, Vec2 groundAnchor) {
+    const BodyTable& bodies = body->GetWorld()->GetState().bodies;
+    const Vec2 frame = FrameOf(bodies, body->GetIndex(), body->GetIndex());
+    return Distance(Mul(TransformIn(frame, bodies, body->GetIndex()), localAnchor), groundAnchor - frame);
+}
+
+}  // namespace
 
 PulleyRow& PulleyJoint::Row() const { return RowOf<PulleyRow>(m_state, m_row); }
 
@@ -56,7 +67,7 @@ Vec2 PulleyJoint::GetGroundAnchorB() const { return Row().groundAnchorB; }
 float PulleyJoint::GetLengthA() const { return Row().lengthA; }
 float PulleyJoint::GetLengthB() const { return Row().lengthB; }
 float PulleyJoint::GetRatio() const { return Row().ratio; }
-float PulleyJoint::GetCurrentLengthA() const { return Distance(GetAnchorA(), Row().groundAnchorA); }
-float PulleyJoint::GetCurrentLengthB() const { return Distance(GetAnchorB(), Row().groundAnchorB); }
+float PulleyJoint::GetCurrentLengthA() const { return RopeLength(GetBodyA(), Row().localAnchorA, Row().groundAnchorA); }
+float PulleyJoint::GetCurrentLengthB() const { return RopeLength(GetBodyB(), Row().localAnchorB, Row().groundAnchorB); }
 
 }  // namespace scree
