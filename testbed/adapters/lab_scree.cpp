@@ -4,6 +4,7 @@
 // The laboratory over our engine.
 
 #include "scree/contact.h"
+#include "scree/far_position.h"
 #include "scree/world.h"
 #include "testbed/adapters/lab_world.h"
 #include "testbed/adapters/scree_joint.h"
@@ -49,8 +50,9 @@ struct ScreeNames {
         def.type = body.type == scenes::BodyType::dynamic     ? scree::dynamicBody
                    : body.type == scenes::BodyType::kinematic ? scree::kinematicBody
                                                               : scree::staticBody;
-        def.position = ToVec(at);
-        def.positionRest = ToVec(at - ToPoint(def.position));
+        const scree::FarPosition split = scree::ToFarPosition(at.x, at.y);
+        def.position = split.position;
+        def.positionRest = split.positionRest;
         def.linearVelocity = ToScree(body.linearVelocity);
         FillBodyDef(def, body);
         return def;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/two_sum.h"
+#include "scree/far_position.h"
 #include "scree/recording.h"
 #include "scree/snapshot.h"
 #include "state/frames.h"
@@ -40,8 +41,9 @@ void ExpectAt(Exact expected, Exact found, double tolerance) {
 BodyDef DefAt(double x, double y) {
     BodyDef def;
     def.type = dynamicBody;
-    def.position = {static_cast<float>(x), static_cast<float>(y)};
-    def.positionRest = {static_cast<float>(x - double{def.position.x}), static_cast<float>(y - double{def.position.y})};
+    const FarPosition at = ToFarPosition(x, y);
+    def.position = at.position;
+    def.positionRest = at.positionRest;
     return def;
 }
 
@@ -57,6 +59,18 @@ TEST(FarPositions, TwoSumLosesNothing) {
         const RoundedSum s = TwoSum(a, b);
         RC_ASSERT(double{s.sum} + double{s.rest} == double{a} + double{b});
         RC_ASSERT(s.sum == static_cast<float>(double{a} + double{b}));
+    }));
+}
+
+TEST(FarPositions, DoublesAreSplitAtTheDigitsOfAFloat) {
+    EXPECT_TRUE(rc::check("the sum is the double, to the last digit of the rest", [] {
+        const double x = 1024.0 * double{AnyFloat()} + double{AnyFloat()} / 4096.0;
+        const double y = 4096.0 * double{AnyFloat()} + double{AnyFloat()} / 1024.0;
+        const FarPosition p = ToFarPosition(x, y);
+        RC_ASSERT(p.position.x == static_cast<float>(x));
+        RC_ASSERT(std::abs(double{p.position.x} + double{p.positionRest.x} - x) <= std::ldexp(std::abs(x), -48));
+        RC_ASSERT(p.position.y == static_cast<float>(y));
+        RC_ASSERT(std::abs(double{p.position.y} + double{p.positionRest.y} - y) <= std::ldexp(std::abs(y), -48));
     }));
 }
 

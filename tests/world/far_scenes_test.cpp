@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "scree/far_position.h"
 #include "tests/world/fixtures.h"
 
 namespace scree::test {
@@ -32,12 +33,9 @@ public:
         BodyDef def;
         def.type = type;
         def.angle = angle;
-        x += m_place.x, y += m_place.y;
-        def.position = {static_cast<float>(x), static_cast<float>(y)};
-        if (m_rests) {
-            def.positionRest = {static_cast<float>(x - double{def.position.x}),
-                                static_cast<float>(y - double{def.position.y})};
-        }
+        const FarPosition at = ToFarPosition(m_place.x + x, m_place.y + y);
+        def.position = at.position;
+        if (m_rests) def.positionRest = at.positionRest;
         m_bodies.push_back(m_world.CreateBody(&def));
         return m_bodies.back();
     }

@@ -59,6 +59,7 @@ WorldDef MakeDef(int workers) {
     WorldDef def;
     def.workerCount = workers;
     def.maxTranslation = 2.0f, def.maxRotation = 0.5f * pi;
+    def.farDistance = std::numeric_limits<float>::infinity();  // one far body changes all positions of its world
     return def;
 }
 

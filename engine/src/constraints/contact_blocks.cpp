@@ -53,17 +53,19 @@ FillSource SourceOf(const BlockInput& input) {
             input.onMoverSurface};
 }
 
-/// The two bodies of a lane, far from the origin.
-void PlaceLane(const BodyTable& bodies, const Sides& sides, int lane, FillLanes& lanes) {
-    const Vec2 frame = FrameOf(bodies, sides.a, sides.b);
-    const auto place = [&](int body, float(&transform)[4], float(&position)[4]) {
+/// Where the bodies of a block are, far from the origin.
+void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& lanes) {
+    const auto place = [&bodies](Vec2 frame, int body, float(&transform)[4], float(&position)[4]) {
         const Transform xf = TransformIn(frame, bodies, body);
         transform[0] = xf.p.x, transform[1] = xf.p.y, transform[2] = xf.q.s, transform[3] = xf.q.c;
         const Vec2 centre = CentreIn(frame, bodies, body);
         position[0] = centre.x, position[1] = centre.y;
     };
-    place(sides.a, lanes.transformA[lane], lanes.positionA[lane]);
-    place(sides.b, lanes.transformB[lane], lanes.positionB[lane]);
+    for (int l = 0; l < blockLanes; ++l) {
+        const Vec2 frame = FrameOf(bodies, block.bodyA[l], block.bodyB[l]);
+        place(frame, block.bodyA[l], lanes.transformA[l], lanes.positionA[l]);
+        place(frame, block.bodyB[l], lanes.transformB[l], lanes.positionB[l]);
+    }
 }
 
 }  // namespace
@@ -201,7 +203,6 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
             block.bodyA[l] = block.bodyA[0], block.bodyB[l] = block.bodyB[0];
             for (FillLanes::Row* row : {&lanes.referenceIsB, &lanes.isCircles, &lanes.radiusA, &lanes.radiusB})
                 (*row)[l] = (*row)[0];
-            if (lanes.isFar) PlaceLane(input.bodies, {block.bodyA[0], block.bodyB[0], false}, l, lanes);
             continue;
         }
         const int contact = input.list[static_cast<size_t>(i)];
@@ -219,8 +220,8 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
         lanes.anyCircles |= isCircles;
         lanes.radiusA[l] = sides.swapped ? radiusB : radiusA;
         lanes.radiusB[l] = sides.swapped ? radiusA : radiusB;
-        if (lanes.isFar) PlaceLane(input.bodies, sides, l, lanes);
     }
+    if (lanes.isFar) PlaceLanes(input.bodies, block, lanes);
 }
 
 /// Fills blocks [begin, end); true if a contact of them bounces.

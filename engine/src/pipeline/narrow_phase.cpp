@@ -56,7 +56,7 @@ constexpr int leastContactsToShare = 128;
 class AheadOfOrder {
 public:
     AheadOfOrder(const NarrowPhaseTables& tables, TOIStats& work, std::vector<uint8_t>& findings)
-        : m_t(tables), m_work(work), m_findings(findings) {}
+        : m_t(tables), m_isFar(tables.bodies.IsFar()), m_work(work), m_findings(findings) {}
 
     void Compute(int begin, int end) {
         for (int contact = end; contact-- > begin;) {
@@ -79,7 +79,7 @@ private:
         if (!QuadBatch::Takes(a) || !QuadBatch::Takes(b)) return false;
         const Transform* xfA = &m_t.bodies.transform[static_cast<size_t>(pair.bodyA)];
         const Transform* xfB = &m_t.bodies.transform[static_cast<size_t>(pair.bodyB)];
-        if (m_t.bodies.IsFar()) {
+        if (m_isFar) {
             const Vec2 frame = FrameOf(m_t.bodies, pair.bodyA, pair.bodyB);
             Transform* const near = m_near[m_batch.Size()];
             near[0] = TransformIn(frame, m_t.bodies, pair.bodyA), near[1] = TransformIn(frame, m_t.bodies, pair.bodyB);
@@ -107,6 +107,7 @@ private:
     }
 
     const NarrowPhaseTables& m_t;
+    const bool m_isFar;
     TOIStats& m_work;
     std::vector<uint8_t>& m_findings;
     QuadBatch m_batch;

@@ -27,7 +27,8 @@ AABB BoxOfFixture(const FixtureTable& fixtures, size_t fixture, const Transform&
     }
 }
 
-/// Boxes on their way to the broad phase; few enough for the first-level cache.
+/// Boxes on their way to the broad phase; few enough for the first-level cache. `isFar`: positions have rests.
+template <bool isFar>
 class BoxBatch {
 public:
     BoxBatch(const BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase)
@@ -35,14 +36,15 @@ public:
 
     void Add(int body) {
         const auto b = static_cast<size_t>(body);
-        const Vec2 displacement = m_bodies.GetMotion(b);
         const Vec2 c = m_bodies.position[b].c;
         m_farthest = Max(m_farthest, Max(Abs(c.x), Abs(c.y)));
-        const BodyPlace place(m_bodies, body);
+        const Vec2 displacement = isFar ? m_bodies.GetMotion(b) : c - m_bodies.startPosition[b].c;
+        const Transform xf = isFar ? TransformIn(c, m_bodies, body) : m_bodies.transform[b];
         for (int f = m_bodies.info[b].fixtureHead; f >= 0; f = m_fixtures.info[static_cast<size_t>(f)].next) {
             if (m_count == capacity) Flush();
             BoxUpdate& update = m_updates[m_count++];
-            update.box = place.OutOf(BoxOfFixture(m_fixtures, static_cast<size_t>(f), place.xf));
+            update.box = BoxOfFixture(m_fixtures, static_cast<size_t>(f), xf);
+            if constexpr (isFar) update.box = ToWorld(c, update.box);
             update.displacement = displacement;
             update.fixture = static_cast<uint32_t>(f);
         }
@@ -64,11 +66,10 @@ private:
     BoxUpdate m_updates[capacity];
 };
 
-}  // namespace
-
-float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
-                       std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
-    BoxBatch batch(bodies, fixtures, broadPhase);
+template <bool isFar>
+float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
+                  std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
+    BoxBatch<isFar> batch(bodies, fixtures, broadPhase);
     for (const int body : bodies.movers) {
         if (bodies.IsActive(body)) batch.Add(body);
     }
@@ -83,6 +84,14 @@ float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
     }
     batch.Flush();
     return batch.GetFarthest();
+}
+
+}  // namespace
+
+float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
+                       std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
+    return bodies.IsFar() ? UpdateMoved<true>(bodies, fixtures, solved, broadPhase)
+                          : UpdateMoved<false>(bodies, fixtures, solved, broadPhase);
 }
 
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, int body, Vec2 displacement,

@@ -32,7 +32,7 @@ inline CapFactors CapMotion(const SolverSettings& settings, Vec2 translation, fl
 /// at rest. Returns true if it did.
 inline bool FinishPose(BodyTable& bodies, size_t b) {
     const bool finite =
-        IsInRange(bodies.position[b], bodies.velocity[b]) && IsInRange(bodies.GetRest(static_cast<int>(b)));
+        IsInRange(bodies.position[b], bodies.velocity[b]) && (!bodies.IsFar() || IsInRange(bodies.rest[b].end));
     if (!finite) {
         bodies.ReturnToStart(b);
         bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
