@@ -34,7 +34,7 @@ public:
     BoxBatch(const BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase)
         : m_bodies(bodies), m_fixtures(fixtures), m_broadPhase(broadPhase) {}
 
-    void Add(int body) {
+    [[gnu::always_inline]] void Add(int body) {
         const auto b = static_cast<size_t>(body);
         const Vec2 c = m_bodies.position[b].c;
         m_farthest = Max(m_farthest, Max(Abs(c.x), Abs(c.y)));
