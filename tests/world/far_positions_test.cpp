@@ -80,11 +80,11 @@ TEST(FarPositions, BoxesAreTheSmallestAroundTheExactOnes) {
         const Vec2 low{AnyFloat(), AnyFloat()};
         const AABB box{low, low + Vec2{Abs(AnyFloat()), Abs(AnyFloat())}};
         const AABB world = ToWorld(frame, box);
-        const auto check = [](float lower, float upper, double low, double high) {
-            RC_ASSERT(double{lower} <= low);
-            RC_ASSERT(double{upper} >= high);
-            RC_ASSERT(double{std::nextafter(lower, INFINITY)} > low);
-            RC_ASSERT(double{std::nextafter(upper, -INFINITY)} < high);
+        const auto check = [](float lower, float upper, double least, double most) {
+            RC_ASSERT(double{lower} <= least);
+            RC_ASSERT(double{upper} >= most);
+            RC_ASSERT(double{std::nextafter(lower, INFINITY)} > least);
+            RC_ASSERT(double{std::nextafter(upper, -INFINITY)} < most);
         };
         check(world.lowerBound.x, world.upperBound.x, double{frame.x} + double{box.lowerBound.x},
               double{frame.x} + double{box.upperBound.x});

@@ -159,6 +159,17 @@ TEST(NearStatics, KnowNothingWhileAProgramHoldsAShape) {
     EXPECT_FALSE(s.continuousScratch.nearStatics.Find(body->GetIndex(), tables).has_value());
 }
 
+TEST(NearStatics, KnowNothingFarFromTheOrigin) {
+    World world({0.0f, 0.0f});
+    Body* body = AddBody(world, dynamicBody, {1.0e6f, 5.0f});
+    AddCircle(body, 0.5f);
+    world.Step(1.0f / 60.0f, 8, 3);
+    WorldState& s = world.GetState();
+    ASSERT_TRUE(s.bodies.IsFar());
+    const NearStatics::Tables tables{s.bodies, s.fixtures, *s.broadPhase, 1.0f};
+    EXPECT_FALSE(s.continuousScratch.nearStatics.Find(body->GetIndex(), tables).has_value());
+}
+
 /// Falls and slides over slopes at speed. `hold` keeps what is near from being known.
 uint64_t RunSlopes(bool hold, int& events) {
     World world({0.0f, -10.0f});

@@ -51,7 +51,7 @@ NearStatics::Ball NearStatics::MakeBall(int body, const Tables& t) {
 }
 
 std::optional<std::span<const int>> NearStatics::Find(int body, const Tables& tables) {
-    if (!m_enabled) return std::nullopt;
+    if (!m_enabled || tables.bodies.IsFar()) return std::nullopt;
     const auto b = static_cast<size_t>(body);
     if (b >= m_balls.size()) m_balls.resize(static_cast<size_t>(tables.bodies.slots.Size()));
     Ball& ball = m_balls[b];

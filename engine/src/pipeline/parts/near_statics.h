@@ -36,7 +36,8 @@ public:
     void Disable() { m_enabled = false; }
 
     /// The static fixtures, in ascending order, that the body can meet on its way from startPosition to position; all
-    /// others are out of its way. Nothing if that is not known. Valid until the next call.
+    /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid
+    /// until the next call.
     std::optional<std::span<const int>> Find(int body, const Tables& tables);
 
 private:
