@@ -246,6 +246,21 @@ TEST_P(FarScenes, DoAsNearTheOrigin) {
     }
 }
 
+/// Where floats are exact enough, worlds with and without rests do the same.
+TEST_P(FarScenes, DoAsWithoutRestsNearTheOrigin) {
+    const bool soft = GetParam();
+    for (const Case& one : cases) {
+        const std::vector<double> origin = Trace(one, soft, {}, false);
+        double floats = 0.0;
+        for (Place place : {Place{3.0, -2.0}, Place{-6.0, 4.0}, Place{10.0, 7.0}}) {
+            floats = std::max(floats, Differ(origin, Trace(one, soft, place, false)));
+        }
+        const double rests = Differ(origin, Trace(one, soft, {}));
+        EXPECT_LE(rests, std::max(4.0 * floats, 1e-5)) << one.name;
+        EXPECT_LE(rests, one.most) << one.name;
+    }
+}
+
 TEST_P(FarScenes, NeedTheRests) {
     for (const Case& one : cases) {
         const std::vector<double> origin = Trace(one, GetParam(), {});

@@ -476,7 +476,8 @@ private:
     /// A body that is not finite any more goes back to where the event found it, at rest.
     void Quarantine(int body) {
         Velocity& v = m_bodies.velocity[Row(body)];
-        if (IsInRange(m_bodies.position[Row(body)], v) && IsInRange(m_bodies.GetRest(body))) return;
+        const bool inRange = IsInRange(m_bodies.position[Row(body)], v);
+        if (inRange && (!m_bodies.IsFar() || IsInRange(m_bodies.rest[Row(body)].end))) return;
         ++m_report.nonFinite;
         m_bodies.ReturnToStart(Row(body));
         v = {vec2Zero, 0.0f, 0.0f};

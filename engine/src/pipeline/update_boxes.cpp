@@ -27,6 +27,18 @@ AABB BoxOfFixture(const FixtureTable& fixtures, size_t fixture, const Transform&
     }
 }
 
+/// |x| and |y| of the centre, without branches, and twice 0.
+Float4 SizeOf(const Position& position) {
+    using Bits4 = int32_t __attribute__((vector_size(16)));
+    static_assert(sizeof(Position) == sizeof(Bits4));
+    Bits4 bits;
+    std::memcpy(&bits, &position, sizeof bits);
+    bits &= Bits4{0x7fffffff, 0x7fffffff, 0, 0};
+    Float4 sizes;
+    std::memcpy(&sizes, &bits, sizeof sizes);
+    return sizes;
+}
+
 /// Boxes on their way to the broad phase; few enough for the first-level cache. `isFar`: positions have rests.
 template <bool isFar>
 class BoxBatch {
@@ -36,8 +48,8 @@ public:
 
     [[gnu::always_inline]] void Add(int body) {
         const auto b = static_cast<size_t>(body);
+        m_farthest = Max(SizeOf(m_bodies.position[b]), m_farthest);
         const Vec2 c = m_bodies.position[b].c;
-        m_farthest = Max(m_farthest, Max(Abs(c.x), Abs(c.y)));
         const Vec2 displacement = isFar ? m_bodies.GetMotion(b) : c - m_bodies.startPosition[b].c;
         const Transform xf = isFar ? TransformIn(c, m_bodies, body) : m_bodies.transform[b];
         for (int f = m_bodies.info[b].fixtureHead; f >= 0; f = m_fixtures.info[static_cast<size_t>(f)].next) {
@@ -53,7 +65,7 @@ public:
         m_broadPhase.UpdateMany({m_updates, m_count});
         m_count = 0;
     }
-    [[nodiscard]] float GetFarthest() const { return m_farthest; }
+    [[nodiscard]] float GetFarthest() const { return Max(m_farthest[0], m_farthest[1]); }
 
 private:
     static constexpr size_t capacity = 512;
@@ -62,7 +74,7 @@ private:
     const FixtureTable& m_fixtures;
     BroadPhase& m_broadPhase;
     size_t m_count = 0;
-    float m_farthest = 0.0f;
+    Float4 m_farthest = Splat(0.0f);  ///< x and y
     BoxUpdate m_updates[capacity];
 };
 
