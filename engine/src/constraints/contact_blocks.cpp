@@ -226,6 +226,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
 
 /// Fills blocks [begin, end); true if a contact of them bounces.
 bool ContactBlocks::FillRange(const BlockInput& input, size_t begin, size_t end) {
+    if (begin == end) return false;  // there may be no contact at all, and no table to point to
     bool bounces = false;
     FillLanes lanes{};
     const FillSource source = SourceOf(input);
