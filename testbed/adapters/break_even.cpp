@@ -5,6 +5,8 @@
 
 #include "testbed/adapters/break_even.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,7 @@
 #include <numeric>
 #include <random>
 
+#include "scree/inspect.h"
 #include "scree/world.h"
 
 namespace testbed {
@@ -88,11 +91,34 @@ std::unique_ptr<scree::World> MakeFastShareWorld(const BreakEvenPlan& plan, doub
     return world;
 }
 
+std::unique_ptr<scree::World> MakeIsolatedShareWorld(const BreakEvenPlan& plan, double share, bool apart) {
+    scree::WorldDef def;
+    def.continuousPhysics = false;
+    auto world = std::make_unique<scree::World>(def);
+    scree::inspect::SetIsolatedPath(*world, apart);
+    constexpr float pitch = 1.0f, radius = 0.25f;
+    const float width = pitch * static_cast<float>(plan.movers);
+    const scree::BodyDef groundDef;
+    scree::EdgeShape ground;
+    ground.SetTwoSided({-pitch, 0.0f}, {width, 0.0f});
+    world->CreateBody(&groundDef)->CreateFixture(&ground, 0.0f);
+    // Free and lying circles alternate in memory as in a scene where some have just been thrown up.
+    double falling = 0.0;
+    for (int i = 0; i < plan.movers; ++i) {
+        falling += share;
+        const bool falls = falling >= 1.0 - 1e-9;
+        if (falls) falling -= 1.0;
+        const float height = falls ? 100.0f : radius;
+        AddCircle(*world, scree::dynamicBody, {pitch * static_cast<float>(i), height}, {0.0f, 0.0f});
+    }
+    return world;
+}
+
 using MakeWorld = std::function<std::unique_ptr<scree::World>(const BreakEvenPlan&, double share, bool with)>;
 
 /// ns a mover and step by `read` (ms of a step), of both forms.
 BreakEvenPoint Measure(const BreakEvenPlan& plan, double share, const MakeWorld& make,
-                       float (*read)(const scree::Profile&)) {
+                       float (*read)(const scree::Profile&), int substeps) {
     const auto steps = static_cast<size_t>(plan.steps);
     std::vector<double> best[2];
     for (auto& of : best) of.assign(steps, std::numeric_limits<double>::infinity());
@@ -101,7 +127,8 @@ BreakEvenPoint Measure(const BreakEvenPlan& plan, double share, const MakeWorld&
         for (size_t step = 0; step < steps; ++step) {
             for (size_t turn = 0; turn < 2; ++turn) {
                 const size_t i = (turn + step) % 2;
-                const scree::StepReport report = worlds[i]->Step(timeStep, 8, 3);
+                const scree::StepReport report =
+                    substeps > 0 ? worlds[i]->Step(timeStep, substeps) : worlds[i]->Step(timeStep, 8, 3);
                 best[i][step] = std::min(best[i][step], double{read(report.profile)});
             }
         }
@@ -113,16 +140,31 @@ BreakEvenPoint Measure(const BreakEvenPlan& plan, double share, const MakeWorld&
 }
 
 std::vector<BreakEvenPoint> MeasureAll(const BreakEvenPlan& plan, const MakeWorld& make,
-                                       float (*read)(const scree::Profile&), const std::function<void()>& onPoint) {
+                                       float (*read)(const scree::Profile&), const std::function<void()>& onPoint,
+                                       int substeps = 0) {
     std::vector<BreakEvenPoint> points;
     for (const double share : plan.shares) {
-        points.push_back(Measure(plan, share, make, read));
+        points.push_back(Measure(plan, share, make, read, substeps));
         if (onPoint) onPoint();
     }
     return points;
 }
 
 }  // namespace
+
+std::string DescribeBreakEven(const std::vector<BreakEvenPoint>& points) {
+    const auto gain = [](const BreakEvenPoint& p) { return 1.0 - p.nsWith / p.nsWithout; };
+    if (points.empty()) return "";
+    if (gain(points.back()) <= 0.0)
+        return fmt::format("costs {:.0f} % at {:.2f}", -100.0 * gain(points.back()), points.back().share);
+    std::size_t first = points.size() - 1;
+    while (first > 0 && gain(points[first - 1]) > 0.0) --first;
+    const std::string at = fmt::format("saves {:.0f} % at {:.2f}", 100.0 * gain(points.back()), points.back().share);
+    if (first == 0) return "pays at every share; " + at;
+    const BreakEvenPoint &below = points[first - 1], &above = points[first];
+    const double part = -gain(below) / (gain(above) - gain(below));
+    return fmt::format("pays above a share of {:.2f}; {}", below.share + part * (above.share - below.share), at);
+}
 
 std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan, StaticLayout layout,
                                                const std::function<void()>& onPoint) {
@@ -136,6 +178,12 @@ std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan, Static
 std::vector<BreakEvenPoint> MeasureFastShare(const BreakEvenPlan& plan, const std::function<void()>& onPoint) {
     return MeasureAll(
         plan, MakeFastShareWorld, [](const scree::Profile& p) { return p.step; }, onPoint);
+}
+
+std::vector<BreakEvenPoint> MeasureIsolatedShare(const BreakEvenPlan& plan, int substeps,
+                                                 const std::function<void()>& onPoint) {
+    return MeasureAll(
+        plan, MakeIsolatedShareWorld, [](const scree::Profile& p) { return p.islands + p.solver; }, onPoint, substeps);
 }
 
 }  // namespace testbed

@@ -85,12 +85,32 @@ std::vector<SceneRequest> ChooseScenes(const RequiresArguments& arguments) {
     return chosen;
 }
 
-int RunAblation(const RequiresArguments& arguments, const Request& request) {
-    const std::vector<SceneRequest> chosen = ChooseScenes(arguments);
-    OutputFolder output(arguments.output);
+/// The parts of a report, as they come.
+struct Report {
+    OutputFolder output;
+    Page page;
+    bool same = true;  ///< all hashes
+
+    Report(const RequiresArguments& arguments, const Request& request)
+        : output(arguments.output),
+          page{.title = "What a scene requires",
+               .intro =
+                   "Every feature of the engine has a neutral value at which leaving it out changes no bit. A "
+                   "world leaves out what nobody in it uses; here is what that saves, and where parts of the "
+                   "engine begin to pay.",
+               .facts = {{"command", DescribeCommand(request.arguments)}}} {}
+
+    int Finish() {
+        output.WriteText("index.html", MakePage(page));
+        for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
+        return same ? exitDone : exitDiffers;
+    }
+};
+
+void AddAblation(const RequiresArguments& arguments, Report& report) {
     std::vector<Requirement> requirements;
     std::vector<AblationRow> rows;
-    for (const SceneRequest& one : chosen) {
+    for (const SceneRequest& one : ChooseScenes(arguments)) {
         Progress progress(one.scene.name, one.plan.repeats * (1 + CountAblationRuns()));
         const auto advance = [&] { progress.Advance(1.0); };
         requirements.push_back(MeasureRequirement(one.scene, one.plan, advance));
@@ -98,74 +118,94 @@ int RunAblation(const RequiresArguments& arguments, const Request& request) {
         rows.insert(rows.end(), more.begin(), more.end());
         progress.Finish(FormatChange(requirements.back()));
     }
-    output.WriteText("ablation.csv", MakeAblationCsv(rows));
-    output.WriteText("ablation.json", MakeAblationJson(rows));
-    output.WriteText("index.html", MakePage(MakeAblationPage(requirements, rows, DescribeCommand(request.arguments))));
-    for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
-    const bool same = std::ranges::all_of(requirements, AreHashesEqual) &&
-                      std::ranges::all_of(rows, [](const AblationRow& row) { return row.without.sameHash; });
-    return same ? exitDone : exitDiffers;
+    report.output.WriteText("ablation.csv", MakeAblationCsv(rows));
+    report.output.WriteText("ablation.json", MakeAblationJson(rows));
+    report.page.sections.push_back(MakeRequirementSection(requirements));
+    report.page.sections.push_back(MakeAblationSection(rows));
+    report.same = report.same && std::ranges::all_of(requirements, AreHashesEqual) &&
+                  std::ranges::all_of(rows, [](const AblationRow& row) { return row.without.sameHash; });
 }
 
 /// One plot of the report, and its points as text.
-void WriteBreakEven(OutputFolder& output, const std::string& name, Plot plot, const std::vector<BreakEvenPoint>& points,
-                    PageFigures& figures) {
+void AddPlot(Report& report, const std::string& name, Plot plot, const std::vector<BreakEvenPoint>& points,
+             PageFigures& figures) {
     std::string csv = "share,ns_without,ns_with\n";
     for (const BreakEvenPoint& point : points) {
         csv += fmt::format("{},{:.2f},{:.2f}\n", point.share, point.nsWithout, point.nsWith);
         plot.curves[0].points.push_back({point.share, point.nsWithout});
         plot.curves[1].points.push_back({point.share, point.nsWith});
     }
-    output.WriteText(name + ".csv", csv);
-    const std::filesystem::path temporary = output.Prepare(name + ".svg").string() + ".tmp";
+    report.output.WriteText(name + ".csv", csv);
+    const std::filesystem::path temporary = report.output.Prepare(name + ".svg").string() + ".tmp";
     RunGnuplot(MakePlotScript(plot, "svg", temporary), temporary);
-    output.Adopt(temporary, name + ".svg");
-    figures.figures.push_back({.title = plot.title, .file = output.Prepare(name + ".svg")});
+    report.output.Adopt(temporary, name + ".svg");
+    figures.figures.push_back(
+        {.title = plot.title, .caption = DescribeBreakEven(points), .file = report.output.Prepare(name + ".svg")});
 }
 
-int RunBreakEven(const RequiresArguments& arguments, const Request& request) {
-    CheckGnuplot();
-    OutputFolder output(arguments.output);
+void AddBreakEven(const RequiresArguments& arguments, Report& report) {
     BreakEvenPlan plan;
     if (arguments.quick) plan.movers = 2000, plan.repeats = 3;
     plan.shares = {0.0, 0.01, 0.03, 0.06, 0.09, 0.125, 0.16, 0.2, 0.25, 0.3, 0.4, 0.5, 0.6, 0.7};
-    Progress progress("break-even", 3.0 * static_cast<double>(plan.shares.size()));
+    BreakEvenPlan isolated = plan;
+    for (const double share : {0.8, 0.9, 1.0}) isolated.shares.push_back(share);
+    Progress progress("break-even", 3.0 * static_cast<double>(plan.shares.size()) +
+                                        2.0 * static_cast<double>(isolated.shares.size()));
     const auto advance = [&] { progress.Advance(1.0); };
     PageFigures figures;
     const std::string note = fmt::format("{} moving circles, {} steps, least of {} repeats of each step", plan.movers,
                                          plan.steps, plan.repeats);
+    const auto curves = [](const char* without, const char* with) {
+        return std::vector<PlotCurve>{{without, "#cc0000", 5, {}}, {with, "#0000cc", 7, {}}};
+    };
     for (const auto& [layout, name] :
          {std::pair(StaticLayout::scattered, "scattered"), {StaticLayout::beside, "beside"}}) {
-        WriteBreakEven(output, fmt::format("static-share-{}", name),
-                       {.title = fmt::format("Static circles {} moving ones: one tree or two",
-                                             layout == StaticLayout::scattered ? "among" : "beside"),
-                        .xLabel = "static share of the fixtures",
-                        .yLabel = "broad phase [ns a mover and step]",
-                        .note = note,
-                        .curves = {{"in one tree", "#cc0000", 5, {}}, {"in a tree of their own", "#0000cc", 7, {}}}},
-                       MeasureStaticShare(plan, layout, advance), figures);
+        AddPlot(report, fmt::format("static-share-{}", name),
+                {.title = fmt::format("Static circles {} moving ones: one tree or two",
+                                      layout == StaticLayout::scattered ? "among" : "beside"),
+                 .xLabel = "static share of the fixtures",
+                 .yLabel = "broad phase [ns a mover and step]",
+                 .note = note,
+                 .curves = curves("in one tree", "in a tree of their own")},
+                MeasureStaticShare(plan, layout, advance), figures);
     }
-    WriteBreakEven(output, "fast-share",
-                   {.title = "Fast bodies: the price of continuous collision",
-                    .xLabel = "share of bodies that cross twice their size in a step",
-                    .yLabel = "whole step [ns a mover]",
-                    .note = note,
-                    .curves = {{"continuous collision off", "#cc0000", 5, {}}, {"on", "#0000cc", 7, {}}}},
-                   MeasureFastShare(plan, advance), figures);
+    for (const int substeps : {0, 4}) {
+        AddPlot(report, substeps == 0 ? "isolated-share-8-3" : "isolated-share-soft-4",
+                {.title = fmt::format("Bodies that nothing touches, {}",
+                                      substeps == 0 ? "sequential impulses 8/3" : "soft step of 4"),
+                 .xLabel = "share of the circles in free fall, others lie on the ground",
+                 .yLabel = "islands and solver [ns a mover and step]",
+                 .note = note,
+                 .curves = curves("through the solver like all", "integrated apart")},
+                MeasureIsolatedShare(isolated, substeps, advance), figures);
+    }
+    AddPlot(report, "fast-share",
+            {.title = "Fast bodies: the price of continuous collision",
+             .xLabel = "share of bodies that cross twice their size in a step",
+             .yLabel = "whole step [ns a mover]",
+             .note = note,
+             .curves = curves("continuous collision off", "on")},
+            MeasureFastShare(plan, advance), figures);
     progress.Finish(fmt::format("{} shares", plan.shares.size()));
-    Page page{.title = "Break-even of parts of the engine",
-              .intro = "The same world with a part of the engine on and off, over the share of what it is made for.",
-              .facts = {{"command", DescribeCommand(request.arguments)}}};
-    page.sections.push_back({.title = "", .blocks = {figures}});
-    output.WriteText("break-even.html", MakePage(page));
-    for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
-    return exitDone;
+    report.page.sections.push_back(
+        {.title = "Break-even",
+         .intro = "The same world with a part of the engine on and off, over the share of what it is made for. A part "
+                  "pays where its curve is the lower one.",
+         .blocks = {figures}});
+}
+
+int RunReport(const RequiresArguments& arguments, const Request& request) {
+    const bool both = !arguments.ablation && !arguments.breakEven;
+    const bool plots = both || arguments.breakEven;
+    if (plots) CheckGnuplot();
+    Report report(arguments, request);
+    if (both || arguments.ablation) AddAblation(arguments, report);
+    if (plots) AddBreakEven(arguments, report);
+    return report.Finish();
 }
 
 int RunRequires(const RequiresArguments& arguments, const Request& request) {
-    if (arguments.ablation) return RunAblation(arguments, request);
-    if (arguments.breakEven) return RunBreakEven(arguments, request);
-    if (arguments.scene.empty()) throw UsageError("give a SCENE, or --ablation for a choice of them");
+    if (arguments.scene.empty() || arguments.ablation || arguments.breakEven) return RunReport(arguments, request);
     const SceneRequest chosen = ChooseScenes(arguments).front();
     const scenes::Scene& scene = chosen.scene;
     const RequirementPlan& plan = chosen.plan;
@@ -185,7 +225,8 @@ int RunRequires(const RequiresArguments& arguments, const Request& request) {
 void AddRequiresCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("requires", "What a scene needs of our engine, and what the rest costs");
     auto arguments = std::make_shared<RequiresArguments>();
-    command->add_option("SCENE", arguments->scene, "A scene; `scree list` shows them");
+    command->add_option("SCENE", arguments->scene,
+                        "A scene; `scree list` shows them. Without: the whole report, of a choice of scenes");
     command->add_option("SIZE", arguments->size, "Its size; the scene's default if not given");
     command->add_option("--steps", arguments->steps, "Steps to run; at most 200 of the scene's if not given")
         ->check(CLI::Range(1, maxStep));
@@ -195,10 +236,10 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     command->add_flag("--caps", arguments->caps, "With Box2D's caps on speed");
     command->add_flag("--quick", arguments->quick, "Fewer steps and repeats");
     command->add_flag("--ablation", arguments->ablation,
-                      "A report of what each feature costs; without SCENE of a choice");
+                      "Only the part of the report about what each feature costs; of SCENE or of a choice");
     command->add_flag("--break-even", arguments->breakEven,
-                      "Plots of where parts of the engine begin to pay (gnuplot)");
-    command->add_option("-o,--output", arguments->output, "Folder for these reports")
+                      "Only the plots of where parts of the engine begin to pay (gnuplot)");
+    command->add_option("-o,--output", arguments->output, "Folder of the report")
         ->type_name("DIR")
         ->capture_default_str();
     command->add_option("--header", arguments->header, "Write the set as a C++ header")->type_name("FILE");

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What each feature of our engine costs a scene that does not use it: the scene runs with everything on, and with
-// everything but the feature. Features that share a kernel are left out together, since one of them alone keeps it.
+// everything but the feature. A kernel that serves several features goes only when all of them are left out, so that
+// these have a row together besides.
 
 #pragma once
 
@@ -16,18 +17,25 @@
 
 namespace testbed {
 
-/// One feature in one scene.
+/// Whether the engine has code that goes with a feature.
+enum class FeatureKernel { none, shared, own };
+
+/// One feature, or all features of a shared kernel, in one scene.
 struct AblationRow {
     std::string scene;
     int size = 0;
-    std::string feature;
-    std::string leftOut;  ///< what was left out with it, itself included, with commas; empty: the scene needs it
-    bool hasKernel = false;
-    int users = 0;
-    VariantCost full, without;  ///< nothing in `without` if the scene needs the feature
+    std::string feature;  ///< several: with commas
+    FeatureKernel kernel = FeatureKernel::none;
+    int users = 0;              ///< above 0: the scene needs it, and nothing was run
+    VariantCost full, without;  ///< of the same repeats
+
+    [[nodiscard]] double GetNsChange() const { return without.nsPerBodyStep - full.nsPerBodyStep; }
+    [[nodiscard]] double GetPercent() const { return 100.0 * GetNsChange() / full.nsPerBodyStep; }
+    /// Of one body, fixture, contact and joint together.
+    [[nodiscard]] long GetBytesChange() const;
 };
 
-/// Rows of all features, in the engine's order.
+/// Rows of all features in the engine's order, then of the shared kernels.
 [[nodiscard]] std::vector<AblationRow> MeasureAblation(const scenes::Scene& scene, const RequirementPlan& plan,
                                                        const std::function<void()>& onRepeat = {});
 /// Lockstep runs that MeasureAblation makes of a scene, at most, times the plan's repeats.
@@ -35,8 +43,8 @@ struct AblationRow {
 
 [[nodiscard]] std::string MakeAblationCsv(std::span<const AblationRow> rows);
 [[nodiscard]] std::string MakeAblationJson(std::span<const AblationRow> rows);
-/// The page of a report: what every scene requires, and the table of ablations.
-[[nodiscard]] Page MakeAblationPage(std::span<const Requirement> requirements, std::span<const AblationRow> rows,
-                                    const std::string& command);
+/// What every scene requires; the ablation by feature over all scenes, and by scene.
+[[nodiscard]] PageSection MakeRequirementSection(std::span<const Requirement> requirements);
+[[nodiscard]] PageSection MakeAblationSection(std::span<const AblationRow> rows);
 
 }  // namespace testbed

@@ -10,6 +10,7 @@
 #include <map>
 
 #include "scenes/catalog.h"
+#include "testbed/adapters/break_even.h"
 #include "testbed/report/ablation.h"
 #include "testbed/report/requirement.h"
 
@@ -77,13 +78,46 @@ TEST(Features, AnAblationHasARowPerFeatureAndLeavesOutOnlyWhatIsNotUsed) {
     const scenes::Scene scene = scenes::Build("slow-explosion", 30);
     const RequirementPlan plan{.steps = 5, .repeats = 2};
     const std::vector<AblationRow> rows = MeasureAblation(scene, plan);
-    ASSERT_EQ(rows.size(), FindUses(scene, plan).size());
-    for (const AblationRow& row : rows) {
-        EXPECT_EQ(row.leftOut.empty(), row.users > 0) << row.feature;
-        EXPECT_TRUE(row.without.sameHash) << row.feature;
+    const std::vector<FeatureUse> uses = FindUses(scene, plan);
+    ASSERT_EQ(rows.size(), uses.size() + 2);  // and two kernels of several features
+    std::map<std::string, AblationRow> byName;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (i < uses.size()) EXPECT_EQ(rows[i].feature, uses[i].name);
+        EXPECT_EQ(rows[i].full.nsPerBodyStep > 0.0, rows[i].users == 0) << rows[i].feature;
+        EXPECT_EQ(rows[i].without.nsPerBodyStep > 0.0, rows[i].users == 0) << rows[i].feature;
+        EXPECT_TRUE(rows[i].without.sameHash) << rows[i].feature;
+        byName[rows[i].feature] = rows[i];
     }
-    EXPECT_NE(MakeAblationCsv(rows).find("slow-explosion,30,damping,0,\"damping, gravityScale, forces\",yes,"),
-              std::string::npos);
+    // One of three keeps the kernel and its column of 16 bytes a body; all three together take it away.
+    EXPECT_EQ(byName.at("damping").kernel, FeatureKernel::shared);
+    EXPECT_EQ(byName.at("damping").GetBytesChange(), 0);
+    EXPECT_EQ(byName.at("damping").without.kernels, byName.at("damping").full.kernels);
+    const AblationRow& together = byName.at("damping, gravityScale, forces");
+    EXPECT_EQ(together.kernel, FeatureKernel::own);
+    EXPECT_EQ(together.GetBytesChange(), -16);
+    EXPECT_NE(together.without.kernels, together.full.kernels);
+    EXPECT_NE(byName.at("speedLimit").without.kernels, byName.at("speedLimit").full.kernels);
+    EXPECT_EQ(byName.at("springs").kernel, FeatureKernel::none);
+    const std::string csv = MakeAblationCsv(rows);
+    EXPECT_NE(csv.find("slow-explosion,30,\"damping\",shared,0,"), std::string::npos);
+    EXPECT_NE(csv.find("slow-explosion,30,\"damping, gravityScale, forces\",own,0,"), std::string::npos);
+}
+
+TEST(Features, BreakEvenIsWhereAPartBeginsToPayForGood) {
+    EXPECT_EQ(DescribeBreakEven({{0.0, 10, 11}, {0.2, 10, 9}, {0.4, 10, 12}, {0.6, 10, 8}, {1.0, 10, 5}}),
+              "pays above a share of 0.50; saves 50 % at 1.00");
+    EXPECT_EQ(DescribeBreakEven({{0.0, 10, 9}, {1.0, 10, 5}}), "pays at every share; saves 50 % at 1.00");
+    EXPECT_EQ(DescribeBreakEven({{0.0, 10, 9}, {0.5, 10, 11}}), "costs 10 % at 0.50");
+    EXPECT_EQ(DescribeBreakEven({}), "");
+}
+
+TEST(Features, PathsOfIsolatedBodiesAreMeasuredOnTheWorldsThatTheyAreMadeFor) {
+    const BreakEvenPlan plan{.movers = 50, .steps = 3, .repeats = 1, .shares = {0.0, 0.5, 1.0}};
+    for (const int substeps : {0, 4}) {
+        const std::vector<BreakEvenPoint> points = MeasureIsolatedShare(plan, substeps);
+        ASSERT_EQ(points.size(), 3u);
+        for (const BreakEvenPoint& point : points) EXPECT_TRUE(point.nsWith > 0.0 && point.nsWithout > 0.0);
+    }
 }
 
 TEST(Features, TheHeaderNamesWhatTheSceneUses) {

@@ -22,6 +22,43 @@ int Root(std::vector<int>& parent, int i) {
     return i;
 }
 
+TEST(Islands, ThePathOfIsolatedBodiesGivesTheBitsOfTheSolver) {
+    for (const int substeps : {0, 4}) {
+        WorldDef def;
+        def.continuousPhysics = false;
+        World apart(def), among(def);
+        inspect::SetIsolatedPath(among, false);
+        for (World* world : {&apart, &among}) {
+            AddGround(*world, 20.0f);
+            for (int i = 0; i < 60; ++i) {
+                BodyDef body;
+                body.type = i % 7 == 0 ? kinematicBody : dynamicBody;
+                body.position = {static_cast<float>(i % 10) - 5.0f, 1.0f + 1.5f * static_cast<float>(i / 10)};
+                body.linearVelocity = {0.3f * static_cast<float>(i % 5), 0.0f};
+                body.angularVelocity = static_cast<float>(i % 3);
+                body.linearDamping = 0.1f * static_cast<float>(i % 2);
+                AddBox(world->CreateBody(&body), 0.3f, 0.2f);
+            }
+        }
+        int isolated = 0, touching = 0;
+        for (int step = 0; step < 300; ++step) {
+            StepReport reports[2];
+            for (const int which : {0, 1}) {
+                World& world = which == 0 ? apart : among;
+                reports[which] = substeps > 0 ? world.Step(1.0f / 60.0f, substeps) : world.Step(1.0f / 60.0f, 8, 3);
+            }
+            ASSERT_EQ(inspect::GetStateHash(apart), inspect::GetStateHash(among)) << step << ", " << substeps;
+            ASSERT_EQ(reports[0].awakeBodyCount, reports[1].awakeBodyCount);
+            ASSERT_EQ(reports[1].isolatedBodyCount, 0);
+            isolated += reports[0].isolatedBodyCount;
+            touching += reports[0].touchingCount;
+        }
+        EXPECT_GT(isolated, 1000);
+        EXPECT_GT(touching, 1000);
+        EXPECT_LT(apart.GetReport().awakeBodyCount, 60);  // some fell asleep, alike
+    }
+}
+
 TEST(Islands, EqualTheComponentsOfTheContactGraph) {
     EXPECT_TRUE(rc::check("islands = connected components over dynamic bodies", [] {
         World world({0.0f, -10.0f});

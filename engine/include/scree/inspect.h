@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Read-only views of a world's insides, for testbeds, debuggers and reports. Nothing here changes what a step computes.
+// Views of a world's insides, for testbeds, debuggers and reports. Nothing here changes what a step computes.
 
 #pragma once
 
@@ -40,6 +40,11 @@ struct MemoryUse {
     size_t bytesPerBody = 0, bytesPerFixture = 0, bytesPerContact = 0;  ///< of one record, solver scratch excluded
 };
 MemoryUse GetMemoryUse(const World& world);
+
+/// Whether bodies without contacts and joints are integrated apart from the solver (the default), or go through it like
+/// all others, which takes longer and gives the same bits: what that path is worth. Where a body is stopped at a time
+/// of impact the two may differ.
+void SetIsolatedPath(World& world, bool apart);
 
 /// The kernels that the last step ran.
 KernelSet GetKernels(const World& world);

@@ -139,7 +139,7 @@ private:
 }  // namespace
 
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands) {
+                 IslandTable& islands, Isolated isolated) {
     islands.Clear();
     BuildAdjacency(contacts, bodies, scratch);
     scratch.contactSeen.assign(contacts.flags.size(), 0);
@@ -152,7 +152,8 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
         const auto b = static_cast<size_t>(body);
         constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
         if ((bodies.flags[b] & active) != active || scratch.progress[b] >= IslandScratch::seen) continue;
-        if (scratch.progress[b] == IslandScratch::untouched && (!anyJoints || bodies.info[b].jointCount == 0)) {
+        if (isolated == Isolated::apart && scratch.progress[b] == IslandScratch::untouched &&
+            (!anyJoints || bodies.info[b].jointCount == 0)) {
             islands.isolated.push_back(body);
         } else {
             search.Grow(body);
@@ -187,7 +188,7 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
 }
 
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
-                  IslandScratch& scratch, IslandTable& active) {
+                  IslandScratch& scratch, IslandTable& active, Isolated isolated) {
     active.Clear();
     ClearForMovers(bodies, scratch.progress);
     const auto note = [&](int body) { scratch.progress[static_cast<size_t>(body)] = IslandScratch::touched; };
@@ -207,7 +208,8 @@ void GatherActive(const ContactTable& contacts, const JointTable& joints, const 
     }
     for (const int body : bodies.movers) {
         if (!bodies.IsActive(body)) continue;
-        const bool isAlone = scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
+        const bool isAlone =
+            isolated == Isolated::apart && scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
         (isAlone ? active.isolated : active.bodies).push_back(body);
     }
 }

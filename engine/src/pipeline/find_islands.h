@@ -26,17 +26,23 @@ struct IslandScratch {
     std::vector<int> stack;
 };
 
+/// Where bodies without contacts and joints go.
+enum class Isolated : uint8_t {
+    apart,      ///< to the list of isolated bodies, which are integrated without a solver
+    asIslands,  ///< among the others, for comparisons: same bits, more time
+};
+
 /// Depth-first search from every awake body (as Box2D does it: static bodies do not connect islands; sleeping bodies
-/// that are reached wake up, their sleep timers keep running). Bodies without contacts and joints go to
-/// `islands.isolated`.
+/// that are reached wake up, their sleep timers keep running). O(contacts +
+/// joints + movers).
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands);
+                 IslandTable& islands, Isolated isolated = Isolated::apart);
 
 /// True if the islands of this step matter: a body may fall asleep within `dt`, or a sleeping one may have to wake
 /// because it is joined to or touches an awake one.
 bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt);
 /// The same lists without the search, and no islands: awake bodies, contacts that push them and their joints, by row.
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
-                  IslandScratch& scratch, IslandTable& active);
+                  IslandScratch& scratch, IslandTable& active, Isolated isolated = Isolated::apart);
 
 }  // namespace scree

@@ -183,6 +183,10 @@ MemoryUse GetMemoryUse(const World& world) {
     return use;
 }
 
+void SetIsolatedPath(World& world, bool apart) {
+    world.GetState().isolated = apart ? Isolated::apart : Isolated::asIslands;
+}
+
 KernelSet GetKernels(const World& world) { return world.GetState().kernels; }
 
 uint64_t GetStateHash(const World& world) {

@@ -112,7 +112,7 @@ SolverCounts RunSequentialImpulses(WorldState& s, const SolverSettings& settings
         for (const int body : s.bodies.movers) s.bodies.position[static_cast<size_t>(body)].aRest = 0.0f;
         s.solverScratch.anglesHaveRests = false;
     }
-    FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
+    FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands, s.isolated);
     report.profile.islands = watch.Lap();
     return SolveIslands(settings, s.fixtures, s.islands, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints},
                         s.solverScratch);
@@ -124,9 +124,9 @@ SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, const To
     s.islands.Clear();
     s.solverScratch.anglesHaveRests = true;
     if (tolerance != nullptr || NeedsIslands(s.contacts, s.joints, s.bodies, settings.dt)) {
-        FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
+        FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands, s.isolated);
     }
-    GatherActive(s.contacts, s.joints, s.bodies, s.islandScratch, s.active);
+    GatherActive(s.contacts, s.joints, s.bodies, s.islandScratch, s.active, s.isolated);
     const auto solve = [&](const SolverSettings& own, const IslandTable& lists) {
         report.substeps = own.substeps;  // groups come with rising numbers
         report.bodySubsteps += static_cast<int64_t>(lists.bodies.size() + lists.isolated.size()) * own.substeps;
