@@ -169,6 +169,8 @@ TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
 }
 
 /// Allocations of 60 steps of settled stacks beside free bodies, after 240 steps.
+constexpr int withTolerance = -1;
+
 long CountWarmAllocations(int substeps, int workers) {
     WorldDef def;
     def.gravity = {0.0f, -10.0f};
@@ -190,6 +192,8 @@ long CountWarmAllocations(int substeps, int workers) {
         for (int i = 0; i < steps; ++i) {
             if (substeps > 0) {
                 world.Step(1.0f / 60.0f, substeps);
+            } else if (substeps == withTolerance) {
+                world.Step(1.0f / 60.0f, Tolerance{.overlap = 0.008f});
             } else {
                 world.Step(1.0f / 60.0f, 8, 3);
             }
@@ -205,6 +209,7 @@ TEST(Step, AWarmStepAllocatesNothing) {
     for (const int workers : {1, 2}) {
         EXPECT_EQ(CountWarmAllocations(0, workers), 0) << "sequential impulses, workers " << workers;
         EXPECT_EQ(CountWarmAllocations(4, workers), 0) << "soft step, workers " << workers;
+        EXPECT_EQ(CountWarmAllocations(withTolerance, workers), 0) << "with a tolerance, workers " << workers;
     }
 }
 

@@ -7,6 +7,7 @@
 #include "pipeline/group_substeps.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace scree {
@@ -38,8 +39,12 @@ float TakeWanted(const GroupInput& in, BodyDemand& demand) {
     return wanted;
 }
 
-SubstepGroup& GroupOf(std::vector<SubstepGroup>& groups, int substeps) {
-    return *std::find_if(groups.begin(), groups.end(), [&](const SubstepGroup& g) { return g.substeps == substeps; });
+/// Any group may come to hold nearly all; groups change places and sizes from step to step, and are not to allocate.
+void MakeRoom(IslandTable& lists, const IslandTable& all) {
+    lists.bodies.reserve(std::bit_ceil(all.bodies.size()));
+    lists.contacts.reserve(std::bit_ceil(all.contacts.size()));
+    lists.joints.reserve(std::bit_ceil(all.joints.size()));
+    lists.isolated.reserve(std::bit_ceil(all.isolated.size()));
 }
 
 }  // namespace
@@ -53,14 +58,28 @@ int RoundUpSubsteps(float wanted, const Tolerance& tolerance) {
     return static_cast<int>(std::clamp<int64_t>(level, tolerance.leastSubsteps, tolerance.mostSubsteps));
 }
 
-void GroupBySubsteps(const GroupInput& in, BodyTable& bodies, std::vector<SubstepGroup>& groups) {
+void SubstepGroups::Enter(int substeps) {
+    const auto isBefore = [](const SubstepGroup& group, int number) { return group.substeps < number; };
+    const std::span<SubstepGroup> used = Get();
+    const auto place = std::lower_bound(used.begin(), used.end(), substeps, isBefore);
+    if (place != used.end() && place->substeps == substeps) return;
+    const auto at = static_cast<std::ptrdiff_t>(place - used.begin());
+    if (m_count == m_groups.size()) m_groups.emplace_back();
+    ++m_count;
+    const auto begin = m_groups.begin() + at, end = m_groups.begin() + static_cast<std::ptrdiff_t>(m_count);
+    std::rotate(begin, end - 1, end);
+    begin->substeps = substeps;
+    begin->lists.Clear();
+}
+
+SubstepGroup& SubstepGroups::Find(int substeps) {
+    const std::span<SubstepGroup> used = Get();
+    return *std::find_if(used.begin(), used.end(), [&](const SubstepGroup& g) { return g.substeps == substeps; });
+}
+
+void GroupBySubsteps(const GroupInput& in, BodyTable& bodies, SubstepGroups& groups) {
     bodies.demand.resize(bodies.info.size());
-    groups.clear();
-    const auto enter = [&](int substeps) {
-        const bool isNew =
-            std::none_of(groups.begin(), groups.end(), [&](const auto& g) { return g.substeps == substeps; });
-        if (isNew) groups.push_back({substeps, {}});
-    };
+    groups.Clear();
     for (const Island& island : in.islands.islands) {
         float wanted = 0.0f;
         for (const int body : Bodies(in.islands, island)) {
@@ -68,20 +87,18 @@ void GroupBySubsteps(const GroupInput& in, BodyTable& bodies, std::vector<Subste
         }
         const int substeps = RoundUpSubsteps(wanted, in.tolerance);
         for (const int body : Bodies(in.islands, island)) bodies.demand[Row(body)].substeps = substeps;
-        enter(substeps);
+        groups.Enter(substeps);
     }
-    if (!in.active.isolated.empty()) enter(in.tolerance.leastSubsteps);
-    std::sort(groups.begin(), groups.end(), [](const auto& a, const auto& b) { return a.substeps < b.substeps; });
+    if (!in.active.isolated.empty()) groups.Enter(in.tolerance.leastSubsteps);
+    for (SubstepGroup& group : groups.Get()) MakeRoom(group.lists, in.active);
 
     for (const int body : in.active.isolated) {
         BodyDemand& demand = bodies.demand[Row(body)];
         TakeWanted(in, demand);
         demand.substeps = in.tolerance.leastSubsteps;
+        groups.Get().front().lists.isolated.push_back(body);
     }
-    if (!in.active.isolated.empty()) groups.front().lists.isolated = in.active.isolated;
-    const auto listsOf = [&](int body) -> IslandTable& {
-        return GroupOf(groups, bodies.demand[Row(body)].substeps).lists;
-    };
+    const auto listsOf = [&](int body) -> IslandTable& { return groups.Find(bodies.demand[Row(body)].substeps).lists; };
     const auto moverOf = [&](int a, int b) { return bodies.type[Row(a)] != staticBody ? a : b; };
     for (const int body : in.active.bodies) listsOf(body).bodies.push_back(body);
     for (const int contact : in.active.contacts) {

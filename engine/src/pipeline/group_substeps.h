@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scree/accuracy.h"
@@ -19,6 +20,22 @@ namespace scree {
 struct SubstepGroup {
     int substeps = 0;
     IslandTable lists;  ///< without ranges of islands; in the order of the lists that were divided
+};
+
+/// The groups of a step, fewest sub-steps first. Keeps the room of earlier steps.
+class SubstepGroups {
+public:
+    [[nodiscard]] std::span<SubstepGroup> Get() { return {m_groups.data(), m_count}; }
+    [[nodiscard]] std::span<const SubstepGroup> Get() const { return {m_groups.data(), m_count}; }
+    void Clear() { m_count = 0; }
+    /// An empty group, in its place, unless there is one with that number.
+    void Enter(int substeps);
+    /// The group with a number that was entered.
+    SubstepGroup& Find(int substeps);
+
+private:
+    std::vector<SubstepGroup> m_groups;
+    size_t m_count = 0;
 };
 
 struct GroupInput {
@@ -38,6 +55,6 @@ int RoundUpSubsteps(float wanted, const Tolerance& tolerance);
 /// Each island gets as many sub-steps as the most demanding of its bodies calls for, by what the last such step found;
 /// isolated bodies get the least. Divides `active` into `groups`, fewest sub-steps first, and starts the bodies'
 /// demands of this step anew.
-void GroupBySubsteps(const GroupInput& input, BodyTable& bodies, std::vector<SubstepGroup>& groups);
+void GroupBySubsteps(const GroupInput& input, BodyTable& bodies, SubstepGroups& groups);
 
 }  // namespace scree

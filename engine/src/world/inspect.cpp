@@ -148,8 +148,8 @@ void GetContactColours(const World& world, std::vector<int>& colours) {
     const WorldState& s = world.GetState();
     colours.assign(static_cast<size_t>(s.contacts.Size()), -1);
     // The soft step solves all active contacts, or group by group; sequential impulses those of large islands.
-    const std::vector<int>& active =
-        s.substepGroups.empty() ? s.active.contacts : s.substepGroups.back().lists.contacts;
+    const std::span<const SubstepGroup> groups = s.substepGroups.Get();
+    const std::vector<int>& active = groups.empty() ? s.active.contacts : groups.back().lists.contacts;
     const std::vector<int>& list = s.active.contacts.empty() ? s.solverScratch.wide.contacts : active;
     const std::span<const int> found = s.solverScratch.blocks.GetColours();
     if (list.empty() || found.size() != list.size()) return;

@@ -141,7 +141,7 @@ SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, const To
         GroupBySubsteps({s.islands, s.active, s.contacts, s.joints, *tolerance, settings.Slop(), settings.dt}, s.bodies,
                         s.substepGroups);
         report.profile.islands = watch.Lap();
-        for (const SubstepGroup& group : s.substepGroups) {
+        for (const SubstepGroup& group : s.substepGroups.Get()) {
             SolverSettings own = settings;
             own.substeps = group.substeps;
             counts += solve(own, group.lists);
@@ -153,7 +153,7 @@ SolverCounts RunSoftStep(WorldState& s, const SolverSettings& settings, const To
 
 void SolveWholeStep(WorldState& s, const SolverSettings& settings, const Tolerance* tolerance, Stopwatch& watch,
                     StepReport& report) {
-    s.substepGroups.clear();
+    s.substepGroups.Clear();
     const SolverCounts counts = settings.substeps > 0 ? RunSoftStep(s, settings, tolerance, watch, report)
                                                       : RunSequentialImpulses(s, settings, watch, report);
     report.profile.solver = watch.Lap();

@@ -43,7 +43,7 @@ struct WorldState {
 
     IslandTable islands;                      ///< of the last step; the soft step may do without
     IslandTable active;                       ///< of the last soft step: what was solved, without islands
-    std::vector<SubstepGroup> substepGroups;  ///< of the last step if it had a tolerance
+    SubstepGroups substepGroups;  ///< of the last step if it had a tolerance
     NarrowPhaseScratch narrowPhaseScratch;
     IslandScratch islandScratch;
     SolverScratch solverScratch;
