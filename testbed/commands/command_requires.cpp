@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
@@ -89,7 +90,8 @@ std::vector<SceneRequest> ChooseScenes(const RequiresArguments& arguments) {
 struct Report {
     OutputFolder output;
     Page page;
-    bool same = true;  ///< all hashes
+    std::vector<PageSection> details;  ///< for the end of the page
+    bool same = true;                  ///< all hashes
 
     Report(const RequiresArguments& arguments, const Request& request)
         : output(arguments.output),
@@ -101,6 +103,7 @@ struct Report {
                .facts = {{"command", DescribeCommand(request.arguments)}}} {}
 
     int Finish() {
+        std::ranges::move(details, std::back_inserter(page.sections));
         output.WriteText("index.html", MakePage(page));
         for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
         return same ? exitDone : exitDiffers;
@@ -122,6 +125,7 @@ void AddAblation(const RequiresArguments& arguments, Report& report) {
     report.output.WriteText("ablation.json", MakeAblationJson(rows));
     report.page.sections.push_back(MakeRequirementSection(requirements));
     report.page.sections.push_back(MakeAblationSection(rows));
+    report.details.push_back(MakeAblationDetails(rows));
     report.same = report.same && std::ranges::all_of(requirements, AreHashesEqual) &&
                   std::ranges::all_of(rows, [](const AblationRow& row) { return row.without.sameHash; });
 }

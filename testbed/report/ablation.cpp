@@ -115,8 +115,7 @@ PageTone ToneOf(double percent) {
 }
 
 PageTable MakeSceneTable(std::span<const AblationRow> rows) {
-    PageTable table{.title = "By scene",
-                    .columns = {{.name = "scene"},
+    PageTable table{.columns = {{.name = "scene"},
                                 {.name = "feature"},
                                 {.name = "kernel"},
                                 {.name = "users", .numeric = true},
@@ -142,10 +141,10 @@ PageTable MakeSceneTable(std::span<const AblationRow> rows) {
     return table;
 }
 
-/// "-17.1 (slow-explosion)", sorted by the number.
+/// The change, and on hover the scene.
 PageCell ExtremeCell(const AblationRow& row) {
     PageCell cell = PageCell::Number(row.GetPercent(), 1, ToneOf(row.GetPercent()));
-    cell.text += fmt::format(" ({})", row.scene);
+    cell.hint = row.scene;
     return cell;
 }
 
@@ -178,7 +177,6 @@ std::vector<PageCell> MakeFeatureRow(const std::string& feature, std::span<const
 
 PageTable MakeFeatureTable(std::span<const AblationRow> rows) {
     PageTable table{
-        .title = "By feature, over all scenes",
         .columns = {
             {.name = "without"},
             {.name = "kernel"},
@@ -283,16 +281,18 @@ PageSection MakeRequirementSection(std::span<const Requirement> requirements) {
 }
 
 PageSection MakeAblationSection(std::span<const AblationRow> rows) {
-    PageSection section{
-        .title = "Ablation",
-        .intro =
-            "A row per feature left out: the scene with everything but it, against full. Below 0 the scene is "
-            "faster without. A kernel that is shared goes only with the last of its features, so these also have "
-            "a row together; features without a kernel have nothing that could go, and their rows show the noise "
-            "of the measurement. Steps of the variants alternate, and of each step the fastest of all repeats "
-            "counts.",
-        .blocks = {MakeFeatureTable(rows), MakeSceneTable(rows)}};
-    return section;
+    return {.title = "Ablation",
+            .intro =
+                "A row per feature left out: scenes with everything but it, against full. Below 0 they are "
+                "faster without. A kernel that is shared goes only with the last of its features, so these also "
+                "have a row together; features without a kernel have nothing that could go, and their rows show "
+                "the noise of the measurement. Steps of the variants alternate, and of each step the fastest of "
+                "all repeats counts.",
+            .blocks = {MakeFeatureTable(rows)}};
+}
+
+PageSection MakeAblationDetails(std::span<const AblationRow> rows) {
+    return {.title = "Ablation by scene", .blocks = {MakeSceneTable(rows)}, .folded = true};
 }
 
 }  // namespace testbed

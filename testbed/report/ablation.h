@@ -43,8 +43,9 @@ struct AblationRow {
 
 [[nodiscard]] std::string MakeAblationCsv(std::span<const AblationRow> rows);
 [[nodiscard]] std::string MakeAblationJson(std::span<const AblationRow> rows);
-/// What every scene requires; the ablation by feature over all scenes, and by scene.
+/// What every scene requires; the ablation by feature over all scenes, and, folded, by scene.
 [[nodiscard]] PageSection MakeRequirementSection(std::span<const Requirement> requirements);
 [[nodiscard]] PageSection MakeAblationSection(std::span<const AblationRow> rows);
+[[nodiscard]] PageSection MakeAblationDetails(std::span<const AblationRow> rows);
 
 }  // namespace testbed
