@@ -82,7 +82,9 @@ TEST(Features, AnAblationHasARowPerFeatureAndLeavesOutOnlyWhatIsNotUsed) {
     ASSERT_EQ(rows.size(), uses.size() + 2);  // and two kernels of several features
     std::map<std::string, AblationRow> byName;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i < uses.size()) EXPECT_EQ(rows[i].feature, uses[i].name);
+        if (i < uses.size()) {
+            EXPECT_EQ(rows[i].feature, uses[i].name);
+        }
         EXPECT_EQ(rows[i].full.nsPerBodyStep > 0.0, rows[i].users == 0) << rows[i].feature;
         EXPECT_EQ(rows[i].without.nsPerBodyStep > 0.0, rows[i].users == 0) << rows[i].feature;
         EXPECT_TRUE(rows[i].without.sameHash) << rows[i].feature;
