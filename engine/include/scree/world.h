@@ -71,7 +71,7 @@ struct WorldDef {
     /// Once a body is farther than this from the origin in x or y, m at a length scale of 1, all positions of the world
     /// have a low-order part (Body::GetPositionRest), so that bodies behave there as they do near the origin; 16 bytes
     /// a body. 0: from the start; infinity: only once a program gives a rest (BodyDef::positionRest).
-    float farDistance = 1024.0f;
+    float farDistance = 2048.0f;
     /// Which solver runs whatever Step is called: Step(dt, 8, 3) is taken for 4 sub-steps and the other way round.
     SolverKind solver = SolverKind::automatic;
     SoftStepDef softStep;
