@@ -163,7 +163,7 @@ TEST(FarPositions, BodiesAreWhereTheyWerePut) {
 TEST(FarPositions, AreThereOnceABodyIsFar) {
     World world({0, 0});
     world.SetAllowSleeping(false);
-    Body* body = AddBody(world, dynamicBody, {1000, 0});
+    Body* body = AddBody(world, dynamicBody, {2000, 0});
     AddBox(body, 0.5f, 0.5f);
     const size_t plain = inspect::GetMemoryUse(world).bytesPerBody;
     body->SetLinearVelocity({600, 0});
