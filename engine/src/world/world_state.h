@@ -41,8 +41,8 @@ struct WorldState {
     std::vector<Pair> pairs;  ///< of the last pair finding
     bool pairsStale = false;  ///< boxes changed since then
 
-    IslandTable islands;                      ///< of the last step; the soft step may do without
-    IslandTable active;                       ///< of the last soft step: what was solved, without islands
+    IslandTable islands;          ///< of the last step; the soft step may do without
+    IslandTable active;           ///< of the last soft step: what was solved, without islands
     SubstepGroups substepGroups;  ///< of the last step if it had a tolerance
     NarrowPhaseScratch narrowPhaseScratch;
     IslandScratch islandScratch;
