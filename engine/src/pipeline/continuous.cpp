@@ -165,11 +165,12 @@ private:
         const auto known = isBullet ? std::nullopt : m_s.nearStatics.Find(body, tables);
         if (!known) return CollectPairs(body, isBullet);
         if (known->empty()) return;
+        m_s.found.assign(known->begin(), known->end());  // a filter that is asked may make what is known forgotten
         for (int f = m_bodies.info[Row(body)].fixtureHead; f >= 0; f = m_t.fixtures.info[Row(f)].next) {
             if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
             MarkKnown(body, f);
             const AABB box = SweptBox(body, f);
-            for (const int other : *known) {
+            for (const int other : m_s.found) {
                 if (TestOverlap(box, m_t.broadPhase.GetBox(static_cast<uint32_t>(other)))) AddPair(f, other);
             }
         }
