@@ -200,6 +200,44 @@ TEST(NearStatics, ChangeNoResult) {
     EXPECT_GT(with, 100);
 }
 
+/// Turns a fixture into a sensor and back whenever it is asked, which makes what is near forgotten.
+struct RestlessFilter : ContactFilter {
+    Fixture* fixture = nullptr;
+    int asked = 0;
+    bool ShouldCollide(Fixture*, Fixture*) override {
+        ++asked;
+        EXPECT_EQ(fixture->SetSensor(!fixture->IsSensor()), ErrorCode::ok);
+        return true;
+    }
+};
+
+uint64_t RunRestless(bool hold, int& asked) {
+    World world({0.0f, -10.0f});
+    Body* ground = AddGround(world);
+    if (hold) {
+        EXPECT_NE(ground->GetFixtureList()->GetShape(), nullptr);
+    }
+    for (int i = 0; i < 6; ++i) AddBox(AddBody(world, staticBody, {0.3f * static_cast<float>(i), 1.0f}), 0.1f, 0.1f);
+    RestlessFilter filter;
+    filter.fixture = AddBox(AddBody(world, staticBody, {50.0f, 0.0f}), 0.1f, 0.1f);
+    world.SetContactFilter(&filter);
+    for (int i = 0; i < 10; ++i) {
+        Body* body = AddBody(world, dynamicBody, {0.2f * static_cast<float>(i), 2.0f + 0.5f * static_cast<float>(i)});
+        AddCircle(body, 0.15f);
+        body->SetLinearVelocity({0.0f, -30.0f});
+    }
+    for (int step = 0; step < 60; ++step) world.Step(1.0f / 60.0f, 8, 3);
+    asked = filter.asked;
+    return inspect::GetStateHash(world);
+}
+
+TEST(NearStatics, MayBeForgottenWhileAFilterIsAsked) {
+    int with = 0, without = 0;
+    EXPECT_EQ(RunRestless(false, with), RunRestless(true, without));
+    EXPECT_EQ(with, without);
+    EXPECT_GT(with, 20);
+}
+
 TEST(LeastDistance, IsNeverMoreThanTheDistance) {
     Randomly random(9);
     int close = 0;
