@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "source_tree.h"
@@ -51,10 +52,21 @@ TEST(Files, HeadersAreGuarded) {
     }
 }
 
-std::vector<std::string> Headers() {
+/// Headers that no source file includes first: one that does shows by compiling that its first header needs no other.
+/// Tests do not count, they have precompiled headers.
+std::vector<std::string> HeadersToCompile() {
+    std::set<std::string> shown;
+    for (const SourceFile& file : SourceFiles()) {
+        if (!file.path.ends_with(".cpp") || file.path.starts_with("tests/")) continue;
+        const std::vector<std::string> includes = file.Includes();
+        if (includes.empty()) continue;
+        for (const char* folder : {"", "engine/include/", "engine/src/", "engine/compat/"}) {
+            shown.insert(folder + includes.front());
+        }
+    }
     std::vector<std::string> headers;
     for (const SourceFile& file : SourceFiles()) {
-        if (file.IsHeader()) headers.push_back(file.path);
+        if (file.IsHeader() && !shown.contains(file.path)) headers.push_back(file.path);
     }
     return headers;
 }
@@ -81,7 +93,7 @@ TEST_P(Header, CompilesAlone) {
     EXPECT_EQ(status, 0) << words.str();
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Header, testing::ValuesIn(Headers()), [](const auto& tested) {
+INSTANTIATE_TEST_SUITE_P(All, Header, testing::ValuesIn(HeadersToCompile()), [](const auto& tested) {
     std::string name = tested.param;
     std::replace_if(
         name.begin(), name.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');

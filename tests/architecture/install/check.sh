@@ -2,12 +2,13 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# check.sh SOURCE WORK COMPILER: builds the engine alone, installs it below WORK, and builds and runs a program outside
-# the project against it, once found by find_package(scree) and once by pkg-config, and one written for Box2D. Fails too if the engine's library
-# exports Box2D's names or needs anything but the C++ runtime.
+# check.sh SOURCE WORK COMPILER BUILD: installs what was built in BUILD below WORK, and builds and runs a program outside
+# the project against it, once found by find_package(scree) and once by pkg-config, and one written for Box2D. Fails too
+# if the engine's library defines Box2D's names or needs anything but the C++ runtime. Where BUILD is `alone`, the engine
+# is first built by itself, as shared libraries: several minutes without a cache of the compiler.
 
 set -euo pipefail
-readonly source=$1 work=$2 compiler=$3
+readonly source=$1 work=$2 compiler=$3 build=$4
 readonly consumer=$source/tests/architecture/install
 
 rm -rf "$work"
@@ -15,18 +16,28 @@ mkdir -p "$work"
 options=(-G Ninja -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_COMPILER=$compiler")
 if command -v ccache >/dev/null; then options+=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
 
-echo "== the engine alone"
+echo "== the engine alone, without what the testbed needs"
 # No optimisation: what is tested is that it builds, installs and links.
 cmake -S "$source" -B "$work/engine" "${options[@]}" -DCMAKE_CXX_FLAGS_DEBUG=-O0 \
     -DSCREE_BUILD_TESTBED=OFF -DSCREE_BUILD_TESTS=OFF -DBUILD_SHARED_LIBS=ON
-cmake --build "$work/engine"
-cmake --install "$work/engine" --prefix "$work/first"
+if [[ $build == alone ]]; then
+    cmake --build "$work/engine"
+    cmake --install "$work/engine" --prefix "$work/first"
+else
+    cmake --install "$build" --prefix "$work/first"
+fi
 mv "$work/first" "$work/prefix"  # an installed tree can be moved
-library=$(find "$work/prefix" -name libscree.so)
 
 echo "== no Box2D names, no libraries but the runtime"
-if nm -DC --defined-only "$library" | grep -E '\bb2[A-Z]'; then exit 1; fi
-if objdump -p "$library" | awk '/NEEDED/ {print $2}' |
+library=$(find "$work/prefix" -name 'libscree.so' -o -name 'libscree.a')
+if [[ $library == *.a ]]; then
+    shared=$work/libscree-whole.so
+    "$compiler" -shared -Wl,--whole-archive "$library" -Wl,--no-whole-archive -Wl,--no-undefined -o "$shared"
+else
+    shared=$library
+fi
+if nm -DC --defined-only "$shared" | grep -E '\bb2[A-Z]'; then exit 1; fi
+if objdump -p "$shared" | awk '/NEEDED/ {print $2}' |
     grep -vE '^(libstdc\+\+|libm|libgcc_s|libc|ld-linux[a-z0-9-]*)\.so'; then exit 1; fi
 
 echo "== find_package(scree)"
