@@ -6,6 +6,8 @@
 
 #include "testbed/adapters/state_hash.h"
 
+#include <fmt/format.h>
+
 #include <bit>
 
 namespace testbed {
@@ -32,5 +34,7 @@ uint64_t HashState(std::span<const BodyState> bodies) {
     }
     return hash;
 }
+
+std::string FormatHash(uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 }  // namespace testbed

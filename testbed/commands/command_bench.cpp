@@ -10,7 +10,6 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,6 +24,7 @@
 #include "testbed/report/bench_table.h"
 #include "testbed/report/case_lines.h"
 #include "testbed/report/gnuplot.h"
+#include "testbed/report/input.h"
 #include "testbed/report/output.h"
 #include "testbed/report/progress.h"
 #include "testbed/report/targets.h"
@@ -60,15 +60,6 @@ void RunCases(const BenchPlan& plan, BenchFiles& files, CaseLines& lines) {
     }
 }
 
-std::string ReadText(const std::string& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream)
-        throw FileError("cannot read " + file + ": give a file that `scree bench --json` or `scree merge` wrote");
-    return text.str();
-}
-
 std::string DescribeBytes(const std::string& engines) {
     std::string text;
     for (const std::string& engine : ParseEngines(engines))
@@ -85,7 +76,8 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
         RunCases(plan, files, lines);
         if (plan.shard.IsFirst()) notes += DescribeBytes(arguments.engines);
     } else {
-        const std::vector<BenchRow> rows = ReadBenchRows(arguments.from, ReadText(arguments.from));
+        const std::vector<BenchRow> rows = ReadBenchRows(
+            arguments.from, ReadText(arguments.from, "give one that `scree bench --json` or `scree merge` wrote"));
         Print(FormatBenchHeader() + FormatBenchRows(rows));
         files.Add({rows, {}});
     }

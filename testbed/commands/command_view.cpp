@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -23,6 +21,7 @@
 #include "testbed/commands/exit_code.h"
 #include "testbed/context/window.h"
 #include "testbed/render/png.h"
+#include "testbed/report/input.h"
 #include "testbed/report/output.h"
 #include "testbed/ui/frame.h"
 #include "testbed/ui/script.h"
@@ -91,12 +90,6 @@ private:
     int m_width, m_height;
 };
 
-std::string ReadText(const std::string& path) {
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw FileError(fmt::format("{}: cannot be read; name a script file", path));
-    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 Viewer MakeViewer(const ViewArguments& arguments) {
     CheckBroadPhase(arguments.broadPhase);
     const std::vector<std::string> engines = ParseEngines(arguments.engines);
@@ -142,7 +135,8 @@ int RunView(const ViewArguments& arguments, const Request& request) {
     if (width < 640 || height < 480 || width > 8192 || height > 8192) {
         throw UsageError(fmt::format("--window {}: legal from 640x480 to 8192x8192", arguments.window));
     }
-    ScriptPlayer player(arguments.script.empty() ? std::vector<ScriptLine>{} : ParseScript(ReadText(arguments.script)));
+    ScriptPlayer player(arguments.script.empty() ? std::vector<ScriptLine>{}
+                                                 : ParseScript(ReadText(arguments.script, "name a script file")));
     const int frames = GetFrameCount(arguments, player);
     Viewer viewer = MakeViewer(arguments);
     Stage stage(arguments, width, height, request.contextOptions);

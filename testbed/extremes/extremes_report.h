@@ -21,7 +21,7 @@ struct ExtremeResult {
     std::string setting;  ///< "scree 8/3"
     Ending ending;
     Outcome outcome;
-    Verdict verdict;
+    CaseGrade verdict;
 };
 
 [[nodiscard]] nlohmann::ordered_json ToJson(const ExtremeResult& result);

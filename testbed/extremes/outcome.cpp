@@ -60,7 +60,7 @@ std::string DescribeEnding(const Ending& ending) {
     return fmt::format("ended with exit code {} and told nothing", ending.exitCode);
 }
 
-void GradeAbuse(const ExtremeCase& one, const Outcome& o, Verdict& verdict) {
+void GradeAbuse(const ExtremeCase& one, const Outcome& o, CaseGrade& verdict) {
     const bool isInput = *one.abuse == Abuse::nonFiniteBody || *one.abuse == Abuse::nonFiniteFixture ||
                          *one.abuse == Abuse::nonFiniteJoint || *one.abuse == Abuse::nonFiniteQuery ||
                          *one.abuse == Abuse::nonFiniteStep || *one.abuse == Abuse::badPolygons ||
@@ -114,7 +114,7 @@ std::string NameGrade(Grade grade) {
     return "as asked";
 }
 
-Verdict GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome& o) {
+CaseGrade GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome& o) {
     if (ending.timedOut || ending.signal != 0 || ending.exitCode != 0 || !ending.output) {
         return {Grade::abort, {DescribeEnding(ending)}};
     }
@@ -123,7 +123,7 @@ Verdict GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome& o
                 {one.abuse ? o.note : fmt::format("a state is not finite after step {}", o.worstStep)}};
     }
     const Demands& d = one.demands;
-    Verdict verdict;
+    CaseGrade verdict;
     if (d.bounds && o.escapes > 0) {
         verdict = {Grade::explodes, {fmt::format("{} bodies escape", o.escapes)}};
     } else if (d.energy && o.gain > explosionGain) {

@@ -57,10 +57,10 @@ enum class Grade { abort = 0, nonFinite = 1, explodes = 2, survives = 3, accurat
 /// "aborts or hangs", "non-finite", …
 [[nodiscard]] std::string NameGrade(Grade grade);
 
-struct Verdict {
+struct CaseGrade {
     Grade grade = Grade::accurate;
     std::vector<std::string> reasons;  ///< why it is not the full grade
 };
-[[nodiscard]] Verdict GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome& outcome);
+[[nodiscard]] CaseGrade GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome& outcome);
 
 }  // namespace testbed

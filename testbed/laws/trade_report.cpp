@@ -18,12 +18,12 @@ namespace testbed {
 
 namespace {
 
-struct Look {
+struct CurveLook {
     Family family;
     std::string_view color;
     int pointType;  ///< gnuplot's number: 7 filled circle, 5 filled square, 9 filled triangle
 };
-constexpr Look looks[] = {
+constexpr CurveLook looks[] = {
     {Family::box2d, "#0000cc", 7}, {Family::sequential, "#cc0000", 5}, {Family::soft, "#e67700", 9}};
 
 constexpr Family oursBoth[] = {Family::sequential, Family::soft};
@@ -213,7 +213,7 @@ std::string MakeBoundsCsv(std::span<const TradeCase> cases) {
 
 std::string MakeTradeScript(const Law& law, std::span<const TradeCase> cases, const std::filesystem::path& picture) {
     std::string data, plots;
-    for (const Look& look : looks) {
+    for (const CurveLook& look : looks) {
         const PlotRows rows = MakeRows(law, cases, look.family);
         if (rows.all.empty()) continue;
         const int id = static_cast<int>(look.family);

@@ -14,6 +14,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "testbed/adapters/state_hash.h"
 #include "testbed/render/png.h"
 
 namespace testbed {
@@ -73,8 +74,6 @@ void ForEachColumn(Row& row, Visit&& visit) {
 }
 
 /// A hash as it is written: JSON numbers cannot hold 64 bits.
-std::string Hexadecimal(uint64_t hash) { return fmt::format("{:016x}", hash); }
-
 template <typename Value>
 constexpr bool isHash = std::is_same_v<Value, uint64_t>;
 
@@ -198,7 +197,7 @@ std::string WriteBenchCsv(std::span<const BenchRow> rows) {
     for (const BenchRow& row : rows) {
         ForEachColumn(row, [&](const char*, const auto& value) {
             if constexpr (isHash<std::remove_cvref_t<decltype(value)>>) {
-                append(Hexadecimal(value));
+                append(FormatHash(value));
             } else {
                 append(value);
             }
@@ -212,7 +211,7 @@ nlohmann::ordered_json MakeBenchJson(const BenchRow& row) {
     nlohmann::ordered_json object, times;
     ForEachCount(row, [&object](const char* name, const auto& value) {
         if constexpr (isHash<std::remove_cvref_t<decltype(value)>>) {
-            object[name] = Hexadecimal(value);
+            object[name] = FormatHash(value);
         } else {
             object[name] = value;
         }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "testbed/adapters/pair_count.h"
+#include "testbed/adapters/state_hash.h"
 #include "testbed/report/output.h"
 #include "testbed/report/tree_quality.h"
 #include "testbed/view/picture.h"
@@ -19,8 +20,6 @@ namespace testbed {
 namespace {
 
 /// A hash as it is written: JSON numbers cannot hold 64 bits.
-std::string Hexadecimal(uint64_t hash) { return fmt::format("{:016x}", hash); }
-
 /// Calls visit(column, value) in the order of the columns: the one place that names them.
 template <typename Visit>
 void ForEachColumn(const MetricsRow& row, Visit&& visit) {
@@ -50,7 +49,7 @@ void ForEachColumn(const MetricsRow& row, Visit&& visit) {
     visit("solver_ms", row.solverMs);
     visit("step_ms", row.stepMs);
     visit("memory_bytes", row.memoryBytes);
-    visit("state_hash", Hexadecimal(row.stateHash));
+    visit("state_hash", FormatHash(row.stateHash));
 }
 
 }  // namespace

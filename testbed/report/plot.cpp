@@ -20,13 +20,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Look {
+struct CurveLook {
     std::string_view color;
     int pointType;
 };
-constexpr Look boxTwoDLook{"#0000cc", 7};
+constexpr CurveLook boxTwoDLook{"#0000cc", 7};
 /// Ours: sequential impulses, then soft steps, more threads after fewer.
-constexpr Look ourLooks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}};
+constexpr CurveLook ourLooks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}};
 
 constexpr std::string_view assertsNote =
     "Box2D 2.4.1 as Debian builds it, with its asserts (seen to cost up to 1.08 times the time without)";
@@ -47,7 +47,7 @@ PlotCurve& CurveOf(Plot& plot, const BenchRow& row) {
     }
     const auto ours = static_cast<std::size_t>(
         std::ranges::count_if(plot.curves, [](const PlotCurve& curve) { return curve.title != "Box2D"; }));
-    const Look look = row.engine == "box2d" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)];
+    const CurveLook look = row.engine == "box2d" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)];
     plot.curves.push_back({title, std::string(look.color), look.pointType, {}});
     return plot.curves.back();
 }
@@ -76,7 +76,7 @@ Plot MakeCostPlot(std::span<const BenchRow> rows) {
     if (std::ranges::find(rows, "box2d", &BenchRow::engine) != rows.end()) plot.note = assertsNote;
     plot.logarithmic = true;
     constexpr double leastSpread = 10.0;
-    constexpr Look looks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}, {"#0000cc", 7}};
+    constexpr CurveLook looks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}, {"#0000cc", 7}};
     for (const BenchRow& row : rows) {
         const auto ofScene = [&](const BenchRow& other) { return other.scene == row.scene; };
         int least = row.movers, most = row.movers;
@@ -88,7 +88,7 @@ Plot MakeCostPlot(std::span<const BenchRow> rows) {
         const std::string title = row.scene + ", " + CurveTitle(row);
         auto curve = std::ranges::find(plot.curves, title, &PlotCurve::title);
         if (curve == plot.curves.end()) {
-            const Look look = looks[plot.curves.size() % std::size(looks)];
+            const CurveLook look = looks[plot.curves.size() % std::size(looks)];
             plot.curves.push_back({title, std::string(look.color), look.pointType, {}});
             curve = plot.curves.end() - 1;
         }

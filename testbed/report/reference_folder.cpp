@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 #include "testbed/render/png.h"
+#include "testbed/report/input.h"
 #include "testbed/report/output.h"
 
 namespace testbed {
@@ -24,14 +23,6 @@ using Json = nlohmann::ordered_json;
 
 fs::path PathOf(const fs::path& folder, const std::string& id, const char* extension) {
     return folder / (id + extension);
-}
-
-Json ReadSidecar(const fs::path& path) {
-    std::ifstream stream(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    Json json = Json::parse(text, nullptr, false);
-    if (!json.is_object()) throw FileError(fmt::format("{} is no JSON object", path.string()));
-    return json;
 }
 
 [[noreturn]] void RefuseRule(const std::string& source) {
@@ -86,7 +77,7 @@ Reference ReadReference(const fs::path& folder, const std::string& id) {
     reference.hasSidecar = fs::exists(sidecar);
     if (reference.hasImage) reference.image = ReadPng(image);
     if (reference.hasSidecar) {
-        reference.sidecar = ReadSidecar(sidecar);
+        reference.sidecar = ReadJsonObject(sidecar);
         reference.rule = ParseRule(reference.sidecar, id + ".json");
     }
     return reference;

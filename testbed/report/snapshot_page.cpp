@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,6 +16,7 @@
 
 #include "testbed/render/palette.h"
 #include "testbed/render/png.h"
+#include "testbed/report/input.h"
 #include "testbed/report/page_markup.h"
 #include "testbed_generated/page_sources.h"
 
@@ -27,16 +27,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json ReadSidecar(const fs::path& file) {
-    std::ifstream stream(file);
-    if (!stream) throw FileError(fmt::format("cannot read {}", file.string()));
-    try {
-        return Json::parse(stream);
-    } catch (const Json::exception& error) {
-        throw FileError(fmt::format("{} is no JSON: {}", file.string(), error.what()));
-    }
-}
 
 /// The colours of counts 0, 1, 2, … in an overlap picture, six hex digits each: what turns a pixel back into its count.
 /// Null when the sidecar does not say how counts were coloured.
@@ -75,7 +65,7 @@ Json DescribeSideFiles(const fs::path& folder, const std::optional<SnapshotSide>
     Json json = {{"picture", nullptr}, {"maker", nullptr}, {"colors", nullptr}, {"structured", false}};
     if (!side->image.empty()) json["picture"] = MakeDataUri(folder / side->image);
     if (!side->sidecar.empty()) {
-        const Json sidecar = ReadSidecar(folder / side->sidecar);
+        const Json sidecar = ReadJsonObject(folder / side->sidecar);
         json["maker"] = DescribeMaker(sidecar);
         json["colors"] = DescribeCountColors(sidecar);
         json["structured"] = sidecar.contains("structure");

@@ -53,18 +53,29 @@ bool Agree(const std::string& theirs, const std::string& ours) {
     return a.name == b.name && std::abs(a.value - b.value) <= a.tolerance;
 }
 
+void ExpectAgreement(const Output& wanted, const Output& got) {
+    ASSERT_EQ(wanted.status, 0);
+    ASSERT_EQ(got.status, 0) << (got.lines.empty() ? "" : got.lines.back());
+    EXPECT_FALSE(wanted.lines.empty());
+    EXPECT_EQ(wanted.lines.size(), got.lines.size());
+    for (size_t i = 0; i < std::min(wanted.lines.size(), got.lines.size()); ++i) {
+        EXPECT_TRUE(Agree(wanted.lines[i], got.lines[i]))
+            << "wanted: " << wanted.lines[i] << "\ngot:    " << got.lines[i];
+    }
+}
+
 class Agreement : public testing::TestWithParam<std::string> {};
 
 TEST_P(Agreement, BothBuildsSayTheSame) {
-    const Output theirs = RunProgram(SCREE_PROGRAMS_BOX2D, GetParam());
-    const Output ours = RunProgram(SCREE_PROGRAMS_SCREE, GetParam());
-    ASSERT_EQ(theirs.status, 0);
-    ASSERT_EQ(ours.status, 0) << (ours.lines.empty() ? "" : ours.lines.back());
-    EXPECT_FALSE(theirs.lines.empty());
-    EXPECT_EQ(theirs.lines.size(), ours.lines.size());
-    for (size_t i = 0; i < std::min(theirs.lines.size(), ours.lines.size()); ++i) {
-        EXPECT_TRUE(Agree(theirs.lines[i], ours.lines[i]))
-            << "Box2D: " << theirs.lines[i] << "\nscree: " << ours.lines[i];
+    ExpectAgreement(RunProgram(SCREE_PROGRAMS_BOX2D, GetParam()), RunProgram(SCREE_PROGRAMS_SCREE, GetParam()));
+}
+
+TEST(LengthUnits, ChangeNothingButTheUnit) {
+    const Output metres = RunProgram(SCREE_UNITS "metres", "");
+    EXPECT_GT(metres.lines.size(), 100u);
+    for (const char* unit : {"pixels", "kilometres"}) {
+        SCOPED_TRACE(unit);
+        ExpectAgreement(metres, RunProgram(std::string(SCREE_UNITS) + unit, ""));
     }
 }
 

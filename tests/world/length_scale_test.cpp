@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "tests/world/fixtures.h"
+#include "world/world_state.h"
 
 namespace scree::test {
 namespace {
@@ -84,6 +85,100 @@ TEST(LengthScale, ScalesEveryTolerance) {
                 if (::testing::Test::HasFatalFailure()) return;
             }
         }
+    }
+}
+
+/// Two balls on each kind of joint that has a length, with limits that they reach; one more joint of no length.
+class ScaledJoints {
+public:
+    explicit ScaledJoints(float scale) : m_scale(scale), m_world(MakeDef(scale)) {
+        const auto makeBall = [&](Vec2 at) {
+            Body* body = AddBody(m_world, dynamicBody, m_scale * at, 0);
+            AddCircle(body, m_scale * 0.3f);
+            return body;
+        };
+        Body* ground = AddBody(m_world, staticBody, {0, 0}, 0);
+        DistanceJointDef rod;
+        rod.Initialize(ground, makeBall({1, 5}), scale * Vec2(0, 5), scale * Vec2(1, 5));
+        m_world.CreateJoint(&rod);
+        rod.Initialize(ground, makeBall({11, 5}), scale * Vec2(11, 5.5f), scale * Vec2(11, 5.5f));
+        shortest = static_cast<DistanceJoint*>(m_world.CreateJoint(&rod));
+        PrismaticJointDef slide;
+        slide.Initialize(ground, makeBall({20, 5}), scale * Vec2(20, 5), {0.6f, 0.8f});
+        slide.enableLimit = true;
+        slide.lowerTranslation = -0.75f * scale;
+        slide.upperTranslation = scale;
+        m_world.CreateJoint(&slide);
+        WheelJointDef wheel;
+        wheel.Initialize(ground, makeBall({30, 5}), scale * Vec2(30, 5), {0, 1});
+        wheel.enableLimit = true;
+        wheel.lowerTranslation = -0.25f * scale;
+        wheel.upperTranslation = 0.25f * scale;
+        m_world.CreateJoint(&wheel);
+        Body* light = makeBall({40, 5});
+        Body* heavy = makeBall({43, 5});
+        AddCircle(heavy, m_scale * 0.5f);
+        PulleyJointDef rope;
+        rope.Initialize(light, heavy, scale * Vec2(40, 5.25f), scale * Vec2(43, 9), scale * Vec2(40, 5),
+                        scale * Vec2(43, 5), 1);
+        m_world.CreateJoint(&rope);
+        Body* last = ground;
+        for (int i = 0; i < 6; ++i) {
+            Body* link = makeBall({51.0f + static_cast<float>(i), 5});
+            RevoluteJointDef hinge;
+            hinge.Initialize(last, link, scale * Vec2(50.5f + static_cast<float>(i), 5));
+            m_world.CreateJoint(&hinge);
+            last = link;
+        }
+        WeldJointDef weld;
+        weld.Initialize(last, makeBall({57, 5}), scale * Vec2(56.5f, 5));
+        m_world.CreateJoint(&weld);
+    }
+
+    void Step(bool soft) { soft ? m_world.Step(1.0f / 60.0f, 4) : m_world.Step(1.0f / 60.0f, 8, 3); }
+    [[nodiscard]] World& Get() { return m_world; }
+
+    DistanceJoint* shortest;
+
+private:
+    static WorldDef MakeDef(float scale) {
+        WorldDef def;
+        def.gravity = {0, -10 * scale};
+        def.lengthScale = scale;
+        return def;
+    }
+
+    float m_scale;
+    World m_world;
+};
+
+TEST(LengthScale, ScalesEveryToleranceOfJoints) {
+    for (const bool soft : {false, true}) {
+        for (const float scale : {1.0f / 1024.0f, 1.0f / 8.0f, 64.0f}) {
+            ScaledJoints one(1.0f), other(scale);
+            EXPECT_EQ(other.shortest->GetLength(), scale * linearSlop);
+            other.shortest->SetMinLength(0);
+            EXPECT_EQ(other.shortest->GetMinLength(), scale * linearSlop);
+            for (int step = 0; step < 300; ++step) {
+                one.Step(soft);
+                other.Step(soft);
+                ExpectSame(one.Get(), other.Get(), scale, step);
+                if (::testing::Test::HasFatalFailure()) return;
+            }
+        }
+    }
+}
+
+TEST(LengthScale, ScalesTheMarginOfTheFatTree) {
+    for (const float scale : {1.0f / 1024.0f, 64.0f}) {
+        WorldDef def;
+        def.broadPhase = BroadPhaseKind::fatTree;
+        def.lengthScale = scale;
+        World world(def);
+        Body* body = AddBody(world, dynamicBody, {0, 0}, 0);
+        AddCircle(body, scale);
+        world.Step(0.0f, 8, 3);
+        EXPECT_FLOAT_EQ(world.GetState().broadPhase->GetBox(0).upperBound.x, scale * (1.0f + aabbExtension));
     }
 }
 

@@ -13,10 +13,8 @@
 
 #include "b2_user_settings.h"
 
-static_assert(
-    b2_lengthUnitsPerMeter == 1.0f,
-    "scree::box2d works in metres: set b2_lengthUnitsPerMeter to 1.0f in b2_user_settings.h and scale where you "
-    "draw");
+static_assert(b2_lengthUnitsPerMeter >= 1e-6f && b2_lengthUnitsPerMeter <= 1e6f,
+              "scree::box2d takes length units of 1e-6 to 1e6 m: change b2_lengthUnitsPerMeter in b2_user_settings.h");
 static_assert(
     b2_maxPolygonVertices >= 4 && b2_maxPolygonVertices <= 64,
     "scree::box2d has polygons of up to 64 vertices: set b2_maxPolygonVertices to 4…64 in b2_user_settings.h");

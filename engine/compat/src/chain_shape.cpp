@@ -21,21 +21,23 @@ ChainShape ToScree(const b2ChainShape& chain) {
 
 namespace {
 
+/// In metres.
 std::vector<Vec2> CopyVertices(const b2Vec2* vertices, int count) {
     std::vector<Vec2> copy;
     if (vertices == nullptr) return copy;
-    for (int i = 0; i < count; ++i) copy.push_back(ToScree(vertices[i]));
+    for (int i = 0; i < count; ++i) copy.push_back(metres * ToScree(vertices[i]));
     return copy;
 }
 
-void Assign(b2ChainShape& out, const ChainShape& chain) {
+/// `unit`: what a length of `chain` is in the program's units.
+void Assign(b2ChainShape& out, const ChainShape& chain, float unit) {
     out.Clear();
     out.m_count = static_cast<int32>(chain.m_vertices.size());
     out.m_vertices = static_cast<b2Vec2*>(b2Alloc(out.m_count * static_cast<int32>(sizeof(b2Vec2))));
     for (int i = 0; i < out.m_count; ++i)
-        new (&out.m_vertices[i]) b2Vec2(ToBox2d(chain.m_vertices[static_cast<size_t>(i)]));
-    out.m_prevVertex = ToBox2d(chain.m_prevVertex);
-    out.m_nextVertex = ToBox2d(chain.m_nextVertex);
+        new (&out.m_vertices[i]) b2Vec2(ToBox2d(unit * chain.m_vertices[static_cast<size_t>(i)]));
+    out.m_prevVertex = ToBox2d(unit * chain.m_prevVertex);
+    out.m_nextVertex = ToBox2d(unit * chain.m_nextVertex);
 }
 
 }  // namespace
@@ -51,7 +53,7 @@ b2ChainShape::b2ChainShape(const b2ChainShape& other) : b2ChainShape() { *this =
 b2ChainShape& b2ChainShape::operator=(const b2ChainShape& other) {
     if (this == &other) return *this;
     m_radius = other.m_radius;
-    Assign(*this, ToScree(other));
+    Assign(*this, ToScree(other), 1.0f);
     return *this;
 }
 
@@ -67,18 +69,19 @@ void b2ChainShape::CreateLoop(const b2Vec2* vertices, int32 count) {
     if (copy.empty() || !chain.CreateLoop(copy.data(), count)) {
         return Complain("b2ChainShape::CreateLoop", "give at least 3 finite vertices farther apart than b2_linearSlop");
     }
-    Assign(*this, chain);
+    Assign(*this, chain, b2_lengthUnitsPerMeter);
 }
 
 void b2ChainShape::CreateChain(const b2Vec2* vertices, int32 count, const b2Vec2& prevVertex,
                                const b2Vec2& nextVertex) {
     const std::vector<scree::Vec2> copy = CopyVertices(vertices, count);
     scree::ChainShape chain;
-    if (copy.empty() || !chain.CreateChain(copy.data(), count, ToScree(prevVertex), ToScree(nextVertex))) {
+    if (copy.empty() ||
+        !chain.CreateChain(copy.data(), count, metres * ToScree(prevVertex), metres * ToScree(nextVertex))) {
         return Complain("b2ChainShape::CreateChain",
                         "give at least 2 finite vertices farther apart than b2_linearSlop");
     }
-    Assign(*this, chain);
+    Assign(*this, chain, b2_lengthUnitsPerMeter);
 }
 
 b2Shape* b2ChainShape::Clone(b2BlockAllocator* allocator) const {

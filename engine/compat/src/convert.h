@@ -27,6 +27,9 @@ inline void Complain(const char* function, const char* problem) {
     std::fprintf(stderr, "scree: %s: %s\n", function, problem);
 }
 
+/// The program's length unit, m: for functions of the engine that know no other unit.
+inline constexpr float metres = 1.0f / b2_lengthUnitsPerMeter;
+
 inline Vec2 ToScree(const b2Vec2& v) { return {v.x, v.y}; }
 inline b2Vec2 ToBox2d(Vec2 v) { return {v.x, v.y}; }
 

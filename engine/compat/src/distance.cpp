@@ -66,10 +66,11 @@ namespace {
 
 /// The engine's view of a proxy: its own copy of the vertices.
 struct Points {
-    explicit Points(const b2DistanceProxy& source) {
+    /// `unit`: factor on all lengths.
+    explicit Points(const b2DistanceProxy& source, float unit = 1.0f) {
         const int count = std::clamp(source.m_count, 0, static_cast<int>(inPlace.size()));
-        for (int i = 0; i < count; ++i) inPlace[static_cast<size_t>(i)] = ToScree(source.m_vertices[i]);
-        if (count > 0) proxy.Set(inPlace.data(), count, source.m_radius);
+        for (int i = 0; i < count; ++i) inPlace[static_cast<size_t>(i)] = unit * ToScree(source.m_vertices[i]);
+        if (count > 0) proxy.Set(inPlace.data(), count, unit * source.m_radius);
     }
     Points(const Points&) = delete;
     Points& operator=(const Points&) = delete;
@@ -103,13 +104,16 @@ void b2Distance(b2DistanceOutput* output, b2SimplexCache* cache, const b2Distanc
 }
 
 bool b2ShapeCast(b2ShapeCastOutput* output, const b2ShapeCastInput* input) {
-    const Points a(input->proxyA);
-    const Points b(input->proxyB);
+    // The engine's tolerances of a cast are in metres.
+    const Points a(input->proxyA, metres);
+    const Points b(input->proxyB, metres);
     scree::ShapeCastInput in{a.proxy, b.proxy, ToScree(input->transformA), ToScree(input->transformB),
-                             ToScree(input->translationB)};
+                             metres * ToScree(input->translationB)};
+    in.transformA.p *= metres;
+    in.transformB.p *= metres;
     scree::ShapeCastOutput out{};
     const bool hit = scree::ShapeCast(&out, &in);
-    output->point = ToBox2d(out.point);
+    output->point = ToBox2d(b2_lengthUnitsPerMeter * out.point);
     output->normal = ToBox2d(out.normal);
     output->lambda = out.lambda;
     output->iterations = out.iterations;
@@ -120,7 +124,8 @@ void b2TimeOfImpact(b2TOIOutput* output, const b2TOIInput* input) {
     const auto start = std::chrono::steady_clock::now();
     const Points a(input->proxyA);
     const Points b(input->proxyB);
-    scree::TOIInput in{a.proxy, b.proxy, ToScree(input->sweepA), ToScree(input->sweepB), input->tMax};
+    scree::TOIInput in{
+        a.proxy, b.proxy, ToScree(input->sweepA), ToScree(input->sweepB), input->tMax, b2_lengthUnitsPerMeter};
     scree::TOIOutput out{};
     scree::TimeOfImpact(&out, &in);
     output->state = static_cast<b2TOIOutput::State>(out.state);

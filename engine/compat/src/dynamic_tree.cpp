@@ -11,7 +11,7 @@
 #include "scree/dynamic_tree.h"
 
 struct b2TreeData {
-    scree::DynamicTree tree;
+    scree::DynamicTree tree{b2_aabbExtension};
     mutable std::deque<b2AABB> boxes;  ///< by proxy id; references to them stay valid
 };
 

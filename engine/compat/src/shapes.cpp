@@ -60,12 +60,13 @@ namespace {
 Vec2 CentroidOf(const PolygonShape& polygon) { return polygon.m_centroid; }
 Vec2 CentroidOf(const ConvexShape& polygon) { return polygon.m_unitMass.center; }
 
+/// `unit`: what a length of `polygon` is in the program's units.
 template <typename S>
-void Assign(b2PolygonShape& out, const S& polygon) {
-    out.m_centroid = ToBox2d(CentroidOf(polygon));
+void Assign(b2PolygonShape& out, const S& polygon, float unit = 1.0f) {
+    out.m_centroid = ToBox2d(unit * CentroidOf(polygon));
     out.m_count = polygon.m_count;
     for (int i = 0; i < polygon.m_count; ++i) {
-        out.m_vertices[i] = ToBox2d(polygon.m_vertices[i]);
+        out.m_vertices[i] = ToBox2d(unit * polygon.m_vertices[i]);
         out.m_normals[i] = ToBox2d(polygon.m_normals[i]);
     }
 }
@@ -177,15 +178,16 @@ void b2PolygonShape::Set(const b2Vec2* points, int32 count) {
         return Complain("b2PolygonShape::Set", "give 3 to b2_maxPolygonVertices points");
     }
     scree::Vec2 copies[b2_maxPolygonVertices];
-    std::transform(points, points + count, copies, [](const b2Vec2& p) { return ToScree(p); });
+    // The hull merges points that are nearer than a distance in metres.
+    std::transform(points, points + count, copies, [](const b2Vec2& p) { return metres * ToScree(p); });
     const auto complain = [] { Complain("b2PolygonShape::Set", "give finite points that do not lie on one line"); };
     if (count > scree::maxPolygonVertices) {
         const scree::ConvexShape large = scree::MakePolygon(copies, count);
-        return large.Validate() ? Assign(*this, large) : complain();
+        return large.Validate() ? Assign(*this, large, b2_lengthUnitsPerMeter) : complain();
     }
     scree::PolygonShape polygon;
     if (!polygon.Set(copies, count)) return complain();
-    Assign(*this, polygon);
+    Assign(*this, polygon, b2_lengthUnitsPerMeter);
 }
 void b2PolygonShape::SetAsBox(float hx, float hy) {
     scree::PolygonShape polygon;

@@ -20,6 +20,7 @@ scree::WorldDef MakeDef(const b2Vec2& gravity) {
     def.gravity = ToScree(gravity);
     def.maxTranslation = b2_maxTranslation;
     def.maxRotation = b2_maxRotation;
+    def.lengthScale = b2_lengthUnitsPerMeter;
     return def;
 }
 

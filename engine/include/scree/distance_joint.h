@@ -18,10 +18,10 @@ struct DistanceJointDef : JointDef {
     /// Sets bodies, local anchors and the length from two world points; minimum and maximum become that length.
     void Initialize(Body* a, Body* b, Vec2 anchorA, Vec2 anchorB);
 
-    Vec2 localAnchorA{0.0f, 0.0f};       ///< in A, m
-    Vec2 localAnchorB{0.0f, 0.0f};       ///< in B, m
-    float length = 1.0f;                 ///< rest length, m, ≥ 0; at least linearSlop is used
-    float minLength = 0.0f;              ///< m, ≥ 0; at least linearSlop is used
+    Vec2 localAnchorA{0.0f, 0.0f};  ///< in A, m
+    Vec2 localAnchorB{0.0f, 0.0f};  ///< in B, m
+    float length = 1.0f;            ///< rest length, m, ≥ 0; at least linearSlop · WorldDef::lengthScale is used
+    float minLength = 0.0f;         ///< m, ≥ 0; at least linearSlop · WorldDef::lengthScale is used
     float maxLength = 3.402823466e+38f;  ///< m, ≥ minLength. Equal to minLength: a rod
     float stiffness = 0.0f;              ///< N/m, ≥ 0; 0 (or a rod): no spring
     float damping = 0.0f;                ///< N·s/m, ≥ 0
@@ -37,8 +37,8 @@ public:
     [[nodiscard]] Vec2 GetLocalAnchorA() const;
     [[nodiscard]] Vec2 GetLocalAnchorB() const;
     [[nodiscard]] float GetLength() const;
-    /// The lengths must be finite and ≥ 0; what is set is clamped as Box2D does: length to at least linearSlop,
-    /// minimum to linearSlop…maximum, maximum to at least the minimum. The getter tells what it became.
+    /// The lengths must be finite and ≥ 0; what is set is clamped as Box2D does: length to at least the least one,
+    /// minimum to the least one…maximum, maximum to at least the minimum. The getter tells what it became.
     ErrorCode SetLength(float length);
     [[nodiscard]] float GetMinLength() const;
     ErrorCode SetMinLength(float minLength);

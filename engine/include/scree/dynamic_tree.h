@@ -10,15 +10,17 @@
 #include <memory>
 
 #include "scree/math.h"
+#include "scree/settings.h"
 #include "scree/shape.h"
 
 namespace scree {
 
-/// Boxes are kept fattened by aabbExtension, so that a proxy which moves a little needs no work. A call with a proxy
+/// Boxes are kept fattened by a margin, so that a proxy which moves a little needs no work. A call with a proxy
 /// that does not exist, or with a box that is not valid, changes nothing and returns what is stated.
 class DynamicTree {
 public:
-    DynamicTree();
+    /// `margin`: m on each side, ≥ 0; another value gives the default one.
+    explicit DynamicTree(float margin = aabbExtension);
     ~DynamicTree();
     DynamicTree(DynamicTree&&) noexcept;
     DynamicTree& operator=(DynamicTree&&) noexcept;

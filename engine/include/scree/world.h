@@ -65,8 +65,9 @@ struct WorldDef {
     /// then exact, at any step size.
     bool exactDrift = false;
     /// Size of a typical moving body, m, 1e-6…1e6: the tolerances that are lengths or speeds (skin of polygons and
-    /// edges, overlap left by the solver, the continuous collision's target, speed of pushing apart, speed of falling
-    /// asleep) are Box2D's times this. 1 suits bodies of 0.1 to 100 m; 0.001 a world of millimetres.
+    /// edges, overlap left by the solver, gaps left in joints and the least length of a distance joint, the continuous
+    /// collision's target, speed of pushing apart, speed of falling asleep, margin of `fat-tree`) are Box2D's times
+    /// this. 1 suits bodies of 0.1 to 100 m; 0.001 a world of millimetres.
     float lengthScale = 1.0f;
     /// Once a body is farther than this from the origin in x or y, m at a length scale of 1, all positions of the world
     /// have a low-order part (Body::GetPositionRest), so that bodies behave there as they do near the origin; 16 bytes

@@ -15,7 +15,7 @@ std::unique_ptr<BroadPhase> MakeBruteForce();
 std::unique_ptr<BroadPhase> MakeSweepAndPrune();
 std::unique_ptr<BroadPhase> MakeBvhBarycentre(const BroadPhaseConfig& config);
 std::unique_ptr<BroadPhase> MakeBvhSah(const BroadPhaseConfig& config);
-std::unique_ptr<BroadPhase> MakeFatTree();
+std::unique_ptr<BroadPhase> MakeFatTree(const BroadPhaseConfig& config);
 std::unique_ptr<BroadPhase> MakeGlobal1(const BroadPhaseConfig& config);
 std::unique_ptr<BroadPhase> MakeGlobal2(const BroadPhaseConfig& config);
 std::unique_ptr<BroadPhase> MakeGlobal3(const BroadPhaseConfig& config);

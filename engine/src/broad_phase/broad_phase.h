@@ -45,6 +45,8 @@ struct BroadPhaseConfig {
     float staticShareThreshold = 1.0f / 8.0f;
     /// Most boxes in a leaf where the algorithm allows more than one; 0: the algorithm's own best.
     int leafSize = 0;
+    /// Factor on the margin of `fat-tree`.
+    float lengthScale = 1.0f;
 };
 
 /// Input of Update.

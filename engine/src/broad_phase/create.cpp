@@ -18,7 +18,7 @@ std::unique_ptr<BroadPhase> CreateBroadPhase(BroadPhaseKind kind, const BroadPha
         case BroadPhaseKind::bvhSah:
             return broadphase::MakeBvhSah(config);
         case BroadPhaseKind::fatTree:
-            return broadphase::MakeFatTree();
+            return broadphase::MakeFatTree(config);
         case BroadPhaseKind::global1:
             return broadphase::MakeGlobal1(config);
         case BroadPhaseKind::global2:

@@ -3,7 +3,7 @@
 //
 // A dynamic tree by Box2D 2.4's rules (b2DynamicTree, described in Catto 2019, Dynamic Bounding Volume Hierarchies):
 // boxes are inserted one by one where they enlarge the perimeter least, rotations keep heights balanced. Boxes in, node
-// links out; pairs and fattening are the business of its user.
+// links out; which boxes and when is the business of its user, the rule of fattening stands here.
 
 #pragma once
 
@@ -13,10 +13,36 @@
 #include "broad_phase/lanes.h"
 #include "broad_phase/pair_sink.h"
 #include "broad_phase/small_stack.h"
+#include "scree/settings.h"
+#include "scree/shape.h"
 
 namespace scree::broadphase {
 
 inline constexpr uint32_t noNode = 0xFFFFFFFFu;
+
+/// How far a box of a proxy is kept larger than it is (b2_aabbExtension, b2_aabbMultiplier).
+struct FatMargin {
+    float margin = aabbExtension;  ///< m on each side
+
+    /// The box to keep for a proxy that moved by `displacement`: stretched ahead of it.
+    [[nodiscard]] AABB Fatten(const AABB& box, Vec2 displacement = vec2Zero) const {
+        AABB fat = Grow(box, margin);
+        const Vec2 ahead = aabbMultiplier * displacement;
+        (ahead.x < 0.0f ? fat.lowerBound.x : fat.upperBound.x) += ahead.x;
+        (ahead.y < 0.0f ? fat.lowerBound.y : fat.upperBound.y) += ahead.y;
+        return fat;
+    }
+    /// False if `stored` must be replaced by `fat`: the box left it, or it was stretched for a motion that is over and
+    /// would go on catching pairs.
+    [[nodiscard]] bool Keeps(const AABB& stored, const AABB& box, const AABB& fat) const {
+        return stored.Contains(box) && Grow(fat, 4.0f * margin).Contains(stored);
+    }
+
+private:
+    static AABB Grow(const AABB& box, float by) {
+        return {{box.lowerBound.x - by, box.lowerBound.y - by}, {box.upperBound.x + by, box.upperBound.y + by}};
+    }
+};
 
 struct FatNode {
     Bounds box;

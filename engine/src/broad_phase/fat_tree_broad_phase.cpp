@@ -17,21 +17,12 @@
 namespace scree::broadphase {
 namespace {
 
-AABB Fatten(const AABB& box, float margin) {
-    return {{box.lowerBound.x - margin, box.lowerBound.y - margin},
-            {box.upperBound.x + margin, box.upperBound.y + margin}};
-}
-
-AABB Stretch(AABB box, Vec2 d) {
-    (d.x < 0.0f ? box.lowerBound.x : box.upperBound.x) += d.x;
-    (d.y < 0.0f ? box.lowerBound.y : box.upperBound.y) += d.y;
-    return box;
-}
-
 class FatTreeBroadPhase final : public BroadPhase {
 public:
+    explicit FatTreeBroadPhase(FatMargin margin) : m_margin(margin) {}
+
     void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
-        Restore(fixture, body, motion, Fatten(box, aabbExtension));
+        Restore(fixture, body, motion, m_margin.Fatten(box));
     }
 
     void Restore(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
@@ -43,13 +34,8 @@ public:
 
     void Update(uint32_t fixture, const AABB& box, Vec2 displacement) override {
         const uint32_t leaf = m_leaves.Find(fixture);
-        const AABB fat = Stretch(Fatten(box, aabbExtension), aabbMultiplier * displacement);
-        const AABB stored = ToAabb(m_tree.Node(leaf).box);
-        if (stored.Contains(box)) {
-            // A box that was stretched for a motion which is over would go on catching pairs: shrink it.
-            constexpr float tooLarge = 4.0f * aabbExtension;
-            if (Fatten(fat, tooLarge).Contains(stored)) return;
-        }
+        const AABB fat = m_margin.Fatten(box, displacement);
+        if (m_margin.Keeps(ToAabb(m_tree.Node(leaf).box), box, fat)) return;
         m_tree.Reinsert(leaf, ToBounds(fat));
         Buffer(leaf);
     }
@@ -163,6 +149,7 @@ private:
         });
     }
 
+    FatMargin m_margin;
     FatTree m_tree;
     FixtureTable m_leaves;
     std::vector<uint8_t> m_buffered;  ///< per node: in m_buffer
@@ -174,6 +161,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<BroadPhase> MakeFatTree() { return std::make_unique<FatTreeBroadPhase>(); }
+std::unique_ptr<BroadPhase> MakeFatTree(const BroadPhaseConfig& config) {
+    return std::make_unique<FatTreeBroadPhase>(FatMargin{aabbExtension * config.lengthScale});
+}
 
 }  // namespace scree::broadphase

@@ -28,7 +28,7 @@ void Prepare(const JointInput& in, DistanceRow& row, DistanceConstraint& c) {
     c.pair = MakePair(in);
     const Arms arms = MakeArms(c.pair, PoseOf(c.pair, in.bodies), row.localAnchorA, row.localAnchorB);
     c.length = arms.gap.Length();
-    c.along = MakeLine(arms, c.length, linearSlop);
+    c.along = MakeLine(arms, c.length, row.shortest);
     row.axis = c.along.axis;
     const float inverse = InverseMass(c.pair, c.along);
     c.mass = InverseOrZero(inverse);
@@ -67,7 +67,7 @@ void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointSte
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, BodyTable& bodies) {
+bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     const float length = arms.gap.Length();
@@ -76,7 +76,7 @@ bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, BodyTabl
     const float mass = c.mass > 0.0f ? c.mass : InverseOrZero(InverseMass(c.pair, line));
     Apply(c.pair, line, -mass * error, pose);
     Store(c.pair, pose, bodies);
-    return Abs(error) < linearSlop;
+    return Abs(error) < step.slop;
 }
 
 const JointPhases distancePhases = MakePhases<DistanceRow, DistanceConstraint>();

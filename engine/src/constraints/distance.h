@@ -28,6 +28,6 @@ void SolveBounds(const DistanceConstraint& c, DistanceRow& row, const JointStep&
 void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, BodyTable& bodies);
+bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

@@ -35,7 +35,7 @@ void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointSte
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const FrictionConstraint&, const FrictionRow&, BodyTable&) { return true; }
+bool SolvePosition(const FrictionConstraint&, const FrictionRow&, const JointStep&, BodyTable&) { return true; }
 
 const JointPhases frictionPhases = MakePhases<FrictionRow, FrictionConstraint>();
 

@@ -25,6 +25,6 @@ void WarmStart(const FrictionConstraint& c, const FrictionRow& row, std::vector<
 void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const FrictionConstraint& c, const FrictionRow& row, BodyTable& bodies);
+bool SolvePosition(const FrictionConstraint& c, const FrictionRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

@@ -105,14 +105,14 @@ void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep&, std:
     ApplyGear(c, impulse, velocity);
 }
 
-bool SolvePosition(const GearConstraint& c, const GearRow& row, BodyTable& bodies) {
+bool SolvePosition(const GearConstraint& c, const GearRow& row, const JointStep& step, BodyTable& bodies) {
     if (!c.active) return true;
     GearConstraint now = c;
     now.mass = InverseOrZero(UpdateSides(row, bodies, now));
     const float error = Coordinate(row.side[0], bodies, now.side[0]) +
                         row.ratio * Coordinate(row.side[1], bodies, now.side[1]) - row.constant;
     ApplyGear(now, -now.mass * error, bodies);
-    return Abs(error) <= (row.side[0].slides ? linearSlop : angularSlop);
+    return Abs(error) <= (row.side[0].slides ? step.slop : angularSlop);
 }
 
 const JointPhases gearPhases = MakePhases<GearRow, GearConstraint>();

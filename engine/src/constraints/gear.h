@@ -29,6 +29,6 @@ void Prepare(const JointInput& in, GearRow& row, GearConstraint& c);
 void WarmStart(const GearConstraint& c, const GearRow& row, std::vector<Velocity>& velocity);
 void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const GearConstraint& c, const GearRow& row, BodyTable& bodies);
+bool SolvePosition(const GearConstraint& c, const GearRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

@@ -27,6 +27,7 @@ namespace scree {
 struct JointStep {
     float dt, inverseDt;
     float impulseScale;  ///< of warm starting: dt / last dt, 0 without
+    float slop;          ///< position error that counts as none, m
 };
 
 /// What Prepare reads.

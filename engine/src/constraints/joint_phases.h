@@ -77,8 +77,9 @@ constexpr JointPhases MakePhases() {
     }
     phases.solvePosition = [](const JointTask& task, const JointRun& run) {
         bool solved = true;
-        ForEach<Row, Constraint>(
-            task, run, [&](const Constraint& c, Row& row) { solved = SolvePosition(c, row, task.bodies) && solved; });
+        ForEach<Row, Constraint>(task, run, [&](const Constraint& c, Row& row) {
+            solved = SolvePosition(c, row, task.step, task.bodies) && solved;
+        });
         return solved;
     };
     return phases;

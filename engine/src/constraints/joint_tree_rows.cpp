@@ -46,6 +46,7 @@ bool Describe(const WheelRow& row, TreeShape& shape, bool& bounded) {
 bool Describe(const DistanceRow& row, TreeShape& shape, bool& bounded) {
     shape.kind = TreeKind::rod;
     shape.reference = double{row.limit.lower};
+    shape.shortest = double{row.shortest};
     bounded = false;
     return row.limit.lower >= row.limit.upper;
 }

@@ -39,6 +39,7 @@ struct TreeShape {
     double ax, ay, bx, by;  ///< anchors from the centres of mass, in the bodies' frames
     double axisX, axisY;    ///< of slide and line, in A's frame
     double reference;       ///< angle, rad, or length, m
+    double shortest;        ///< of rod: has no direction below, m
 };
 
 /// Constraints at one pose. A row's speed is a·(vx, vy, w) of A plus b·(…) of B.
@@ -116,7 +117,7 @@ inline void MakeRows(const TreeShape& shape, const TreePose& a, const TreePose& 
             const double length = std::sqrt(dx * dx + dy * dy);
             rows.error[0] = length - shape.reference;
             if constexpr (jacobian) {
-                const double inverse = length > double{linearSlop} ? 1.0 / length : 0.0;
+                const double inverse = length > shape.shortest ? 1.0 / length : 0.0;
                 rows.axisX = inverse * dx, rows.axisY = inverse * dy;
                 along(0, rows.axisX, rows.axisY, rax, ray);
             }

@@ -38,7 +38,7 @@ void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& ste
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const MotorConstraint&, const MotorRow&, BodyTable&) { return true; }
+bool SolvePosition(const MotorConstraint&, const MotorRow&, const JointStep&, BodyTable&) { return true; }
 
 const JointPhases motorPhases = MakePhases<MotorRow, MotorConstraint>();
 

@@ -26,6 +26,6 @@ void Prepare(const JointInput& in, MotorRow& row, MotorConstraint& c);
 void WarmStart(const MotorConstraint& c, const MotorRow& row, std::vector<Velocity>& velocity);
 void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const MotorConstraint& c, const MotorRow& row, BodyTable& bodies);
+bool SolvePosition(const MotorConstraint& c, const MotorRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

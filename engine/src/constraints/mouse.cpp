@@ -43,7 +43,7 @@ void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& ste
     Push(c.mass, impulse, Cross(c.arm, impulse), v);
 }
 
-bool SolvePosition(const MouseConstraint&, const MouseRow&, BodyTable&) { return true; }
+bool SolvePosition(const MouseConstraint&, const MouseRow&, const JointStep&, BodyTable&) { return true; }
 
 const JointPhases mousePhases = MakePhases<MouseRow, MouseConstraint>();
 

@@ -26,6 +26,6 @@ void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c);
 void WarmStart(const MouseConstraint& c, const MouseRow& row, std::vector<Velocity>& velocity);
 void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const MouseConstraint& c, const MouseRow& row, BodyTable& bodies);
+bool SolvePosition(const MouseConstraint& c, const MouseRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

@@ -77,13 +77,13 @@ void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointS
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, BodyTable& bodies) {
+bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     const Vec2 axis = Mul(Rot(pose.a.a), row.localAxisA);
     const AxisRow along = MakeSlide(arms, axis), across = MakeSlide(arms, axis.Skew());
     const Vec2 error{Dot(across.axis, arms.gap), pose.b.a - pose.a.a - row.referenceAngle};
-    const float limitError = row.limit.enabled ? LimitError(row.limit, Dot(axis, arms.gap), linearSlop) : 0.0f;
+    const float limitError = row.limit.enabled ? LimitError(row.limit, Dot(axis, arms.gap), step.slop) : 0.0f;
     const Symmetric3 k{InverseMass(c.pair, across), Coupling(c.pair, across, turning), Coupling(c.pair, across, along),
                        TurnCoupling(c.pair),        Coupling(c.pair, turning, along),  InverseMass(c.pair, along)};
     Three impulse{0.0f, 0.0f, 0.0f};
@@ -97,7 +97,7 @@ bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, BodyTa
     Apply(c.pair, turning, impulse.y, pose);
     Apply(c.pair, along, impulse.z, pose);
     Store(c.pair, pose, bodies);
-    return Max(Abs(error.x), Abs(limitError)) <= linearSlop && Abs(error.y) <= angularSlop;
+    return Max(Abs(error.x), Abs(limitError)) <= step.slop && Abs(error.y) <= angularSlop;
 }
 
 const JointPhases prismaticPhases = MakePhases<PrismaticRow, PrismaticConstraint>();

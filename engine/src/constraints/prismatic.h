@@ -29,6 +29,6 @@ void SolveBounds(const PrismaticConstraint& c, PrismaticRow& row, const JointSte
 void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, BodyTable& bodies);
+bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

@@ -11,27 +11,29 @@ namespace scree {
 
 namespace {
 
-/// A rope shorter than this has no direction and does not pull.
-constexpr float shortestRope = 10.0f * linearSlop;
+/// A rope shorter than this many slops has no direction and does not pull.
+constexpr float shortestRope = 10.0f;
 
 /// One part of the rope.
 struct Rope {
     Vec2 axis;
     float arm, length;
 };
-Rope MakeRope(Vec2 arm, Vec2 anchor, Vec2 groundAnchor) {
+Rope MakeRope(Vec2 arm, Vec2 anchor, Vec2 groundAnchor, float shortest) {
     const Vec2 line = anchor - groundAnchor;
     const float length = line.Length();
-    const Vec2 axis = length > shortestRope ? (1.0f / length) * line : vec2Zero;
+    const Vec2 axis = length > shortest ? (1.0f / length) * line : vec2Zero;
     return {axis, Cross(arm, axis), length};
 }
 
 /// Fills the geometry for a pose; returns how much rope is missing.
-float Update(const PulleyRow& row, const BodyTable& bodies, const PairPosition& pose, PulleyConstraint& c) {
+float Update(const PulleyRow& row, const JointStep& step, const BodyTable& bodies, const PairPosition& pose,
+             PulleyConstraint& c) {
+    const float shortest = shortestRope * step.slop;
     const Vec2 frame = FrameOf(bodies, c.pair.a, c.pair.b);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    const Rope a = MakeRope(arms.a, pose.a.c + arms.a, row.groundAnchorA - frame);
-    const Rope b = MakeRope(arms.b, pose.b.c + arms.b, row.groundAnchorB - frame);
+    const Rope a = MakeRope(arms.a, pose.a.c + arms.a, row.groundAnchorA - frame, shortest);
+    const Rope b = MakeRope(arms.b, pose.b.c + arms.b, row.groundAnchorB - frame, shortest);
     c.axisA = a.axis;
     c.axisB = b.axis;
     c.armA = a.arm;
@@ -53,7 +55,7 @@ void Pull(const PulleyConstraint& c, float tension, float ratio, PairState<T>& s
 
 void Prepare(const JointInput& in, PulleyRow& row, PulleyConstraint& c) {
     c.pair = MakePair(in);
-    Update(row, in.bodies, PoseOf(c.pair, in.bodies), c);
+    Update(row, in.step, in.bodies, PoseOf(c.pair, in.bodies), c);
     row.axis = c.axisB;
     row.impulse = Scaled(row.impulse, in.step.impulseScale);
 }
@@ -74,13 +76,13 @@ void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep&, 
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, BodyTable& bodies) {
+bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     PulleyConstraint now = c;
-    const float missing = Update(row, bodies, pose, now);
+    const float missing = Update(row, step, bodies, pose, now);
     Pull(now, -now.mass * missing, row.ratio, pose);
     Store(c.pair, pose, bodies);
-    return Abs(missing) < linearSlop;
+    return Abs(missing) < step.slop;
 }
 
 const JointPhases pulleyPhases = MakePhases<PulleyRow, PulleyConstraint>();

@@ -24,6 +24,6 @@ void Prepare(const JointInput& in, PulleyRow& row, PulleyConstraint& c);
 void WarmStart(const PulleyConstraint& c, const PulleyRow& row, std::vector<Velocity>& velocity);
 void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, BodyTable& bodies);
+bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

@@ -62,7 +62,7 @@ void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointSte
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, BodyTable& bodies) {
+bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     float angularError = 0.0f;
     if (row.limit.enabled && c.turnMass > 0.0f) {
@@ -79,7 +79,7 @@ bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, BodyTabl
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     ApplyPoint(c.pair, arms, PointMatrix(c.pair, arms).Solve(-arms.gap), pose);
     Store(c.pair, pose, bodies);
-    return arms.gap.Length() <= linearSlop && angularError <= angularSlop;
+    return arms.gap.Length() <= step.slop && angularError <= angularSlop;
 }
 
 const JointPhases revolutePhases = MakePhases<RevoluteRow, RevoluteConstraint>();

@@ -27,6 +27,6 @@ void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep&
 void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, BodyTable& bodies);
+bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

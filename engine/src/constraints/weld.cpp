@@ -76,7 +76,7 @@ void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep&, std:
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const WeldConstraint& c, const WeldRow& row, BodyTable& bodies) {
+bool SolvePosition(const WeldConstraint& c, const WeldRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     const Mat22 point = PointMatrix(c.pair, arms);
@@ -89,7 +89,7 @@ bool SolvePosition(const WeldConstraint& c, const WeldRow& row, BodyTable& bodie
         angularError = Abs(angle);
     }
     Store(c.pair, pose, bodies);
-    return arms.gap.Length() <= linearSlop && angularError <= angularSlop;
+    return arms.gap.Length() <= step.slop && angularError <= angularSlop;
 }
 
 const JointPhases weldPhases = MakePhases<WeldRow, WeldConstraint>();

@@ -28,6 +28,6 @@ void WarmStart(const WeldConstraint& c, const WeldRow& row, std::vector<Velocity
 void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const WeldConstraint& c, const WeldRow& row, BodyTable& bodies);
+bool SolvePosition(const WeldConstraint& c, const WeldRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

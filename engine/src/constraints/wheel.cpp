@@ -71,7 +71,7 @@ void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& ste
     Store(c.pair, v, velocity);
 }
 
-bool SolvePosition(const WheelConstraint& c, const WheelRow& row, BodyTable& bodies) {
+bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     float limitError = 0.0f;
     if (row.limit.enabled) {
@@ -80,7 +80,7 @@ bool SolvePosition(const WheelConstraint& c, const WheelRow& row, BodyTable& bod
         // without its Jacobian, and Box2D's bodies come to rest in the same places.
         AxisRow along = MakeSlide(arms, row.axis);
         along.axis = Mul(Rot(pose.a.a), row.localAxisA);
-        limitError = LimitError(row.limit, Dot(along.axis, arms.gap), linearSlop);
+        limitError = LimitError(row.limit, Dot(along.axis, arms.gap), step.slop);
         Apply(c.pair, along, -limitError * InverseOrZero(InverseMass(c.pair, along)), pose);
     }
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
@@ -88,7 +88,7 @@ bool SolvePosition(const WheelConstraint& c, const WheelRow& row, BodyTable& bod
     const float error = Dot(across.axis, arms.gap);
     Apply(c.pair, across, -error * c.acrossMass, pose);
     Store(c.pair, pose, bodies);
-    return Max(Abs(error), Abs(limitError)) <= linearSlop;
+    return Max(Abs(error), Abs(limitError)) <= step.slop;
 }
 
 const JointPhases wheelPhases = MakePhases<WheelRow, WheelConstraint>();

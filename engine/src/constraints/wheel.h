@@ -27,6 +27,6 @@ void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Veloci
 void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
-bool SolvePosition(const WheelConstraint& c, const WheelRow& row, BodyTable& bodies);
+bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointStep& step, BodyTable& bodies);
 
 }  // namespace scree

@@ -15,6 +15,10 @@ namespace scree {
 
 namespace {
 
+JointStep JointStepOf(const SolverSettings& settings) {
+    return {settings.dt, 1.0f / settings.dt, settings.impulseScale, settings.Slop()};
+}
+
 /// Without `forces` no body has damping, a gravity scale or a force: their neutral values change no bit, so only the
 /// sum with a force of 0 stays (it turns −0 into 0).
 template <bool forces>
@@ -136,8 +140,7 @@ public:
 
 private:
     [[nodiscard]] JointTask JointWork() {
-        const JointStep step{m_settings.dt, 1.0f / m_settings.dt, m_settings.impulseScale};
-        return {step, m_tables.bodies, m_tables.joints, m_scratch.joints};
+        return {JointStepOf(m_settings), m_tables.bodies, m_tables.joints, m_scratch.joints};
     }
 
     const SolverSettings& m_settings;
@@ -232,9 +235,7 @@ public:
 private:
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
     [[nodiscard]] bool HasJoints() const { return !m_s.wide.joints.empty(); }
-    [[nodiscard]] JointTask JointWork() {
-        return {{m_settings.dt, 1.0f / m_settings.dt, m_settings.impulseScale}, m_bodies, m_tables.joints, m_s.joints};
-    }
+    [[nodiscard]] JointTask JointWork() { return {JointStepOf(m_settings), m_bodies, m_tables.joints, m_s.joints}; }
 
     [[nodiscard]] bool IsWithinTolerance(float separation) const {
         return separation - m_settings.Slop() >= ContactTolerance(m_settings);

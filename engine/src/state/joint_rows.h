@@ -109,6 +109,7 @@ struct DistanceRow {
 
     Vec2 localAnchorA, localAnchorB;
     float length, stiffness, damping;
+    float shortest;         ///< what length and limits are at least: linearSlop times WorldDef::lengthScale, m
     LimitState limit;       ///< of the length; always enabled
     float impulse = 0.0f;   ///< of the spring or rod, N·s
     Vec2 axis{0.0f, 0.0f};  ///< from A to B in the last step
@@ -116,7 +117,7 @@ struct DistanceRow {
     template <typename Self, typename Visit>
     static void Fields(Self& r, Visit&& visit) {
         visit(r.localAnchorA), visit(r.localAnchorB), visit(r.length), visit(r.stiffness), visit(r.damping);
-        visit(r.impulse), visit(r.axis);
+        visit(r.shortest), visit(r.impulse), visit(r.axis);
         LimitState::Fields(r.limit, visit);
     }
 };

@@ -6,6 +6,7 @@
 #include "scree/dynamic_tree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "broad_phase/fat_tree.h"
@@ -18,6 +19,7 @@ using broadphase::FatNode;
 using broadphase::noNode;
 
 struct DynamicTree::Impl {
+    broadphase::FatMargin margin;
     broadphase::FatTree tree;
     std::vector<void*> userData;  ///< by node, of leaves
     std::vector<uint8_t> moved;
@@ -45,28 +47,16 @@ struct DynamicTree::Impl {
     }
 };
 
-namespace {
-
-AABB Fatten(const AABB& box, float margin) {
-    return {box.lowerBound - Vec2{margin, margin}, box.upperBound + Vec2{margin, margin}};
+DynamicTree::DynamicTree(float margin) : m_impl(std::make_unique<Impl>()) {
+    if (margin >= 0.0f && std::isfinite(margin)) m_impl->margin = {margin};
 }
-
-AABB Stretch(AABB box, Vec2 d) {
-    (d.x < 0.0f ? box.lowerBound.x : box.upperBound.x) += d.x;
-    (d.y < 0.0f ? box.lowerBound.y : box.upperBound.y) += d.y;
-    return box;
-}
-
-}  // namespace
-
-DynamicTree::DynamicTree() : m_impl(std::make_unique<Impl>()) {}
 DynamicTree::~DynamicTree() = default;
 DynamicTree::DynamicTree(DynamicTree&&) noexcept = default;
 DynamicTree& DynamicTree::operator=(DynamicTree&&) noexcept = default;
 
 int DynamicTree::CreateProxy(const AABB& aabb, void* userData) {
     if (!aabb.IsValid()) return -1;
-    const uint32_t leaf = m_impl->tree.CreateLeaf(broadphase::ToBounds(Fatten(aabb, aabbExtension)), {});
+    const uint32_t leaf = m_impl->tree.CreateLeaf(broadphase::ToBounds(m_impl->margin.Fatten(aabb)), {});
     if (m_impl->userData.size() < m_impl->tree.NodeLimit()) {
         m_impl->userData.resize(m_impl->tree.NodeLimit(), nullptr);
         m_impl->moved.resize(m_impl->tree.NodeLimit(), 0);
@@ -87,11 +77,8 @@ bool DynamicTree::DestroyProxy(int proxy) {
 bool DynamicTree::MoveProxy(int proxy, const AABB& aabb, Vec2 displacement) {
     if (!m_impl->Has(proxy) || !aabb.IsValid() || !displacement.IsValid()) return false;
     const auto leaf = static_cast<uint32_t>(proxy);
-    const AABB fat = Stretch(Fatten(aabb, aabbExtension), aabbMultiplier * displacement);
-    const AABB stored = m_impl->BoxOf(leaf);
-    // A box far larger than needed, stretched for a motion that is over, is replaced too.
-    constexpr float tooLarge = 4.0f * aabbExtension;
-    if (stored.Contains(aabb) && Fatten(fat, tooLarge).Contains(stored)) return false;
+    const AABB fat = m_impl->margin.Fatten(aabb, displacement);
+    if (m_impl->margin.Keeps(m_impl->BoxOf(leaf), aabb, fat)) return false;
     m_impl->tree.Reinsert(leaf, broadphase::ToBounds(fat));
     m_impl->moved[leaf] = 1;
     return true;

@@ -43,7 +43,7 @@ Features FeaturesOfRow(const Row& row) {
     if constexpr (Row::type == e_motorJoint) f.Add(Feature::motors);
     if constexpr (Row::type == e_distanceJoint) {
         // A rod keeps its length without a limit, and a spring without bounds needs none.
-        const bool bounded = row.limit.lower > linearSlop || row.limit.upper < std::numeric_limits<float>::max();
+        const bool bounded = row.limit.lower > row.shortest || row.limit.upper < std::numeric_limits<float>::max();
         f.Add(Feature::limits, bounded && row.limit.lower < row.limit.upper);
     } else if constexpr (requires { row.limit; }) {
         f.Add(Feature::limits, row.limit.enabled);

@@ -55,7 +55,8 @@ World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
         s.def = def;
     }
     s.broadPhaseKind = s.def.broadPhase == BroadPhaseKind::automatic ? BroadPhaseKind::keys : s.def.broadPhase;
-    s.broadPhase = CreateBroadPhase(s.broadPhaseKind, {.staticShareThreshold = s.def.staticShareThreshold});
+    s.broadPhase = CreateBroadPhase(
+        s.broadPhaseKind, {.staticShareThreshold = s.def.staticShareThreshold, .lengthScale = s.def.lengthScale});
     s.pool = std::make_unique<TaskPool>(s.def.workerCount, s.def.tasks);
 }
 

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 
 #if defined(REFUSED_LENGTH_UNITS)
-#define b2_lengthUnitsPerMeter 32.0f
+#define b2_lengthUnitsPerMeter 1e7f
 #define b2_maxPolygonVertices 8
 #elif defined(REFUSED_POLYGON_VERTICES)
 #define b2_lengthUnitsPerMeter 1.0f

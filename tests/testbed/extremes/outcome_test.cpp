@@ -31,7 +31,7 @@ Grade GradeOf(const Outcome& outcome, const Ending& ending = {}) {
 }
 
 TEST(ExtremeGrade, NothingWrongIsTheFullGrade) {
-    const Verdict verdict = GradeCase(MakeStrictCase(), {}, {});
+    const CaseGrade verdict = GradeCase(MakeStrictCase(), {}, {});
     EXPECT_EQ(verdict.grade, Grade::accurate);
     EXPECT_TRUE(verdict.reasons.empty());
 }
@@ -41,7 +41,7 @@ TEST(ExtremeGrade, AProcessThatDidNotEndWellIsZeroWhateverItTold) {
     EXPECT_EQ(GradeOf({}, {.signal = SIGABRT}), Grade::abort);
     EXPECT_EQ(GradeOf({}, {.exitCode = 4}), Grade::abort);
     EXPECT_EQ(GradeOf({}, {.output = false}), Grade::abort);
-    const Verdict verdict = GradeCase(MakeStrictCase(), {.signal = SIGABRT}, {});
+    const CaseGrade verdict = GradeCase(MakeStrictCase(), {.signal = SIGABRT}, {});
     ASSERT_EQ(verdict.reasons.size(), 1u);
     EXPECT_NE(verdict.reasons[0].find("signal 6"), std::string::npos) << verdict.reasons[0];
 }

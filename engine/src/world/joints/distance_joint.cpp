@@ -18,7 +18,7 @@ void DistanceJointDef::Initialize(Body* a, Body* b, Vec2 anchorA, Vec2 anchorB) 
     if (a == nullptr || b == nullptr) return;  // CreateJoint says so
     localAnchorA = a->GetLocalPoint(anchorA);
     localAnchorB = b->GetLocalPoint(anchorB);
-    length = Max(Distance(anchorA, anchorB), linearSlop);
+    length = Distance(anchorA, anchorB);
     minLength = length;
     maxLength = length;
 }
@@ -35,14 +35,15 @@ void Check(const DistanceJointDef& def, Guard& guard) {
         .Amount(def.damping, "DistanceJointDef::damping");
 }
 
-DistanceRow MakeRow(const DistanceJointDef& def) {
-    const float shortest = Max(def.minLength, linearSlop);
+DistanceRow MakeRow(const DistanceJointDef& def, float slop) {
+    const float lower = Max(def.minLength, slop);
     return {.localAnchorA = def.localAnchorA,
             .localAnchorB = def.localAnchorB,
-            .length = Max(def.length, linearSlop),
+            .length = Max(def.length, slop),
             .stiffness = def.stiffness,
             .damping = def.damping,
-            .limit = {.enabled = true, .lower = shortest, .upper = Max(def.maxLength, shortest)}};
+            .shortest = slop,
+            .limit = {.enabled = true, .lower = lower, .upper = Max(def.maxLength, lower)}};
 }
 
 Vec2 DistanceJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
@@ -58,12 +59,12 @@ float DistanceJoint::GetLength() const { return Row().length; }
 ErrorCode DistanceJoint::SetLength(float length) {
     JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetLength").Amount(length, "length");
     if (!edit.Failed()) Row().impulse = 0.0f;
-    return edit.Set(Row().length, Max(length, linearSlop));
+    return edit.Set(Row().length, Max(length, Row().shortest));
 }
 float DistanceJoint::GetMinLength() const { return Row().limit.lower; }
 ErrorCode DistanceJoint::SetMinLength(float minLength) {
     JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetMinLength").Amount(minLength, "minLength");
-    const ErrorCode code = edit.Set(Row().limit.lower, Clamp(minLength, linearSlop, Row().limit.upper));
+    const ErrorCode code = edit.Set(Row().limit.lower, Clamp(minLength, Row().shortest, Row().limit.upper));
     if (code == ErrorCode::ok) Row().limit.lowerImpulse = 0.0f;
     return code;
 }

@@ -41,12 +41,21 @@ JointInfo HeadOf(const JointDef& def) {
 }
 
 template <typename Row>
+Row MakeRowOf(const typename Row::Definition& def, const WorldState& s) {
+    if constexpr (Row::type == e_distanceJoint) {
+        return MakeRow(def, linearSlop * s.def.lengthScale);
+    } else {
+        return MakeRow(def);
+    }
+}
+
+template <typename Row>
 Joint* Create(WorldState& s, const JointDef& base, Guard& guard) {
     const auto& def = static_cast<const typename Row::Definition&>(base);
     CheckBodies(def, s, guard);
     Check(def, guard);
     if (guard.Failed()) return nullptr;
-    const Row row = MakeRow(def);
+    const Row row = MakeRowOf<Row>(def, s);
     if (guard.Uses(FeaturesOfRow(row)).Failed()) return nullptr;
     const Recording recording = guard.Record(base);
     JointInfo head = HeadOf(def);

@@ -26,7 +26,8 @@ void CheckGear(const GearJointDef& def, const WorldState& state, Guard& guard);
 /// The row of a valid definition.
 RevoluteRow MakeRow(const RevoluteJointDef& def);
 PrismaticRow MakeRow(const PrismaticJointDef& def);
-DistanceRow MakeRow(const DistanceJointDef& def);
+/// `slop`: what its lengths are at least, m.
+DistanceRow MakeRow(const DistanceJointDef& def, float slop);
 PulleyRow MakeRow(const PulleyJointDef& def);
 MouseRow MakeRow(const MouseJointDef& def);
 WheelRow MakeRow(const WheelJointDef& def);
