@@ -15,10 +15,17 @@
 namespace scree::test {
 namespace {
 
+WorldDef ScaledDef(float scale) {
+    WorldDef def;
+    def.gravity = {0, -10 * scale};
+    def.lengthScale = scale;
+    return def;
+}
+
 /// A pile of boxes and balls, and a fast ball shot at a thin wall.
 class ScaledWorld {
 public:
-    explicit ScaledWorld(float scale) : m_scale(scale), m_world(MakeDef(scale)) {
+    explicit ScaledWorld(float scale) : m_scale(scale), m_world(ScaledDef(scale)) {
         Add(staticBody, {0, -1}, 0, 40, 1);
         Add(staticBody, {20, 5}, 0, 0.05f, 5);
         for (int row = 0; row < 12; ++row) {
@@ -39,12 +46,6 @@ public:
     [[nodiscard]] World& Get() { return m_world; }
 
 private:
-    static WorldDef MakeDef(float scale) {
-        WorldDef def;
-        def.gravity = {0, -10 * scale};
-        def.lengthScale = scale;
-        return def;
-    }
     Body* Make(BodyType type, Vec2 at, float angle) { return AddBody(m_world, type, m_scale * at, angle); }
     void Finish(Body* body) { body->GetFixtureList()->SetRestitutionThreshold(m_scale); }
     void Add(BodyType type, Vec2 at, float angle, float hx, float hy) {
@@ -91,7 +92,7 @@ TEST(LengthScale, ScalesEveryTolerance) {
 /// Two balls on each kind of joint that has a length, with limits that they reach; one more joint of no length.
 class ScaledJoints {
 public:
-    explicit ScaledJoints(float scale) : m_scale(scale), m_world(MakeDef(scale)) {
+    explicit ScaledJoints(float scale) : m_scale(scale), m_world(ScaledDef(scale)) {
         const auto makeBall = [&](Vec2 at) {
             Body* body = AddBody(m_world, dynamicBody, m_scale * at, 0);
             AddCircle(body, m_scale * 0.3f);
@@ -141,13 +142,6 @@ public:
     DistanceJoint* shortest;
 
 private:
-    static WorldDef MakeDef(float scale) {
-        WorldDef def;
-        def.gravity = {0, -10 * scale};
-        def.lengthScale = scale;
-        return def;
-    }
-
     float m_scale;
     World m_world;
 };

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
+#include <utility>
 
 #include "constraints/joint_tree_rows.h"
 
@@ -47,9 +49,31 @@ struct TreeJoint {
 
 size_t At(int index) { return static_cast<size_t>(index); }
 
+/// Calls use(n) with the number of rows of a joint as a constant, so that the loops over rows unroll: eliminating and
+/// solving take 0.7 times as long as with a number (big-mobile, soft 4).
+template <typename Use>
+void WithCount(int count, Use&& use) {
+    switch (count) {
+        case 1:
+            return use(std::integral_constant<int, 1>{});
+        case 2:
+            return use(std::integral_constant<int, 2>{});
+        default:
+            return use(std::integral_constant<int, 3>{});
+    }
+}
+
+/// visit(0), …, visit(n − 1).
+template <int n, typename Visit>
+inline void Unroll(std::integral_constant<int, n>, Visit&& visit) {
+    [&]<int... i>(std::integer_sequence<int, i...>) { (visit(i), ...); }
+    (std::make_integer_sequence<int, n>{});
+}
+
 /// Replaces a symmetric, positive definite matrix by its inverse. Rows whose pivot is only rounding beside `scale` get
 /// zeros: they repeat others (Goodnight, "A Tutorial on the SWEEP Operator", The American Statistician 33, 1979).
-void Invert(double (&m)[maxTreeRows][maxTreeRows], int n, const double (&scale)[maxTreeRows]) {
+template <int n>
+void Invert(double (&m)[maxTreeRows][maxTreeRows], std::integral_constant<int, n>, const double (&scale)[maxTreeRows]) {
     bool kept[maxTreeRows] = {};
     for (int k = 0; k < n; ++k) {
         const double pivot = m[k][k];
@@ -140,6 +164,8 @@ struct JointTree::Data {
 
     void FillMatrix();
     void Eliminate();
+    template <typename Own, typename Later>
+    void EliminateLink(const TreeJoint& joint, int at, Own n, Later rows);
     void Solve();
     void Push();
 };
@@ -295,97 +321,108 @@ void JointTree::Data::FillMatrix() {
     for (TreeJoint& joint : joints) {
         const TreeBody& a = bodies[At(joint.a)];
         const TreeBody& b = bodies[At(joint.b)];
-        for (int i = 0; i < joint.rows.count; ++i) {
-            for (int j = 0; j <= i; ++j) {
-                joint.inverse[i][j] = joint.inverse[j][i] =
-                    product(joint.rows.a[i], joint.rows.a[j], a) + product(joint.rows.b[i], joint.rows.b[j], b);
+        WithCount(joint.rows.count, [&](auto n) {
+            Unroll(n, [&](int i) {
+                for (int j = 0; j <= i; ++j) {
+                    joint.inverse[i][j] = joint.inverse[j][i] =
+                        product(joint.rows.a[i], joint.rows.a[j], a) + product(joint.rows.b[i], joint.rows.b[j], b);
+                }
+            });
+            const TreeBody& up = bodies[At(joint.up)];
+            const auto& own = SideOf(joint, joint.up);
+            for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
+                TreeLink& link = links[At(l)];
+                const TreeJoint& later = joints[At(link.later)];
+                const auto& other = SideOf(later, joint.up);
+                WithCount(later.rows.count, [&](auto rows) {
+                    Unroll(rows,
+                           [&](int i) { Unroll(n, [&](int j) { link.block[i][j] = product(other[i], own[j], up); }); });
+                });
             }
-        }
-        const TreeBody& up = bodies[At(joint.up)];
-        const auto& own = SideOf(joint, joint.up);
-        for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-            TreeLink& link = links[At(l)];
-            const TreeJoint& later = joints[At(link.later)];
-            const auto& other = SideOf(later, joint.up);
-            for (int i = 0; i < later.rows.count; ++i) {
-                for (int j = 0; j < joint.rows.count; ++j) link.block[i][j] = product(other[i], own[j], up);
-            }
-        }
+        });
     }
 }
 
 void JointTree::Data::Eliminate() {
-    const auto inverseMass = [this](const TreeJoint& joint, double(&diagonal)[maxTreeRows]) {
-        for (int i = 0; i < joint.rows.count; ++i) {
-            const double(&a)[3] = joint.rows.a[i];
-            const double(&b)[3] = joint.rows.b[i];
+    for (TreeJoint& joint : joints) {
+        WithCount(joint.rows.count, [&](auto n) {
+            // The diagonal before anything is subtracted from it.
+            double scale[maxTreeRows] = {};
             const TreeBody& bodyA = bodies[At(joint.a)];
             const TreeBody& bodyB = bodies[At(joint.b)];
-            diagonal[i] = bodyA.invMass * (a[0] * a[0] + a[1] * a[1]) + bodyA.invI * a[2] * a[2] +
-                          bodyB.invMass * (b[0] * b[0] + b[1] * b[1]) + bodyB.invI * b[2] * b[2];
-        }
-    };
-    for (TreeJoint& joint : joints) {
-        const int n = joint.rows.count;
-        double scale[maxTreeRows] = {};
-        inverseMass(joint, scale);
-        Invert(joint.inverse, n, scale);
-        for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-            TreeLink& link = links[At(l)];
-            TreeJoint& later = joints[At(link.later)];
-            double row[maxTreeRows][maxTreeRows];  // of L
-            for (int i = 0; i < later.rows.count; ++i) {
-                for (int j = 0; j < n; ++j) {
-                    row[i][j] = 0.0;
-                    for (int k = 0; k < n; ++k) row[i][j] += link.block[i][k] * joint.inverse[k][j];
-                }
+            Unroll(n, [&](int i) {
+                const double(&a)[3] = joint.rows.a[i];
+                const double(&b)[3] = joint.rows.b[i];
+                scale[i] = bodyA.invMass * (a[0] * a[0] + a[1] * a[1]) + bodyA.invI * a[2] * a[2] +
+                           bodyB.invMass * (b[0] * b[0] + b[1] * b[1]) + bodyB.invI * b[2] * b[2];
+            });
+            Invert(joint.inverse, n, scale);
+            for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
+                WithCount(joints[At(links[At(l)].later)].rows.count,
+                          [&](auto rows) { EliminateLink(joint, l, n, rows); });
             }
-            const auto reduce = [&](const TreeLink& with, int rows, double(&target)[maxTreeRows][maxTreeRows]) {
-                for (int i = 0; i < rows; ++i) {
-                    for (int j = 0; j < later.rows.count; ++j) {
-                        for (int k = 0; k < n; ++k) target[i][j] -= with.block[i][k] * row[j][k];
-                    }
-                }
-            };
-            reduce(link, later.rows.count, later.inverse);
-            // Links of the later joint go to the joints that follow it in the same list.
-            for (int r = l + 1; r < joint.linkEnd; ++r) {
-                const TreeLink& with = links[At(r)];
-                reduce(with, joints[At(with.later)].rows.count, links[At(later.linkBegin + (r - l - 1))].block);
-            }
-            for (int i = 0; i < later.rows.count; ++i) {
-                for (int j = 0; j < n; ++j) link.block[i][j] = row[i][j];
-            }
-        }
+        });
     }
+}
+
+template <typename Own, typename Later>
+void JointTree::Data::EliminateLink(const TreeJoint& joint, int at, Own n, Later rows) {
+    TreeLink& link = links[At(at)];
+    TreeJoint& later = joints[At(link.later)];
+    double row[maxTreeRows][maxTreeRows];  // of L
+    Unroll(rows, [&](int i) {
+        Unroll(n, [&](int j) {
+            row[i][j] = 0.0;
+            Unroll(n, [&](int k) { row[i][j] += link.block[i][k] * joint.inverse[k][j]; });
+        });
+    });
+    const auto reduce = [&](const TreeLink& with, auto count, double(&target)[maxTreeRows][maxTreeRows]) {
+        Unroll(count, [&](int i) {
+            Unroll(rows, [&](int j) { Unroll(n, [&](int k) { target[i][j] -= with.block[i][k] * row[j][k]; }); });
+        });
+    };
+    reduce(link, rows, later.inverse);
+    // Links of the later joint go to the joints that follow it in the same list.
+    for (int r = at + 1; r < joint.linkEnd; ++r) {
+        const TreeLink& with = links[At(r)];
+        WithCount(joints[At(with.later)].rows.count,
+                  [&](auto count) { reduce(with, count, links[At(later.linkBegin + (r - at - 1))].block); });
+    }
+    Unroll(rows, [&](int i) { Unroll(n, [&](int j) { link.block[i][j] = row[i][j]; }); });
 }
 
 /// Right sides → impulses.
 void JointTree::Data::Solve() {
-    for (TreeJoint& joint : joints) {
-        const int n = joint.rows.count;
-        for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-            TreeJoint& later = joints[At(links[At(l)].later)];
-            for (int i = 0; i < later.rows.count; ++i) {
-                for (int j = 0; j < n; ++j) later.rhs[i] -= links[At(l)].block[i][j] * joint.rhs[j];
+    for (const TreeJoint& joint : joints) {
+        WithCount(joint.rows.count, [&](auto n) {
+            for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
+                const TreeLink& link = links[At(l)];
+                TreeJoint& later = joints[At(link.later)];
+                WithCount(later.rows.count, [&](auto rows) {
+                    Unroll(rows,
+                           [&](int i) { Unroll(n, [&](int j) { later.rhs[i] -= link.block[i][j] * joint.rhs[j]; }); });
+                });
             }
-        }
+        });
     }
     for (size_t at = joints.size(); at-- > 0;) {
         TreeJoint& joint = joints[at];
-        const int n = joint.rows.count;
-        double impulse[maxTreeRows];
-        for (int i = 0; i < n; ++i) {
-            impulse[i] = 0.0;
-            for (int j = 0; j < n; ++j) impulse[i] += joint.inverse[i][j] * joint.rhs[j];
-        }
-        for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-            const TreeJoint& later = joints[At(links[At(l)].later)];
-            for (int i = 0; i < later.rows.count; ++i) {
-                for (int j = 0; j < n; ++j) impulse[j] -= links[At(l)].block[i][j] * later.rhs[i];
+        WithCount(joint.rows.count, [&](auto n) {
+            double impulse[maxTreeRows];
+            Unroll(n, [&](int i) {
+                impulse[i] = 0.0;
+                Unroll(n, [&](int j) { impulse[i] += joint.inverse[i][j] * joint.rhs[j]; });
+            });
+            for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
+                const TreeLink& link = links[At(l)];
+                const TreeJoint& later = joints[At(link.later)];
+                WithCount(later.rows.count, [&](auto rows) {
+                    Unroll(rows,
+                           [&](int i) { Unroll(n, [&](int j) { impulse[j] -= link.block[i][j] * later.rhs[i]; }); });
+                });
             }
-        }
-        for (int i = 0; i < n; ++i) joint.rhs[i] = impulse[i];
+            Unroll(n, [&](int i) { joint.rhs[i] = impulse[i]; });
+        });
     }
 }
 
@@ -394,16 +431,18 @@ void JointTree::Data::Push() {
     for (TreeJoint& joint : joints) {
         TreeBody& a = bodies[At(joint.a)];
         TreeBody& b = bodies[At(joint.b)];
-        for (int i = 0; i < joint.rows.count; ++i) {
-            const double impulse = joint.rhs[i];
-            joint.total[i] += impulse;
-            for (int k = 0; k < 2; ++k) {
-                a.v[k] += a.invMass * impulse * joint.rows.a[i][k];
-                b.v[k] += b.invMass * impulse * joint.rows.b[i][k];
-            }
-            a.v[2] += a.invI * impulse * joint.rows.a[i][2];
-            b.v[2] += b.invI * impulse * joint.rows.b[i][2];
-        }
+        WithCount(joint.rows.count, [&](auto n) {
+            Unroll(n, [&](int i) {
+                const double impulse = joint.rhs[i];
+                joint.total[i] += impulse;
+                for (int k = 0; k < 2; ++k) {
+                    a.v[k] += a.invMass * impulse * joint.rows.a[i][k];
+                    b.v[k] += b.invMass * impulse * joint.rows.b[i][k];
+                }
+                a.v[2] += a.invI * impulse * joint.rows.a[i][2];
+                b.v[2] += b.invI * impulse * joint.rows.b[i][2];
+            });
+        });
     }
 }
 

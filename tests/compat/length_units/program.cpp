@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One story told in the length unit of its b2_user_settings.h, printed in metres: a pile that falls asleep, a joint of
+// One story told in the length unit of b2_user_settings.h, printed in metres: a pile that falls asleep, a joint of
 // every kind, a bullet and a thin wall, a chain, and the free functions. With every length times the unit, all that is
 // printed must be the same.
 

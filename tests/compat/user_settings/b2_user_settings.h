@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What a Box2D program may replace (B2_USER_SETTINGS): here larger polygon arrays, typed user data, its own memory and
-// log.
+// log; on the command line also the length unit.
 
 #pragma once
 
@@ -11,16 +11,14 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#if defined(REFUSED_LENGTH_UNITS)
-#define b2_lengthUnitsPerMeter 1e7f
-#define b2_maxPolygonVertices 8
-#elif defined(REFUSED_POLYGON_VERTICES)
-#define b2_lengthUnitsPerMeter 1.0f
-#define b2_maxPolygonVertices 100
-#else
-#define b2_lengthUnitsPerMeter 1.0f
-#define b2_maxPolygonVertices 12
+#ifndef LENGTH_UNITS
+#define LENGTH_UNITS 1.0f
 #endif
+#ifndef POLYGON_VERTICES
+#define POLYGON_VERTICES 12
+#endif
+#define b2_lengthUnitsPerMeter LENGTH_UNITS
+#define b2_maxPolygonVertices POLYGON_VERTICES
 
 struct b2BodyUserData {
     const char* name = "";

@@ -164,11 +164,11 @@ TEST(Trade, LinesComeBackAsTheyWent) {
 
 TEST(Trade, TheCommandMeasuresOneLawAndDrawsIt) {
     const ScratchFolder folder;
-    const ProgramResult result = folder.Run("tradeoff --quick -g '^spring$' -o out --json lines.jsonl");
+    const ProgramResult result = folder.Run("tradeoff --quick -g '^free-spin$' -o out --json lines.jsonl");
     ASSERT_EQ(result.exitCode, 0) << result.output;
     const std::size_t settings = MakeGrid(Effort::quick).size();
     EXPECT_NE(result.output.find(std::to_string(settings) + " cases: 1 laws"), std::string::npos) << result.output;
-    for (const char* file : {"out/index.html", "out/cases.csv", "out/bounds.csv", "out/plots/spring.svg"}) {
+    for (const char* file : {"out/index.html", "out/cases.csv", "out/bounds.csv", "out/plots/free-spin.svg"}) {
         EXPECT_TRUE(folder.Has(file)) << file;
     }
     const std::string csv = folder.Read("out/cases.csv");
@@ -176,7 +176,7 @@ TEST(Trade, TheCommandMeasuresOneLawAndDrawsIt) {
     // Two shards together hold the lines of the whole, times apart, and the report comes from the joined file.
     std::string joined;
     for (const char* part : {"1", "2"}) {
-        const ProgramResult shard = folder.Run(std::string("tradeoff --quick -g '^spring$' -o out --json part") + part +
+        const ProgramResult shard = folder.Run(std::string("tradeoff --quick -g '^free-spin$' -o out --json part") + part +
                                                ".jsonl --shard " + part + "/2");
         ASSERT_EQ(shard.exitCode, 0) << shard.output;
         joined += folder.Read(std::string("part") + part + ".jsonl");
