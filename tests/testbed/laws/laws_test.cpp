@@ -176,8 +176,8 @@ TEST(Trade, TheCommandMeasuresOneLawAndDrawsIt) {
     // Two shards together hold the lines of the whole, times apart, and the report comes from the joined file.
     std::string joined;
     for (const char* part : {"1", "2"}) {
-        const ProgramResult shard = folder.Run(std::string("tradeoff --quick -g '^free-spin$' -o out --json part") + part +
-                                               ".jsonl --shard " + part + "/2");
+        const ProgramResult shard = folder.Run(std::string("tradeoff --quick -g '^free-spin$' -o out --json part") +
+                                               part + ".jsonl --shard " + part + "/2");
         ASSERT_EQ(shard.exitCode, 0) << shard.output;
         joined += folder.Read(std::string("part") + part + ".jsonl");
     }
