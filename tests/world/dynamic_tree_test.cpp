@@ -8,9 +8,11 @@
 
 #include <box2d/box2d.h>
 
+#include <limits>
 #include <map>
 #include <random>
 #include <set>
+#include <string>
 
 #include "scree/dynamic_tree.h"
 #include "scree/settings.h"
@@ -148,6 +150,20 @@ TEST(DynamicTree, BadCallsChangeNothing) {
     EXPECT_FALSE(tree.DestroyProxy(id));
     EXPECT_EQ(tree.GetProxyCount(), 0);
     EXPECT_TRUE(tree.Validate());
+}
+
+TEST(DynamicTree, MarginIsWhatWasAskedOrTheDefaultWithAWord) {
+    const AABB unit{{0.0f, 0.0f}, {1.0f, 1.0f}};
+    for (const float margin : {0.0f, 0.5f}) {
+        DynamicTree tree(margin);
+        EXPECT_EQ(tree.GetFatAABB(tree.CreateProxy(unit, nullptr)).upperBound.x, 1.0f + margin);
+    }
+    for (const float bad : {-1.0f, std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+        testing::internal::CaptureStderr();
+        DynamicTree tree(bad);
+        EXPECT_NE(testing::internal::GetCapturedStderr().find("margin: out of range"), std::string::npos);
+        EXPECT_EQ(tree.GetFatAABB(tree.CreateProxy(unit, nullptr)).upperBound.x, 1.0f + aabbExtension);
+    }
 }
 
 }  // namespace

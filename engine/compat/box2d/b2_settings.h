@@ -13,8 +13,9 @@
 
 #include "b2_user_settings.h"
 
-static_assert(b2_lengthUnitsPerMeter >= 1e-6f && b2_lengthUnitsPerMeter <= 1e6f,
-              "scree::box2d takes length units of 1e-6 to 1e6 m: change b2_lengthUnitsPerMeter in b2_user_settings.h");
+static_assert(
+    b2_lengthUnitsPerMeter >= 1e-6f && b2_lengthUnitsPerMeter <= 1e6f,
+    "scree::box2d takes 1e-6 to 1e6 length units a metre: set b2_lengthUnitsPerMeter so in b2_user_settings.h");
 static_assert(
     b2_maxPolygonVertices >= 4 && b2_maxPolygonVertices <= 64,
     "scree::box2d has polygons of up to 64 vertices: set b2_maxPolygonVertices to 4…64 in b2_user_settings.h");

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 
 #include "broad_phase/fat_tree.h"
@@ -48,7 +49,12 @@ struct DynamicTree::Impl {
 };
 
 DynamicTree::DynamicTree(float margin) : m_impl(std::make_unique<Impl>()) {
-    if (margin >= 0.0f && std::isfinite(margin)) m_impl->margin = {margin};
+    if (margin >= 0.0f && std::isfinite(margin)) {
+        m_impl->margin = {margin};
+    } else {
+        // A constructor cannot refuse: the tree is made with the default, and stderr says so.
+        std::fprintf(stderr, "scree: DynamicTree::DynamicTree: margin: out of range; give 0 m or more\n");
+    }
 }
 DynamicTree::~DynamicTree() = default;
 DynamicTree::DynamicTree(DynamicTree&&) noexcept = default;
