@@ -12,8 +12,6 @@
 namespace scree::test {
 namespace {
 
-constexpr float dt = 1.0f / 60.0f;
-
 void AddColumn(World& world, int count, float density) {
     AddGround(world);
     for (int i = 0; i < count; ++i) {
@@ -44,9 +42,9 @@ TEST(Accuracy, MarksOfTheDialAreTheStepsThatTheyStandFor) {
         for (int i = 0; i < 20; ++i) step(world);
         return inspect::GetStateHash(world);
     };
-    const auto mark = [&](Accuracy accuracy) { return hashAfter([&](World& world) { world.Step(dt, accuracy); }); };
-    const auto substeps = [&](int n) { return hashAfter([&](World& world) { world.Step(dt, n); }); };
-    EXPECT_EQ(mark(Accuracy::draft), hashAfter([](World& world) { world.Step(dt, 4, 2); }));
+    const auto mark = [&](Accuracy accuracy) { return hashAfter([&](World& world) { world.Step(frame, accuracy); }); };
+    const auto substeps = [&](int n) { return hashAfter([&](World& world) { world.Step(frame, n); }); };
+    EXPECT_EQ(mark(Accuracy::draft), hashAfter([](World& world) { world.Step(frame, 4, 2); }));
     EXPECT_EQ(mark(Accuracy::game), substeps(4));
     EXPECT_EQ(mark(Accuracy::fine), substeps(8));
     EXPECT_EQ(mark(Accuracy::precise), substeps(16));
@@ -60,7 +58,7 @@ TEST(Accuracy, ATighterToleranceTakesMoreSubstepsAndIsKept) {
         Tolerance tolerance;
         tolerance.overlap = overlap;
         StepReport report;
-        for (int i = 0; i < 300; ++i) report = world.Step(dt, tolerance);
+        for (int i = 0; i < 300; ++i) report = world.Step(frame, tolerance);
         EXPECT_LE(report.errors.overlap, 1.02f * overlap);
         EXPECT_GT(report.errors.overlap, linearSlop);
         EXPECT_GE(report.substeps, before);
@@ -76,7 +74,7 @@ TEST(Accuracy, APulledChainGetsTheSubstepsThatItsPullNeeds) {
         int highest = 0;
         float gap = 0.0f;
         for (int i = 0; i < 180; ++i) {
-            const StepReport report = world.Step(dt, Tolerance{});
+            const StepReport report = world.Step(frame, Tolerance{});
             highest = std::max(highest, report.substeps);
             gap = std::max(gap, report.errors.jointGap);
         }
@@ -99,13 +97,13 @@ TEST(Accuracy, ToleranceIsDeterministicAndSurvivesSnapshotsAndRecordings) {
     tolerance.overlap = 0.007f;
     Recorder recorder;
     ASSERT_EQ(StartRecording(world, recorder), ErrorCode::ok);
-    for (int i = 0; i < 30; ++i) world.Step(dt, tolerance);
+    for (int i = 0; i < 30; ++i) world.Step(frame, tolerance);
     const std::vector<std::byte> image = SaveWorld(world);
     SnapshotError error{};
     const std::unique_ptr<World> restored = LoadWorld(image, &error);
     ASSERT_TRUE(restored);
     for (int i = 0; i < 60; ++i) {
-        const StepReport one = world.Step(dt, tolerance), other = restored->Step(dt, tolerance);
+        const StepReport one = world.Step(frame, tolerance), other = restored->Step(frame, tolerance);
         ASSERT_EQ(one.substeps, other.substeps) << i;
         ASSERT_EQ(inspect::GetStateHash(world), inspect::GetStateHash(*restored)) << i;
     }
@@ -122,7 +120,7 @@ TEST(Accuracy, BadInputIsRefused) {
     ErrorLog log(world);
     const uint64_t before = inspect::GetStateHash(world);
     const auto expect = [&](const char* field, const Tolerance& tolerance) {
-        world.Step(dt, tolerance);
+        world.Step(frame, tolerance);
         EXPECT_STREQ(log.last.field, field);
         EXPECT_EQ(inspect::GetStateHash(world), before);
     };
@@ -132,7 +130,7 @@ TEST(Accuracy, BadInputIsRefused) {
     expect("tolerance.jointGap", {.jointGap = 0.0f});
     expect("tolerance.leastSubsteps", {.leastSubsteps = 0});
     expect("tolerance.mostSubsteps", {.leastSubsteps = 8, .mostSubsteps = 4});
-    world.Step(dt, static_cast<Accuracy>(9));
+    world.Step(frame, static_cast<Accuracy>(9));
     EXPECT_STREQ(log.last.field, "accuracy");
     EXPECT_EQ(log.count, 7);
 }

@@ -14,9 +14,6 @@
 namespace scree::test {
 namespace {
 
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float infinity = std::numeric_limits<float>::infinity();
-
 class BadInput : public ::testing::Test {
 protected:
     BadInput() : world({0.0f, -10.0f}), errors(world) {

@@ -122,7 +122,6 @@ TEST(Chain, DestroyChainTakesItsEdgesAndNoOthers) {
 }
 
 TEST(Chain, BadVerticesAreRefusedAndLeaveTheChainAsItWas) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     ChainShape chain;
     ASSERT_TRUE(chain.CreateLoop(square, 4));
     const Vec2 same[3] = {{0, 0}, {0, 0.001f}, {1, 0}};

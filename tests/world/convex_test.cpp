@@ -17,9 +17,6 @@
 namespace scree::test {
 namespace {
 
-constexpr float dt = 1.0f / 60.0f;
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-
 Body* Add(World& world, const Shape& shape, Vec2 position, float angle = 0.0f, float density = 1.0f) {
     Body* body = AddBody(world, dynamicBody, position, angle);
     FixtureDef def;
@@ -189,7 +186,7 @@ TEST(ConvexWorld, NothingCatchesAtTheSeamsOfAChain) {
         body->SetLinearVelocity({5.0f, 0.0f});
         float highest = -1.0f;
         for (int i = 0; i < 300; ++i) {
-            world.Step(dt, 8, 3);
+            world.Step(frame, 8, 3);
             highest = Max(highest, std::fabs(body->GetLinearVelocity().y));
         }
         EXPECT_NEAR(body->GetLinearVelocity().x, 5.0f, 0.01f);
@@ -243,7 +240,7 @@ TEST(ConvexWorld, SensorsAndQueriesSeeConvexShapes) {
 }
 
 /// Counts what is drawn.
-class Counter : public Draw {
+class ShapeCounter : public Draw {
 public:
     void DrawPolygon(const Vec2*, int, const Color&) override {}
     void DrawSolidPolygon(const Vec2* vertices, int count, const Color&) override {
@@ -264,7 +261,7 @@ TEST(ConvexWorld, IsDrawnWithItsRoundEnds) {
     Add(world, MakeCapsule({-1.0f, 0.0f}, {1.0f, 0.0f}, 0.5f), {0.0f, 0.0f});
     Add(world, MakeCapsule({0.0f, 0.0f}, {0.0f, 0.0f}, 0.5f), {0.0f, 5.0f});
     Add(world, MakeRegular(64, 1.0f), {0.0f, -5.0f});
-    Counter counter;
+    ShapeCounter counter;
     counter.SetFlags(Draw::e_shapeBit);
     world.SetDebugDraw(&counter);
     world.DebugDraw();

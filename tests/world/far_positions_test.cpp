@@ -196,7 +196,6 @@ TEST(FarPositions, ShiftingTheOriginKeepsTheRests) {
 }
 
 TEST(FarPositions, BadInputIsNamed) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN();
     World world({0, -10});
     ErrorLog errors(world);
     Body* body = AddBody(world, dynamicBody, {1, 2});

@@ -24,9 +24,9 @@ constexpr int stepCount = 24;
 constexpr int worldCount = 1200;
 
 /// Pushes bodies and edits contacts and bodies from callbacks, as the mask allows.
-class Meddler final : public ContactListener {
+class FuzzMeddler final : public ContactListener {
 public:
-    Meddler(const Features& mask, uint32_t seed) : m_mask(mask), m_random(seed) {}
+    FuzzMeddler(const Features& mask, uint32_t seed) : m_mask(mask), m_random(seed) {}
     void PreSolve(Contact* contact, const Manifold*) override {
         if (Uses(8, Feature::tangentSpeed)) contact->SetTangentSpeed(1.5f);
         if (Uses(8, Feature::friction)) contact->SetFriction(0.7f);
@@ -309,7 +309,7 @@ private:
 
     std::mt19937 m_random;
     Features m_mask;
-    Meddler m_meddler;
+    FuzzMeddler m_meddler;
     FifthPair m_filter;
     bool m_soft;
     std::unique_ptr<World> m_world;

@@ -5,10 +5,16 @@
 
 #pragma once
 
+#include <limits>
+
 #include "scree/inspect.h"
 #include "scree/scree.h"
 
 namespace scree::test {
+
+inline constexpr float frame = 1.0f / 60.0f;  // s
+inline constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+inline constexpr float infinity = std::numeric_limits<float>::infinity();
 
 inline Body* AddBody(World& world, BodyType type, Vec2 position, float angle = 0.0f) {
     BodyDef def;

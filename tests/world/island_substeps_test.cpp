@@ -16,7 +16,6 @@
 namespace scree::test {
 namespace {
 
-constexpr float dt = 1.0f / 60.0f;
 constexpr int pileCount = 40, pileHeight = 3;
 
 void AddColumn(World& world, float x, int count) {
@@ -72,7 +71,7 @@ Outcome RunFor(int steps, Hard hard, Parts parts, const Tolerance& tolerance, in
     Fill(world, hard, parts);
     Outcome outcome;
     for (int i = 0; i < steps; ++i) {
-        const StepReport report = world.Step(dt, tolerance);
+        const StepReport report = world.Step(frame, tolerance);
         outcome.mostSubsteps = std::max(outcome.mostSubsteps, report.substeps);
         outcome.bodySubsteps += report.bodySubsteps;
         outcome.wholeWorldSubsteps += int64_t{report.substeps} * report.awakeBodyCount;
@@ -105,7 +104,7 @@ TEST(IslandSubsteps, BodiesNotedTheSubstepsOfTheirIsland) {
     World world({0.0f, -10.0f});
     Fill(world, Hard::column, {});
     StepReport report;
-    for (int i = 0; i < 120; ++i) report = world.Step(dt, tight);
+    for (int i = 0; i < 120; ++i) report = world.Step(frame, tight);
     const BodyTable& bodies = world.GetState().bodies;
     int64_t sum = 0;
     int hard = 0;
@@ -133,11 +132,11 @@ TEST(IslandSubsteps, SurviveASnapshot) {
     for (const Hard hard : {Hard::column, Hard::chain}) {
         World world({0.0f, -10.0f});
         Fill(world, hard, {});
-        for (int i = 0; i < 40; ++i) world.Step(dt, tight);
+        for (int i = 0; i < 40; ++i) world.Step(frame, tight);
         const std::unique_ptr<World> restored = LoadWorld(SaveWorld(world));
         ASSERT_TRUE(restored);
         for (int i = 0; i < 60; ++i) {
-            const StepReport one = world.Step(dt, tight), other = restored->Step(dt, tight);
+            const StepReport one = world.Step(frame, tight), other = restored->Step(frame, tight);
             ASSERT_EQ(one.bodySubsteps, other.bodySubsteps) << i;
             ASSERT_EQ(inspect::GetStateHash(world), inspect::GetStateHash(*restored)) << i;
         }
@@ -151,9 +150,9 @@ TEST(IslandSubsteps, AnIslandAloneMovesAsByAStepWithItsNumber) {
         for (World* world : {&picked, &given}) Fill(*world, hard, {.easy = false});
         int changes = 0, before = 0, step = 0;
         for (; step < 200; ++step) {
-            const StepReport report = picked.Step(dt, tight);
+            const StepReport report = picked.Step(frame, tight);
             if (report.islandCount != 1 || report.isolatedBodyCount > 0) break;  // the column sways apart
-            given.Step(dt, report.substeps);
+            given.Step(frame, report.substeps);
             changes += report.substeps != before ? 1 : 0;
             before = report.substeps;
             const BodyTable &a = picked.GetState().bodies, &b = given.GetState().bodies;
@@ -172,7 +171,7 @@ TEST(IslandSubsteps, AnIslandAloneMovesAsByAStepWithItsNumber) {
 TEST(IslandSubsteps, ABodyThatTakesAnothersPlaceStartsWithoutItsDemand) {
     World world({0.0f, -10.0f});
     Fill(world, Hard::chain, {.easy = false});
-    for (int i = 0; i < 60; ++i) world.Step(dt, tight);
+    for (int i = 0; i < 60; ++i) world.Step(frame, tight);
     Body* last = world.GetBodyList();
     const int row = last->GetIndex();
     ASSERT_GT(world.GetState().bodies.demand[static_cast<size_t>(row)].wanted, 0.0f);
@@ -213,7 +212,7 @@ TEST(IslandSubsteps, AWorldOfMillimetresTakesWhatAWorldOfMetresTakes) {
                    0.5f * scale, 1.0f);
         }
         int64_t sum = 0;
-        for (int i = 0; i < 100; ++i) sum += world.Step(dt, Tolerance{.overlap = 0.008f * scale}).bodySubsteps;
+        for (int i = 0; i < 100; ++i) sum += world.Step(frame, Tolerance{.overlap = 0.008f * scale}).bodySubsteps;
         return static_cast<double>(sum);
     };
     EXPECT_NEAR(takes(1.0f / 1024.0f), takes(1.0f), 0.02 * takes(1.0f));

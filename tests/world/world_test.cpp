@@ -86,7 +86,7 @@ TEST(World, TurningSleepOffWakesEverything) {
 }
 
 /// Writes events down as "begin", "end", "pre", "post".
-struct Recorder : ContactListener {
+struct OrderRecorder : ContactListener {
     std::vector<std::string> events;
     World* world = nullptr;
     bool createInside = false;
@@ -116,7 +116,7 @@ struct Recorder : ContactListener {
 
 TEST(World, ReportsBeginPreSolvePostSolveAndEnd) {
     World world({0.0f, -10.0f});
-    Recorder recorder;
+    OrderRecorder recorder;
     world.SetContactListener(&recorder);
     AddGround(world);
     Body* box = AddBody(world, dynamicBody, {0, 0.6f});
@@ -135,7 +135,7 @@ TEST(World, ReportsBeginPreSolvePostSolveAndEnd) {
 
 TEST(World, DestroyingATouchingBodyEndsItsContacts) {
     World world({0.0f, -10.0f});
-    Recorder recorder;
+    OrderRecorder recorder;
     AddGround(world);
     Body* box = AddBody(world, dynamicBody, {0, 0.5f});
     AddBox(box, 0.5f, 0.5f);
@@ -151,7 +151,7 @@ TEST(World, DestroyingATouchingBodyEndsItsContacts) {
 TEST(World, RefusesCreationAndDestructionInsideCallbacks) {
     World world({0.0f, -10.0f});
     ErrorLog errors(world);
-    Recorder recorder;
+    OrderRecorder recorder;
     recorder.world = &world;
     recorder.createInside = true;
     world.SetContactListener(&recorder);
@@ -166,7 +166,7 @@ TEST(World, RefusesCreationAndDestructionInsideCallbacks) {
 
 TEST(World, SensorsReportButDoNotPush) {
     World world({0.0f, 0.0f});
-    Recorder recorder;
+    OrderRecorder recorder;
     world.SetContactListener(&recorder);
     Body* gate = AddBody(world, staticBody, {0, 0});
     PolygonShape shape;

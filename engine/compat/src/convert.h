@@ -13,10 +13,12 @@
 #include "../box2d/b2_circle_shape.h"
 #include "../box2d/b2_collision.h"
 #include "../box2d/b2_edge_shape.h"
+#include "../box2d/b2_fixture.h"
 #include "../box2d/b2_polygon_shape.h"
 #include "scree/chain_shape.h"
 #include "scree/collision.h"
 #include "scree/convex_shape.h"
+#include "scree/fixture.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
@@ -86,6 +88,8 @@ inline b2MassData ToBox2d(const MassData& data) {
     return out;
 }
 inline MassData ToScree(const b2MassData& data) { return {data.mass, ToScree(data.center), data.I}; }
+
+inline Filter ToScree(const b2Filter& filter) { return {filter.categoryBits, filter.maskBits, filter.groupIndex}; }
 
 inline Manifold ToScree(const b2Manifold& manifold) {
     Manifold out{};

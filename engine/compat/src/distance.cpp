@@ -66,11 +66,11 @@ namespace {
 
 /// The engine's view of a proxy: its own copy of the vertices.
 struct Points {
-    /// `unit`: factor on all lengths.
-    explicit Points(const b2DistanceProxy& source, float unit = 1.0f) {
+    /// `length`: factor on all lengths.
+    explicit Points(const b2DistanceProxy& source, float length = 1.0f) {
         const int count = std::clamp(source.m_count, 0, static_cast<int>(inPlace.size()));
-        for (int i = 0; i < count; ++i) inPlace[static_cast<size_t>(i)] = unit * ToScree(source.m_vertices[i]);
-        if (count > 0) proxy.Set(inPlace.data(), count, unit * source.m_radius);
+        for (int i = 0; i < count; ++i) inPlace[static_cast<size_t>(i)] = length * ToScree(source.m_vertices[i]);
+        if (count > 0) proxy.Set(inPlace.data(), count, length * source.m_radius);
     }
     Points(const Points&) = delete;
     Points& operator=(const Points&) = delete;

@@ -10,7 +10,6 @@
 #include "joint_handle.h"
 
 using namespace scree::box2d;
-using Engine = scree::DistanceJoint;
 
 void b2DistanceJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchorA, const b2Vec2& anchorB) {
     bodyA = bA;
@@ -22,26 +21,26 @@ void b2DistanceJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor
     maxLength = length;
 }
 
-float b2DistanceJoint::GetLength() const { return As<Engine>(m_handle).GetLength(); }
+float b2DistanceJoint::GetLength() const { return As<scree::DistanceJoint>(m_handle).GetLength(); }
 float b2DistanceJoint::SetLength(float length) {
-    As<Engine>(m_handle).SetLength(length);
+    As<scree::DistanceJoint>(m_handle).SetLength(length);
     return GetLength();
 }
-float b2DistanceJoint::GetMinLength() const { return As<Engine>(m_handle).GetMinLength(); }
+float b2DistanceJoint::GetMinLength() const { return As<scree::DistanceJoint>(m_handle).GetMinLength(); }
 float b2DistanceJoint::SetMinLength(float minLength) {
-    As<Engine>(m_handle).SetMinLength(minLength);
+    As<scree::DistanceJoint>(m_handle).SetMinLength(minLength);
     return GetMinLength();
 }
-float b2DistanceJoint::GetMaxLength() const { return As<Engine>(m_handle).GetMaxLength(); }
+float b2DistanceJoint::GetMaxLength() const { return As<scree::DistanceJoint>(m_handle).GetMaxLength(); }
 float b2DistanceJoint::SetMaxLength(float maxLength) {
-    As<Engine>(m_handle).SetMaxLength(maxLength);
+    As<scree::DistanceJoint>(m_handle).SetMaxLength(maxLength);
     return GetMaxLength();
 }
-float b2DistanceJoint::GetCurrentLength() const { return As<Engine>(m_handle).GetCurrentLength(); }
-void b2DistanceJoint::SetStiffness(float stiffness) { As<Engine>(m_handle).SetStiffness(stiffness); }
-float b2DistanceJoint::GetStiffness() const { return As<Engine>(m_handle).GetStiffness(); }
-void b2DistanceJoint::SetDamping(float damping) { As<Engine>(m_handle).SetDamping(damping); }
-float b2DistanceJoint::GetDamping() const { return As<Engine>(m_handle).GetDamping(); }
+float b2DistanceJoint::GetCurrentLength() const { return As<scree::DistanceJoint>(m_handle).GetCurrentLength(); }
+void b2DistanceJoint::SetStiffness(float stiffness) { As<scree::DistanceJoint>(m_handle).SetStiffness(stiffness); }
+float b2DistanceJoint::GetStiffness() const { return As<scree::DistanceJoint>(m_handle).GetStiffness(); }
+void b2DistanceJoint::SetDamping(float damping) { As<scree::DistanceJoint>(m_handle).SetDamping(damping); }
+float b2DistanceJoint::GetDamping() const { return As<scree::DistanceJoint>(m_handle).GetDamping(); }
 
 void b2DistanceJoint::Draw(b2Draw* draw) const {
     const b2Vec2 anchorA = GetAnchorA();

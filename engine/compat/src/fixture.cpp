@@ -14,8 +14,6 @@ using namespace scree::box2d;
 
 namespace {
 
-scree::Filter ToScree(const b2Filter& filter) { return {filter.categoryBits, filter.maskBits, filter.groupIndex}; }
-
 scree::FixtureDef ConvertDef(const b2FixtureDef& def) {
     scree::FixtureDef out;
     out.friction = def.friction;
@@ -31,7 +29,7 @@ scree::FixtureDef ConvertDef(const b2FixtureDef& def) {
 scree::Fixture* CreateInEngine(scree::Body& body, const b2FixtureDef& def) {
     scree::FixtureDef converted = ConvertDef(def);
     if (def.shape->GetType() == b2Shape::e_chain) {
-        const scree::ChainShape chain = scree::box2d::ToScree(static_cast<const b2ChainShape&>(*def.shape));
+        const scree::ChainShape chain = ToScree(static_cast<const b2ChainShape&>(*def.shape));
         converted.shape = &chain;
         return body.CreateFixture(&converted);
     }

@@ -9,7 +9,6 @@
 #include "joint_handle.h"
 
 using namespace scree::box2d;
-using Engine = scree::FrictionJoint;
 
 void b2FrictionJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor) {
     bodyA = bA;
@@ -18,7 +17,7 @@ void b2FrictionJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor
     localAnchorB = bB->GetLocalPoint(anchor);
 }
 
-void b2FrictionJoint::SetMaxForce(float force) { As<Engine>(m_handle).SetMaxForce(force); }
-float b2FrictionJoint::GetMaxForce() const { return As<Engine>(m_handle).GetMaxForce(); }
-void b2FrictionJoint::SetMaxTorque(float torque) { As<Engine>(m_handle).SetMaxTorque(torque); }
-float b2FrictionJoint::GetMaxTorque() const { return As<Engine>(m_handle).GetMaxTorque(); }
+void b2FrictionJoint::SetMaxForce(float force) { As<scree::FrictionJoint>(m_handle).SetMaxForce(force); }
+float b2FrictionJoint::GetMaxForce() const { return As<scree::FrictionJoint>(m_handle).GetMaxForce(); }
+void b2FrictionJoint::SetMaxTorque(float torque) { As<scree::FrictionJoint>(m_handle).SetMaxTorque(torque); }
+float b2FrictionJoint::GetMaxTorque() const { return As<scree::FrictionJoint>(m_handle).GetMaxTorque(); }

@@ -8,7 +8,6 @@
 #include "joint_handle.h"
 
 using namespace scree::box2d;
-using Engine = scree::GearJoint;
 
-void b2GearJoint::SetRatio(float ratio) { As<Engine>(m_handle).SetRatio(ratio); }
-float b2GearJoint::GetRatio() const { return As<Engine>(m_handle).GetRatio(); }
+void b2GearJoint::SetRatio(float ratio) { As<scree::GearJoint>(m_handle).SetRatio(ratio); }
+float b2GearJoint::GetRatio() const { return As<scree::GearJoint>(m_handle).GetRatio(); }

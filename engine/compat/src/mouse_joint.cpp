@@ -8,16 +8,15 @@
 #include "joint_handle.h"
 
 using namespace scree::box2d;
-using Engine = scree::MouseJoint;
 
-void b2MouseJoint::SetTarget(const b2Vec2& target) { As<Engine>(m_handle).SetTarget(ToScree(target)); }
+void b2MouseJoint::SetTarget(const b2Vec2& target) { As<scree::MouseJoint>(m_handle).SetTarget(ToScree(target)); }
 const b2Vec2& b2MouseJoint::GetTarget() const {
-    m_target = ToBox2d(As<Engine>(m_handle).GetTarget());
+    m_target = ToBox2d(As<scree::MouseJoint>(m_handle).GetTarget());
     return m_target;
 }
-void b2MouseJoint::SetMaxForce(float force) { As<Engine>(m_handle).SetMaxForce(force); }
-float b2MouseJoint::GetMaxForce() const { return As<Engine>(m_handle).GetMaxForce(); }
-void b2MouseJoint::SetStiffness(float stiffness) { As<Engine>(m_handle).SetStiffness(stiffness); }
-float b2MouseJoint::GetStiffness() const { return As<Engine>(m_handle).GetStiffness(); }
-void b2MouseJoint::SetDamping(float damping) { As<Engine>(m_handle).SetDamping(damping); }
-float b2MouseJoint::GetDamping() const { return As<Engine>(m_handle).GetDamping(); }
+void b2MouseJoint::SetMaxForce(float force) { As<scree::MouseJoint>(m_handle).SetMaxForce(force); }
+float b2MouseJoint::GetMaxForce() const { return As<scree::MouseJoint>(m_handle).GetMaxForce(); }
+void b2MouseJoint::SetStiffness(float stiffness) { As<scree::MouseJoint>(m_handle).SetStiffness(stiffness); }
+float b2MouseJoint::GetStiffness() const { return As<scree::MouseJoint>(m_handle).GetStiffness(); }
+void b2MouseJoint::SetDamping(float damping) { As<scree::MouseJoint>(m_handle).SetDamping(damping); }
+float b2MouseJoint::GetDamping() const { return As<scree::MouseJoint>(m_handle).GetDamping(); }

@@ -9,7 +9,6 @@
 #include "joint_handle.h"
 
 using namespace scree::box2d;
-using Engine = scree::PulleyJoint;
 
 void b2PulleyJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& groundA, const b2Vec2& groundB,
                                   const b2Vec2& anchorA, const b2Vec2& anchorB, float r) {
@@ -24,10 +23,10 @@ void b2PulleyJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& groundA,
     ratio = r;
 }
 
-b2Vec2 b2PulleyJoint::GetGroundAnchorA() const { return ToBox2d(As<Engine>(m_handle).GetGroundAnchorA()); }
-b2Vec2 b2PulleyJoint::GetGroundAnchorB() const { return ToBox2d(As<Engine>(m_handle).GetGroundAnchorB()); }
-float b2PulleyJoint::GetLengthA() const { return As<Engine>(m_handle).GetLengthA(); }
-float b2PulleyJoint::GetLengthB() const { return As<Engine>(m_handle).GetLengthB(); }
-float b2PulleyJoint::GetRatio() const { return As<Engine>(m_handle).GetRatio(); }
-float b2PulleyJoint::GetCurrentLengthA() const { return As<Engine>(m_handle).GetCurrentLengthA(); }
-float b2PulleyJoint::GetCurrentLengthB() const { return As<Engine>(m_handle).GetCurrentLengthB(); }
+b2Vec2 b2PulleyJoint::GetGroundAnchorA() const { return ToBox2d(As<scree::PulleyJoint>(m_handle).GetGroundAnchorA()); }
+b2Vec2 b2PulleyJoint::GetGroundAnchorB() const { return ToBox2d(As<scree::PulleyJoint>(m_handle).GetGroundAnchorB()); }
+float b2PulleyJoint::GetLengthA() const { return As<scree::PulleyJoint>(m_handle).GetLengthA(); }
+float b2PulleyJoint::GetLengthB() const { return As<scree::PulleyJoint>(m_handle).GetLengthB(); }
+float b2PulleyJoint::GetRatio() const { return As<scree::PulleyJoint>(m_handle).GetRatio(); }
+float b2PulleyJoint::GetCurrentLengthA() const { return As<scree::PulleyJoint>(m_handle).GetCurrentLengthA(); }
+float b2PulleyJoint::GetCurrentLengthB() const { return As<scree::PulleyJoint>(m_handle).GetCurrentLengthB(); }

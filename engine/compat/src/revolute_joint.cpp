@@ -10,7 +10,6 @@
 #include "joint_handle.h"
 
 using namespace scree::box2d;
-using Engine = scree::RevoluteJoint;
 
 void b2RevoluteJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor) {
     bodyA = bA;
@@ -20,21 +19,25 @@ void b2RevoluteJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor
     referenceAngle = bB->GetAngle() - bA->GetAngle();
 }
 
-float b2RevoluteJoint::GetReferenceAngle() const { return As<Engine>(m_handle).GetReferenceAngle(); }
-float b2RevoluteJoint::GetJointAngle() const { return As<Engine>(m_handle).GetJointAngle(); }
-float b2RevoluteJoint::GetJointSpeed() const { return As<Engine>(m_handle).GetJointSpeed(); }
-bool b2RevoluteJoint::IsLimitEnabled() const { return As<Engine>(m_handle).IsLimitEnabled(); }
-void b2RevoluteJoint::EnableLimit(bool flag) { As<Engine>(m_handle).EnableLimit(flag); }
-float b2RevoluteJoint::GetLowerLimit() const { return As<Engine>(m_handle).GetLowerLimit(); }
-float b2RevoluteJoint::GetUpperLimit() const { return As<Engine>(m_handle).GetUpperLimit(); }
-void b2RevoluteJoint::SetLimits(float lower, float upper) { As<Engine>(m_handle).SetLimits(lower, upper); }
-bool b2RevoluteJoint::IsMotorEnabled() const { return As<Engine>(m_handle).IsMotorEnabled(); }
-void b2RevoluteJoint::EnableMotor(bool flag) { As<Engine>(m_handle).EnableMotor(flag); }
-void b2RevoluteJoint::SetMotorSpeed(float speed) { As<Engine>(m_handle).SetMotorSpeed(speed); }
-float b2RevoluteJoint::GetMotorSpeed() const { return As<Engine>(m_handle).GetMotorSpeed(); }
-void b2RevoluteJoint::SetMaxMotorTorque(float torque) { As<Engine>(m_handle).SetMaxMotorTorque(torque); }
-float b2RevoluteJoint::GetMaxMotorTorque() const { return As<Engine>(m_handle).GetMaxMotorTorque(); }
-float b2RevoluteJoint::GetMotorTorque(float inv_dt) const { return As<Engine>(m_handle).GetMotorTorque(inv_dt); }
+float b2RevoluteJoint::GetReferenceAngle() const { return As<scree::RevoluteJoint>(m_handle).GetReferenceAngle(); }
+float b2RevoluteJoint::GetJointAngle() const { return As<scree::RevoluteJoint>(m_handle).GetJointAngle(); }
+float b2RevoluteJoint::GetJointSpeed() const { return As<scree::RevoluteJoint>(m_handle).GetJointSpeed(); }
+bool b2RevoluteJoint::IsLimitEnabled() const { return As<scree::RevoluteJoint>(m_handle).IsLimitEnabled(); }
+void b2RevoluteJoint::EnableLimit(bool flag) { As<scree::RevoluteJoint>(m_handle).EnableLimit(flag); }
+float b2RevoluteJoint::GetLowerLimit() const { return As<scree::RevoluteJoint>(m_handle).GetLowerLimit(); }
+float b2RevoluteJoint::GetUpperLimit() const { return As<scree::RevoluteJoint>(m_handle).GetUpperLimit(); }
+void b2RevoluteJoint::SetLimits(float lower, float upper) {
+    As<scree::RevoluteJoint>(m_handle).SetLimits(lower, upper);
+}
+bool b2RevoluteJoint::IsMotorEnabled() const { return As<scree::RevoluteJoint>(m_handle).IsMotorEnabled(); }
+void b2RevoluteJoint::EnableMotor(bool flag) { As<scree::RevoluteJoint>(m_handle).EnableMotor(flag); }
+void b2RevoluteJoint::SetMotorSpeed(float speed) { As<scree::RevoluteJoint>(m_handle).SetMotorSpeed(speed); }
+float b2RevoluteJoint::GetMotorSpeed() const { return As<scree::RevoluteJoint>(m_handle).GetMotorSpeed(); }
+void b2RevoluteJoint::SetMaxMotorTorque(float torque) { As<scree::RevoluteJoint>(m_handle).SetMaxMotorTorque(torque); }
+float b2RevoluteJoint::GetMaxMotorTorque() const { return As<scree::RevoluteJoint>(m_handle).GetMaxMotorTorque(); }
+float b2RevoluteJoint::GetMotorTorque(float inv_dt) const {
+    return As<scree::RevoluteJoint>(m_handle).GetMotorTorque(inv_dt);
+}
 
 void b2RevoluteJoint::Draw(b2Draw* draw) const {
     const b2Vec2 anchorA = GetAnchorA();

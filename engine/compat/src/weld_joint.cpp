@@ -9,7 +9,6 @@
 #include "joint_handle.h"
 
 using namespace scree::box2d;
-using Engine = scree::WeldJoint;
 
 void b2WeldJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor) {
     bodyA = bA;
@@ -19,8 +18,8 @@ void b2WeldJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor) {
     referenceAngle = bB->GetAngle() - bA->GetAngle();
 }
 
-float b2WeldJoint::GetReferenceAngle() const { return As<Engine>(m_handle).GetReferenceAngle(); }
-void b2WeldJoint::SetStiffness(float stiffness) { As<Engine>(m_handle).SetStiffness(stiffness); }
-float b2WeldJoint::GetStiffness() const { return As<Engine>(m_handle).GetStiffness(); }
-void b2WeldJoint::SetDamping(float damping) { As<Engine>(m_handle).SetDamping(damping); }
-float b2WeldJoint::GetDamping() const { return As<Engine>(m_handle).GetDamping(); }
+float b2WeldJoint::GetReferenceAngle() const { return As<scree::WeldJoint>(m_handle).GetReferenceAngle(); }
+void b2WeldJoint::SetStiffness(float stiffness) { As<scree::WeldJoint>(m_handle).SetStiffness(stiffness); }
+float b2WeldJoint::GetStiffness() const { return As<scree::WeldJoint>(m_handle).GetStiffness(); }
+void b2WeldJoint::SetDamping(float damping) { As<scree::WeldJoint>(m_handle).SetDamping(damping); }
+float b2WeldJoint::GetDamping() const { return As<scree::WeldJoint>(m_handle).GetDamping(); }

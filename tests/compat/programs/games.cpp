@@ -407,7 +407,7 @@ public:
     b2Vec2 point, normal;
 };
 
-class Collector : public b2QueryCallback {
+class PointCollector : public b2QueryCallback {
 public:
     bool ReportFixture(b2Fixture* fixture) override {
         if (fixture->TestPoint(at)) ids.insert(IdOf(fixture));
@@ -445,7 +445,7 @@ void LevelTool() {
         Number("normal", nearest.normal, 1e-4);
     }
     for (int i = 0; i < 20; ++i) {
-        Collector collector;
+        PointCollector collector;
         collector.at.Set(0.7f * static_cast<float>(i), 0.61f * static_cast<float>(i));
         b2AABB box;
         box.lowerBound = collector.at - b2Vec2(0.001f, 0.001f);

@@ -21,14 +21,6 @@ namespace {
 
 using nlohmann::json;
 
-std::set<std::string> FilesBelow(const std::filesystem::path& folder) {
-    std::set<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) files.insert(std::filesystem::relative(entry.path(), folder).generic_string());
-    }
-    return files;
-}
-
 long CountLines(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
 
 TEST(OverlapFiles, AreThosePromisedForOneStep) {

@@ -54,4 +54,12 @@ std::string ScratchFolder::Read(const fs::path& relative) const {
 
 bool ScratchFolder::Has(const fs::path& relative) const { return fs::exists(m_path / relative); }
 
+std::set<std::string> FilesBelow(const std::filesystem::path& folder) {
+    std::set<std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+        if (entry.is_regular_file()) files.insert(std::filesystem::relative(entry.path(), folder).generic_string());
+    }
+    return files;
+}
+
 }  // namespace testbed

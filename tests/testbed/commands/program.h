@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 
 namespace testbed {
@@ -33,5 +34,8 @@ public:
 private:
     std::filesystem::path m_path;
 };
+
+/// The files in `folder` and below it, relative to it.
+[[nodiscard]] std::set<std::string> FilesBelow(const std::filesystem::path& folder);
 
 }  // namespace testbed

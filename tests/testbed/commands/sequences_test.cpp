@@ -21,14 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::set<std::string> FilesBelow(const fs::path& folder) {
-    std::set<std::string> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file()) files.insert(fs::relative(entry.path(), folder).generic_string());
-    }
-    return files;
-}
-
 TEST(Sequences, ApngStandsForTheStepsPictures) {
     const ScratchFolder folder;
     const std::string look = " --engines scree --size 5 --image 320x200 --layers bodies,velocities ";

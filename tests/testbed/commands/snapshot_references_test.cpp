@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path folder = SCREE_REFERENCE_FOLDER;
+const fs::path references = SCREE_REFERENCE_FOLDER;
 
 TEST(SnapshotCatalog, ShowsEverySceneAtTwoStepsAndEachLayerInManyScenes) {
     std::map<std::string, std::set<int>> steps;
@@ -44,11 +44,11 @@ TEST(SnapshotCatalog, ShowsEverySceneAtTwoStepsAndEachLayerInManyScenes) {
 
 TEST(SnapshotReferences, AreSmall) {
     std::uintmax_t total = 0;
-    for (const std::string& id : ListReferences(folder)) {
-        const std::uintmax_t picture = fs::file_size(folder / (id + ".png"));
+    for (const std::string& id : ListReferences(references)) {
+        const std::uintmax_t picture = fs::file_size(references / (id + ".png"));
         EXPECT_LT(picture, 30'000u) << id;
-        total += picture + fs::file_size(folder / (id + ".json"));
-        const Reference reference = ReadReference(folder, id);
+        total += picture + fs::file_size(references / (id + ".json"));
+        const Reference reference = ReadReference(references, id);
         EXPECT_LE(reference.image.width, 640) << id;
         EXPECT_LE(reference.image.height, 400) << id;
     }
@@ -57,9 +57,9 @@ TEST(SnapshotReferences, AreSmall) {
 
 // A comparison that cannot fail is worthless: each reference must fail against each other one.
 TEST(SnapshotReferences, EveryPairOfThemDiffers) {
-    const std::set<std::string> ids = ListReferences(folder);
+    const std::set<std::string> ids = ListReferences(references);
     std::vector<Image> images;
-    for (const std::string& id : ids) images.push_back(ReadReference(folder, id).image);
+    for (const std::string& id : ids) images.push_back(ReadReference(references, id).image);
     ASSERT_EQ(images.size(), GetSnapshotCatalog().size());
     for (std::size_t i = 0; i < images.size(); ++i) {
         EXPECT_EQ(ComparePixels(images[i], images[i], {}).changed, 0);
