@@ -7,8 +7,13 @@
 #include <rapidcheck.h>
 
 #include <map>
+#include <memory>
+#include <set>
+#include <vector>
 
+#include "scree/snapshot.h"
 #include "state/contacts.h"
+#include "tests/world/fixtures.h"
 
 namespace scree {
 namespace {
@@ -53,6 +58,133 @@ TEST(ContactTable, LowestFreeRowIsTakenFirstAfterCompact) {
     EXPECT_EQ(table.Add({50, 51, 0, 1}), 2);
     EXPECT_EQ(table.Add({52, 53, 0, 1}), 7);
     EXPECT_EQ(table.Add({54, 55, 0, 1}), 9);
+}
+
+TEST(ContactTable, MostlyFreeRowsAreClosedInOrderAndHandlesFollow) {
+    constexpr uint32_t count = 6000;
+    ContactTable table;
+    std::map<Key, Contact*> handles;
+    for (uint32_t i = 0; i < count; ++i) {
+        const int row = table.Add({i, i + count, 0, 1});
+        table.manifold[static_cast<size_t>(row)].localPoint.x = static_cast<float>(i);
+        if (i % 7 < 3 && i < 4000) handles[{i, i + count}] = table.Handle(nullptr, row);
+    }
+    const auto number = [&](uint32_t i) { return table.GetNumber(table.Find(i, i + count)); };
+    std::map<uint32_t, int> numbers;
+    const auto stays = [](uint32_t i) { return i % 5 == 2; };
+    for (uint32_t i = 0; i < count; ++i) {
+        if (!stays(i)) {
+            table.Remove(table.Find(i, i + count));
+        } else if (i < 3000) {
+            numbers[i] = number(i);
+        }
+    }
+    table.successor[2] = 7, table.successor[7] = 12;
+    table.firstMatched = 2;
+    table.Compact();
+
+    EXPECT_EQ(table.Size(), static_cast<int>(count / 5));
+    EXPECT_EQ(table.Count(), table.Size());
+    int last = -1;
+    for (uint32_t i = 0; i < count; ++i) {
+        const int row = table.Find(i, i + count);
+        if (!stays(i)) {
+            ASSERT_EQ(row, -1) << i;
+            continue;
+        }
+        ASSERT_GT(row, last) << "the order is as before";
+        last = row;
+        ASSERT_TRUE(table.IsRowOf(row, i, i + count)) << i;
+        ASSERT_EQ(table.manifold[static_cast<size_t>(row)].localPoint.x, static_cast<float>(i));
+        const auto handle = handles.find({i, i + count});
+        if (handle != handles.end()) {
+            ASSERT_EQ(table.Handle(nullptr, row), handle->second) << i;
+        }
+        if (i < 3000) {
+            ASSERT_EQ(number(i), numbers[i]) << i;
+        }
+    }
+    EXPECT_EQ(table.firstMatched, 0);
+    EXPECT_EQ(table.successor[0], 1);
+    EXPECT_EQ(table.successor[1], 2);
+    std::set<Contact*> distinct;
+    for (int row = 0; row < table.Size(); ++row) distinct.insert(table.Handle(nullptr, row));
+    EXPECT_EQ(distinct.size(), static_cast<size_t>(table.Size()));
+    const int size = table.Size();
+    EXPECT_EQ(table.Add({1, 2, 0, 1}), size) << "there is no gap left";
+}
+
+TEST(ContactTable, FewRowsStayWhereTheyAre) {
+    ContactTable table;
+    for (uint32_t i = 0; i < 4000; ++i) table.Add({i, i + 5000, 0, 1});
+    for (uint32_t i = 0; i < 3999; ++i) table.Remove(static_cast<int>(i));
+    table.Compact();
+    EXPECT_EQ(table.Find(3999, 8999), 3999);
+}
+
+/// Disks on one spot that push each other apart.
+void AddCluster(World& world, int count) {
+    for (int i = 0; i < count; ++i) {
+        Body* body =
+            test::AddBody(world, dynamicBody, {0.01f * static_cast<float>(i % 11), 0.01f * static_cast<float>(i / 11)});
+        test::AddCircle(body, 0.5f);
+    }
+}
+
+/// Each contact keeps its handle and its number from begin to end.
+struct Witness : ContactListener {
+    std::map<Contact*, std::pair<Key, int>> open;
+    int ended = 0;
+
+    static Key KeyOf(Contact* c) {
+        return {static_cast<uint32_t>(c->GetFixtureA()->GetIndex()),
+                static_cast<uint32_t>(c->GetFixtureB()->GetIndex())};
+    }
+    void BeginContact(Contact* contact) override {
+        EXPECT_TRUE(open.emplace(contact, std::pair(KeyOf(contact), contact->GetIndex())).second);
+    }
+    void EndContact(Contact* contact) override {
+        const auto found = open.find(contact);
+        ASSERT_NE(found, open.end());
+        EXPECT_EQ(found->second, std::pair(KeyOf(contact), contact->GetIndex()));
+        open.erase(found);
+        ++ended;
+    }
+};
+
+TEST(ContactTable, HandlesLastWhileAClusterScatters) {
+    World watched({0.0f, 0.0f}), plain({0.0f, 0.0f});
+    Witness witness;
+    watched.SetContactListener(&witness);
+    for (World* world : {&watched, &plain}) {
+        AddCluster(*world, 110);
+        for (int i = 0; i < 40; ++i) world->Step(1.0f / 60.0f, 8, 3);
+    }
+    EXPECT_GT(witness.ended, 4096);
+    EXPECT_LT(static_cast<int>(witness.open.size()), 1000);
+    int touching = 0;
+    for (Contact* c = watched.GetContactList(); c != nullptr; c = c->GetNext()) {
+        if (!c->IsTouching()) continue;
+        ++touching;
+        ASSERT_TRUE(witness.open.contains(c));
+        EXPECT_EQ(witness.open[c].first, Witness::KeyOf(c));
+    }
+    EXPECT_EQ(touching, static_cast<int>(witness.open.size()));
+    EXPECT_EQ(inspect::GetStateHash(watched), inspect::GetStateHash(plain)) << "handles change nothing";
+}
+
+TEST(ContactTable, AnImageOfAScatteringClusterGoesOnAlike) {
+    World world({0.0f, 0.0f});
+    AddCluster(world, 110);
+    std::vector<std::unique_ptr<World>> copies;  // each taken at another step, all carried on to the last
+    for (int step = 0; step < 30; ++step) {
+        if (step % 3 == 0) copies.push_back(LoadWorld(SaveWorld(world)));
+        world.Step(1.0f / 60.0f, 8, 3);
+        for (const std::unique_ptr<World>& copy : copies) copy->Step(1.0f / 60.0f, 8, 3);
+        for (size_t i = 0; i < copies.size(); ++i) {
+            ASSERT_EQ(inspect::GetStateHash(*copies[i]), inspect::GetStateHash(world)) << step << ", copy " << i;
+        }
+    }
 }
 
 TEST(ContactTable, ABodyWithManyContactsStaysFindable) {

@@ -45,16 +45,18 @@ public:
     /// Conveyor-belt speed along the tangent, m/s.
     ErrorCode SetTangentSpeed(float speed);
     [[nodiscard]] float GetTangentSpeed() const;
-    /// Number of this contact in its world; reused.
-    [[nodiscard]] int GetIndex() const { return m_index; }
+    /// Number of this contact in its world while it lives; reused.
+    [[nodiscard]] int GetIndex() const;
 
-    Contact(WorldState* state, int index) : m_state(state), m_index(index) {}
+    Contact(WorldState* state, int row) : m_state(state), m_row(row) {}
     Contact(const Contact&) = delete;
     Contact& operator=(const Contact&) = delete;
 
 private:
+    friend struct ContactTable;
+
     WorldState* m_state;
-    int m_index;
+    int m_row;
 };
 
 /// Mixing rules for two materials: geometric mean (finite, however large both are), the larger (0 if both are below:

@@ -19,26 +19,18 @@ namespace scree {
 
 namespace {
 
-// Bits of m_class.
-constexpr uint8_t fixedBit = 1;    ///< one body cannot be pushed
-constexpr uint8_t swappedBit = 2;  ///< …and it is the contact's B
-constexpr uint8_t twoPointBit = 4;
-constexpr int kindCount = 2;  ///< of points within a colour
-constexpr int coloursPerRound = 64;
-
-/// A contact seen from its block: side B can be pushed.
-struct Sides {
-    int a, b;
-    bool swapped;
-};
-Sides SidesOf(const ContactPair& pair, uint8_t kind) {
-    const bool swapped = (kind & swappedBit) != 0;
-    return swapped ? Sides{pair.bodyB, pair.bodyA, true} : Sides{pair.bodyA, pair.bodyB, false};
-}
+constexpr int kindCount = 2;       ///< of points within a colour
+constexpr size_t blocksAhead = 4;  ///< that filling looks
 
 static_assert(sizeof(Manifold) == manifoldFloats * sizeof(float));
 static_assert(offsetof(Manifold, localNormal) == manifoldNormalAt * sizeof(float));
 static_assert(sizeof(ManifoldPoint) == manifoldPointFloats * sizeof(float));
+
+void Fetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+#endif
+}
 
 FillSource SourceOf(const BlockInput& input) {
     return {&input.bodies.transform.data()->p.x,
@@ -71,40 +63,55 @@ void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& l
 }  // namespace
 
 void ContactBlocks::Sort(const BlockInput& input) {
+    constexpr size_t fetchAhead = 8;
     const size_t count = input.list.size();
-    m_list = input.list;
-    m_class.resize(count);
+    m_items.resize(count);
     m_colours.resize(count);
     m_lane.resize(count);
     m_movers.clear();
     m_fixed.clear();
     for (size_t i = 0; i < count; ++i) {
-        const auto c = static_cast<size_t>(input.list[i]);
+        if (i + fetchAhead < count) {  // rows of neighbours in the list are anywhere
+            const auto ahead = static_cast<size_t>(input.list[i + fetchAhead]);
+            Fetch(&input.contacts.pair[ahead]);
+            Fetch(&input.contacts.manifold[ahead].localNormal);
+        }
+        const int contact = input.list[i];
+        const auto c = static_cast<size_t>(contact);
         const ContactPair& pair = input.contacts.pair[c];
+        const Manifold& manifold = input.contacts.manifold[c];
         const bool movesA = input.bodies.type[static_cast<size_t>(pair.bodyA)] == dynamicBody;
         const bool movesB = input.bodies.type[static_cast<size_t>(pair.bodyB)] == dynamicBody;
-        uint8_t kind = input.contacts.manifold[c].pointCount == 2 ? twoPointBit : 0;
-        if (!movesA || !movesB) kind |= fixedBit;
-        if (!movesB) kind |= swappedBit;
-        m_class[i] = kind;
-        ((kind & fixedBit) != 0 ? m_fixed : m_movers).push_back(static_cast<int>(i));
+        const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
+        const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
+        const bool isFixed = !movesA || !movesB, isSwapped = !movesB;
+        const bool isReferenceB = manifold.type == Manifold::e_faceB;
+        m_items[i] = {contact,
+                      isSwapped ? pair.bodyB : pair.bodyA,
+                      isSwapped ? pair.bodyA : pair.bodyB,
+                      isSwapped ? radiusB : radiusA,
+                      isSwapped ? radiusA : radiusB,
+                      isReferenceB != isSwapped,
+                      manifold.type == Manifold::e_circles,
+                      manifold.pointCount == 2};
+        (isFixed ? m_fixed : m_movers).push_back(static_cast<int>(i));
     }
 }
 
-void ContactBlocks::ColourMovers(const BlockInput& input) {
+void ContactBlocks::ColourMovers() {
     m_left = m_movers;
     int base = 0;
     while (!m_left.empty()) {
         for (const int i : m_left) {
-            const ContactPair& pair = input.contacts.pair[static_cast<size_t>(input.list[static_cast<size_t>(i)])];
-            m_used[static_cast<size_t>(pair.bodyA)] = m_used[static_cast<size_t>(pair.bodyB)] = 0;
+            const Item& item = m_items[static_cast<size_t>(i)];
+            m_used[static_cast<size_t>(item.a)] = m_used[static_cast<size_t>(item.b)] = 0;
         }
         m_next.clear();
         int highest = -1;
         for (const int i : m_left) {
-            const ContactPair& pair = input.contacts.pair[static_cast<size_t>(input.list[static_cast<size_t>(i)])];
-            uint64_t& usedA = m_used[static_cast<size_t>(pair.bodyA)];
-            uint64_t& usedB = m_used[static_cast<size_t>(pair.bodyB)];
+            const Item& item = m_items[static_cast<size_t>(i)];
+            uint64_t& usedA = m_used[static_cast<size_t>(item.a)];
+            uint64_t& usedB = m_used[static_cast<size_t>(item.b)];
             const uint64_t free = ~(usedA | usedB);
             if (free == 0) {
                 m_next.push_back(i);
@@ -122,30 +129,26 @@ void ContactBlocks::ColourMovers(const BlockInput& input) {
     m_colourCount = m_moverColourCount = base;
 }
 
-void ContactBlocks::ColourFixed(const BlockInput& input) {
+void ContactBlocks::ColourFixed() {
     // The k-th contact of a body with the unmovable has the k-th colour.
-    const auto bodyOf = [&](int i) {
-        const auto at = static_cast<size_t>(i);
-        return static_cast<size_t>(SidesOf(input.contacts.pair[static_cast<size_t>(input.list[at])], m_class[at]).b);
-    };
-    for (const int i : m_fixed) m_used[bodyOf(i)] = 0;
+    for (const int i : m_fixed) m_used[static_cast<size_t>(m_items[static_cast<size_t>(i)].b)] = 0;
     int most = 0;
     for (const int i : m_fixed) {
-        const int colour = static_cast<int>(m_used[bodyOf(i)]++);
+        const int colour = static_cast<int>(m_used[static_cast<size_t>(m_items[static_cast<size_t>(i)].b)]++);
         m_colours[static_cast<size_t>(i)] = m_colourCount + colour;
         most = colour + 1 > most ? colour + 1 : most;
     }
     m_colourCount += most;
 }
 
-void ContactBlocks::MakeRanges(const BlockInput& input) {
+void ContactBlocks::MakeRanges() {
     // Counting sort by (colour, points) into blocks.
     const auto groupOf = [&](size_t i) {
-        return static_cast<size_t>(m_colours[i] * kindCount + ((m_class[i] & twoPointBit) != 0 ? 1 : 0));
+        return static_cast<size_t>(m_colours[i] * kindCount + (m_items[i].hasTwoPoints ? 1 : 0));
     };
     const size_t groupCount = static_cast<size_t>(m_colourCount * kindCount);
     m_start.assign(groupCount, 0);
-    for (size_t i = 0; i < input.list.size(); ++i) ++m_start[groupOf(i)];
+    for (size_t i = 0; i < m_items.size(); ++i) ++m_start[groupOf(i)];
     m_ranges.clear();
     int block = 0;
     for (size_t g = 0; g < groupCount; ++g) {
@@ -157,36 +160,33 @@ void ContactBlocks::MakeRanges(const BlockInput& input) {
         block += blocks;
     }
     m_blocks.resize(static_cast<size_t>(block));
-    m_order.assign(m_blocks.size() * blockLanes, -1);
-    for (size_t i = 0; i < input.list.size(); ++i) {
+    const size_t lanes = (m_blocks.size() + blocksAhead) * blockLanes;
+    m_order.assign(lanes, -1);
+    m_contact.assign(lanes, 0);
+    for (size_t i = 0; i < m_items.size(); ++i) {
         m_lane[i] = m_start[groupOf(i)]++;
         m_order[static_cast<size_t>(m_lane[i])] = static_cast<int>(i);
+        m_contact[static_cast<size_t>(m_lane[i])] = m_items[i].contact;
     }
 }
 
 void ContactBlocks::Prefetch(const BlockInput& input, size_t block) const {
-#if defined(__GNUC__)
-    // Contacts of a colour are far apart: ask for those of the block after next, and for the bodies of the next.
-    const auto contactAt = [&](size_t lane) {
-        const int i = lane < m_order.size() ? m_order[lane] : -1;
-        return i < 0 ? size_t{0} : static_cast<size_t>(input.list[static_cast<size_t>(i)]);
-    };
-    for (size_t l = 0; l < blockLanes; ++l) {
-        const size_t far = contactAt((block + 2) * blockLanes + l);
-        __builtin_prefetch(&input.contacts.pair[far]);
-        __builtin_prefetch(&input.contacts.manifold[far]);
-        __builtin_prefetch(&input.contacts.material[far]);
-        const ContactPair& pair = input.contacts.pair[contactAt((block + 1) * blockLanes + l)];
-        for (const int body : {pair.bodyA, pair.bodyB}) {
-            __builtin_prefetch(&input.bodies.transform[static_cast<size_t>(body)]);
-            __builtin_prefetch(&input.bodies.position[static_cast<size_t>(body)]);
-            __builtin_prefetch(&input.bodies.velocity[static_cast<size_t>(body)]);
-            __builtin_prefetch(&input.bodies.mass[static_cast<size_t>(body)]);
+    // Contacts of a colour are far apart: ask for their rows here four blocks ahead, for those of the tables two ahead,
+    // and for the bodies of the next block.
+    const auto itemAt = [&](size_t lane) { return &m_items[static_cast<size_t>(std::max(m_order[lane], 0))]; };
+    for (size_t l = block * blockLanes; l < (block + 1) * blockLanes; ++l) {
+        Fetch(itemAt(l + blocksAhead * blockLanes));
+        const auto far = static_cast<size_t>(m_contact[l + 2 * blockLanes]);
+        Fetch(&input.contacts.manifold[far]);
+        Fetch(&input.contacts.material[far]);
+        const Item* next = itemAt(l + blockLanes);
+        for (const int body : {next->a, next->b}) {
+            Fetch(&input.bodies.transform[static_cast<size_t>(body)]);
+            Fetch(&input.bodies.position[static_cast<size_t>(body)]);
+            Fetch(&input.bodies.velocity[static_cast<size_t>(body)]);
+            Fetch(&input.bodies.mass[static_cast<size_t>(body)]);
         }
-        __builtin_prefetch(&input.fixtures.shape[pair.fixtureA]);
-        __builtin_prefetch(&input.fixtures.shape[pair.fixtureB]);
     }
-#endif
 }
 
 void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lanes) {
@@ -205,21 +205,15 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
                 (*row)[l] = (*row)[0];
             continue;
         }
-        const int contact = input.list[static_cast<size_t>(i)];
-        const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
-        const Sides sides = SidesOf(pair, m_class[static_cast<size_t>(i)]);
-        const Manifold::Type type = input.contacts.manifold[static_cast<size_t>(contact)].type;
-        const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
-        const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
-        const bool isCircles = type == Manifold::e_circles;
+        const Item& item = m_items[static_cast<size_t>(i)];
         ++lanes.count;
-        lanes.contact[l] = contact;
-        block.bodyA[l] = sides.a, block.bodyB[l] = sides.b;
-        lanes.referenceIsB[l] = (type == Manifold::e_faceB) != sides.swapped ? 1.0f : 0.0f;
-        lanes.isCircles[l] = isCircles ? 1.0f : 0.0f;
-        lanes.anyCircles |= isCircles;
-        lanes.radiusA[l] = sides.swapped ? radiusB : radiusA;
-        lanes.radiusB[l] = sides.swapped ? radiusA : radiusB;
+        lanes.contact[l] = item.contact;
+        block.bodyA[l] = item.a, block.bodyB[l] = item.b;
+        lanes.referenceIsB[l] = item.isReferenceB ? 1.0f : 0.0f;
+        lanes.isCircles[l] = item.isCircles ? 1.0f : 0.0f;
+        lanes.anyCircles |= item.isCircles;
+        lanes.radiusA[l] = item.radiusA;
+        lanes.radiusB[l] = item.radiusB;
     }
     if (lanes.isFar) PlaceLanes(input.bodies, block, lanes);
 }
@@ -253,17 +247,20 @@ void ContactBlocks::Fill(const BlockInput& input) {
 void ContactBlocks::Build(const BlockInput& input) {
     m_used.resize(static_cast<size_t>(input.bodies.slots.Size()));
     Sort(input);
-    ColourMovers(input);
-    ColourFixed(input);
-    MakeRanges(input);
+    ColourMovers();
+    ColourFixed();
+    MakeRanges();
     Fill(input);
 }
 
 void ContactBlocks::Store(float scale, std::vector<Manifold>& manifold) const {
-    for (const ContactBlock& block : m_blocks) {
+    for (size_t k = 0; k < m_blocks.size(); ++k) {
+        const ContactBlock& block = m_blocks[k];
+        const int* contact = &m_contact[k * blockLanes];
         for (int l = 0; l < blockLanes; ++l) {
+            Fetch(&manifold[static_cast<size_t>(contact[l + 2 * blockLanes])]);
             if (block.slot[l] < 0) continue;
-            Manifold& m = manifold[static_cast<size_t>(m_list[static_cast<size_t>(block.slot[l])])];
+            Manifold& m = manifold[static_cast<size_t>(contact[l])];
             // One friction row serves both points: half each.
             const float tangent = scale * block.tangentImpulse[l] * (m.pointCount == 2 ? 0.5f : 1.0f);
             for (int p = 0; p < m.pointCount; ++p) {
@@ -275,12 +272,12 @@ void ContactBlocks::Store(float scale, std::vector<Manifold>& manifold) const {
 }
 
 void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const {
-    impulses.resize(m_list.size());
-    for (size_t i = 0; i < m_list.size(); ++i) {
+    impulses.resize(m_items.size());
+    for (size_t i = 0; i < m_items.size(); ++i) {
         const ContactBlock& block = m_blocks[static_cast<size_t>(m_lane[i] / blockLanes)];
         const int l = m_lane[i] % blockLanes;
         ContactImpulse& out = impulses[i];
-        out.count = (m_class[i] & twoPointBit) != 0 ? 2 : 1;
+        out.count = m_items[i].hasTwoPoints ? 2 : 1;
         const float tangent = (summed ? block.totalTangent : block.tangentImpulse)[l] / static_cast<float>(out.count);
         for (int p = 0; p < out.count; ++p) {
             out.normalImpulses[p] = (summed ? block.totalNormal : block.normalImpulse)[p][l];
@@ -296,7 +293,7 @@ float ContactBlocks::GetSeparation(size_t at, const std::vector<Velocity>& delta
     const Velocity& b = delta[static_cast<size_t>(block.bodyB[l])];
     const float closer = Dot({block.normalX[l], block.normalY[l]}, b.v - a.v);
     float least = std::numeric_limits<float>::max();
-    for (int p = 0; p < ((m_class[at] & twoPointBit) != 0 ? 2 : 1); ++p) {
+    for (int p = 0; p < (m_items[at].hasTwoPoints ? 2 : 1); ++p) {
         least = Min(least, block.separation[p][l] + closer + (block.armB[p][l] * b.w - block.armA[p][l] * a.w));
     }
     return least;

@@ -57,10 +57,20 @@ public:
     [[nodiscard]] std::span<const int> GetColours() const { return m_colours; }
 
 private:
+    /// A contact of the list as its block sees it: side B can be pushed. Colouring and naming read these rows instead
+    /// of the tables.
+    struct Item {
+        int contact;
+        int a, b;                ///< bodies
+        float radiusA, radiusB;  ///< of their shapes, m
+        bool isReferenceB;       ///< the manifold's face is B's
+        bool isCircles, hasTwoPoints;
+    };
+
     void Sort(const BlockInput& input);
-    void ColourMovers(const BlockInput& input);
-    void ColourFixed(const BlockInput& input);
-    void MakeRanges(const BlockInput& input);
+    void ColourMovers();
+    void ColourFixed();
+    void MakeRanges();
     void Fill(const BlockInput& input);
     void NameLanes(const BlockInput& input, size_t block, FillLanes& lanes);
     bool FillRange(const BlockInput& input, size_t begin, size_t end);
@@ -68,15 +78,15 @@ private:
 
     std::vector<ContactBlock> m_blocks;
     std::vector<BlockRange> m_ranges;
-    std::span<const int> m_list;
+    std::vector<Item> m_items;           ///< per contact of the list
     std::vector<int> m_colours;          ///< per contact of the list
-    std::vector<uint8_t> m_class;        ///< per contact of the list: kind and which body is B
     std::vector<uint64_t> m_used;        ///< per body: colours taken in this round
     std::vector<int> m_movers, m_fixed;  ///< positions in the list
     std::vector<int> m_left, m_next;     ///< scratch of the rounds
     std::vector<int> m_start;            ///< per group: first lane
     std::vector<int> m_lane;             ///< per contact of the list: block · 8 + lane
-    std::vector<int> m_order;            ///< per lane: position in the list, −1 to spare
+    std::vector<int> m_order;            ///< per lane, and some more: position in the list, −1 to spare
+    std::vector<int> m_contact;          ///< the same: contact, 0 to spare
     int m_moverColourCount = 0;          ///< colours below it have two movers a contact, the others one
     int m_colourCount = 0;
     bool m_bounces = false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What is left to do pair by pair around the vector kernel: shapes go in, feature ids and manifolds come out.
+// What is left to do pair by pair around the vector kernels: shapes go in, feature ids and manifolds come out.
 
 #include "geometry/collide_quads.h"
 
@@ -19,6 +19,15 @@ void LoadShape(const PolygonShape& shape, int lane, QuadShapes& shapes) {
         shapes.normalX[i][lane] = shape.m_normals[corner].x, shapes.normalY[i][lane] = shape.m_normals[corner].y;
     }
     shapes.last[lane] = static_cast<float>(shape.m_count - 1);
+}
+
+/// Lanes to spare repeat the first.
+template <typename Pairs>
+void FillSpareLanes(Pairs& pairs, int size) {
+    for (int lane = size; lane < quadLanes; ++lane) {
+        pairs.placedA[lane] = pairs.placedA[0];
+        pairs.placedB[lane] = pairs.placedB[0];
+    }
 }
 
 /// The feature ids of both ends of the clipped segment.
@@ -47,10 +56,7 @@ void QuadBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const P
 }
 
 void QuadBatch::Collide() {
-    for (int lane = m_size; lane < quadLanes; ++lane) {
-        m_pairs.placedA[lane] = m_pairs.placedA[0];
-        m_pairs.placedB[lane] = m_pairs.placedB[0];
-    }
+    FillSpareLanes(m_pairs, m_size);
     m_kernel(m_pairs, m_contacts);
 }
 
@@ -79,6 +85,33 @@ void QuadBatch::Write(int pair, Manifold& manifold) const {
         point.localPoint = {c.pointX[i][pair], c.pointY[i][pair]};
         point.id.key = flipped ? SwapContactKey(key) : key;
     }
+}
+
+void QuadDiskBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const CircleShape& b,
+                        const Transform& xfB) {
+    const int lane = m_size++;
+    m_id[lane] = id;
+    if (m_shapeA[lane] != &a) LoadShape(*(m_shapeA[lane] = &a), lane, m_pairs.a);
+    m_pairs.placedA[lane] = &xfA.p.x;
+    m_pairs.placedB[lane] = &xfB.p.x;
+    m_pairs.centreX[lane] = b.m_p.x, m_pairs.centreY[lane] = b.m_p.y;
+    m_pairs.radius[lane] = a.m_radius + b.m_radius;
+}
+
+void QuadDiskBatch::Collide() {
+    FillSpareLanes(m_pairs, m_size);
+    m_kernel(m_pairs, m_contacts);
+}
+
+void QuadDiskBatch::Write(int pair, Manifold& manifold) const {
+    manifold.pointCount = 0;
+    if ((m_contacts.touching >> pair & 1u) == 0) return;
+    manifold.type = Manifold::e_faceA;
+    manifold.localNormal = {m_contacts.localNormalX[pair], m_contacts.localNormalY[pair]};
+    manifold.localPoint = {m_contacts.localPointX[pair], m_contacts.localPointY[pair]};
+    manifold.pointCount = 1;
+    manifold.points[0].localPoint = {m_pairs.centreX[pair], m_pairs.centreY[pair]};
+    manifold.points[0].id.key = 0;
 }
 
 }  // namespace scree

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Manifolds of polygons with three or four corners, eight pairs at a time: the same bits as CollidePolygons.
+// Manifolds of polygons with three or four corners, with each other and with disks, eight pairs at a time: the same
+// bits as CollidePolygons and CollidePolygonAndCircle.
 
 #pragma once
 
@@ -10,19 +11,20 @@
 
 namespace scree {
 
+[[nodiscard]] inline bool IsQuad(const Shape& shape) {
+    return shape.GetType() == Shape::e_polygon && static_cast<const PolygonShape&>(shape).m_count <= 4;
+}
+
 /// Up to eight pairs. Shapes must not change while the batch lives, placements not before Collide.
 class QuadBatch {
 public:
-    explicit QuadBatch(QuadKernel kernel = GetQuadKernel()) : m_kernel(kernel) {}
-
-    [[nodiscard]] static bool Takes(const Shape& shape) {
-        return shape.GetType() == Shape::e_polygon && static_cast<const PolygonShape&>(shape).m_count <= 4;
-    }
+    explicit QuadBatch(QuadKernels kernels = GetQuadKernels()) : m_kernel(kernels.collideQuads) {}
 
     [[nodiscard]] int Size() const { return m_size; }
     [[nodiscard]] bool IsFull() const { return m_size == quadLanes; }
     /// The number that the pair was added with.
     [[nodiscard]] int GetId(int pair) const { return m_id[pair]; }
+    /// Both shapes are quads (IsQuad).
     void Add(int id, const PolygonShape& a, const Transform& xfA, const PolygonShape& b, const Transform& xfB);
     void Collide();
     /// The manifold of a pair, after Collide. Impulses are left alone.
@@ -30,12 +32,34 @@ public:
     void Clear() { m_size = 0; }
 
 private:
-    QuadKernel m_kernel;
+    decltype(QuadKernels::collideQuads) m_kernel;
     QuadPairs m_pairs{};
     QuadContacts m_contacts{};
     // Neighbours often have the same shape, which then stays in its lane.
     const PolygonShape* m_shapeA[quadLanes]{};
     const PolygonShape* m_shapeB[quadLanes]{};
+    int m_id[quadLanes]{};
+    int m_size = 0;
+};
+
+/// The same for quads A and disks B.
+class QuadDiskBatch {
+public:
+    explicit QuadDiskBatch(QuadKernels kernels = GetQuadKernels()) : m_kernel(kernels.collideQuadDisks) {}
+
+    [[nodiscard]] int Size() const { return m_size; }
+    [[nodiscard]] bool IsFull() const { return m_size == quadLanes; }
+    [[nodiscard]] int GetId(int pair) const { return m_id[pair]; }
+    void Add(int id, const PolygonShape& a, const Transform& xfA, const CircleShape& b, const Transform& xfB);
+    void Collide();
+    void Write(int pair, Manifold& manifold) const;
+    void Clear() { m_size = 0; }
+
+private:
+    decltype(QuadKernels::collideQuadDisks) m_kernel;
+    QuadDiskPairs m_pairs{};
+    QuadDiskContacts m_contacts{};
+    const PolygonShape* m_shapeA[quadLanes]{};
     int m_id[quadLanes]{};
     int m_size = 0;
 };

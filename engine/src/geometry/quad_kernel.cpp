@@ -3,21 +3,24 @@
 //
 // The kernel for the instruction set that the whole library is compiled for, and the choice of the best one.
 
-#define SCREE_QUAD_KERNEL CollideQuadsBase
+#define SCREE_QUAD_NAME(kernel) kernel##Base
 #include "geometry/quad_kernel.inc"
 
 namespace scree {
 
 #if defined(SCREE_HAS_AVX2_KERNELS)
 void CollideQuadsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
+void CollideQuadDisksAvx2(const QuadDiskPairs& pairs, QuadDiskContacts& contacts);
 #endif
 
-QuadKernel GetQuadKernel() {
+QuadKernels GetQuadKernels() {
 #if defined(SCREE_HAS_AVX2_KERNELS)
     static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
-    if (hasAvx2) return &CollideQuadsAvx2;
+    if (hasAvx2) return {&CollideQuadsAvx2, &CollideQuadDisksAvx2};
 #endif
-    return &CollideQuadsBase;
+    return GetBaseQuadKernels();
 }
+
+QuadKernels GetBaseQuadKernels() { return {&CollideQuadsBase, &CollideQuadDisksBase}; }
 
 }  // namespace scree

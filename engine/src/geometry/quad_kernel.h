@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Eight pairs of polygons with three or four corners side by side, as the vector kernel reads and writes them. Plain
-// data only, because translation units for different instruction sets share it.
+// Eight pairs of polygons with three or four corners, or of one and a disk, side by side, as the vector kernels read
+// and write them. Plain data only, because translation units for different instruction sets share it.
 
 #pragma once
 
@@ -42,9 +42,32 @@ struct alignas(32) QuadContacts {
     Row pointX[2], pointY[2];                    ///< in the incident polygon's frame
 };
 
-using QuadKernel = void (*)(const QuadPairs& pairs, QuadContacts& contacts);
+/// Polygons with three or four corners, and disks.
+struct alignas(32) QuadDiskPairs {
+    using Row = float[quadLanes];
+    QuadShapes a;
+    const float* placedA[quadLanes];  ///< Transform: x, y, sine, cosine
+    const float* placedB[quadLanes];
+    Row centreX, centreY;  ///< of the disk, in its body's frame
+    Row radius;            ///< of the disk and the polygon's skin together, m
+};
 
-/// The best kernel this processor has. All give the same bits.
-QuadKernel GetQuadKernel();
+/// What was found; bit l of a mask is lane l.
+struct alignas(32) QuadDiskContacts {
+    using Row = float[quadLanes];
+    Row localNormalX, localNormalY;  ///< in the polygon's frame, toward the disk
+    Row localPointX, localPointY;    ///< middle of the face, or the corner, that touches
+    uint32_t touching;               ///< the rest counts for these lanes only
+};
+
+/// The kernels of one instruction set. All sets give the same bits.
+struct QuadKernels {
+    void (*collideQuads)(const QuadPairs& pairs, QuadContacts& contacts);
+    void (*collideQuadDisks)(const QuadDiskPairs& pairs, QuadDiskContacts& contacts);
+};
+
+/// The best this processor has, and those that every processor has.
+QuadKernels GetQuadKernels();
+QuadKernels GetBaseQuadKernels();
 
 }  // namespace scree

@@ -4,6 +4,6 @@
 // The kernel for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
 
 #if defined(__AVX2__)
-#define SCREE_QUAD_KERNEL CollideQuadsAvx2
+#define SCREE_QUAD_NAME(kernel) kernel##Avx2
 #include "geometry/quad_kernel.inc"
 #endif

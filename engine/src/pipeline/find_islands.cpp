@@ -29,46 +29,66 @@ void ClearForMovers(const BodyTable& bodies, std::vector<T>& column) {
     for (const int body : bodies.movers) column[static_cast<size_t>(body)] = 0;
 }
 
+/// Grows the column where it is too small; what it holds is of no interest.
+template <typename T>
+void EnsureSize(std::vector<T>& column, size_t size) {
+    if (column.size() < size) column.resize(size);
+}
+
+/// The rows of the contacts that push. The choice is no branch, for it follows no pattern.
+std::span<const int> GatherPushing(const ContactTable& contacts, std::vector<int>& rows) {
+    const size_t count = contacts.flags.size();
+    EnsureSize(rows, count);
+    size_t used = 0;
+    for (size_t c = 0; c < count; ++c) {
+        rows[used] = static_cast<int>(c);
+        used += Pushes(contacts.flags[c]) ? 1 : 0;
+    }
+    return {rows.data(), used};
+}
+
 /// Contacts of each mover that has some, the newest row first; these movers become `touched`, the others `untouched`.
 void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
     ClearForMovers(bodies, s.end);
     ClearForMovers(bodies, s.progress);
     s.first.resize(s.end.size());
-    const size_t count = contacts.flags.size();
-    const auto isMover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody; };
+    const std::span<const int> rows = GatherPushing(contacts, s.rows);
+    const auto mover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody ? body : -1; };
+    EnsureSize(s.pushing, rows.size());
     int total = 0;
-    for (size_t c = 0; c < count; ++c) {
-        if (!Pushes(contacts.flags[c])) continue;
-        const ContactPair& pair = contacts.pair[c];
-        const bool moverA = isMover(pair.bodyA), moverB = isMover(pair.bodyB);
-        if (moverA) ++s.end[static_cast<size_t>(pair.bodyA)];
-        if (moverB) ++s.end[static_cast<size_t>(pair.bodyB)];
-        total += (moverA ? 1 : 0) + (moverB ? 1 : 0);
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const ContactPair& pair = contacts.pair[static_cast<size_t>(rows[i])];
+        const IslandScratch::Pushing p{rows[i], mover(pair.bodyA), mover(pair.bodyB)};
+        s.pushing[i] = p;
+        if (p.moverA >= 0) ++s.end[static_cast<size_t>(p.moverA)], ++total;
+        if (p.moverB >= 0) ++s.end[static_cast<size_t>(p.moverB)], ++total;
     }
-    s.entries.resize(static_cast<size_t>(total));
+    EnsureSize(s.entries, static_cast<size_t>(total));
     int used = 0;
-    const auto add = [&](int body, size_t contact) {
+    const auto add = [&](int body, IslandScratch::Entry entry) {
+        if (body < 0) return;
         const auto b = static_cast<size_t>(body);
         if (s.progress[b] == IslandScratch::untouched) {
             s.progress[b] = IslandScratch::touched;
             used += s.end[b];
             s.first[b] = s.end[b] = used;  // filling moves the start down
         }
-        s.entries[static_cast<size_t>(--s.first[b])] = static_cast<int>(contact);
+        s.entries[static_cast<size_t>(--s.first[b])] = entry;
     };
-    for (size_t c = 0; c < count; ++c) {
-        if (!Pushes(contacts.flags[c])) continue;
-        const ContactPair& pair = contacts.pair[c];
-        if (isMover(pair.bodyA)) add(pair.bodyA, c);
-        if (isMover(pair.bodyB)) add(pair.bodyB, c);
+    for (const IslandScratch::Pushing& p : std::span(s.pushing).first(rows.size())) {
+        add(p.moverA, {p.contact, p.moverB});
+        add(p.moverB, {p.contact, p.moverA});
     }
 }
 
 class IslandSearch {
 public:
-    IslandSearch(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands)
-        : m_contacts(contacts), m_joints(joints), m_bodies(bodies), m_scratch(scratch), m_islands(islands) {}
+    IslandSearch(JointTable& joints, BodyTable& bodies, IslandScratch& scratch, IslandTable& islands)
+        : m_joints(joints),
+          m_bodies(bodies),
+          m_scratch(scratch),
+          m_islands(islands),
+          m_anyJoints(joints.listHead >= 0) {}
 
     void Grow(int seed) {
         Island island{};
@@ -106,18 +126,19 @@ private:
     void VisitContacts(int body) {
         const auto b = static_cast<size_t>(body);
         if (m_scratch.progress[b] != IslandScratch::seen) return;
+        m_scratch.progress[b] = IslandScratch::visited;
         for (int e = m_scratch.first[b]; e < m_scratch.end[b]; ++e) {
-            const int contact = m_scratch.entries[static_cast<size_t>(e)];
-            if (m_scratch.contactSeen[static_cast<size_t>(contact)]) continue;
-            m_scratch.contactSeen[static_cast<size_t>(contact)] = 1;
-            m_islands.contacts.push_back(contact);
-            const ContactPair& pair = m_contacts.pair[static_cast<size_t>(contact)];
-            PushOther(pair.bodyA == body ? pair.bodyB : pair.bodyA);
+            const IslandScratch::Entry entry = m_scratch.entries[static_cast<size_t>(e)];
+            const uint8_t progress =
+                entry.other < 0 ? uint8_t{IslandScratch::seen} : m_scratch.progress[static_cast<size_t>(entry.other)];
+            if (progress == IslandScratch::visited) continue;  // it has listed the contact
+            m_islands.contacts.push_back(entry.contact);
+            if (progress < IslandScratch::seen) Push(entry.other, true);
         }
     }
 
     void VisitJoints(int body) {
-        if (m_bodies.info[static_cast<size_t>(body)].jointCount == 0) return;
+        if (!m_anyJoints || m_bodies.info[static_cast<size_t>(body)].jointCount == 0) return;
         for (const int joint : m_joints.OfBody(body)) {
             if (m_scratch.jointSeen[static_cast<size_t>(joint)]) continue;
             const JointInfo& row = m_joints.info[static_cast<size_t>(joint)];
@@ -129,11 +150,11 @@ private:
         }
     }
 
-    const ContactTable& m_contacts;
     JointTable& m_joints;
     BodyTable& m_bodies;
     IslandScratch& m_scratch;
     IslandTable& m_islands;
+    const bool m_anyJoints;  ///< the rows of bodies that know theirs are seldom in the cache
 };
 
 }  // namespace
@@ -142,11 +163,10 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
                  IslandTable& islands, Isolated isolated) {
     islands.Clear();
     BuildAdjacency(contacts, bodies, scratch);
-    scratch.contactSeen.assign(contacts.flags.size(), 0);
     scratch.jointSeen.assign(joints.info.size(), 0);
 
     const bool anyJoints = joints.listHead >= 0;
-    IslandSearch search(contacts, joints, bodies, scratch, islands);
+    IslandSearch search(joints, bodies, scratch, islands);
     for (size_t m = bodies.movers.size(); m-- > 0;) {  // newest first, as Box2D walks its body list
         const int body = bodies.movers[m];
         const auto b = static_cast<size_t>(body);

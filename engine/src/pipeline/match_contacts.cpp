@@ -43,6 +43,7 @@ void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactE
     // By index, so that callbacks and rows do not depend on the broad phase.
     std::sort(fresh.begin(), fresh.end());
     if (order == FreshOrder::newestFirst) std::reverse(fresh.begin(), fresh.end());
+    t.contacts.Reserve(fresh.size());
     for (const uint64_t key : fresh) {
         const int a = static_cast<int>(key & 0xFFFFFFFFu);
         const int b = static_cast<int>(key >> 32);

@@ -68,38 +68,69 @@ public:
                 Note(contact, ComputeManifold(contact, m_t.fixtures, m_t.bodies, m_work, m_t.contacts));
             }
         }
-        if (m_batch.Size() > 0) ComputeBatch();
+        if (m_quads.batch.Size() > 0) ComputeBatch(m_quads);
+        if (m_disks.batch.Size() > 0) ComputeBatch(m_disks);
     }
 
 private:
+    /// A batch, and where its bodies are far from the origin.
+    template <typename Batch>
+    struct Lanes {
+        Batch batch;
+        Transform near[quadLanes][2];
+    };
+
     bool Batch(int contact) {
         const ContactPair& pair = m_t.contacts.pair[static_cast<size_t>(contact)];
         const Shape& a = *m_t.fixtures.shape[pair.fixtureA];
         const Shape& b = *m_t.fixtures.shape[pair.fixtureB];
-        if (!QuadBatch::Takes(a) || !QuadBatch::Takes(b)) return false;
+        if (a.GetType() == Shape::e_circle && b.GetType() == Shape::e_circle && !m_isFar) {
+            Manifold& manifold = m_t.contacts.manifold[static_cast<size_t>(contact)];
+            const OldPoints old(manifold);
+            CollideCircles(&manifold, static_cast<const CircleShape*>(&a),
+                           m_t.bodies.transform[static_cast<size_t>(pair.bodyA)], static_cast<const CircleShape*>(&b),
+                           m_t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
+            old.CarryImpulses(manifold);
+            Note(contact, manifold.pointCount > 0);
+            return true;
+        }
+        if (!IsQuad(a)) return false;
+        if (IsQuad(b)) {
+            Add(m_quads, contact, static_cast<const PolygonShape&>(a), static_cast<const PolygonShape&>(b));
+        } else if (b.GetType() == Shape::e_circle) {
+            Add(m_disks, contact, static_cast<const PolygonShape&>(a), static_cast<const CircleShape&>(b));
+        } else {
+            return false;
+        }
+        return true;
+    }
+
+    template <typename Batch, typename B>
+    void Add(Lanes<Batch>& lanes, int contact, const PolygonShape& a, const B& b) {
+        const ContactPair& pair = m_t.contacts.pair[static_cast<size_t>(contact)];
         const Transform* xfA = &m_t.bodies.transform[static_cast<size_t>(pair.bodyA)];
         const Transform* xfB = &m_t.bodies.transform[static_cast<size_t>(pair.bodyB)];
         if (m_isFar) {
             const Vec2 frame = FrameOf(m_t.bodies, pair.bodyA, pair.bodyB);
-            Transform* const near = m_near[m_batch.Size()];
+            Transform* const near = lanes.near[lanes.batch.Size()];
             near[0] = TransformIn(frame, m_t.bodies, pair.bodyA), near[1] = TransformIn(frame, m_t.bodies, pair.bodyB);
             xfA = &near[0], xfB = &near[1];
         }
-        m_batch.Add(contact, static_cast<const PolygonShape&>(a), *xfA, static_cast<const PolygonShape&>(b), *xfB);
-        if (m_batch.IsFull()) ComputeBatch();
-        return true;
+        lanes.batch.Add(contact, a, *xfA, b, *xfB);
+        if (lanes.batch.IsFull()) ComputeBatch(lanes);
     }
 
-    void ComputeBatch() {
-        m_batch.Collide();
-        for (int i = 0; i < m_batch.Size(); ++i) {
-            Manifold& manifold = m_t.contacts.manifold[static_cast<size_t>(m_batch.GetId(i))];
+    template <typename Batch>
+    void ComputeBatch(Lanes<Batch>& lanes) {
+        lanes.batch.Collide();
+        for (int i = 0; i < lanes.batch.Size(); ++i) {
+            Manifold& manifold = m_t.contacts.manifold[static_cast<size_t>(lanes.batch.GetId(i))];
             const OldPoints old(manifold);
-            m_batch.Write(i, manifold);
+            lanes.batch.Write(i, manifold);
             old.CarryImpulses(manifold);
-            Note(m_batch.GetId(i), manifold.pointCount > 0);
+            Note(lanes.batch.GetId(i), manifold.pointCount > 0);
         }
-        m_batch.Clear();
+        lanes.batch.Clear();
     }
 
     void Note(int contact, bool touches) {
@@ -110,8 +141,8 @@ private:
     const bool m_isFar;
     TOIStats& m_work;
     std::vector<uint8_t>& m_findings;
-    QuadBatch m_batch;
-    Transform m_near[quadLanes][2];  ///< of the batch, far from the origin
+    Lanes<QuadBatch> m_quads;
+    Lanes<QuadDiskBatch> m_disks;
 };
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order.

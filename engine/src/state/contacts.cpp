@@ -8,6 +8,7 @@
 #include "state/contacts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 namespace scree {
@@ -31,6 +32,9 @@ constexpr uint64_t InAll(uint8_t flag) { return 0x0101010101010101ull * flag; }
 
 /// Whether as many contacts want a larger hash: linear probing beyond 2/3 would mean long runs.
 bool IsTooFull(int count, size_t slots) { return static_cast<size_t>(count) * 3 > slots * 2; }
+
+/// Below this many rows gaps cost little.
+constexpr size_t leastRowsToClose = 4096;
 
 constexpr uint64_t goldenRatio = 0x9E3779B97F4A7C15ull;
 
@@ -74,7 +78,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     m_adjacencyValid = false;
     ++m_count;
     if (IsTooFull(m_count, m_hash.size())) {
-        Grow();
+        Grow(m_count);
     } else {
         InsertKey(index);
     }
@@ -102,19 +106,82 @@ void ContactTable::RemoveParted() {
     // Both shifted onto the flag `alive`.
     static_assert(ContactFlag::alive == 1 && ContactFlag::marked == 2 && ContactFlag::touching == 4);
     const auto parted = [](uint64_t f) { return f & ~(f >> 1) & ~(f >> 2) & InAll(ContactFlag::alive); };
+    const size_t freeBefore = m_free.size();
     size_t row = 0;
     for (; row + 8 <= flags.size(); row += 8) {
         if (parted(LoadFlags(&flags[row])) == 0) continue;
         for (size_t i = row; i < row + 8; ++i) {
-            if (parted(flags[i]) != 0) Remove(static_cast<int>(i));
+            if (parted(flags[i]) != 0) m_free.push_back(static_cast<int>(i));
         }
     }
     for (; row < flags.size(); ++row) {
-        if (parted(flags[row]) != 0) Remove(static_cast<int>(row));
+        if (parted(flags[row]) != 0) m_free.push_back(static_cast<int>(row));
+    }
+    const std::span<const int> gone = std::span(m_free).subspan(freeBefore);
+    if (gone.empty()) return;
+    m_isCompact = false;
+    m_count -= static_cast<int>(gone.size());
+    // Erasing a key takes about twice as long as inserting one.
+    const bool rehash = gone.size() * 2 > static_cast<size_t>(m_count);
+    for (const int contact : gone) {
+        if (!rehash) EraseKey(contact);
+        flags[static_cast<size_t>(contact)] = 0;
+    }
+    if (rehash) Rehash();
+}
+
+void ContactTable::CloseGaps() {
+    const size_t rows = flags.size();
+    std::vector<int> movedTo(rows + 1, -1);  // one more, for −1
+    size_t to = 0;
+    for (size_t from = 0; from < rows; ++from) {
+        if (flags[from] == 0) continue;
+        movedTo[from + 1] = static_cast<int>(to);
+        flags[to] = flags[from];
+        pair[to] = pair[from];
+        manifold[to] = manifold[from];
+        material[to] = material[from];
+        successor[to] = successor[from];
+        ++to;
+    }
+    flags.resize(to);
+    pair.resize(to);
+    manifold.resize(to);
+    material.resize(to);
+    successor.resize(to);
+    for (int& row : successor) row = row < static_cast<int>(rows) ? movedTo[static_cast<size_t>(row + 1)] : -1;
+    if (firstMatched < static_cast<int>(rows)) firstMatched = movedTo[static_cast<size_t>(firstMatched + 1)];
+    for (int& row : m_hash) {
+        if (row >= 0) row = movedTo[static_cast<size_t>(row + 1)];
+    }
+    MoveHandles(movedTo);
+    m_free.clear();
+    m_adjacencyValid = false;
+    m_isCompact = true;
+}
+
+void ContactTable::MoveHandles(std::span<const int> movedTo) {
+    std::vector<int> number(m_handles.size(), -1), spare;
+    for (size_t row = 0; row < m_handles.size(); ++row) {
+        const int to = row + 1 < movedTo.size() ? movedTo[row + 1] : -1;
+        if (to >= 0) {
+            number[static_cast<size_t>(to)] = m_handles[row].numberOfRow;
+        } else {
+            spare.push_back(m_handles[row].numberOfRow);
+        }
+    }
+    for (size_t row = m_handles.size(); row-- > 0;) {
+        if (number[row] < 0) {
+            number[row] = spare.back();
+            spare.pop_back();
+        }
+        m_handles[row].numberOfRow = number[row];
+        m_handles[static_cast<size_t>(number[row])].m_row = static_cast<int>(row);
     }
 }
 
 void ContactTable::Compact() {
+    if (flags.size() >= leastRowsToClose && static_cast<size_t>(m_count) * 2 < flags.size()) CloseGaps();
     if (m_isCompact) return;
     m_isCompact = true;
     size_t rows = flags.size();
@@ -152,11 +219,8 @@ bool ContactTable::Restore() {
     }
     successor.assign(flags.size(), -1);
     m_isCompact = false;
-    while (IsTooFull(m_count, m_hash.size())) m_hash.resize(std::max<size_t>(32, m_hash.size() * 2));
-    if (m_count > 0) {
-        m_hash.resize(m_hash.size() / 2);
-        Grow();
-    }
+    m_hash.clear();
+    if (m_count > 0) Grow(m_count);
     for (int i = 0; i < Size(); ++i) {
         const ContactPair& p = pair[static_cast<size_t>(i)];
         if (IsAlive(i) && Find(p.fixtureA, p.fixtureB) != i) return false;
@@ -200,19 +264,36 @@ std::span<const int> ContactTable::OfBody(int body) {
 Contact* ContactTable::Handle(WorldState* state, int contact) {
     while (static_cast<int>(m_handles.size()) <= contact)
         m_handles.emplace_back(state, static_cast<int>(m_handles.size()));
-    return &m_handles[static_cast<size_t>(contact)];
+    return &m_handles[static_cast<size_t>(GetNumber(contact))];
 }
 
-void ContactTable::Grow() {
-    const size_t size = std::max<size_t>(64, m_hash.size() * 2);
-    m_hash.assign(size, -1);
-    m_shift = 64;
-    for (size_t s = size; s > 1; s >>= 1) --m_shift;
+void ContactTable::Reserve(size_t more) {
+    const size_t rows = flags.size() + more - std::min(more, m_free.size());
+    if (rows > flags.capacity()) {
+        const size_t capacity = std::max(rows, flags.capacity() * 3 / 2);
+        flags.reserve(capacity);
+        pair.reserve(capacity);
+        manifold.reserve(capacity);
+        material.reserve(capacity);
+        successor.reserve(capacity);
+    }
+    if (IsTooFull(m_count + static_cast<int>(more), m_hash.size())) Grow(m_count + static_cast<int>(more));
+}
+
+void ContactTable::Grow(int count) {
+    size_t size = std::max<size_t>(64, m_hash.size() * 2);
+    while (IsTooFull(count, size)) size *= 2;
+    m_shift = 64 - std::countr_zero(size);
+    m_hash.resize(size);
+    Rehash();
+}
+
+void ContactTable::Rehash() {
+    std::fill(m_hash.begin(), m_hash.end(), -1);
     for (int i = 0; i < Size(); ++i) {
         if (flags[static_cast<size_t>(i)] != 0) InsertKey(i);
     }
 }
-
 void ContactTable::InsertKey(int contact) {
     const ContactPair& p = pair[static_cast<size_t>(contact)];
     const size_t mask = m_hash.size() - 1;
@@ -239,15 +320,16 @@ void ContactTable::EraseKey(int contact) {
 }
 
 size_t ContactTable::GetBytesPerRow() {
+    static_assert(sizeof(HandleSlot) == sizeof(Contact));
     // The hash is between one and two thirds full: at most three entries a contact. One number more for the successor.
     return sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial) + 4 * sizeof(int) +
-           sizeof(Contact);
+           sizeof(HandleSlot);
 }
 
 size_t ContactTable::GetMemoryBytes() const {
     return flags.size() *
                (sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial) + sizeof(int)) +
-           m_hash.size() * sizeof(int) + m_handles.size() * sizeof(Contact);
+           m_hash.size() * sizeof(int) + m_handles.size() * sizeof(HandleSlot);
 }
 
 }  // namespace scree

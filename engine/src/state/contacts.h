@@ -67,6 +67,8 @@ struct ContactTable {
                           ((p.fixtureA == fixture2) & (p.fixtureB == fixture1));
         return same && IsAlive(contact);
     }
+    /// Room for so many more contacts.
+    void Reserve(size_t more);
     /// A new row for a pair that has none; no flags but alive and marked.
     int Add(const ContactPair& newPair);
     /// Frees the row; Compact makes it usable again.
@@ -75,7 +77,8 @@ struct ContactTable {
     void ClearMarks();
     /// Removes the rows that have neither the flag `marked` nor `touching`.
     void RemoveParted();
-    /// Frees trailing rows and orders the free ones, so that new contacts take the lowest. O(rows).
+    /// Orders the free rows, so that new contacts take the lowest, and frees trailing ones. Where most of many rows are
+    /// free, contacts move to the lowest rows in the same order: stages walk over rows. O(rows).
     void Compact();
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit&& visit) {
@@ -86,15 +89,30 @@ struct ContactTable {
     /// Contacts of a body, newest row first; rows removed since the last Add are still listed. Valid until the next
     /// Add.
     std::span<const int> OfBody(int body);
-    /// The handle of a row, made on first use.
+    /// The handle of a row, made on first use; it stays with the contact until that ends.
     Contact* Handle(WorldState* state, int contact);
+    /// Number of the handle of a row that has one.
+    [[nodiscard]] int GetNumber(int contact) const { return m_handles[static_cast<size_t>(contact)].numberOfRow; }
 
     [[nodiscard]] size_t GetMemoryBytes() const;
     [[nodiscard]] static size_t GetBytesPerRow();
 
 private:
+    /// A handle, and in the bytes it leaves unused the number of the handle of the row with this position: a
+    /// permutation.
+    struct HandleSlot : Contact {
+        HandleSlot(WorldState* state, int number) : Contact(state, number), numberOfRow(number) {}
+        int numberOfRow;
+    };
+
     [[nodiscard]] size_t Home(uint32_t a, uint32_t b) const;
-    void Grow();
+    /// Enlarges the hash, for `count` contacts at least.
+    void Grow(int count);
+    /// Fills the hash anew.
+    void Rehash();
+    void CloseGaps();
+    /// Row r has become row movedTo[r + 1], −1 if it was free.
+    void MoveHandles(std::span<const int> movedTo);
     void EnsureAdjacency();
     void InsertKey(int contact);
     void EraseKey(int contact);
@@ -103,7 +121,7 @@ private:
     int m_shift = 64;
     std::vector<int> m_free;  ///< highest first, when compact
     bool m_isCompact = true;  ///< no row was removed since Compact
-    std::deque<Contact> m_handles;
+    std::deque<HandleSlot> m_handles;
     int m_count = 0;
 
     bool m_adjacencyValid = false;

@@ -33,11 +33,11 @@ void NoteEdit(WorldState& s, int contact) {
 
 }  // namespace
 
-Manifold* Contact::GetManifold() { return &m_state->contacts.manifold[Row(m_index)]; }
-const Manifold* Contact::GetManifold() const { return &m_state->contacts.manifold[Row(m_index)]; }
+Manifold* Contact::GetManifold() { return &m_state->contacts.manifold[Row(m_row)]; }
+const Manifold* Contact::GetManifold() const { return &m_state->contacts.manifold[Row(m_row)]; }
 
 void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
-    const ContactPair& p = m_state->contacts.pair[Row(m_index)];
+    const ContactPair& p = m_state->contacts.pair[Row(m_row)];
     const BodyTable& bodies = m_state->bodies;
     const Vec2 frame = FrameOf(bodies, p.bodyA, p.bodyB);
     worldManifold->Initialize(GetManifold(), TransformIn(frame, bodies, p.bodyA),
@@ -48,89 +48,91 @@ void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
     }
 }
 
-bool Contact::IsTouching() const { return m_state->contacts.Has(m_index, ContactFlag::touching); }
+int Contact::GetIndex() const { return m_state->contacts.GetNumber(m_row); }
+
+bool Contact::IsTouching() const { return m_state->contacts.Has(m_row, ContactFlag::touching); }
 
 void Contact::SetEnabled(bool flag) {
-    if (CheckContact(*m_state, m_index, "Contact::SetEnabled").Failed()) return;
-    const Recording recording(*m_state, "Contact::SetEnabled", m_index, flag);
-    uint8_t& flags = m_state->contacts.flags[Row(m_index)];
+    if (CheckContact(*m_state, m_row, "Contact::SetEnabled").Failed()) return;
+    const Recording recording(*m_state, "Contact::SetEnabled", m_row, flag);
+    uint8_t& flags = m_state->contacts.flags[Row(m_row)];
     flags = static_cast<uint8_t>((flags & ~ContactFlag::enabled) | (flag ? ContactFlag::enabled : 0));
 }
-bool Contact::IsEnabled() const { return m_state->contacts.Has(m_index, ContactFlag::enabled); }
+bool Contact::IsEnabled() const { return m_state->contacts.Has(m_row, ContactFlag::enabled); }
 
 Contact* Contact::GetNext() {
     ContactTable& contacts = m_state->contacts;
-    for (int c = std::min(m_index, contacts.Size()); c-- > 0;) {
+    for (int c = std::min(m_row, contacts.Size()); c-- > 0;) {
         if (contacts.IsAlive(c)) return contacts.Handle(m_state, c);
     }
     return nullptr;
 }
 const Contact* Contact::GetNext() const { return const_cast<Contact*>(this)->GetNext(); }
 
-Fixture* Contact::GetFixtureA() { return &m_state->fixtures.handles[m_state->contacts.pair[Row(m_index)].fixtureA]; }
+Fixture* Contact::GetFixtureA() { return &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureA]; }
 const Fixture* Contact::GetFixtureA() const { return const_cast<Contact*>(this)->GetFixtureA(); }
-Fixture* Contact::GetFixtureB() { return &m_state->fixtures.handles[m_state->contacts.pair[Row(m_index)].fixtureB]; }
+Fixture* Contact::GetFixtureB() { return &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureB]; }
 const Fixture* Contact::GetFixtureB() const { return const_cast<Contact*>(this)->GetFixtureB(); }
 
 ErrorCode Contact::SetFriction(float friction) {
-    Guard guard = CheckContact(*m_state, m_index, "Contact::SetFriction");
+    Guard guard = CheckContact(*m_state, m_row, "Contact::SetFriction");
     if (guard.Amount(friction, "friction").Failed()) return guard.Code();
     if (friction != 0.0f && guard.Uses({Feature::friction}).Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, friction);
-    m_state->contacts.material[Row(m_index)].friction = friction;
-    NoteEdit(*m_state, m_index);
+    const Recording recording = guard.Record(m_row, friction);
+    m_state->contacts.material[Row(m_row)].friction = friction;
+    NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
 }
-float Contact::GetFriction() const { return m_state->contacts.material[Row(m_index)].friction; }
+float Contact::GetFriction() const { return m_state->contacts.material[Row(m_row)].friction; }
 void Contact::ResetFriction() {
-    if (CheckContact(*m_state, m_index, "Contact::ResetFriction").Failed()) return;
-    const Recording recording(*m_state, "Contact::ResetFriction", m_index);
-    m_state->contacts.material[Row(m_index)].friction =
+    if (CheckContact(*m_state, m_row, "Contact::ResetFriction").Failed()) return;
+    const Recording recording(*m_state, "Contact::ResetFriction", m_row);
+    m_state->contacts.material[Row(m_row)].friction =
         MixFriction(GetFixtureA()->GetFriction(), GetFixtureB()->GetFriction());
-    NoteEdit(*m_state, m_index);
+    NoteEdit(*m_state, m_row);
 }
 
 ErrorCode Contact::SetRestitution(float restitution) {
-    Guard guard = CheckContact(*m_state, m_index, "Contact::SetRestitution");
+    Guard guard = CheckContact(*m_state, m_row, "Contact::SetRestitution");
     if (guard.Finite(restitution, "restitution").Failed()) return guard.Code();
     if (restitution != 0.0f && guard.Uses({Feature::restitution}).Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, restitution);
-    m_state->contacts.material[Row(m_index)].restitution = restitution;
-    NoteEdit(*m_state, m_index);
+    const Recording recording = guard.Record(m_row, restitution);
+    m_state->contacts.material[Row(m_row)].restitution = restitution;
+    NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
 }
-float Contact::GetRestitution() const { return m_state->contacts.material[Row(m_index)].restitution; }
+float Contact::GetRestitution() const { return m_state->contacts.material[Row(m_row)].restitution; }
 void Contact::ResetRestitution() {
-    if (CheckContact(*m_state, m_index, "Contact::ResetRestitution").Failed()) return;
-    const Recording recording(*m_state, "Contact::ResetRestitution", m_index);
-    m_state->contacts.material[Row(m_index)].restitution =
+    if (CheckContact(*m_state, m_row, "Contact::ResetRestitution").Failed()) return;
+    const Recording recording(*m_state, "Contact::ResetRestitution", m_row);
+    m_state->contacts.material[Row(m_row)].restitution =
         MixRestitution(GetFixtureA()->GetRestitution(), GetFixtureB()->GetRestitution());
-    NoteEdit(*m_state, m_index);
+    NoteEdit(*m_state, m_row);
 }
 
 ErrorCode Contact::SetRestitutionThreshold(float threshold) {
-    Guard guard = CheckContact(*m_state, m_index, "Contact::SetRestitutionThreshold");
+    Guard guard = CheckContact(*m_state, m_row, "Contact::SetRestitutionThreshold");
     if (guard.Finite(threshold, "threshold").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, threshold);
-    m_state->contacts.material[Row(m_index)].restitutionThreshold = threshold;
+    const Recording recording = guard.Record(m_row, threshold);
+    m_state->contacts.material[Row(m_row)].restitutionThreshold = threshold;
     return ErrorCode::ok;
 }
-float Contact::GetRestitutionThreshold() const { return m_state->contacts.material[Row(m_index)].restitutionThreshold; }
+float Contact::GetRestitutionThreshold() const { return m_state->contacts.material[Row(m_row)].restitutionThreshold; }
 void Contact::ResetRestitutionThreshold() {
-    if (CheckContact(*m_state, m_index, "Contact::ResetRestitutionThreshold").Failed()) return;
-    const Recording recording(*m_state, "Contact::ResetRestitutionThreshold", m_index);
-    m_state->contacts.material[Row(m_index)].restitutionThreshold =
+    if (CheckContact(*m_state, m_row, "Contact::ResetRestitutionThreshold").Failed()) return;
+    const Recording recording(*m_state, "Contact::ResetRestitutionThreshold", m_row);
+    m_state->contacts.material[Row(m_row)].restitutionThreshold =
         MixRestitutionThreshold(GetFixtureA()->GetRestitutionThreshold(), GetFixtureB()->GetRestitutionThreshold());
 }
 
 ErrorCode Contact::SetTangentSpeed(float speed) {
-    Guard guard = CheckContact(*m_state, m_index, "Contact::SetTangentSpeed");
+    Guard guard = CheckContact(*m_state, m_row, "Contact::SetTangentSpeed");
     if (guard.Finite(speed, "speed").Failed()) return guard.Code();
     if (speed != 0.0f && guard.Uses({Feature::tangentSpeed}).Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, speed);
-    m_state->contacts.material[Row(m_index)].tangentSpeed = speed;
+    const Recording recording = guard.Record(m_row, speed);
+    m_state->contacts.material[Row(m_row)].tangentSpeed = speed;
     return ErrorCode::ok;
 }
-float Contact::GetTangentSpeed() const { return m_state->contacts.material[Row(m_index)].tangentSpeed; }
+float Contact::GetTangentSpeed() const { return m_state->contacts.material[Row(m_row)].tangentSpeed; }
 
 }  // namespace scree

@@ -179,7 +179,7 @@ MemoryUse GetMemoryUse(const World& world) {
     use.solverScratch = s.solverScratch.contacts.velocity.capacity() * sizeof(ContactVelocityRow) +
                         s.solverScratch.contacts.position.capacity() * sizeof(ContactPositionRow) +
                         s.solverScratch.joints.GetMemoryBytes() + s.solverScratch.tree.GetMemoryBytes() +
-                        (s.islandScratch.first.capacity() + s.islandScratch.entries.capacity()) * sizeof(int);
+                        s.islandScratch.GetMemoryBytes();
     return use;
 }
 
