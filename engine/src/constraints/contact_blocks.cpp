@@ -32,6 +32,16 @@ void Fetch([[maybe_unused]] const void* address) {
 #endif
 }
 
+/// Makes the column this long; what it held is of no interest, so that it need not be kept while there is a larger one.
+template <typename T>
+void Renew(std::vector<T>& column, size_t size) {
+    if (size > column.capacity()) {
+        std::vector<T>().swap(column);
+        column.reserve(size + size / 16);
+    }
+    column.resize(size);
+}
+
 FillSource SourceOf(const BlockInput& input) {
     return {&input.bodies.transform.data()->p.x,
             &input.bodies.position.data()->c.x,
@@ -65,9 +75,9 @@ void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& l
 void ContactBlocks::Sort(const BlockInput& input) {
     constexpr size_t fetchAhead = 8;
     const size_t count = input.list.size();
-    m_items.resize(count);
-    m_colours.resize(count);
-    m_lane.resize(count);
+    Renew(m_items, count);
+    Renew(m_colours, count);
+    Renew(m_lane, count);
     m_movers.clear();
     m_fixed.clear();
     for (size_t i = 0; i < count; ++i) {
@@ -99,16 +109,15 @@ void ContactBlocks::Sort(const BlockInput& input) {
 }
 
 void ContactBlocks::ColourMovers() {
-    m_left = m_movers;
     int base = 0;
-    while (!m_left.empty()) {
-        for (const int i : m_left) {
+    while (!m_movers.empty()) {
+        for (const int i : m_movers) {
             const Item& item = m_items[static_cast<size_t>(i)];
             m_used[static_cast<size_t>(item.a)] = m_used[static_cast<size_t>(item.b)] = 0;
         }
         m_next.clear();
         int highest = -1;
-        for (const int i : m_left) {
+        for (const int i : m_movers) {
             const Item& item = m_items[static_cast<size_t>(i)];
             uint64_t& usedA = m_used[static_cast<size_t>(item.a)];
             uint64_t& usedB = m_used[static_cast<size_t>(item.b)];
@@ -124,7 +133,7 @@ void ContactBlocks::ColourMovers() {
             highest = colour > highest ? colour : highest;
         }
         base += highest + 1;
-        m_left.swap(m_next);
+        m_movers.swap(m_next);
     }
     m_colourCount = m_moverColourCount = base;
 }
@@ -159,7 +168,7 @@ void ContactBlocks::MakeRanges() {
         m_start[g] = block * blockLanes;
         block += blocks;
     }
-    m_blocks.resize(static_cast<size_t>(block));
+    Renew(m_blocks, static_cast<size_t>(block));
     const size_t lanes = (m_blocks.size() + blocksAhead) * blockLanes;
     m_order.assign(lanes, -1);
     m_contact.assign(lanes, 0);

@@ -81,8 +81,8 @@ private:
     std::vector<Item> m_items;           ///< per contact of the list
     std::vector<int> m_colours;          ///< per contact of the list
     std::vector<uint64_t> m_used;        ///< per body: colours taken in this round
-    std::vector<int> m_movers, m_fixed;  ///< positions in the list
-    std::vector<int> m_left, m_next;     ///< scratch of the rounds
+    std::vector<int> m_movers, m_fixed;  ///< positions in the list; movers that have no colour yet
+    std::vector<int> m_next;             ///< the same for the next round
     std::vector<int> m_start;            ///< per group: first lane
     std::vector<int> m_lane;             ///< per contact of the list: block · 8 + lane
     std::vector<int> m_order;            ///< per lane, and some more: position in the list, −1 to spare

@@ -213,12 +213,7 @@ private:
         if (otherBody == body || m_t.fixtures.isSensor[Row(other)] || !MayMeet(body, otherBody)) return;
         if (m_bodies.type[Row(otherBody)] == staticBody && IsClear(fixture, other)) return;
         if (m_s.knownTo[Row(other)] == m_s.round) return;
-        const int contact = m_t.contacts.Find(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
-        if (contact >= 0 ? !m_t.contacts.Has(contact, ContactFlag::enabled)
-                         : !MayHaveContact(std::min(fixture, other), std::max(fixture, other), m_events, m_t.fixtures,
-                                           m_t.joints)) {
-            return;
-        }
+        if (!MayPush(fixture, other)) return;
         const int index = static_cast<int>(m_s.pairs.size());
         for (const int b : {body, otherBody}) {
             if (m_s.firstPair[Row(b)] < 0) m_s.touched.push_back(b);
@@ -230,13 +225,36 @@ private:
         UpdateEvent(index);
     }
 
+    /// Neither refused by a filter or a joint nor disabled by a listener.
+    [[nodiscard]] bool MayPush(int fixture, int other) const {
+        // Who asks nobody need not look for the contact: it is enabled, and there because it may be.
+        if (m_events.listener != nullptr || m_events.filter != nullptr) {
+            const int contact = m_t.contacts.Find(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
+            if (contact >= 0) return m_t.contacts.Has(contact, ContactFlag::enabled);
+        }
+        return MayHaveContact(std::min(fixture, other), std::max(fixture, other), m_events, m_t.fixtures, m_t.joints);
+    }
+
     /// Spares the search for a time of impact where boxes overlap but shapes are far apart, as with slanted slabs.
-    [[nodiscard]] bool IsClear(int fixture, int other) const {
+    [[nodiscard]] bool IsClear(int fixture, int other) const { return IsClear(fixture, other, 0.0f); }
+    /// The same where shapes may touch: an event begins only some slops below the surfaces, where disks that roll never
+    /// get. Leaves as much again as an event's tolerance to rounding.
+    [[nodiscard]] bool PassesBy(const ToiPair& pair) const {
+        const bool isStaticA = m_bodies.type[Row(pair.bodyA)] == staticBody;
+        if (!isStaticA && m_bodies.type[Row(pair.bodyB)] != staticBody) return false;
+        const int fixture = isStaticA ? pair.fixtureB : pair.fixtureA,
+                  other = isStaticA ? pair.fixtureA : pair.fixtureB;
+        const float scale = m_settings.lengthScale;
+        const float radii = m_t.fixtures.shape[Row(fixture)]->m_radius + m_t.fixtures.shape[Row(other)]->m_radius;
+        return IsClear(fixture, other, radii - (TOITarget(radii, scale) + 2.0f * toiTolerance * scale));
+    }
+    /// Whether the way of a fixture leads past a static one by less than `overlap` of the surfaces.
+    [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const {
         const int body = m_t.fixtures.body[Row(fixture)], otherBody = m_t.fixtures.body[Row(other)];
         const float reach = Reach(*m_t.fixtures.shape[Row(fixture)], m_bodies.mass[Row(body)].localCenter);
         const Vec2 frame = FrameOf(m_bodies, body, otherBody);
         return WayIsClear(*m_t.fixtures.shape[Row(other)], TransformIn(frame, m_bodies, otherBody),
-                          StartIn(frame, m_bodies, body), CentreIn(frame, m_bodies, body), reach);
+                          StartIn(frame, m_bodies, body), CentreIn(frame, m_bodies, body), reach - overlap);
     }
 
     [[nodiscard]] int Next(int pair, int body) const {
@@ -247,7 +265,7 @@ private:
     /// Computes when the pair meets and puts, moves or takes out its event.
     void UpdateEvent(int index) {
         const ToiPair& pair = m_s.pairs[Row(index)];
-        const float alpha = pair.over ? 1.0f : TimeOf(pair);
+        const float alpha = pair.over || PassesBy(pair) ? 1.0f : TimeOf(pair);
         if (alpha >= 1.0f) {
             m_s.events.Remove(index);
             return;

@@ -48,20 +48,19 @@ std::span<const int> GatherPushing(const ContactTable& contacts, std::vector<int
 }
 
 /// Contacts of each mover that has some, the newest row first; these movers become `touched`, the others `untouched`.
-void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
+/// Returns the number of contacts.
+size_t BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
     ClearForMovers(bodies, s.end);
     ClearForMovers(bodies, s.progress);
     s.first.resize(s.end.size());
     const std::span<const int> rows = GatherPushing(contacts, s.rows);
     const auto mover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody ? body : -1; };
-    EnsureSize(s.pushing, rows.size());
     int total = 0;
-    for (size_t i = 0; i < rows.size(); ++i) {
-        const ContactPair& pair = contacts.pair[static_cast<size_t>(rows[i])];
-        const IslandScratch::Pushing p{rows[i], mover(pair.bodyA), mover(pair.bodyB)};
-        s.pushing[i] = p;
-        if (p.moverA >= 0) ++s.end[static_cast<size_t>(p.moverA)], ++total;
-        if (p.moverB >= 0) ++s.end[static_cast<size_t>(p.moverB)], ++total;
+    for (const int row : rows) {
+        const ContactPair& pair = contacts.pair[static_cast<size_t>(row)];
+        for (const int body : {mover(pair.bodyA), mover(pair.bodyB)}) {
+            if (body >= 0) ++s.end[static_cast<size_t>(body)], ++total;
+        }
     }
     EnsureSize(s.entries, static_cast<size_t>(total));
     int used = 0;
@@ -75,10 +74,13 @@ void BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, Islan
         }
         s.entries[static_cast<size_t>(--s.first[b])] = entry;
     };
-    for (const IslandScratch::Pushing& p : std::span(s.pushing).first(rows.size())) {
-        add(p.moverA, {p.contact, p.moverB});
-        add(p.moverB, {p.contact, p.moverA});
+    for (const int row : rows) {
+        const ContactPair& pair = contacts.pair[static_cast<size_t>(row)];
+        const int a = mover(pair.bodyA), b = mover(pair.bodyB);
+        add(a, {row, b});
+        add(b, {row, a});
     }
+    return rows.size();
 }
 
 class IslandSearch {
@@ -162,7 +164,7 @@ private:
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
                  IslandTable& islands, Isolated isolated) {
     islands.Clear();
-    BuildAdjacency(contacts, bodies, scratch);
+    islands.contacts.reserve(BuildAdjacency(contacts, bodies, scratch));
     scratch.jointSeen.assign(joints.info.size(), 0);
 
     const bool anyJoints = joints.listHead >= 0;

@@ -21,16 +21,11 @@ struct IslandScratch {
     /// How far the search is with a mover: whether it has contacts, whether it was put on the stack, and whether its
     /// contacts are listed.
     enum Progress : uint8_t { untouched, touched, seen, seenUntouched, visited };
-    /// A contact that pushes; −1 instead of a static body.
-    struct Pushing {
-        int contact, moverA, moverB;
-    };
     struct Entry {
         int contact, other;  ///< the mover on the other side, −1 if that is static
     };
 
     std::vector<int> rows;          ///< of the contacts that push
-    std::vector<Pushing> pushing;   ///< the same contacts
     std::vector<int> first, end;    ///< per touched mover: range of its contacts in `entries`
     std::vector<Entry> entries;     ///< contacts by body
     std::vector<uint8_t> progress;  ///< per mover
@@ -38,9 +33,8 @@ struct IslandScratch {
     std::vector<int> stack;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return rows.capacity() * sizeof(int) + pushing.capacity() * sizeof(Pushing) +
-               (first.capacity() + end.capacity()) * sizeof(int) + entries.capacity() * sizeof(Entry) +
-               progress.capacity() + jointSeen.capacity() + stack.capacity() * sizeof(int);
+        return (rows.capacity() + first.capacity() + end.capacity() + stack.capacity()) * sizeof(int) +
+               entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity();
     }
 };
 

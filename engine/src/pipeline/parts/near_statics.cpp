@@ -34,7 +34,7 @@ NearStatics::Ball NearStatics::MakeBall(int body, const Tables& t) {
     const float reach = ReachOfBody(body, t);
     Ball ball;
     ball.centre = to + way;
-    ball.radius = 4.0f * way.Length() + 0.5f * reach;
+    ball.radius = 2.0f * way.Length() + 0.5f * reach;
     // A meeting is noticed within a slop of the surfaces; coordinates are rounded to their size.
     const float size = Abs(ball.centre.x) + Abs(ball.centre.y) + reach + ball.radius;
     const float far = reach + ball.radius + 2.0f * linearSlop * t.lengthScale + 1.0e-5f * size;
