@@ -270,7 +270,7 @@ Contact* ContactTable::Handle(WorldState* state, int contact) {
 void ContactTable::Reserve(size_t more) {
     const size_t rows = flags.size() + more - std::min(more, m_free.size());
     if (rows > flags.capacity()) {
-        const size_t capacity = std::max(rows, flags.capacity() + flags.capacity() / 8);
+        const size_t capacity = std::bit_ceil(rows);  // in one go what adding them one by one would come to
         flags.reserve(capacity);
         pair.reserve(capacity);
         manifold.reserve(capacity);
