@@ -170,6 +170,23 @@ TEST(ContactTable, HandlesLastWhileAClusterScatters) {
         EXPECT_EQ(witness.open[c].first, Witness::KeyOf(c));
     }
     EXPECT_EQ(touching, static_cast<int>(witness.open.size()));
+    for (World* world : {&watched, &plain}) {
+        std::vector<int> colours;
+        inspect::GetContactColours(*world, colours);
+        std::set<std::pair<int, Body*>> pushed;
+        int coloured = 0;
+        for (Contact* c = world->GetContactList(); c != nullptr; c = c->GetNext()) {
+            ASSERT_LT(static_cast<size_t>(c->GetIndex()), colours.size());
+            const int colour = colours[static_cast<size_t>(c->GetIndex())];
+            EXPECT_EQ(colour >= 0, c->IsTouching());
+            if (colour < 0) continue;
+            ++coloured;
+            for (Fixture* f : {c->GetFixtureA(), c->GetFixtureB()}) {
+                EXPECT_TRUE(pushed.emplace(colour, f->GetBody()).second) << "a colour pushes a body once";
+            }
+        }
+        EXPECT_EQ(coloured, touching);
+    }
     EXPECT_EQ(inspect::GetStateHash(watched), inspect::GetStateHash(plain)) << "handles change nothing";
 }
 

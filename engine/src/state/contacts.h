@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <span>
 #include <vector>
@@ -91,8 +92,12 @@ struct ContactTable {
     std::span<const int> OfBody(int body);
     /// The handle of a row, made on first use; it stays with the contact until that ends.
     Contact* Handle(WorldState* state, int contact);
-    /// Number of the handle of a row that has one.
-    [[nodiscard]] int GetNumber(int contact) const { return m_handles[static_cast<size_t>(contact)].numberOfRow; }
+    /// Number of a row's contact (Contact::GetIndex), and one more than the largest there is.
+    [[nodiscard]] int GetNumber(int contact) const {
+        const auto row = static_cast<size_t>(contact);
+        return row < m_handles.size() ? m_handles[row].numberOfRow : contact;
+    }
+    [[nodiscard]] size_t GetNumberEnd() const { return std::max(flags.size(), m_handles.size()); }
 
     [[nodiscard]] size_t GetMemoryBytes() const;
     [[nodiscard]] static size_t GetBytesPerRow();

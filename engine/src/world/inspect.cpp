@@ -146,7 +146,7 @@ const TOIStats& GetDistanceWork(const World& world) { return world.GetState().di
 
 void GetContactColours(const World& world, std::vector<int>& colours) {
     const WorldState& s = world.GetState();
-    colours.assign(static_cast<size_t>(s.contacts.Size()), -1);
+    colours.assign(s.contacts.GetNumberEnd(), -1);
     // The soft step solves all active contacts, or group by group; sequential impulses those of large islands.
     const std::span<const SubstepGroup> groups = s.substepGroups.Get();
     const std::vector<int>& active = groups.empty() ? s.active.contacts : groups.back().lists.contacts;
@@ -154,9 +154,9 @@ void GetContactColours(const World& world, std::vector<int>& colours) {
     const std::span<const int> found = s.solverScratch.blocks.GetColours();
     if (list.empty() || found.size() != list.size()) return;
     for (size_t i = 0; i < list.size(); ++i) {
-        const auto contact = static_cast<size_t>(list[i]);
         // A row that another contact has taken since does not touch yet.
-        if (s.contacts.IsAlive(list[i]) && s.contacts.Has(list[i], ContactFlag::touching)) colours[contact] = found[i];
+        if (!s.contacts.IsAlive(list[i]) || !s.contacts.Has(list[i], ContactFlag::touching)) continue;
+        colours[static_cast<size_t>(s.contacts.GetNumber(list[i]))] = found[i];
     }
 }
 
