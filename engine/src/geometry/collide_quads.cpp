@@ -45,8 +45,7 @@ struct Keys {
 
 void QuadBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const PolygonShape& b, const Transform& xfB) {
     static_assert(sizeof(Transform) == 4 * sizeof(float));
-    const int lane = m_size++;
-    m_id[lane] = id;
+    const int lane = Take(id);
     if (m_shapeA[lane] != &a) LoadShape(*(m_shapeA[lane] = &a), lane, m_pairs.a);
     if (m_shapeB[lane] != &b) LoadShape(*(m_shapeB[lane] = &b), lane, m_pairs.b);
     m_pairs.placedA[lane] = &xfA.p.x;
@@ -56,7 +55,7 @@ void QuadBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const P
 }
 
 void QuadBatch::Collide() {
-    FillSpareLanes(m_pairs, m_size);
+    FillSpareLanes(m_pairs, Size());
     m_kernel(m_pairs, m_contacts);
 }
 
@@ -89,8 +88,7 @@ void QuadBatch::Write(int pair, Manifold& manifold) const {
 
 void QuadDiskBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const CircleShape& b,
                         const Transform& xfB) {
-    const int lane = m_size++;
-    m_id[lane] = id;
+    const int lane = Take(id);
     if (m_shapeA[lane] != &a) LoadShape(*(m_shapeA[lane] = &a), lane, m_pairs.a);
     m_pairs.placedA[lane] = &xfA.p.x;
     m_pairs.placedB[lane] = &xfB.p.x;
@@ -99,7 +97,7 @@ void QuadDiskBatch::Add(int id, const PolygonShape& a, const Transform& xfA, con
 }
 
 void QuadDiskBatch::Collide() {
-    FillSpareLanes(m_pairs, m_size);
+    FillSpareLanes(m_pairs, Size());
     m_kernel(m_pairs, m_contacts);
 }
 
