@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The kernel for the instruction set that the whole library is compiled for, and the choice of the best one.
+// The kernels for the instruction set that the whole library is compiled for, and the choice of the best one.
 
 #define SCREE_QUAD_NAME(kernel) kernel##Base
 #include "geometry/quad_kernel.inc"

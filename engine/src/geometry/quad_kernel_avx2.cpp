@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The kernel for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
+// The kernels for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
 
 #if defined(__AVX2__)
 #define SCREE_QUAD_NAME(kernel) kernel##Avx2

@@ -211,7 +211,7 @@ private:
         const int body = m_t.fixtures.body[Row(fixture)];
         const int otherBody = m_t.fixtures.body[Row(other)];
         if (otherBody == body || m_t.fixtures.isSensor[Row(other)] || !MayMeet(body, otherBody)) return;
-        if (m_bodies.type[Row(otherBody)] == staticBody && IsClear(fixture, other)) return;
+        if (m_bodies.type[Row(otherBody)] == staticBody && IsClear(fixture, other, 0.0f)) return;
         if (m_s.knownTo[Row(other)] == m_s.round) return;
         if (!MayPush(fixture, other)) return;
         const int index = static_cast<int>(m_s.pairs.size());
@@ -235,10 +235,8 @@ private:
         return MayHaveContact(std::min(fixture, other), std::max(fixture, other), m_events, m_t.fixtures, m_t.joints);
     }
 
-    /// Spares the search for a time of impact where boxes overlap but shapes are far apart, as with slanted slabs.
-    [[nodiscard]] bool IsClear(int fixture, int other) const { return IsClear(fixture, other, 0.0f); }
-    /// The same where shapes may touch: an event begins only some slops below the surfaces, where disks that roll never
-    /// get. Leaves as much again as an event's tolerance to rounding.
+    /// Spares the search for a time of impact where shapes may touch: an event begins only some slops below the
+    /// surfaces, where disks that roll never get. Leaves as much again as an event's tolerance to rounding.
     [[nodiscard]] bool PassesBy(const ToiPair& pair) const {
         const bool isStaticA = m_bodies.type[Row(pair.bodyA)] == staticBody;
         if (!isStaticA && m_bodies.type[Row(pair.bodyB)] != staticBody) return false;
@@ -248,7 +246,8 @@ private:
         const float radii = m_t.fixtures.shape[Row(fixture)]->m_radius + m_t.fixtures.shape[Row(other)]->m_radius;
         return IsClear(fixture, other, radii - (TOITarget(radii, scale) + 2.0f * toiTolerance * scale));
     }
-    /// Whether the way of a fixture leads past a static one by less than `overlap` of the surfaces.
+    /// True if a fixture, on its whole way, surely overlaps a static one by less than `overlap`; with 0 they stay
+    /// apart, as where the boxes of slanted slabs overlap.
     [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const {
         const int body = m_t.fixtures.body[Row(fixture)], otherBody = m_t.fixtures.body[Row(other)];
         const float reach = Reach(*m_t.fixtures.shape[Row(fixture)], m_bodies.mass[Row(body)].localCenter);
