@@ -63,7 +63,7 @@ Plot MakeTotalsPlot(std::span<const BenchRow> rows) {
     plot.title = fmt::format("{}: {} steps, continuous collision {}", rows.front().scene, rows.front().steps,
                              rows.front().continuous ? "on" : "off");
     for (const BenchRow& row : rows) {
-        CurveOf(plot, row).points.push_back({static_cast<double>(row.fixtures), row.totalMs});
+        CurveOf(plot, row).points.push_back({static_cast<double>(row.fixtures), row.totalMs, !row.complete});
     }
     return plot;
 }
@@ -132,7 +132,7 @@ std::string MakePlotScript(const Plot& plot, const std::string& terminal, const 
         script += fmt::format("set bmargin 5.5\nset label {} at screen 0.5,0.03 center font ',9' noenhanced\n",
                               QuoteForGnuplot(plot.note));
     }
-    std::string curves;
+    std::string curves, least;
     std::size_t longest = 0;
     for (const PlotCurve& curve : plot.curves) longest = std::max(longest, curve.points.size());
     // Many points would hide their lines.
@@ -142,9 +142,17 @@ std::string MakePlotScript(const Plot& plot, const std::string& terminal, const 
         script += fmt::format("$curve{} << END\n", i);
         for (const PlotPoint& point : curve.points) script += fmt::format("{} {}\n", point.x, point.y);
         script += "END\n";
+        for (const PlotPoint& point : curve.points) {
+            if (point.isLeast) least += fmt::format("{} {}\n", point.x, point.y);
+        }
         curves += fmt::format(
             "{}$curve{} with linespoints linecolor '{}' linewidth 1 pointtype {} pointsize {} title {}",
             curves.empty() ? "plot " : ", ", i, curve.color, curve.pointType, pointSize, QuoteForGnuplot(curve.title));
+    }
+    if (!least.empty()) {
+        script += "$least << END\n" + least + "END\n";
+        // Hollow and larger than any curve's own points, so that these are seen inside it.
+        curves += ", $least with points linecolor '#000000' pointtype 8 pointsize 2.4 title 'stopped: at least this'";
     }
     return script + curves + "\n";
 }

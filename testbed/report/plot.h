@@ -17,6 +17,7 @@ namespace testbed {
 
 struct PlotPoint {
     double x = 0, y = 0;
+    bool isLeast = false;  ///< y is a lower bound: the run was stopped. Drawn within an upward triangle.
 };
 
 struct PlotCurve {
@@ -33,7 +34,8 @@ struct Plot {
     bool logarithmic = false;  ///< both axes
 };
 
-/// Fixtures on x, total ms on y: one curve per engine and setting of the rows of one scene (figures 13–16, 19–31).
+/// Fixtures on x, total ms on y: one curve per engine and setting of the rows of one scene (figures 13–16, 19–31). Runs
+/// that were stopped are lower bounds.
 [[nodiscard]] Plot MakeTotalsPlot(std::span<const BenchRow> rows);
 
 /// Moving bodies on x, ns per body and step on y, both logarithmic: one curve per scene, engine and setting, for scenes

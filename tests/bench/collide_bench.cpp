@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The collision function of every pair of shapes, the distance, and the time of impact, over 256 random poses of which
-// about half touch: per call.
+// The collision function of every pair of shapes, those that go eight at a time, the distance, and the time of impact,
+// over 256 random poses of which about half touch: per call.
 
 #include <array>
 #include <random>
 #include <stdexcept>
 
+#include "geometry/collide_quads.h"
 #include "scree/collision.h"
 #include "scree/distance.h"
 #include "scree/time_of_impact.h"
@@ -48,6 +49,33 @@ void Run(benchmark::State& state, const Collide& collide) {
 template <typename Collide>
 void Register(const char* name, const Collide& collide) {
     benchmark::RegisterBenchmark(name, [collide](benchmark::State& state) { Run(state, collide); });
+}
+
+/// The same poses of `b` before a box, in batches.
+template <typename Batch, typename Shape>
+void RegisterBatch(const char* name, const PolygonShape& box, const Shape& b) {
+    benchmark::RegisterBenchmark(name, [=](benchmark::State& state) {
+        const auto poses = MakePoses();
+        Transform origin;
+        origin.SetIdentity();
+        Batch batch;
+        int points = 0;
+        for (auto _ : state) {
+            for (int i = 0; i < poseCount; ++i) {
+                batch.Add(i, box, origin, b, poses[static_cast<size_t>(i)]);
+                if (!batch.IsFull()) continue;
+                batch.Collide();
+                for (int pair = 0; pair < batch.Size(); ++pair) {
+                    Manifold manifold;
+                    batch.Write(pair, manifold);
+                    points += manifold.pointCount;
+                }
+                batch.Clear();
+            }
+        }
+        benchmark::DoNotOptimize(points);
+        SetItems(state, poseCount, "call");
+    });
 }
 
 PolygonShape MakeBox() {
@@ -141,6 +169,8 @@ void RegisterCollide() {
              [=](Manifold* m, const Transform& pose) { CollidePolygonAndCircle(m, &box, origin, &circle, pose); });
     Register("collide/box-box",
              [=](Manifold* m, const Transform& pose) { CollidePolygons(m, &box, origin, &box, pose); });
+    RegisterBatch<QuadBatch>("collide/box-box/eight", box, box);
+    RegisterBatch<QuadDiskBatch>("collide/box-circle/eight", box, circle);
     Register("collide/octagon-octagon",
              [=](Manifold* m, const Transform& pose) { CollidePolygons(m, &octagon, origin, &octagon, pose); });
     Register("collide/edge-circle",

@@ -29,6 +29,8 @@ public:
     TaskPool& operator=(const TaskPool&) = delete;
 
     [[nodiscard]] int GetWorkerCount() const { return m_workerCount; }
+    /// Between Begin and End, with more than one worker.
+    [[nodiscard]] bool IsOpen() const { return m_inStep; }
     void Begin();
     void End();
 

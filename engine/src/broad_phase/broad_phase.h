@@ -21,6 +21,8 @@
 
 namespace scree {
 
+class TaskPool;
+
 /// What a body's motion type means to the broad phase.
 enum class Motion : uint8_t { isStatic = 0, kinematic = 1, dynamic = 2 };
 
@@ -71,12 +73,16 @@ public:
     /// Gives the fixture a new box; `displacement` is its body's motion since the last update (the fattened tree looks
     /// ahead along it). O(1) except in the fattened tree (O(log n) when the box leaves its margin).
     virtual void Update(uint32_t fixture, const AABB& box, Vec2 displacement) = 0;
+    /// Whether displacements matter; if not, any may be given.
+    [[nodiscard]] virtual bool UsesDisplacement() const { return false; }
     /// Update for many fixtures, in this order.
     virtual void UpdateMany(std::span<const BoxUpdate> updates) {
         for (const BoxUpdate& update : updates) Update(update.fixture, update.box, update.displacement);
     }
     /// O(1).
     virtual void Remove(uint32_t fixture) = 0;
+    /// Lets FindPairs share its work, which leaves every result as it is. The pool must outlive the calls of FindPairs.
+    virtual void ShareWork(TaskPool& /*pool*/) {}
     /// Writes the complete pair set into `pairs` (cleared first).
     virtual void FindPairs(std::vector<Pair>& pairs) = 0;
 

@@ -40,6 +40,8 @@ public:
         Buffer(leaf);
     }
 
+    [[nodiscard]] bool UsesDisplacement() const override { return true; }
+
     void Remove(uint32_t fixture) override {
         const uint32_t leaf = m_leaves.Find(fixture);
         // The mark outlives the node, so its pairs are dropped even if the node is used again before FindPairs.

@@ -30,6 +30,7 @@ class Keys final : public TreeBroadPhase {
 public:
     explicit Keys(const BroadPhaseConfig& config) : TreeBroadPhase(config, SplitBarycentre, bestLeafSize) {}
 
+    void ShareWork(TaskPool& pool) override { m_pool = &pool; }
     void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
         m_uses = longestUse;
         TreeBroadPhase::Insert(fixture, body, motion, box);
@@ -47,7 +48,7 @@ protected:
             m_uses = 0;
             m_sizeWhenSplit = KeysBuilder::SumHalfPerimeters(tree);
         }
-        const uint64_t tests = m_detector.DetectSelf(tree, m_store, RootCandidates(), sink);
+        const uint64_t tests = m_detector.DetectSelf(tree, m_store, RootCandidates(), m_pool, sink);
         m_stats.boxTests += tests;
         if (m_uses == 0) m_testsWhenSplit = tests;
         if (static_cast<double>(tests) > mostTests * static_cast<double>(m_testsWhenSplit)) m_uses = longestUse;
@@ -71,6 +72,7 @@ private:
 
     KeysBuilder m_builder;
     KeysDetector m_detector;
+    TaskPool* m_pool = nullptr;
     int m_uses = longestUse;        ///< how often the main tree's splits were used again
     float m_sizeWhenSplit = 0.0f;   ///< half perimeters of the nodes it had then
     uint64_t m_testsWhenSplit = 0;  ///< box tests of the detection then

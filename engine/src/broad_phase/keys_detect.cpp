@@ -13,6 +13,10 @@ namespace {
 
 /// Candidates are tested against a leaf in blocks, so that the hits stay in the first-level cache.
 constexpr uint32_t hitBlock = 2048;
+/// Below this many boxes a walk is not worth sharing.
+constexpr uint32_t leastBoxesToShare = 2048;
+/// Parts of a shared walk per worker, about: more are better balanced, and each copies its candidates once more.
+constexpr uint32_t partsPerWorker = 8;
 /// A store of four lanes writes beyond the last hit.
 constexpr uint32_t hitSlack = 4;
 
@@ -171,28 +175,40 @@ __attribute__((noinline)) std::pair<uint32_t, uint32_t> FilterForBoth(CandidateA
 template <bool self>
 struct KeysWalk {
     const FlatTree& tree;
-    KeysDetector& buffers;
+    KeysBuffers& buffers;
     PairSink& sink;
+    KeysCut* cut = nullptr;  ///< where the walk leaves parts to others; null: nowhere
     uint64_t boxTests = 0;
 
     [[nodiscard]] CandidateArrays At(uint32_t index) const {
-        return {buffers.m_boxes.data() + index, buffers.m_ids.data() + index};
+        return {buffers.boxes.data() + index, buffers.ids.data() + index};
     }
-    [[nodiscard]] Hits HitArrays() const { return {buffers.m_hitsFirst.data(), buffers.m_hitsSecond.data()}; }
+    [[nodiscard]] Hits HitArrays() const { return {buffers.hitsFirst.data(), buffers.hitsSecond.data()}; }
 
     void ReserveCandidates(size_t count) {
-        if (buffers.m_boxes.size() >= count) return;
-        buffers.m_boxes.resize(2 * count);
-        buffers.m_ids.resize(2 * count);
+        if (buffers.boxes.size() >= count) return;
+        buffers.boxes.resize(2 * count);
+        buffers.ids.resize(2 * count);
     }
     void ReserveHits(size_t count) {
-        if (buffers.m_hitsFirst.size() >= count) return;
-        buffers.m_hitsFirst.resize(2 * count);
+        if (buffers.hitsFirst.size() >= count) return;
+        buffers.hitsFirst.resize(2 * count);
         // The odd part keeps both arrays from starting at the same page offset.
-        buffers.m_hitsSecond.resize(2 * count + 208);
+        buffers.hitsSecond.resize(2 * count + 208);
+    }
+
+    void LeaveToOthers(const TreeNode& node, uint32_t firstCandidate, uint32_t count) {
+        cut->parts.push_back({&node, cut->boxes.size(), count});
+        const CandidateArrays candidates = At(firstCandidate);
+        cut->boxes.insert(cut->boxes.end(), candidates.boxes, candidates.boxes + count);
+        cut->ids.insert(cut->ids.end(), candidates.ids, candidates.ids + count);
     }
 
     void Recurse(const TreeNode& node, uint32_t firstCandidate, uint32_t count) {
+        if (cut != nullptr && node.count <= cut->largest) {
+            LeaveToOthers(node, firstCandidate, count);
+            return;
+        }
         if (node.IsLeaf()) {
             FinishLeaf(node, firstCandidate, count);
             return;
@@ -251,33 +267,83 @@ struct KeysWalk {
     }
 };
 
-uint64_t KeysDetector::DetectSelf(const FlatTree& tree, const ProxyStore& store, SlotRange outside, PairSink& sink) {
+uint64_t KeysDetector::DetectSelf(const FlatTree& tree, const ProxyStore& store, SlotRange outside, TaskPool* pool,
+                                  PairSink& sink) {
     if (tree.Empty()) return 0;
-    KeysWalk<true> walk{tree, *this, sink};
+    const bool isShared = pool != nullptr && pool->IsOpen() && tree.Size() >= leastBoxesToShare;
+    KeysWalk<true> walk{tree, m_buffers[0], sink, isShared ? &m_cut : nullptr};
     walk.ReserveCandidates(outside.count);
     for (uint32_t i = 0; i < outside.count; ++i) {
-        m_boxes[i] = ToBounds(store.Box(outside.first + i));
-        m_ids[i] = store.Id(outside.first + i);
+        m_buffers[0].boxes[i] = ToBounds(store.Box(outside.first + i));
+        m_buffers[0].ids[i] = store.Id(outside.first + i);
     }
+    if (!isShared) {
+        walk.Recurse(tree.nodes[0], 0, outside.count);
+        return walk.boxTests;
+    }
+    m_cut.largest = tree.Size() / (partsPerWorker * static_cast<uint32_t>(pool->GetWorkerCount()));
+    m_cut.parts.clear();
+    m_cut.boxes.clear();
+    m_cut.ids.clear();
     walk.Recurse(tree.nodes[0], 0, outside.count);
-    return walk.boxTests;
+    return walk.boxTests + FinishParts(tree, *pool, sink);
+}
+
+uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink) {
+    if (m_buffers.size() < static_cast<size_t>(pool.GetWorkerCount()))
+        m_buffers.resize(static_cast<size_t>(pool.GetWorkerCount()));
+    for (KeysBuffers& buffers : m_buffers) buffers.pairCount = 0;
+    pool.For(static_cast<int>(m_cut.parts.size()), 2, [&](int begin, int end, int worker) {
+        KeysBuffers& own = m_buffers[static_cast<size_t>(worker)];
+        for (int i = begin; i < end; ++i) {
+            KeysCut::Part& part = m_cut.parts[static_cast<size_t>(i)];
+            PairSink found(own.pairs, own.pairCount);
+            KeysWalk<true> walk{tree, own, found};
+            walk.ReserveCandidates(part.candidateCount);
+            std::copy_n(m_cut.boxes.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
+                        own.boxes.begin());
+            std::copy_n(m_cut.ids.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
+                        own.ids.begin());
+            walk.Recurse(*part.node, 0, part.candidateCount);
+            part.worker = worker;
+            part.firstPair = own.pairCount;
+            part.pairCount = found.End() - own.pairCount;
+            part.boxTests = walk.boxTests;
+            own.pairCount = found.End();
+        }
+    });
+    uint64_t boxTests = 0;
+    for (const KeysCut::Part& part : m_cut.parts) {
+        const std::vector<Pair>& found = m_buffers[static_cast<size_t>(part.worker)].pairs;
+        std::copy_n(found.begin() + static_cast<ptrdiff_t>(part.firstPair), part.pairCount,
+                    sink.Reserve(part.pairCount));
+        sink.Commit(part.pairCount);
+        boxTests += part.boxTests;
+    }
+    return boxTests;
 }
 
 uint64_t KeysDetector::DetectBetween(const FlatTree& batch, const FlatTree& tree, PairSink& sink) {
     if (batch.Empty() || tree.Empty()) return 0;
-    KeysWalk<false> walk{tree, *this, sink};
+    KeysWalk<false> walk{tree, m_buffers[0], sink};
     walk.ReserveCandidates(batch.Size());
     for (uint32_t i = 0; i < batch.Size(); ++i) {
-        m_boxes[i] = batch.Box(i);
-        m_ids[i] = batch.Ids()[i];
+        m_buffers[0].boxes[i] = batch.Box(i);
+        m_buffers[0].ids[i] = batch.Ids()[i];
     }
     walk.Recurse(tree.nodes[0], 0, batch.Size());
     return walk.boxTests;
 }
 
+size_t KeysBuffers::GetMemoryBytes() const {
+    return boxes.capacity() * sizeof(Bounds) + ids.capacity() * sizeof(ItemId) +
+           (hitsFirst.capacity() + hitsSecond.capacity()) * sizeof(uint32_t) + pairs.capacity() * sizeof(Pair);
+}
+
 size_t KeysDetector::GetMemoryBytes() const {
-    return m_boxes.capacity() * sizeof(Bounds) + m_ids.capacity() * sizeof(ItemId) +
-           (m_hitsFirst.capacity() + m_hitsSecond.capacity()) * sizeof(uint32_t);
+    size_t bytes = m_cut.boxes.capacity() * sizeof(Bounds) + m_cut.ids.capacity() * sizeof(ItemId);
+    for (const KeysBuffers& buffers : m_buffers) bytes += buffers.GetMemoryBytes();
+    return bytes;
 }
 
 }  // namespace scree::broadphase

@@ -5,33 +5,66 @@
 // outside boxes that overlap its box; both children take over those that overlap them, and the larger child also the
 // boxes of its smaller sibling that do. In a leaf, rows of four boxes are compared at a time and hits are written
 // without a branch.
+//
+// Several workers share one walk: it is cut where subtrees have become small, the workers finish these, and their pairs
+// are put together in the order of the walk, so that the result is that of one worker.
 
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
 #include "broad_phase/top_down.h"
 
 namespace scree::broadphase {
 
+/// What one worker walks with.
+struct KeysBuffers {
+    std::vector<Bounds> boxes;                    ///< the stack of candidate sets
+    std::vector<ItemId> ids;                      ///< likewise
+    std::vector<uint32_t> hitsFirst, hitsSecond;  ///< hits of one kernel call
+    std::vector<Pair> pairs;                      ///< found in parts of a shared walk
+    size_t pairCount = 0;
+
+    [[nodiscard]] size_t GetMemoryBytes() const;
+};
+
+/// The parts of a shared walk, in its order.
+struct KeysCut {
+    /// A subtree that waits with its candidates, and then what was found in it.
+    struct Part {
+        const TreeNode* node;
+        size_t firstCandidate;
+        uint32_t candidateCount;
+        int worker = 0;
+        size_t firstPair = 0, pairCount = 0;
+        uint64_t boxTests = 0;
+    };
+    uint32_t largest = 0;  ///< boxes of a subtree that is a part
+    std::vector<Part> parts;
+    std::vector<Bounds> boxes;  ///< of all parts' candidates
+    std::vector<ItemId> ids;    ///< likewise
+};
+
 class KeysDetector {
 public:
-    /// Pairs inside the tree, and between it and the slots given (which are not in it). Returns the box tests.
-    uint64_t DetectSelf(const FlatTree& tree, const ProxyStore& store, SlotRange outside, PairSink& sink);
+    /// Pairs inside the tree, and between it and the slots given (which are not in it). Returns the box tests. The pool
+    /// may be null.
+    uint64_t DetectSelf(const FlatTree& tree, const ProxyStore& store, SlotRange outside, TaskPool* pool,
+                        PairSink& sink);
     /// Pairs between the boxes of two trees.
     uint64_t DetectBetween(const FlatTree& batch, const FlatTree& tree, PairSink& sink);
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    template <bool self>
-    friend struct KeysWalk;
+    /// Finishes the parts of a walk that was cut. Returns their box tests.
+    uint64_t FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink);
 
-    std::vector<Bounds> m_boxes;                      ///< the stack of candidate sets
-    std::vector<ItemId> m_ids;                        ///< likewise
-    std::vector<uint32_t> m_hitsFirst, m_hitsSecond;  ///< hits of one kernel call
+    std::vector<KeysBuffers> m_buffers = std::vector<KeysBuffers>(1);  ///< of each worker
+    KeysCut m_cut;
 };
 
 }  // namespace scree::broadphase

@@ -29,7 +29,8 @@ constexpr uint32_t GroupOf(uint32_t body, Motion motion) { return motion == Moti
 
 class PairSink {
 public:
-    explicit PairSink(std::vector<Pair>& out) : m_out(out) {}
+    /// Writes from out[first] on.
+    explicit PairSink(std::vector<Pair>& out, size_t first = 0) : m_out(out), m_count(first) {}
     PairSink(const PairSink&) = delete;
     PairSink& operator=(const PairSink&) = delete;
 
@@ -46,6 +47,9 @@ public:
         m_count += a.group != b.group ? 1 : 0;
     }
 
+    /// Behind the last pair written.
+    [[nodiscard]] size_t End() const { return m_count; }
+
     /// Cuts the vector to the pairs written.
     void Finish() { m_out.resize(m_count); }
 
@@ -58,7 +62,7 @@ private:
     }
 
     std::vector<Pair>& m_out;
-    size_t m_count = 0;
+    size_t m_count;
 };
 
 }  // namespace scree::broadphase

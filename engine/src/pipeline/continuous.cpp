@@ -120,7 +120,7 @@ private:
     }
 
     void SweepBoxesOf(int body) {
-        for (int f = m_bodies.info[Row(body)].fixtureHead; f >= 0; f = m_t.fixtures.info[Row(f)].next) {
+        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
             m_t.broadPhase.Update(static_cast<uint32_t>(f), SweptBox(body, f), vec2Zero);
         }
     }
@@ -166,7 +166,7 @@ private:
         if (!known) return CollectPairs(body, isBullet);
         if (known->empty()) return;
         m_s.found.assign(known->begin(), known->end());  // a filter that is asked may make what is known forgotten
-        for (int f = m_bodies.info[Row(body)].fixtureHead; f >= 0; f = m_t.fixtures.info[Row(f)].next) {
+        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
             if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
             MarkKnown(body, f);
             const AABB box = SweptBox(body, f);
@@ -178,7 +178,7 @@ private:
 
     /// Makes the pairs of a body with everything on its way and puts their events into the heap.
     void CollectPairs(int body, bool withDynamic) {
-        for (int f = m_bodies.info[Row(body)].fixtureHead; f >= 0; f = m_t.fixtures.info[Row(f)].next) {
+        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
             if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
             m_s.found.clear();
             const auto visit = [&](uint32_t other) {

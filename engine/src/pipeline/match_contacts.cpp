@@ -14,18 +14,35 @@ namespace scree {
 
 namespace {
 
-/// Marks the contacts of the pairs; those that have none and may get one go to `fresh`. Follows the order of the last
-/// call and asks the hash where the pairs leave it: a pair that is gone or new is one such place.
-void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t, std::vector<uint64_t>& fresh) {
-    ContactTable& contacts = t.contacts;
-    int* follower = &contacts.firstMatched;
-    for (const Pair& pair : pairs) {
-        int contact = *follower;
-        if (!contacts.IsRowOf(contact, pair.a, pair.b)) contact = contacts.Find(pair.a, pair.b);
-        if (contact >= 0) {
-            contacts.flags[static_cast<size_t>(contact)] |= ContactFlag::marked;
-            *follower = contact;
+/// Below this many pairs their contacts are not worth looking for on several threads.
+constexpr int leastPairsToShare = 1024;
+
+/// The contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the pairs
+/// leave it: a pair that is gone or new is one such place, the start of a worker's range another.
+void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts, std::vector<int>& found) {
+    if (found.size() < pairs.size()) found.resize(pairs.size());
+    pool.For(static_cast<int>(pairs.size()), leastPairsToShare, [&](int begin, int end, int /*worker*/) {
+        int ownFirst = -1;
+        int* follower = begin == 0 ? &contacts.firstMatched : &ownFirst;
+        for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
+            int contact = *follower;
+            if (!contacts.IsRowOf(contact, pairs[i].a, pairs[i].b)) contact = contacts.Find(pairs[i].a, pairs[i].b);
+            found[i] = contact;
+            if (contact < 0) continue;
+            if (*follower != contact) *follower = contact;
             follower = &contacts.successor[static_cast<size_t>(contact)];
+        }
+    });
+}
+
+/// Marks the contacts of the pairs; those that have none and may get one go to `fresh`.
+void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t, std::vector<uint64_t>& fresh) {
+    std::vector<int>& found = t.contacts.matched;
+    FindContacts(pairs, t.pool, t.contacts, found);
+    for (size_t i = 0; i < pairs.size(); ++i) {
+        const Pair pair = pairs[i];
+        if (found[i] >= 0) {
+            t.contacts.flags[static_cast<size_t>(found[i])] |= ContactFlag::marked;
         } else if (events.filter != nullptr ||
                    MayHaveContact(static_cast<int>(pair.a), static_cast<int>(pair.b), events, t.fixtures, t.joints)) {
             fresh.push_back(static_cast<uint64_t>(pair.b) << 32 | pair.a);

@@ -9,6 +9,7 @@
 
 #include <span>
 
+#include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
 #include "pipeline/contact_events.h"
 #include "state/bodies.h"
@@ -19,6 +20,7 @@
 namespace scree {
 
 struct MatchTables {
+    TaskPool& pool;
     BodyTable& bodies;
     FixtureTable& fixtures;
     JointTable& joints;

@@ -45,15 +45,18 @@ template <bool isFar>
 class BoxBatch {
 public:
     BoxBatch(const BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase)
-        : m_bodies(bodies), m_fixtures(fixtures), m_broadPhase(broadPhase) {}
+        : m_bodies(bodies),
+          m_fixtures(fixtures),
+          m_broadPhase(broadPhase),
+          m_usesDisplacement(broadPhase.UsesDisplacement()) {}
 
     [[gnu::always_inline]] void Add(int body) {
         const auto b = static_cast<size_t>(body);
         m_farthest = Max(SizeOf(m_bodies.position[b]), m_farthest);
         const Vec2 c = m_bodies.position[b].c;
-        const Vec2 displacement = isFar ? m_bodies.GetMotion(b) : c - m_bodies.startPosition[b].c;
+        const Vec2 displacement = m_usesDisplacement ? m_bodies.GetMotion(b) : vec2Zero;
         const Transform xf = isFar ? TransformIn(c, m_bodies, body) : m_bodies.transform[b];
-        for (int f = m_bodies.info[b].fixtureHead; f >= 0; f = m_fixtures.info[static_cast<size_t>(f)].next) {
+        for (const int f : m_fixtures.From(m_bodies.fixtureHead[b])) {
             if (m_count == capacity) Flush();
             BoxUpdate& update = m_updates[m_count++];
             update.box = BoxOfFixture(m_fixtures, static_cast<size_t>(f), xf);
@@ -74,6 +77,7 @@ private:
     const BodyTable& m_bodies;
     const FixtureTable& m_fixtures;
     BroadPhase& m_broadPhase;
+    const bool m_usesDisplacement;
     size_t m_count = 0;
     Float4 m_farthest = Splat(0.0f);  ///< x and y
     BoxUpdate m_updates[capacity];
@@ -110,8 +114,7 @@ float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, int body, Vec2 displacement,
                      BroadPhase& broadPhase) {
     const BodyPlace place(bodies, body);
-    for (int f = bodies.info[static_cast<size_t>(body)].fixtureHead; f >= 0;
-         f = fixtures.info[static_cast<size_t>(f)].next) {
+    for (const int f : fixtures.From(bodies.fixtureHead[static_cast<size_t>(body)])) {
         broadPhase.Update(static_cast<uint32_t>(f),
                           place.OutOf(BoxOfFixture(fixtures, static_cast<size_t>(f), place.xf)), displacement);
     }

@@ -36,6 +36,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     EnsureRow(sleepTime, index);
     EnsureRow(flags, index);
     EnsureRow(type, index);
+    EnsureRow(fixtureHead, index);
     EnsureRow(info, index);
     while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
 
@@ -52,6 +53,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
                                      (def.allowSleep ? BodyFlag::autoSleep : 0) | (def.bullet ? BodyFlag::bullet : 0) |
                                      (def.fixedRotation ? BodyFlag::fixedRotation : 0) |
                                      (def.enabled ? BodyFlag::enabled : 0));
+    fixtureHead[i] = -1;
     info[i] = BodyInfo{};
     info[i].userData = def.userData;
     Link(index);

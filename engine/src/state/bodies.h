@@ -71,7 +71,6 @@ struct BodyFlag {
 /// Cold data of a body.
 struct BodyInfo {
     float inertia = 0.0f;  ///< about the centre of mass
-    int fixtureHead = -1;  ///< first fixture, newest first
     int fixtureCount = 0;
     int jointCount = 0;
     int listPrev = -1, listNext = -1;
@@ -94,6 +93,7 @@ struct BodyTable {
     std::vector<float> sleepTime;    ///< s
     std::vector<uint16_t> flags;     ///< BodyFlag
     std::vector<BodyType> type;
+    std::vector<int> fixtureHead;  ///< first fixture, newest first; −1 none (FixtureTable::From)
     std::vector<BodyInfo> info;
     std::deque<Body> handles;
 

@@ -48,7 +48,8 @@ struct ContactTable {
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
     std::vector<int> successor;
     int firstMatched = -1;             ///< where that order begins
-    std::vector<uint64_t> freshPairs;  ///< scratch of the matching
+    std::vector<int> matched;          ///< scratch of the matching: the contact of each pair
+    std::vector<uint64_t> freshPairs;  ///< likewise
 
     [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
     [[nodiscard]] bool IsAlive(int contact) const {

@@ -16,6 +16,7 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     EnsureRow(isSensor, index);
     EnsureRow(filter, index);
     EnsureRow(material, index);
+    EnsureRow(next, index);
     EnsureRow(info, index);
     while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
 
@@ -24,6 +25,7 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     isSensor[i] = def.isSensor ? 1 : 0;
     filter[i] = def.filter;
     material[i] = {def.friction, def.restitution, def.restitutionThreshold};
+    next[i] = -1;
     info[i] = FixtureInfo{};
     info[i].density = def.density;
     info[i].userData = def.userData;
@@ -75,7 +77,7 @@ void FixtureTable::Remove(int fixture) {
 }
 
 size_t FixtureTable::GetBytesPerRow() {
-    return 2 * sizeof(int) + sizeof(Shape*) + sizeof(Shape::Type) + sizeof(uint8_t) + sizeof(Filter) +
+    return 3 * sizeof(int) + sizeof(Shape*) + sizeof(Shape::Type) + sizeof(uint8_t) + sizeof(Filter) +
            sizeof(Material) + sizeof(FixtureInfo) + sizeof(Fixture) + sizeof(PolygonShape);
 }
 

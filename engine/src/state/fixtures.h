@@ -6,6 +6,7 @@
 #pragma once
 
 #include <deque>
+#include <iterator>
 #include <vector>
 
 #include "base/slots.h"
@@ -29,11 +30,30 @@ inline bool ShouldCollide(const Filter& a, const Filter& b) {
 /// Cold data of a fixture.
 struct FixtureInfo {
     float density = 0.0f;
-    int next = -1;        ///< next fixture of the body
     int chainId = -1;     ///< shared by the edges of one chain
     int chainIndex = -1;  ///< of this edge in it
     bool inBroadPhase = false;
     FixtureUserData userData;
+};
+
+/// Rows that follow each other through a column of successors.
+struct FixtureList {
+    struct Iterator {
+        const std::vector<int>* next;
+        int row;
+
+        int operator*() const { return row; }
+        Iterator& operator++() {
+            row = (*next)[static_cast<size_t>(row)];
+            return *this;
+        }
+        bool operator!=(std::default_sentinel_t) const { return row >= 0; }
+    };
+    const std::vector<int>* next;
+    int head;
+
+    [[nodiscard]] Iterator begin() const { return {next, head}; }
+    [[nodiscard]] static std::default_sentinel_t end() { return {}; }
 };
 
 struct FixtureTable {
@@ -44,11 +64,14 @@ struct FixtureTable {
     std::vector<uint8_t> isSensor;
     std::vector<Filter> filter;
     std::vector<Material> material;
+    std::vector<int> next;  ///< fixture of the same body, −1 none
     std::vector<FixtureInfo> info;
     std::deque<Fixture> handles;
 
     int nextChainId = 0;
 
+    /// The list of fixtures that begins with `head`, as a range of rows.
+    [[nodiscard]] FixtureList From(int head) const { return {&next, head}; }
     /// Adds a row; the shape is no chain.
     int Add(WorldState* state, int bodyIndex, const FixtureDef& def);
     void Remove(int fixture);

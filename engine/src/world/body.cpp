@@ -273,7 +273,7 @@ ErrorCode Body::SetFixedRotation(bool flag) {
 bool Body::IsFixedRotation() const { return m_state->bodies.Has(m_index, BodyFlag::fixedRotation); }
 
 Fixture* Body::GetFixtureList() {
-    const int head = m_state->bodies.info[Row(m_index)].fixtureHead;
+    const int head = m_state->bodies.fixtureHead[Row(m_index)];
     return head < 0 ? nullptr : &m_state->fixtures.handles[Row(head)];
 }
 const Fixture* Body::GetFixtureList() const { return const_cast<Body*>(this)->GetFixtureList(); }

@@ -25,10 +25,8 @@ int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
     const Shape& shape = *s.fixtures.shape[Row(fixture)];
     if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
         s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
-    BodyInfo& info = s.bodies.info[Row(body)];
-    s.fixtures.info[Row(fixture)].next = info.fixtureHead;
-    info.fixtureHead = fixture;
-    ++info.fixtureCount;
+    s.fixtures.next[Row(fixture)] = std::exchange(s.bodies.fixtureHead[Row(body)], fixture);
+    ++s.bodies.info[Row(body)].fixtureCount;
     AddFixtureFeatures(s, fixture, 1);
     if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
     return fixture;
@@ -54,16 +52,15 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
 /// Unlinks and frees every fixture of the body for which `goes(fixture)` holds. Their contacts are gone already.
 template <typename Predicate>
 void DetachFixtures(WorldState& s, int body, Predicate goes) {
-    BodyInfo& info = s.bodies.info[Row(body)];
-    for (int* link = &info.fixtureHead; *link >= 0;) {
+    for (int* link = &s.bodies.fixtureHead[Row(body)]; *link >= 0;) {
         const int fixture = *link;
-        FixtureInfo& row = s.fixtures.info[Row(fixture)];
+        int& next = s.fixtures.next[Row(fixture)];
         if (!goes(fixture)) {
-            link = &row.next;
+            link = &next;
             continue;
         }
-        *link = row.next;
-        --info.fixtureCount;
+        *link = next;
+        --s.bodies.info[Row(body)].fixtureCount;
         RemoveProxy(s, fixture);
         AddFixtureFeatures(s, fixture, -1);
         s.fixtures.Remove(fixture);
@@ -75,7 +72,7 @@ Features FeaturesAs(WorldState& s, int body, BodyType type) {
     BodyType& own = s.bodies.type[Row(body)];
     const BodyType before = std::exchange(own, type);
     Features f = FeaturesOfBody(s.bodies, body);
-    for (int i = s.bodies.info[Row(body)].fixtureHead; i >= 0; i = s.fixtures.info[Row(i)].next) {
+    for (const int i : s.fixtures.From(s.bodies.fixtureHead[Row(body)])) {
         f = f | FeaturesOfFixture(s.fixtures, s.bodies, i);
     }
     own = before;
@@ -180,7 +177,7 @@ ErrorCode Body::SetType(BodyType type) {
     s.bodies.ClearForce(m_index);
     DestroyContactsOfBody(s, m_index);
     // The broad phase sorts its boxes by motion type.
-    for (int f = s.bodies.info[b].fixtureHead; f >= 0; f = s.fixtures.info[Row(f)].next) {
+    for (const int f : s.fixtures.From(s.bodies.fixtureHead[b])) {
         if (!s.fixtures.info[Row(f)].inBroadPhase) continue;
         RemoveProxy(s, f);
         AddProxy(s, f);
@@ -198,7 +195,7 @@ ErrorCode Body::SetEnabled(bool flag) {
     uint16_t& flags = s.bodies.flags[Row(m_index)];
     flags = static_cast<uint16_t>(flag ? flags | BodyFlag::enabled : flags & ~BodyFlag::enabled);
     if (!flag) DestroyContactsOfBody(s, m_index);
-    for (int f = s.bodies.info[Row(m_index)].fixtureHead; f >= 0; f = s.fixtures.info[Row(f)].next) {
+    for (const int f : s.fixtures.From(s.bodies.fixtureHead[Row(m_index)])) {
         flag ? AddProxy(s, f) : RemoveProxy(s, f);
     }
     return ErrorCode::ok;

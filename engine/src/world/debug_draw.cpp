@@ -92,10 +92,7 @@ void ForEachBody(const BodyTable& bodies, Visit visit) {
 
 template <typename Visit>
 void ForEachFixture(const WorldState& s, int body, Visit visit) {
-    for (int f = s.bodies.info[static_cast<size_t>(body)].fixtureHead; f >= 0;
-         f = s.fixtures.info[static_cast<size_t>(f)].next) {
-        visit(static_cast<size_t>(f));
-    }
+    for (const int f : s.fixtures.From(s.bodies.fixtureHead[static_cast<size_t>(body)])) visit(static_cast<size_t>(f));
 }
 
 void DrawShapes(const WorldState& s, Draw& draw) {

@@ -264,7 +264,7 @@ BodyFeatureEdit::~BodyFeatureEdit() { Add(1); }
 void BodyFeatureEdit::Add(int sign) {
     AddBodyFeatures(m_state, m_body, sign);
     if (!m_withFixtures) return;
-    for (int f = m_state.bodies.info[Row(m_body)].fixtureHead; f >= 0; f = m_state.fixtures.info[Row(f)].next) {
+    for (const int f : m_state.fixtures.From(m_state.bodies.fixtureHead[Row(m_body)])) {
         AddFixtureFeatures(m_state, f, sign);
     }
 }

@@ -85,7 +85,7 @@ int Fixture::GetChainIndex() const { return m_state->fixtures.info[Row(m_index)]
 Body* Fixture::GetBody() { return &m_state->bodies.handles[Row(m_state->fixtures.body[Row(m_index)])]; }
 const Body* Fixture::GetBody() const { return const_cast<Fixture*>(this)->GetBody(); }
 Fixture* Fixture::GetNext() {
-    const int next = m_state->fixtures.info[Row(m_index)].next;
+    const int next = m_state->fixtures.next[Row(m_index)];
     return next < 0 ? nullptr : &m_state->fixtures.handles[Row(next)];
 }
 const Fixture* Fixture::GetNext() const { return const_cast<Fixture*>(this)->GetNext(); }

@@ -168,7 +168,7 @@ MemoryUse GetMemoryUse(const World& world) {
                        (s.bodies.rest.empty() ? 0 : sizeof(PositionRest)) +
                        (s.bodies.startVelocity.empty() ? 0 : sizeof(Velocity)) + sizeof(MotionRow) +
                        (s.bodies.demand.empty() ? 0 : sizeof(BodyDemand)) + sizeof(float) + sizeof(uint16_t) +
-                       sizeof(BodyType) + sizeof(BodyInfo) + sizeof(Body);
+                       sizeof(BodyType) + sizeof(int) + sizeof(BodyInfo) + sizeof(Body);
     use.bytesPerFixture = FixtureTable::GetBytesPerRow();
     use.bytesPerContact = ContactTable::GetBytesPerRow();
     use.bodies = static_cast<size_t>(s.bodies.slots.Size()) * use.bytesPerBody;

@@ -14,7 +14,7 @@ namespace scree {
 
 namespace {
 
-MatchTables Tables(WorldState& s) { return {s.bodies, s.fixtures, s.joints, s.contacts}; }
+MatchTables Tables(WorldState& s) { return {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}; }
 
 /// Destroys the contacts of a body that satisfy the predicate. Their rows are used again after the next pair finding.
 template <typename Predicate>
@@ -117,7 +117,7 @@ void ResetMass(WorldState& s, int body) {
         return;
     }
     Vec2 center = vec2Zero;
-    for (int f = info.fixtureHead; f >= 0; f = s.fixtures.info[static_cast<size_t>(f)].next) {
+    for (const int f : s.fixtures.From(s.bodies.fixtureHead[b])) {
         const auto fi = static_cast<size_t>(f);
         const float density = s.fixtures.info[fi].density;
         if (density == 0.0f) continue;

@@ -67,7 +67,7 @@ bool AreBodiesConsistent(const BodyTable& t) {
     if (!HaveSize(t.force.empty() ? 0 : size, t.force)) return false;
     if (!HaveSize(t.rest.empty() ? 0 : size, t.rest)) return false;
     if (!HaveSize(t.startVelocity.empty() ? 0 : size, t.startVelocity)) return false;
-    if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.info)) return false;
+    if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.fixtureHead, t.info)) return false;
     if (!HaveSize(t.demand.empty() ? 0 : size, t.demand)) return false;
     if (!std::all_of(t.demand.begin(), t.demand.end(), IsPossible)) return false;
     for (size_t b = 0; b < size; ++b) {
@@ -79,14 +79,14 @@ bool AreBodiesConsistent(const BodyTable& t) {
 
 bool AreFixturesConsistent(const FixtureTable& t, const BodyTable& bodies) {
     if (!t.slots.IsConsistent()) return false;
-    if (!HaveSize(Row(t.slots.Size()), t.body, t.type, t.isSensor, t.filter, t.material, t.info)) return false;
+    if (!HaveSize(Row(t.slots.Size()), t.body, t.type, t.isSensor, t.filter, t.material, t.next, t.info)) return false;
     // Every fixture in the list of its own body and in no other; a list cannot be longer than its body says.
     int listed = 0;
     for (int body = 0; body < bodies.slots.Size(); ++body) {
         if (!bodies.slots.IsAlive(body)) continue;
         int count = 0;
-        for (int f = bodies.info[Row(body)].fixtureHead; f >= 0; f = t.info[Row(f)].next, ++count) {
-            if (!t.slots.IsAlive(f) || t.body[Row(f)] != body || count >= t.slots.Count()) return false;
+        for (const int f : t.From(bodies.fixtureHead[Row(body)])) {
+            if (!t.slots.IsAlive(f) || t.body[Row(f)] != body || ++count > t.slots.Count()) return false;
             if (t.info[Row(f)].inBroadPhase != bodies.Has(body, BodyFlag::enabled)) return false;
         }
         if (count != bodies.info[Row(body)].fixtureCount) return false;

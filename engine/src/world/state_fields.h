@@ -77,7 +77,7 @@ void Fields(Self& row, Visit& visit) {
 }
 template <Is<BodyInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    visit(info.inertia), visit(info.fixtureHead), visit(info.fixtureCount), visit(info.jointCount);
+    visit(info.inertia), visit(info.fixtureCount), visit(info.jointCount);
     visit(info.listPrev), visit(info.listNext), visit(info.moverRow), visit(info.userData.pointer);
 }
 template <Is<BodyTable> Self, typename Visit>
@@ -85,7 +85,7 @@ void Fields(Self& t, Visit& visit) {
     visit(t.slots), visit(t.velocity), visit(t.startVelocity), visit(t.position), visit(t.startPosition);
     visit(t.rest);
     visit(t.transform), visit(t.mass), visit(t.force), visit(t.motion), visit(t.demand), visit(t.sleepTime);
-    visit(t.flags), visit(t.type), visit(t.info), visit(t.movers), visit(t.listHead), visit(t.lastMover);
+    visit(t.flags), visit(t.type), visit(t.fixtureHead), visit(t.info), visit(t.movers), visit(t.listHead), visit(t.lastMover);
 }
 
 template <Is<Filter> Self, typename Visit>
@@ -98,14 +98,14 @@ void Fields(Self& row, Visit& visit) {
 }
 template <Is<FixtureInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    visit(info.density), visit(info.next), visit(info.chainId), visit(info.chainIndex), visit(info.inBroadPhase);
+    visit(info.density), visit(info.chainId), visit(info.chainIndex), visit(info.inBroadPhase);
     visit(info.userData.pointer);
 }
 /// All but the shapes and the boxes.
 template <Is<FixtureTable> Self, typename Visit>
 void Fields(Self& t, Visit& visit) {
     visit(t.slots), visit(t.body), visit(t.type), visit(t.isSensor), visit(t.filter), visit(t.material);
-    visit(t.info), visit(t.nextChainId);
+    visit(t.next), visit(t.info), visit(t.nextChainId);
 }
 
 template <Is<CircleShape> Self, typename Visit>

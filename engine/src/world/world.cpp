@@ -38,6 +38,11 @@ ErrorCode WorldState::Refuse(ErrorCode code, const char* function, const char* f
     return code;
 }
 
+void WorldState::MakePool() {
+    pool = std::make_unique<TaskPool>(def.workerCount, def.tasks);
+    broadPhase->ShareWork(*pool);
+}
+
 World::World(Vec2 gravity)
     : World([&] {
           WorldDef def;
@@ -57,7 +62,7 @@ World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
     s.broadPhaseKind = s.def.broadPhase == BroadPhaseKind::automatic ? BroadPhaseKind::keys : s.def.broadPhase;
     s.broadPhase = CreateBroadPhase(
         s.broadPhaseKind, {.staticShareThreshold = s.def.staticShareThreshold, .lengthScale = s.def.lengthScale});
-    s.pool = std::make_unique<TaskPool>(s.def.workerCount, s.def.tasks);
+    s.MakePool();
 }
 
 World::~World() = default;
@@ -86,19 +91,19 @@ ErrorCode World::DestroyBody(Body* body) {
     if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy bodies outside of Step");
     const int index = body->GetIndex();
     const Recording recording(s, name, index);
-    BodyInfo& info = s.bodies.info[static_cast<size_t>(index)];
     for (int j = s.joints.OfBody(index).Front(); j >= 0; j = s.joints.OfBody(index).Front()) {
         Joint* joint = s.joints.handles[static_cast<size_t>(j)];
         SayGoodbye(s, joint);
         DestroyJoint(joint);
     }
     DestroyContactsOfBody(s, index);
-    while (info.fixtureHead >= 0) {
-        const int fixture = info.fixtureHead;
+    int& head = s.bodies.fixtureHead[static_cast<size_t>(index)];
+    while (head >= 0) {
+        const int fixture = head;
         SayGoodbye(s, &s.fixtures.handles[static_cast<size_t>(fixture)]);
         RemoveProxy(s, fixture);
-        info.fixtureHead = s.fixtures.info[static_cast<size_t>(fixture)].next;
-        --info.fixtureCount;
+        head = s.fixtures.next[static_cast<size_t>(fixture)];
+        --s.bodies.info[static_cast<size_t>(index)].fixtureCount;
         AddFixtureFeatures(s, fixture, -1);
         s.fixtures.Remove(fixture);
     }
@@ -220,7 +225,7 @@ ErrorCode World::SetWorkers(int workerCount, const TaskCallbacks& tasks) {
     def.tasks = tasks;
     if (guard.Accept(Check(def)).Failed()) return guard.Code();
     s.def = def;
-    s.pool = std::make_unique<TaskPool>(workerCount, tasks);
+    s.MakePool();
     return ErrorCode::ok;
 }
 int World::GetWorkerCount() const { return m_state->def.workerCount; }

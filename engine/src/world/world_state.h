@@ -72,6 +72,8 @@ struct WorldState {
     [[nodiscard]] ContactEvents Events() {
         return {this, listener, filter == &defaultFilter ? nullptr : filter, &distanceWork};
     }
+    /// The pool that `def` asks for, in place of the one there was.
+    void MakePool();
     /// Tells the error handler and gives the code back.
     ErrorCode Refuse(ErrorCode code, const char* function, const char* field, const char* cure) const;
 };

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -55,7 +56,17 @@ TEST(SnapshotReferences, AreSmall) {
     EXPECT_LT(total, 2'500'000u);
 }
 
-// A comparison that cannot fail is worthless: each reference must fail against each other one.
+/// The first row in which two pictures of one size differ as a picture of its own, of `image`; the last if none does.
+Image FirstOtherRow(const Image& image, const Image& other) {
+    const auto firstOther = std::ranges::mismatch(image.pixels, other.pixels).in1 - image.pixels.begin();
+    const int y = std::min(static_cast<int>(firstOther) / image.width, image.height - 1);
+    Image row(image.width, 1, {});
+    std::copy_n(&image.At(0, y), image.width, row.pixels.begin());
+    return row;
+}
+
+// A comparison that cannot fail is worthless: each reference must fail against each other one. It fails as soon as one
+// row does, and all rows of 35,000 pairs would take half a minute.
 TEST(SnapshotReferences, EveryPairOfThemDiffers) {
     const std::set<std::string> ids = ListReferences(references);
     std::vector<Image> images;
@@ -64,8 +75,10 @@ TEST(SnapshotReferences, EveryPairOfThemDiffers) {
     for (std::size_t i = 0; i < images.size(); ++i) {
         EXPECT_EQ(ComparePixels(images[i], images[i], {}).changed, 0);
         for (std::size_t j = i + 1; j < images.size(); ++j) {
+            ASSERT_EQ(images[i].pixels.size(), images[j].pixels.size());
             ASSERT_EQ(images[i].width, images[j].width);
-            ASSERT_GT(ComparePixels(images[i], images[j], {}).changed, 0)
+            const Image rowI = FirstOtherRow(images[i], images[j]), rowJ = FirstOtherRow(images[j], images[i]);
+            ASSERT_GT(ComparePixels(rowI, rowJ, {}).changed, 0)
                 << *std::next(ids.begin(), static_cast<std::ptrdiff_t>(i)) << " and "
                 << *std::next(ids.begin(), static_cast<std::ptrdiff_t>(j)) << " are one picture";
         }

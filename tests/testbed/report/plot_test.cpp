@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace testbed {
 namespace {
@@ -46,6 +48,24 @@ TEST(CostPlot, IsEmptyWithoutSuchSizes) {
     const BenchRow rows[] = {MakeRow("tiles", 10000, "scree", 60), MakeRow("tiles", 20000, "scree", 61)};
     EXPECT_TRUE(MakeCostPlot(rows).curves.empty());
     EXPECT_TRUE(MakeCostPlot({}).curves.empty());
+}
+
+TEST(TotalsPlot, MarksRunsThatWereStopped) {
+    std::vector<BenchRow> rows;
+    for (const int size : {100, 200}) {
+        for (const char* engine : {"scree", "box2d"}) {
+            rows.push_back(MakeRow("n2", size, engine, 0));
+            rows.back().fixtures = size;
+            rows.back().totalMs = engine[0] == 's' ? size : 10.5 * size;
+        }
+    }
+    const std::string mark = "at least this";
+    EXPECT_EQ(MakePlotScript(MakeTotalsPlot(rows), "svg", "p.svg").find(mark), std::string::npos);
+    rows[3].complete = false;
+    const std::string script = MakePlotScript(MakeTotalsPlot(rows), "svg", "p.svg");
+    EXPECT_NE(script.find(mark), std::string::npos);
+    EXPECT_NE(script.find("$least << END\n200 2100\nEND"), std::string::npos) << script;
+    EXPECT_NE(script.find("100 1050\n200 2100\n"), std::string::npos) << "it stays on its curve\n" << script;
 }
 
 }  // namespace

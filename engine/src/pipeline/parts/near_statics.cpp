@@ -19,7 +19,7 @@ namespace {
 float ReachOfBody(int body, const NearStatics::Tables& t) {
     float reach = 0.0f;
     const auto b = static_cast<size_t>(body);
-    for (int f = t.bodies.info[b].fixtureHead; f >= 0; f = t.fixtures.info[static_cast<size_t>(f)].next) {
+    for (const int f : t.fixtures.From(t.bodies.fixtureHead[b])) {
         if (t.fixtures.isSensor[static_cast<size_t>(f)]) continue;
         reach = Max(reach, Reach(*t.fixtures.shape[static_cast<size_t>(f)], t.bodies.mass[b].localCenter));
     }
