@@ -51,6 +51,9 @@ struct BroadPhaseConfig {
     float lengthScale = 1.0f;
 };
 
+/// Below this many boxes the work of FindPairs stays on one thread.
+inline constexpr uint32_t leastBoxesToShare = 2048;
+
 /// Input of Update.
 struct BoxUpdate {
     AABB box;

@@ -13,8 +13,6 @@ namespace {
 
 /// Candidates are tested against a leaf in blocks, so that the hits stay in the first-level cache.
 constexpr uint32_t hitBlock = 2048;
-/// Below this many boxes a walk is not worth sharing.
-constexpr uint32_t leastBoxesToShare = 2048;
 /// Parts of a shared walk per worker, about: more are better balanced, and each copies its candidates once more.
 constexpr uint32_t partsPerWorker = 8;
 /// A store of four lanes writes beyond the last hit.

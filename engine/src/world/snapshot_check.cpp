@@ -67,7 +67,8 @@ bool AreBodiesConsistent(const BodyTable& t) {
     if (!HaveSize(t.force.empty() ? 0 : size, t.force)) return false;
     if (!HaveSize(t.rest.empty() ? 0 : size, t.rest)) return false;
     if (!HaveSize(t.startVelocity.empty() ? 0 : size, t.startVelocity)) return false;
-    if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.fixtureHead, t.info)) return false;
+    if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.fixtureHead, t.info))
+        return false;
     if (!HaveSize(t.demand.empty() ? 0 : size, t.demand)) return false;
     if (!std::all_of(t.demand.begin(), t.demand.end(), IsPossible)) return false;
     for (size_t b = 0; b < size; ++b) {

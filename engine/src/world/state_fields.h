@@ -85,7 +85,8 @@ void Fields(Self& t, Visit& visit) {
     visit(t.slots), visit(t.velocity), visit(t.startVelocity), visit(t.position), visit(t.startPosition);
     visit(t.rest);
     visit(t.transform), visit(t.mass), visit(t.force), visit(t.motion), visit(t.demand), visit(t.sleepTime);
-    visit(t.flags), visit(t.type), visit(t.fixtureHead), visit(t.info), visit(t.movers), visit(t.listHead), visit(t.lastMover);
+    visit(t.flags), visit(t.type), visit(t.fixtureHead), visit(t.info), visit(t.movers), visit(t.listHead),
+        visit(t.lastMover);
 }
 
 template <Is<Filter> Self, typename Visit>

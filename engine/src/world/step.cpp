@@ -187,11 +187,11 @@ void Simulate(WorldState& s, const SolverSettings& settings, const Tolerance* to
     s.lastInverseDt = 1.0f / settings.dt;
 }
 
-/// Whether the step has enough that is worth sharing: bodies alone are moved faster than workers wake.
+/// Whether the step has enough that is worth sharing: few bodies without contacts are done before workers wake.
 bool HasWorkToShare(const WorldState& s) {
     constexpr int leastContacts = 128;
     const size_t movers = s.bodies.movers.size();
-    return movers >= leastFreeBodies || (movers >= leastBodies && s.contacts.Count() >= leastContacts);
+    return movers >= leastBoxesToShare || (movers >= leastBodies && s.contacts.Count() >= leastContacts);
 }
 
 /// Keeps the workers awake for the rest of a step that has work for them.
