@@ -30,10 +30,11 @@ constexpr Limb limbs[] = {
     {-0.13, 0.15, 0.08, 0.26, 6, -0.13, 0.40, -5.0, 90.0},   {0.13, 0.15, 0.08, 0.26, 7, 0.13, 0.40, -90.0, 5.0},
 };
 
-void AddFigure(Scene& scene, Vec2 feet, int group) {
+/// `x`, `y`: between the feet, m.
+void AddFigure(Scene& scene, double x, double y, int group) {
     const int first = LastBody(scene) + 1;
     for (const Limb& limb : limbs) {
-        AddBody(scene, BodyType::dynamic, Point(feet.x + limb.x, feet.y + limb.y));
+        AddBody(scene, BodyType::dynamic, Point(x + limb.x, y + limb.y));
         const bool isHead = limb.halfWidth == limb.halfHeight;
         Fixture& fixture =
             AddFixture(scene, isHead ? Circle(limb.halfWidth) : Box(limb.halfWidth, limb.halfHeight), 1.0);
@@ -41,7 +42,7 @@ void AddFigure(Scene& scene, Vec2 feet, int group) {
         fixture.friction = 0.4f;
         if (limb.parent < 0) continue;
         Joint& joint = AddJoint(scene, JointType::revolute, first + limb.parent, LastBody(scene),
-                                Point(feet.x + limb.jointX, feet.y + limb.jointY));
+                                Point(x + limb.jointX, y + limb.jointY));
         joint.enableLimit = true;
         joint.lowerAngle = static_cast<float>(limb.lower * pi / 180.0);
         joint.upperAngle = static_cast<float>(limb.upper * pi / 180.0);
@@ -61,8 +62,7 @@ Scene Ragdolls(int n) {
         AddFixture(scene, Box(0.5 * (i + 1), 0.25, Point(-0.5 * (i + 1), 0.25 + 0.5 * (steps - 1 - i)))).friction =
             0.6f;
     }
-    for (int i = 0; i < n; ++i)
-        AddFigure(scene, Point(-9.0 + 2.0 * (i % 6) + 0.4 * (i / 6 % 3), 6.5 + 2.5 * (i / 6)), i + 1);
+    for (int i = 0; i < n; ++i) AddFigure(scene, -9.0 + 2.0 * (i % 6) + 0.4 * (i / 6 % 3), 6.5 + 2.5 * (i / 6), i + 1);
     return scene;
 }
 
