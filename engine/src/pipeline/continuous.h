@@ -17,15 +17,9 @@
 #include <span>
 #include <vector>
 
-#include "base/indexed_heap.h"
-#include "broad_phase/broad_phase.h"
 #include "constraints/contact_rows.h"
 #include "pipeline/contact_events.h"
-#include "pipeline/parts/near_statics.h"
-#include "state/bodies.h"
-#include "state/contacts.h"
-#include "state/fixtures.h"
-#include "state/joints.h"
+#include "pipeline/parts/toi_pairs.h"
 
 namespace scree {
 
@@ -50,39 +44,12 @@ struct ContinuousReport {
     bool complete = true;   ///< false: sub-stepping stopped it
 };
 
-struct ContinuousTables {
-    BodyTable& bodies;
-    FixtureTable& fixtures;
-    JointTable& joints;
-    ContactTable& contacts;
-    BroadPhase& broadPhase;
-};
-
-/// Two fixtures that may meet on their way.
-struct ToiPair {
-    int fixtureA, fixtureB;
-    int bodyA, bodyB;
-    int rounds;        ///< events so far
-    int nextA, nextB;  ///< the next pair of each body's list
-    bool over;         ///< not to be looked at again in this step
-};
-
 /// Scratch of the stage, kept between steps; with sub-stepping also what is left of an unfinished step.
-struct ContinuousScratch {
-    std::vector<ToiPair> pairs;
-    std::vector<int> firstPair;      ///< per body, −1: none
-    std::vector<float> alpha;        ///< per body: the part of the step done at its start position
-    std::vector<int> touched;        ///< bodies whose entries above must be reset
-    std::vector<int> found;          ///< fixtures of one query
-    std::vector<int> knownTo;        ///< per fixture: the round of collecting in which it was found to have a pair
-    int round = 0;                   ///< of collecting, counts up; 0: none yet
+struct ContinuousScratch : ToiScratch {
     std::vector<uint8_t> ballistic;  ///< per body; only written once something meets
-    NearStatics nearStatics;
-    IndexedHeap events;
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
     std::vector<int> islandContacts, islandBodies;
-    bool resuming = false;
 };
 
 /// Runs all events of the step. Transforms are those of the end positions afterwards; boxes are not updated.

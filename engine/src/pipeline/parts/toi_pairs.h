@@ -7,14 +7,54 @@
 
 #pragma once
 
-#include "pipeline/continuous.h"
+#include <vector>
+
+#include "base/indexed_heap.h"
+#include "broad_phase/broad_phase.h"
+#include "pipeline/contact_events.h"
+#include "pipeline/parts/near_statics.h"
 #include "scree/time_of_impact.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/fixtures.h"
+#include "state/joints.h"
 
 namespace scree {
 
+struct ContinuousTables {
+    BodyTable& bodies;
+    FixtureTable& fixtures;
+    JointTable& joints;
+    ContactTable& contacts;
+    BroadPhase& broadPhase;
+};
+
+/// Two fixtures that may meet on their way.
+struct ToiPair {
+    int fixtureA, fixtureB;
+    int bodyA, bodyB;
+    int rounds;        ///< events so far
+    int nextA, nextB;  ///< the next pair of each body's list
+    bool over;         ///< not to be looked at again in this step
+};
+
+/// Scratch of the pairs, kept between steps.
+struct ToiScratch {
+    std::vector<ToiPair> pairs;
+    std::vector<int> firstPair;  ///< per body, −1: none
+    std::vector<float> alpha;    ///< per body: the part of the step done at its start position
+    std::vector<int> touched;    ///< bodies whose entries above must be reset
+    std::vector<int> found;      ///< fixtures of one query
+    std::vector<int> knownTo;    ///< per fixture: the round of collecting in which it was found to have a pair
+    int round = 0;               ///< of collecting, counts up; 0: none yet
+    NearStatics nearStatics;
+    IndexedHeap events;
+    bool resuming = false;  ///< the step goes on
+};
+
 class ToiPairs {
 public:
-    ToiPairs(float lengthScale, const ContactEvents& events, const ContinuousTables& tables, ContinuousScratch& scratch)
+    ToiPairs(float lengthScale, const ContactEvents& events, const ContinuousTables& tables, ToiScratch& scratch)
         : m_lengthScale(lengthScale), m_events(events), m_t(tables), m_bodies(tables.bodies), m_s(scratch) {}
 
     /// Forgets all pairs, and where bodies stand in the step unless it goes on.
@@ -56,7 +96,7 @@ private:
     const ContactEvents& m_events;
     const ContinuousTables& m_t;
     BodyTable& m_bodies;
-    ContinuousScratch& m_s;
+    ToiScratch& m_s;
     bool m_dynamicTargets = false;  ///< some body can hit dynamic ones: a bullet or a kinematic body
 };
 
