@@ -11,14 +11,25 @@
 namespace scree::test {
 namespace {
 
+TaskCallbacks RunAtOnce() {
+    TaskCallbacks tasks;
+    tasks.enqueue = [](void (*task)(void*), void* taskContext, void*) -> void* {
+        task(taskContext);
+        return nullptr;
+    };
+    tasks.finish = [](void*, void*) {};
+    return tasks;
+}
+
 /// A world of that shape beside a broad phase, which may share its work with a pool.
 struct Follower {
     TestWorld world;
     std::unique_ptr<TaskPool> pool;
     std::unique_ptr<BroadPhase> broadPhase = CreateBroadPhase(BroadPhaseKind::keys);
 
+    /// More than a few workers are no threads: their tasks run at once.
     Follower(const WorldShape& shape, int workers)
-        : world(shape), pool(std::make_unique<TaskPool>(workers, TaskCallbacks{})) {
+        : world(shape), pool(std::make_unique<TaskPool>(workers, workers > 5 ? RunAtOnce() : TaskCallbacks{})) {
         broadPhase->ShareWork(*pool);
         world.Fill(*broadPhase);
     }
@@ -59,6 +70,13 @@ TEST(SharedWalk, FindsTheSamePairsInTheSameOrder) {
             const WorldShape shape{.layout = static_cast<Layout>(layout), .count = count, .staticShare = staticShare};
             ExpectSamePairs(shape, 2 + layout % 4, 4);
         }
+    }
+}
+
+// So many that a part would be smaller than a leaf.
+TEST(SharedWalk, MayHaveMoreWorkersThanSubtrees) {
+    for (const Layout layout : {Layout::spread, Layout::clusters, Layout::outlier}) {
+        ExpectSamePairs({.layout = layout, .count = 2500, .staticShare = 0.004f}, maxWorkers, 4);
     }
 }
 

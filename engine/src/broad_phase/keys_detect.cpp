@@ -203,7 +203,8 @@ struct KeysWalk {
     }
 
     void Recurse(const TreeNode& node, uint32_t firstCandidate, uint32_t count) {
-        if (cut != nullptr && node.count <= cut->largest) {
+        // Every leaf is in a part: what the cut walk wrote itself would stand before all parts.
+        if (cut != nullptr && (node.IsLeaf() || node.count <= cut->largest)) {
             LeaveToOthers(node, firstCandidate, count);
             return;
         }
