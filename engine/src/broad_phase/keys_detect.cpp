@@ -340,7 +340,8 @@ size_t KeysBuffers::GetMemoryBytes() const {
 }
 
 size_t KeysDetector::GetMemoryBytes() const {
-    size_t bytes = m_cut.boxes.capacity() * sizeof(Bounds) + m_cut.ids.capacity() * sizeof(ItemId);
+    size_t bytes = m_cut.parts.capacity() * sizeof(KeysCut::Part) + m_cut.boxes.capacity() * sizeof(Bounds) +
+                   m_cut.ids.capacity() * sizeof(ItemId);
     for (const KeysBuffers& buffers : m_buffers) bytes += buffers.GetMemoryBytes();
     return bytes;
 }
