@@ -3,6 +3,6 @@
 //
 // Entry point of `scree`.
 
-#include "testbed/commands/command_line.h"
+#include "testbed/cli/command_line.h"
 
 int main(int argc, char** argv) { return testbed::RunCommandLine({argv + 1, argv + argc}); }

@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "testbed/render/composite.h"
-#include "testbed/render/font.h"
+#include "testbed/picture/composite.h"
+#include "testbed/picture/font.h"
 
 namespace testbed {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "testbed/render/image.h"
-#include "testbed/view/theme.h"
+#include "testbed/picture/image.h"
+#include "testbed/picture/theme.h"
 
 namespace testbed {
 

@@ -11,8 +11,8 @@
 #include <span>
 #include <string_view>
 
-#include "testbed/adapters/snapshot.h"
-#include "testbed/render/counts.h"
+#include "testbed/engines/snapshot.h"
+#include "testbed/picture/counts.h"
 
 namespace testbed {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "testbed/view/draw_list.h"
+#include "testbed/picture/draw_list.h"
 
 namespace testbed {
 

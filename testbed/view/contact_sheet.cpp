@@ -9,7 +9,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "testbed/render/font.h"
+#include "testbed/picture/font.h"
 #include "testbed/view/annotate.h"
 
 namespace testbed {

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "testbed/adapters/snapshot.h"
+#include "testbed/engines/snapshot.h"
 
 namespace testbed {
 

@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "testbed/render/composite.h"
-#include "testbed/render/font.h"
+#include "testbed/picture/composite.h"
+#include "testbed/picture/font.h"
 #include "testbed/view/annotate.h"
 #include "testbed/view/legend.h"
 

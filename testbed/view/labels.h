@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "testbed/render/palette.h"
+#include "testbed/picture/palette.h"
 #include "testbed/view/camera.h"
 #include "testbed/view/picture.h"
 

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
-#include "testbed/render/composite.h"
-#include "testbed/render/font.h"
+#include "testbed/picture/composite.h"
+#include "testbed/picture/font.h"
 #include "testbed/view/annotate.h"
 #include "testbed/view/islands.h"
 #include "testbed/view/scene_layers.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "testbed/adapters/snapshot.h"
+#include "testbed/engines/snapshot.h"
 
 namespace testbed {
 

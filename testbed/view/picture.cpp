@@ -12,8 +12,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "testbed/render/font.h"
-#include "testbed/render/renderer.h"
+#include "testbed/gl/renderer.h"
+#include "testbed/picture/font.h"
 #include "testbed/view/labels.h"
 #include "testbed/view/legend.h"
 #include "testbed/view/scene_layers.h"

@@ -15,14 +15,14 @@
 #include <string_view>
 #include <vector>
 
-#include "testbed/adapters/snapshot.h"
-#include "testbed/context/context.h"
-#include "testbed/render/image.h"
-#include "testbed/render/palette.h"
+#include "testbed/engines/snapshot.h"
+#include "testbed/gl/context.h"
+#include "testbed/picture/image.h"
+#include "testbed/picture/palette.h"
+#include "testbed/picture/theme.h"
 #include "testbed/view/camera.h"
 #include "testbed/view/layers.h"
 #include "testbed/view/nodes.h"
-#include "testbed/view/theme.h"
 
 namespace testbed {
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <cmath>
 
-#include "testbed/render/font.h"
+#include "testbed/picture/font.h"
 #include "testbed/view/canvas.h"
 #include "testbed/view/islands.h"
 

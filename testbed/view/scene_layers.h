@@ -5,12 +5,12 @@
 
 #pragma once
 
-#include "testbed/adapters/snapshot.h"
+#include "testbed/engines/snapshot.h"
+#include "testbed/picture/draw_list.h"
+#include "testbed/picture/theme.h"
 #include "testbed/view/camera.h"
-#include "testbed/view/draw_list.h"
 #include "testbed/view/layers.h"
 #include "testbed/view/nodes.h"
-#include "testbed/view/theme.h"
 
 namespace testbed {
 

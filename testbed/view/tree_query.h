@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "testbed/adapters/snapshot.h"
+#include "testbed/engines/snapshot.h"
 #include "testbed/view/nodes.h"
 
 namespace testbed {

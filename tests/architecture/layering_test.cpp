@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Includes point one way: base ← geometry ← broad_phase ← state ← constraints ← pipeline ← world in the engine; scenes
-// knows nothing of this project, view no GL and no engine, render no engine, and only the adapters see Box2D.
+// Includes point one way: base ← geometry ← broad_phase ← state ← constraints ← pipeline ← world in the engine, and in
+// the testbed base ← picture, engines ← gl, page ← view ← options ← jobs ← cli, where no job includes another. Scenes
+// know nothing of this project, pictures and views no engine, and only engines/ and what abuses an engine see one.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <regex>
 
 #include "source_tree.h"
@@ -26,7 +29,7 @@ std::string Join(const Lines& lines) {
 }
 
 bool IsGl(const std::string& name) {
-    static const std::regex pattern(R"(^(glad/|GL/|GLES|EGL/|KHR/|GLFW/|testbed/context/(egl|osmesa|backends)))");
+    static const std::regex pattern(R"(^(glad/|GL/|GLES|EGL/|KHR/|GLFW/|testbed/gl/(egl|osmesa|backends)))");
     return std::regex_search(name, pattern);
 }
 bool IsBox2d(const std::string& name) { return name.starts_with("box2d/"); }
@@ -110,55 +113,129 @@ TEST(Layering, ScenesAreDataOnTheStandardLibrary) {
     EXPECT_TRUE(wrong.empty()) << Join(wrong);
 }
 
-TEST(Layering, OnlyTheAdaptersSeeBox2d) {
-    const Lines wrong = FindIncludes("testbed/", IsBox2d);
-    Lines outside;
-    for (const std::string& line : wrong) {
-        if (!line.starts_with("testbed/adapters/")) outside.push_back(line);
-    }
-    EXPECT_TRUE(outside.empty()) << Join(outside);
+/// Files of a job that call an engine by its own interface, since that interface is what they measure.
+bool IsEngineProbe(std::string_view path) {
+    constexpr std::array<std::string_view, 4> probes = {
+        "testbed/jobs/extremes/abuse_box2d.cpp", "testbed/jobs/extremes/abuse_scree.cpp",
+        "testbed/jobs/extremes/abuse_world.h", "testbed/jobs/requires/break_even.cpp"};
+    return std::find(probes.begin(), probes.end(), path) != probes.end();
 }
 
-TEST(Layering, OnlyTheAdaptersSeeOurEngine) {
-    // The list of the algorithms' names is data that the command line and its tests share with the engine.
-    const Lines wrong = FindIncludes(
-        "testbed/", [](const std::string& name) { return IsEngine(name) && name != "scree/broad_phase_kind.h"; });
+/// Lines "FILE includes NAME" below testbed/ of files that may not see an engine.
+Lines OutsideEngines(const std::function<bool(const std::string&)>& isWrong) {
     Lines outside;
-    for (const std::string& line : wrong) {
-        if (!line.starts_with("testbed/adapters/")) outside.push_back(line);
+    for (const SourceFile& file : SourceFiles()) {
+        if (!file.path.starts_with("testbed/") || file.path.starts_with("testbed/engines/")) continue;
+        if (IsEngineProbe(file.path)) continue;
+        for (const std::string& name : file.Includes()) {
+            if (isWrong(name)) outside.push_back(file.path + " includes " + name);
+        }
     }
-    EXPECT_TRUE(outside.empty()) << Join(outside);
+    return outside;
 }
 
-TEST(Layering, ViewKnowsNoGl) {
-    const Lines wrong = FindIncludes("testbed/view/", IsGl);
+TEST(Layering, OnlyEnginesSeesBox2d) {
+    const Lines wrong = OutsideEngines(IsBox2d);
     EXPECT_TRUE(wrong.empty()) << Join(wrong);
 }
 
-TEST(Layering, RenderAndViewKnowNoEngine) {
-    // A snapshot is plain data and the one header of the adapters that a view may see.
-    for (const char* folder : {"testbed/render/", "testbed/view/", "testbed/context/"}) {
-        const Lines wrong = FindIncludes(folder, [](const std::string& name) {
-            return IsEngine(name) || IsBox2d(name) ||
-                   (name.starts_with("testbed/adapters/") && name != "testbed/adapters/snapshot.h");
-        });
-        EXPECT_TRUE(wrong.empty()) << Join(wrong);
-    }
+TEST(Layering, OnlyEnginesSeesOurEngine) {
+    // The list of the algorithms' names is data that the command line and its tests share with the engine.
+    const Lines wrong =
+        OutsideEngines([](const std::string& name) { return IsEngine(name) && name != "scree/broad_phase_kind.h"; });
+    EXPECT_TRUE(wrong.empty()) << Join(wrong);
 }
 
-TEST(Layering, GlStaysInRenderAndContext) {
+/// A folder of the testbed and the folders below it, which it may include.
+struct Folder {
+    std::string_view name, below;
+};
+constexpr std::array<Folder, 9> folders = {{{"base", ""},
+                                            {"picture", "base"},
+                                            {"engines", "base"},
+                                            {"gl", "base picture"},
+                                            {"page", "base picture"},
+                                            {"view", "base picture engines gl"},
+                                            {"options", "base picture engines gl view"},
+                                            {"jobs", "base picture engines gl page view options"},
+                                            {"cli", "base picture engines gl page view options jobs"}}};
+
+/// "jobs" of "testbed/jobs/bench/row.h"; empty for a file directly below testbed/.
+std::string_view FolderOf(std::string_view path) {
+    path.remove_prefix(std::string_view("testbed/").size());
+    return path.substr(0, path.find('/') == std::string_view::npos ? 0 : path.find('/'));
+}
+
+/// "bench" of "testbed/jobs/bench/row.h".
+std::string_view JobOf(std::string_view path) {
+    constexpr std::string_view jobs = "testbed/jobs/";
+    if (!path.starts_with(jobs)) return {};
+    path.remove_prefix(jobs.size());
+    return path.substr(0, path.find('/'));
+}
+
+bool HasWord(std::string_view words, std::string_view word) {
+    return (" " + std::string(words) + " ").find(" " + std::string(word) + " ") != std::string::npos;
+}
+
+TEST(Layering, AFolderOfTheTestbedIncludesOnlyThoseBelowIt) {
+    Lines wrong;
+    for (const SourceFile& file : SourceFiles()) {
+        if (!file.path.starts_with("testbed/") || FolderOf(file.path).empty()) continue;
+        const auto own =
+            std::ranges::find_if(folders, [&](const Folder& folder) { return folder.name == FolderOf(file.path); });
+        if (own == folders.end()) {
+            wrong.push_back(file.path + " is in a folder without a place among the layers");
+            continue;
+        }
+        for (const std::string& name : file.Includes()) {
+            if (!IsTestbed(name)) continue;
+            const std::string_view other = FolderOf(name);
+            if (other != own->name && !HasWord(own->below, other)) wrong.push_back(file.path + " includes " + name);
+        }
+    }
+    EXPECT_TRUE(wrong.empty()) << Join(wrong);
+}
+
+TEST(Layering, NoJobIncludesAnother) {
+    Lines wrong;
+    for (const SourceFile& file : SourceFiles()) {
+        if (JobOf(file.path).empty()) continue;
+        for (const std::string& name : file.Includes()) {
+            if (!JobOf(name).empty() && JobOf(name) != JobOf(file.path)) {
+                wrong.push_back(file.path + " includes " + name);
+            }
+        }
+    }
+    EXPECT_TRUE(wrong.empty()) << Join(wrong);
+}
+
+TEST(Layering, ViewsSeeOnlySnapshotsOfEngines) {
+    // A snapshot is plain data.
+    const Lines wrong = FindIncludes("testbed/view/", [](const std::string& name) {
+        return name.starts_with("testbed/engines/") && name != "testbed/engines/snapshot.h";
+    });
+    EXPECT_TRUE(wrong.empty()) << Join(wrong);
+}
+
+TEST(Layering, GlStaysInItsFolderAndTheWindow) {
     Lines wrong;
     for (const std::string& line : FindIncludes("testbed/", IsGl)) {
-        if (!line.starts_with("testbed/render/") && !line.starts_with("testbed/context/")) wrong.push_back(line);
+        if (!line.starts_with("testbed/gl/") && !line.starts_with("testbed/jobs/window/glfw.cpp"))
+            wrong.push_back(line);
     }
     EXPECT_TRUE(wrong.empty()) << Join(wrong);
 }
 
 TEST(Layering, TheRulesSeeIncludesAtAll) {
     // Guards the tests above: a pattern that matches nothing would let everything pass.
-    EXPECT_FALSE(FindIncludes("testbed/adapters/", IsBox2d).empty());
-    EXPECT_FALSE(FindIncludes("testbed/render/", IsGl).empty());
+    EXPECT_FALSE(FindIncludes("testbed/engines/", IsBox2d).empty());
+    EXPECT_FALSE(FindIncludes("testbed/gl/", IsGl).empty());
+    EXPECT_FALSE(FindIncludes("testbed/jobs/", IsTestbed).empty());
     EXPECT_FALSE(FindIncludes("engine/src/world/", [](const std::string& name) { return LayerOf(name) >= 0; }).empty());
+    EXPECT_EQ(FolderOf("testbed/jobs/bench/row.h"), "jobs");
+    EXPECT_EQ(JobOf("testbed/jobs/bench/row.h"), "bench");
+    EXPECT_FALSE(HasWord("base picture", "pic"));
 }
 
 }  // namespace

@@ -10,9 +10,9 @@
 #include <map>
 
 #include "scenes/catalog.h"
-#include "testbed/adapters/break_even.h"
-#include "testbed/report/ablation.h"
-#include "testbed/report/requirement.h"
+#include "testbed/jobs/requires/ablation.h"
+#include "testbed/jobs/requires/break_even.h"
+#include "testbed/jobs/requires/requirement.h"
 
 namespace testbed {
 namespace {

@@ -11,7 +11,7 @@
 #include <map>
 
 #include "scenes/catalog.h"
-#include "testbed/adapters/engine_run.h"
+#include "testbed/engines/engine_run.h"
 
 namespace {
 

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "testbed/laws/measure.h"
+#include "testbed/engines/measure.h"
 #include "tests/physics/lab.h"
 
 namespace scree::test {

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "scenes/catalog.h"
-#include "testbed/adapters/engine_run.h"
+#include "testbed/engines/engine_run.h"
 
 namespace {
 

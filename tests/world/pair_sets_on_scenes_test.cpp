@@ -12,7 +12,7 @@
 
 #include "broad_phase/broad_phase.h"
 #include "scenes/catalog.h"
-#include "testbed/adapters/engine_run.h"
+#include "testbed/engines/engine_run.h"
 
 namespace {
 

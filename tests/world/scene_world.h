@@ -10,8 +10,8 @@
 
 #include "scenes/catalog.h"
 #include "scree/scree.h"
-#include "testbed/adapters/scree_joint.h"
-#include "testbed/adapters/scree_shape.h"
+#include "testbed/engines/scree_joint.h"
+#include "testbed/engines/scree_shape.h"
 
 namespace scree::test {
 

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "testbed/render/font.h"
+#include "testbed/picture/font.h"
 
 namespace testbed {
 namespace {

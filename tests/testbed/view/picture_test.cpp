@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <string>
 
-#include "testbed/render/png.h"
+#include "testbed/picture/image.h"
 #include "tests/testbed/view/sample_snapshot.h"
 
 namespace testbed {

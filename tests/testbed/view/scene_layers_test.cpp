@@ -13,7 +13,7 @@
 #include <tuple>
 
 #include "scenes/outline.h"
-#include "testbed/render/renderer.h"
+#include "testbed/gl/renderer.h"
 #include "testbed/view/canvas.h"
 #include "testbed/view/islands.h"
 #include "tests/testbed/view/sample_snapshot.h"

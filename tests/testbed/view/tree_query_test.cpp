@@ -12,7 +12,7 @@
 #include <set>
 
 #include "scenes/catalog.h"
-#include "testbed/adapters/engine_run.h"
+#include "testbed/engines/engine_run.h"
 
 namespace testbed {
 namespace {

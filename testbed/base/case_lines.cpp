@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Results of a command with many cases as JSON lines.
+
+#include "testbed/base/case_lines.h"
+#include "testbed/base/errors.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace testbed {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// The lines of one case and the file that they came from.
+struct CaseText {
+    const CaseFile* file;
+    std::string text;
+};
+
+struct Merger {
+    std::string command;
+    std::size_t caseCount = 0;
+    std::map<std::size_t, CaseText> cases;
+
+    void Add(const CaseFile& file, std::size_t lineNumber, const std::string& line);
+};
+
+[[noreturn]] void Refuse(const CaseFile& file, std::size_t lineNumber, const std::string& problem) {
+    throw FileError(fmt::format("{}:{}: {}", file.name, lineNumber, problem));
+}
+
+void Merger::Add(const CaseFile& file, std::size_t lineNumber, const std::string& line) {
+    const Json object = Json::parse(line, nullptr, false);
+    const auto isCount = [&](const char* key) { return object.contains(key) && object[key].is_number_unsigned(); };
+    if (!object.is_object() || !object.contains("command") || !object["command"].is_string() || !isCount("case") ||
+        !isCount("cases")) {
+        Refuse(file, lineNumber, "not a line that `--json` wrote: an object with command, case and cases");
+    }
+    const auto ownCommand = object["command"].get<std::string>();
+    const auto number = object["case"].get<std::size_t>(), count = object["cases"].get<std::size_t>();
+    if (caseCount == 0) {
+        command = ownCommand;
+        caseCount = count;
+    }
+    if (ownCommand != command || count != caseCount) {
+        Refuse(file, lineNumber,
+               fmt::format("from another run: `{}` with {} cases, before it `{}` with {}; merge the shards of one run",
+                           ownCommand, count, command, caseCount));
+    }
+    if (number >= count) Refuse(file, lineNumber, fmt::format("case {} of {}: numbers begin at 0", number, count));
+    const auto [place, isNew] = cases.try_emplace(number, CaseText{&file, {}});
+    if (!isNew && place->second.file != &file) {
+        Refuse(file, lineNumber,
+               fmt::format("case {} is also in {}; give every shard once", number, place->second.file->name));
+    }
+    place->second.text += line + "\n";
+}
+
+}  // namespace
+
+CaseLines::CaseLines(std::string command, std::size_t caseCount)
+    : m_command(std::move(command)), m_caseCount(caseCount) {}
+
+void CaseLines::Add(std::size_t caseNumber, const Json& fields) {
+    Json line = {{"command", m_command}, {"case", caseNumber}, {"cases", m_caseCount}};
+    for (const auto& [key, value] : fields.items()) line[key] = value;
+    m_text += line.dump() + "\n";
+}
+
+MergedLines MergeCaseLines(std::span<const CaseFile> files) {
+    Merger merger;
+    for (const CaseFile& file : files) {
+        std::size_t lineNumber = 0;
+        for (std::size_t begin = 0; begin < file.text.size();) {
+            const std::size_t end = std::min(file.text.find('\n', begin), file.text.size());
+            ++lineNumber;
+            if (end > begin) merger.Add(file, lineNumber, file.text.substr(begin, end - begin));
+            begin = end + 1;
+        }
+    }
+    MergedLines merged;
+    merged.caseCount = merger.caseCount;
+    for (std::size_t number = 0; number < merger.caseCount; ++number) {
+        const auto place = merger.cases.find(number);
+        if (place == merger.cases.end()) {
+            merged.missing.push_back(number);
+        } else {
+            merged.text += place->second.text;
+        }
+    }
+    return merged;
+}
+
+}  // namespace testbed

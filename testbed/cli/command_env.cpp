@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree env`: what this machine and this build offer, for bug reports.
+
+#include <fmt/core.h>
+#include <zlib.h>
+#include <CLI/Version.hpp>
+
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <thread>
+
+#include "testbed/base/errors.h"
+#include "testbed/cli/commands.h"
+#include "testbed/engines/box2d_version.h"
+#include "testbed/page/gnuplot.h"
+
+namespace testbed {
+
+namespace {
+
+void PrintLine(const std::string& name, const std::string& value) { fmt::print("{:<16}{}\n", name, value); }
+
+std::string CpuModel() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with("model name")) continue;
+        const std::size_t colon = line.find(": ");
+        if (colon != std::string::npos) return line.substr(colon + 2);
+    }
+    return "unknown";
+}
+
+std::string CpuFeatures() {
+    std::string features;
+#if defined(__x86_64__)
+    const auto add = [&](bool present, const char* name) {
+        if (present) features += (features.empty() ? "" : " ") + std::string(name);
+    };
+    add(__builtin_cpu_supports("sse2"), "sse2");
+    add(__builtin_cpu_supports("sse4.2"), "sse4.2");
+    add(__builtin_cpu_supports("avx"), "avx");
+    add(__builtin_cpu_supports("avx2"), "avx2");
+    add(__builtin_cpu_supports("fma"), "fma");
+    add(__builtin_cpu_supports("bmi2"), "bmi2");
+    add(__builtin_cpu_supports("avx512f"), "avx512f");
+#endif
+    return features.empty() ? "none of those looked for" : features;
+}
+
+std::string BuildKind() {
+    std::string kind;
+#ifdef NDEBUG
+    kind = "without assertions";
+#else
+    kind = "with assertions";
+#endif
+#if defined(__SANITIZE_ADDRESS__)
+    kind += ", address sanitizer";
+#endif
+#if defined(__SANITIZE_THREAD__)
+    kind += ", thread sanitizer";
+#endif
+    return kind;
+}
+
+std::string Gnuplot() {
+    try {
+        CheckGnuplot();
+        return "found";
+    } catch (const ToolError& error) {
+        return error.what();
+    }
+}
+
+int RunEnv(const Request& request) {
+    for (const BackendReport& report : ProbeBackends(request.contextOptions)) {
+        PrintLine(fmt::format("backend {}", GetBackendName(report.backend)),
+                  report.works ? fmt::format("{} {}", report.renderer, report.version)
+                               : fmt::format("missing: {}", report.problem));
+    }
+    PrintLine("cpu", CpuModel());
+    PrintLine("cpu features", CpuFeatures());
+    PrintLine("threads", fmt::format("{}", std::thread::hardware_concurrency()));
+#ifdef __clang__
+    PrintLine("compiler", __VERSION__);
+#else
+    PrintLine("compiler", "GCC " __VERSION__);
+#endif
+    PrintLine("build", BuildKind());
+    PrintLine("box2d", GetBox2dVersion() + " (what the library says of itself; Debian's 2.4.1 still says 2.4.0)");
+    PrintLine("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100));
+    PrintLine("CLI11", CLI11_VERSION);
+    PrintLine("nlohmann json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                                           NLOHMANN_JSON_VERSION_PATCH));
+    PrintLine("zlib", zlibVersion());
+    PrintLine("stb", "headers, no version number");
+    PrintLine("gnuplot", Gnuplot());
+    return exitDone;
+}
+
+}  // namespace
+
+void AddEnvCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("env", "Backends, CPU features, library versions");
+    command->callback([&request] { request.action = [&request] { return RunEnv(request); }; });
+}
+
+}  // namespace testbed

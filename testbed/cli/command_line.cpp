@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The program `scree`.
+
+#include "testbed/cli/command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/nearest.h"
+#include "testbed/cli/commands.h"
+#include "testbed/jobs/bench/commands.h"
+#include "testbed/jobs/extremes/commands.h"
+#include "testbed/jobs/overlap/commands.h"
+#include "testbed/jobs/requires/commands.h"
+#include "testbed/jobs/snapshot/commands.h"
+#include "testbed/jobs/tradeoff/commands.h"
+#include "testbed/jobs/window/commands.h"
+#include "testbed/page/gnuplot.h"
+
+#ifndef SCREE_VERSION
+#define SCREE_VERSION "0.1.0"
+#endif
+
+namespace testbed {
+
+namespace {
+
+int Fail(int code, std::string_view message) {
+    fmt::print(stderr, "scree: {}\n", message);
+    return code;
+}
+
+/// The subcommand that was parsed, else the program itself.
+const CLI::App& ChosenApp(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    return chosen.empty() ? app : *chosen.front();
+}
+
+/// What is wrong with words that the parser could not place.
+std::string DescribeExtras(const CLI::App& app) {
+    const std::vector<std::string> extras = app.remaining(true);
+    const CLI::App& chosen = ChosenApp(app);
+    for (const std::string& word : extras) {
+        if (!word.starts_with('-') || word == "-") continue;
+        const std::string name = word.substr(0, word.find('='));
+        std::vector<std::string> names;
+        for (const CLI::Option* option : chosen.get_options()) {
+            for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
+        }
+        const std::vector<std::string_view> views(names.begin(), names.end());
+        return fmt::format("unknown option '{}'; did you mean '{}'? `{} --help` shows all", name,
+                           NearestName(name, views), &chosen == &app ? "scree" : "scree " + chosen.get_name());
+    }
+    if (&chosen != &app) return fmt::format("scree {}: too many arguments: {}", chosen.get_name(), extras.front());
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+        names.push_back(command->get_name());
+    }
+    return DescribeUnknown("command", extras.front(), std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+/// One line for every kind of failure; each kind has its exit code.
+int RunAction(const Request& request) {
+    try {
+        return request.action();
+    } catch (const BackendError& error) {
+        return Fail(exitNoBackend, error.what());
+    } catch (const FileError& error) {
+        return Fail(exitIo, error.what());
+    } catch (const ToolError& error) {
+        return Fail(exitIo, error.what());
+    } catch (const UsageError& error) {
+        return Fail(exitUsage, error.what());
+    } catch (const std::invalid_argument& error) {
+        return Fail(exitUsage, error.what());
+    } catch (const std::out_of_range& error) {
+        return Fail(exitUsage, error.what());
+    } catch (const std::bad_alloc&) {
+        return Fail(exitIo, "out of memory; choose a smaller --size or --image");
+    } catch (const std::exception& error) {
+        return Fail(exitIo, error.what());
+    }
+}
+
+void Parse(CLI::App& app, const std::vector<std::string>& arguments) {
+    // CLI11 takes the words last first.
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+}
+
+}  // namespace
+
+int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptions& contextOptions) {
+    CLI::App app("scree: two physics engines side by side, without a screen", "scree");
+    app.set_version_flag("--version", "scree " SCREE_VERSION);
+    app.require_subcommand(0, 1);
+    app.footer(
+        "Exit codes: 0 done, 1 images or bounds differ, 2 usage, 3 no usable GL backend, 4 a file or folder failed,\n"
+        "77 no backend with --skip-missing-backend.");
+    Request request{arguments, contextOptions, {}};
+    AddListCommand(app, request);
+    AddOverlapCommand(app, request);
+    AddRenderCommand(app, request);
+    AddMetricsCommand(app, request);
+    AddBenchCommand(app, request);
+    AddSnapshotCommand(app, request);
+    AddDiffCommand(app, request);
+    AddMergeCommand(app, request);
+    AddViewCommand(app, request);
+    AddTradeoffCommand(app, request);
+    AddExtremesCommand(app, request);
+    AddRequiresCommand(app, request);
+    AddEnvCommand(app, request);
+    try {
+        Parse(app, arguments);
+    } catch (const CLI::Success& success) {  // --help, --version
+        return app.exit(success);
+    } catch (const CLI::ExtrasError&) {
+        return Fail(exitUsage, DescribeExtras(app));
+    } catch (const CLI::ParseError& error) {
+        return Fail(exitUsage, error.what());
+    }
+    if (!request.action) {
+        fmt::print(stderr, "{}", app.help());
+        return exitUsage;
+    }
+    return RunAction(request);
+}
+
+}  // namespace testbed

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What both followers of poses.h share: stepping the source, telling which bodies are new and which moved, and a
+// capture that is the source's in everything but the broad phase. Times and memory are those of the broad phase alone.
+
+#pragma once
+
+#include "testbed/engines/engine_run.h"
+#include "testbed/engines/heap_meter.h"
+
+namespace testbed {
+
+class FollowingRun : public EngineRun {
+public:
+    void Step() final;
+    [[nodiscard]] int GetStep() const final { return m_source->GetStep(); }
+    [[nodiscard]] StepTimes GetTimes() const final { return m_times; }
+    [[nodiscard]] int GetContactCount() const final { return m_source->GetContactCount(); }
+    [[nodiscard]] StepCounts CountStep() final { return m_source->CountStep(); }
+    [[nodiscard]] double GetCreateMilliseconds() const final { return m_source->GetCreateMilliseconds(); }
+    [[nodiscard]] int64_t GetPeakBytes() const final { return m_heap.GetPeakBytes(); }
+    void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
+
+protected:
+    FollowingRun(const scenes::Scene& scene, std::unique_ptr<EngineRun> source)
+        : m_scene(scene), m_source(std::move(source)) {}
+    /// Creates the bodies of the source's present state; for the constructor of the engine's class.
+    void Load();
+    [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
+
+    /// Adds the fixtures of a new body at its pose.
+    virtual void Create(const BodyState& body) = 0;
+    /// Moves the fixtures of the bodies that were simulated in this step, and finds pairs. `before` and `after` hold
+    /// the same bodies. A body that was simulated and fell asleep counts as standing still at its new pose, as in
+    /// Box2D.
+    virtual void Move(const std::vector<BodyState>& before, const std::vector<BodyState>& after) = 0;
+    /// Overwrites engine, broadPhase and pairsReported; with `nodes` also nodes, treeHeight and leafSize.
+    virtual void CaptureBroadPhase(Snapshot& snapshot, bool nodes) = 0;
+
+private:
+    scenes::Scene m_scene;
+    std::unique_ptr<EngineRun> m_source;
+    std::vector<BodyState> m_bodies;  ///< as of the last step
+    HeapMeter m_heap;
+    StepTimes m_times;
+};
+
+/// Whether the step from `before` to `after` simulated the body.
+inline bool WasSimulated(const BodyState& before, const BodyState& after) {
+    return after.type != scenes::BodyType::isStatic && (before.awake || after.awake);
+}
+
+}  // namespace testbed

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The laboratory over Box2D 2.4.1.
+
+#include <box2d/box2d.h>
+
+#include "testbed/engines/box2d_joint.h"
+#include "testbed/engines/box2d_shape.h"
+#include "testbed/engines/lab_world.h"
+
+namespace testbed {
+namespace {
+
+struct Box2dNames {
+    using World = b2World;
+    using Body = b2Body;
+    using Joint = b2Joint;
+    using WorldManifold = b2WorldManifold;
+
+    static Point ToPoint(b2Vec2 v) { return {double{v.x}, double{v.y}}; }
+    static b2Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+    static std::unique_ptr<World> MakeWorld(const scenes::Scene& scene, const LabOptions& options) {
+        auto world = std::make_unique<World>(ToB2(scene.gravity));
+        world->SetAllowSleeping(options.sleep);
+        world->SetWarmStarting(options.warmStarting);
+        world->SetContinuousPhysics(options.continuous);
+        return world;
+    }
+
+    static b2BodyDef MakeBodyDef(const scenes::Body& body, Point at) {
+        b2BodyDef def;
+        def.type = body.type == scenes::BodyType::dynamic     ? b2_dynamicBody
+                   : body.type == scenes::BodyType::kinematic ? b2_kinematicBody
+                                                              : b2_staticBody;
+        def.position = ToVec(at);
+        def.linearVelocity = ToB2(body.linearVelocity);
+        FillBodyDef(def, body);
+        return def;
+    }
+
+    static Point GetOrigin(const Body& body) { return ToPoint(body.GetPosition()); }
+    static Point GetCentre(const Body& body) { return ToPoint(body.GetWorldCenter()); }
+
+    static void AddFixture(Body& body, const scenes::Scene& scene, int index, float restitutionThreshold) {
+        const scenes::Fixture& fixture = scene.fixtures[static_cast<size_t>(index)];
+        b2FixtureDef def;
+        FillMaterial(def, fixture, restitutionThreshold);
+        if (fixture.shape.type == scenes::ShapeType::chain) {
+            b2ChainShape chain;
+            MakeBox2dChain(scene, fixture.shape, chain);
+            def.shape = &chain;
+            body.CreateFixture(&def);
+            return;
+        }
+        const Box2dShape shape = MakeBox2dShape(Box2dShapeOf(scene, fixture.shape));
+        def.shape = &AsB2Shape(shape);
+        body.CreateFixture(&def);
+    }
+
+    static Joint* MakeJoint(World& world, const scenes::Joint& joint, const Box2dBodies& bodies,
+                            const Box2dJoints& joints) {
+        return CreateBox2dJoint(world, joint, bodies, joints);
+    }
+
+    static StepFacts Step(World& world, const EngineSetting& setting, float dt) {
+        world.Step(dt, setting.velocityIterations, setting.positionIterations);
+        return {};
+    }
+
+    static double GetStepImpulse(b2Contact& contact, int point) {
+        return double{contact.GetManifold()->points[point].normalImpulse};
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<LabWorld> MakeBox2dLab(const scenes::Scene& scene, const EngineSetting& setting,
+                                       const LabOptions& options) {
+    return std::make_unique<LabWorldOf<Box2dNames>>(scene, setting, options);
+}
+
+std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const EngineSetting& setting, const LabOptions& options) {
+    if (!IsAvailable(setting)) throw std::invalid_argument("not in this build: " + NameSetting(setting));
+    if (setting.engine == "box2d") return MakeBox2dLab(scene, setting, options);
+    if (setting.engine == "scree") return MakeScreeLab(scene, setting, options);
+    throw std::invalid_argument("unknown engine '" + setting.engine + "': use scree or box2d");
+}
+
+}  // namespace testbed

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The laboratory over our engine.
+
+#include "scree/contact.h"
+#include "scree/far_position.h"
+#include "scree/world.h"
+#include "testbed/engines/lab_world.h"
+#include "testbed/engines/scree_joint.h"
+#include "testbed/engines/scree_shape.h"
+
+namespace testbed {
+namespace {
+
+/// A refused call means a scene that cannot be loaded as described: nothing to go on with.
+void ThrowError(const scree::Error& error, void*) {
+    throw std::invalid_argument(std::string(error.function) + ": " + error.field + ": " + scree::GetName(error.code) +
+                                "; " + error.cure);
+}
+
+struct ScreeNames {
+    using World = scree::World;
+    using Body = scree::Body;
+    using Joint = scree::Joint;
+    using WorldManifold = scree::WorldManifold;
+
+    static Point ToPoint(scree::Vec2 v) { return {double{v.x}, double{v.y}}; }
+    static scree::Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
+
+    static std::unique_ptr<World> MakeWorld(const scenes::Scene& scene, const LabOptions& options) {
+        scree::WorldDef def;
+        def.gravity = ToScree(scene.gravity);
+        def.allowSleep = options.sleep;
+        def.warmStarting = options.warmStarting;
+        def.continuousPhysics = options.continuous;
+        def.lengthScale = static_cast<float>(options.lengthScale);
+        def.workerCount = options.workers;
+        if (options.capped) {
+            def.maxTranslation = scree::maxTranslation;
+            def.maxRotation = scree::maxRotation;
+        }
+        auto world = std::make_unique<World>(def);
+        world->SetErrorHandler(ThrowError, nullptr);
+        return world;
+    }
+
+    static scree::BodyDef MakeBodyDef(const scenes::Body& body, Point at) {
+        scree::BodyDef def;
+        def.type = body.type == scenes::BodyType::dynamic     ? scree::dynamicBody
+                   : body.type == scenes::BodyType::kinematic ? scree::kinematicBody
+                                                              : scree::staticBody;
+        const scree::FarPosition split = scree::ToFarPosition(at.x, at.y);
+        def.position = split.position;
+        def.positionRest = split.positionRest;
+        def.linearVelocity = ToScree(body.linearVelocity);
+        FillBodyDef(def, body);
+        return def;
+    }
+
+    static Point GetOrigin(const Body& body) { return ToPoint(body.GetPosition()) + ToPoint(body.GetPositionRest()); }
+    static Point GetCentre(const Body& body) {
+        return ToPoint(body.GetWorldCenter()) + ToPoint(body.GetWorldCenterRest());
+    }
+
+    static void AddFixture(Body& body, const scenes::Scene& scene, int index, float restitutionThreshold) {
+        const scenes::Fixture& fixture = scene.fixtures[static_cast<size_t>(index)];
+        scree::FixtureDef def;
+        FillMaterial(def, fixture, restitutionThreshold);
+        if (fixture.shape.type == scenes::ShapeType::chain) {
+            const scree::ChainShape chain = MakeScreeChain(scene, fixture.shape);
+            def.shape = &chain;
+            body.CreateFixture(&def);
+            return;
+        }
+        const ScreeShape shape = MakeScreeShape(scene, fixture.shape);
+        def.shape = &AsShape(shape);
+        body.CreateFixture(&def);
+    }
+
+    static Joint* MakeJoint(World& world, const scenes::Joint& joint, const ScreeBodies& bodies,
+                            const ScreeJoints& joints) {
+        return CreateScreeJoint(world, joint, bodies, joints);
+    }
+
+    static StepFacts Step(World& world, const EngineSetting& setting, float dt) {
+        const scree::StepReport report = setting.solver == SolverKind::soft
+                                             ? world.Step(dt, setting.substeps)
+                                             : world.Step(dt, setting.velocityIterations, setting.positionIterations);
+        StepFacts facts;
+        facts.capped = report.cappedCount;
+        facts.nonFinite = report.nonFiniteCount;
+        facts.pairs = report.pairCount;
+        return facts;
+    }
+
+    static double GetStepImpulse(scree::Contact& contact, int point) {
+        return double{contact.GetManifold()->points[point].normalImpulse};
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<LabWorld> MakeScreeLab(const scenes::Scene& scene, const EngineSetting& setting,
+                                       const LabOptions& options) {
+    return std::make_unique<LabWorldOf<ScreeNames>>(scene, setting, options);
+}
+
+}  // namespace testbed

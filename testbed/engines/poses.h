@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// One engine's broad phase driven by another engine's motion (`--poses`): pictures then differ by the tree alone, since
+// two simulations of one scene part after the first contact. A following run steps its source and repeats the poses in
+// a stand-alone broad phase: boxes of both ends of the step, true displacement, and only for bodies that were awake, so
+// that Box2D's fattening sees what it would see in a world of its own (SetTransform would lose the displacement).
+
+#pragma once
+
+#include <memory>
+
+#include "testbed/engines/engine_run.h"
+
+namespace testbed {
+
+/// Stand-alone b2BroadPhase following `source`, which must be at step 0 of `scene`.
+std::unique_ptr<EngineRun> MakeBox2dFollower(const scenes::Scene& scene, std::unique_ptr<EngineRun> source);
+
+/// Stand-alone broad phase of ours, of the kind in `options`, following `source`.
+std::unique_ptr<EngineRun> MakeScreeFollower(const scenes::Scene& scene, const RunOptions& options,
+                                             std::unique_ptr<EngineRun> source);
+
+}  // namespace testbed

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of scene_run.h.
+
+#include "testbed/engines/scene_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "testbed/engines/state_hash.h"
+
+namespace testbed {
+
+namespace {
+
+constexpr float bulletDensity = 20.0f;  // kg/m²: heavy among the scenes' bodies, most of which have 1
+
+bool IsInRange(const SolverSettings& s) {
+    return s.timeStep >= 0.0001f && s.timeStep <= 0.1f && s.velocityIterations >= 1 && s.velocityIterations <= 200 &&
+           s.positionIterations >= 0 && s.positionIterations <= 200 && s.substeps >= 0 && s.substeps <= 64 &&
+           std::isfinite(s.gravity.x) && std::isfinite(s.gravity.y);
+}
+
+}  // namespace
+
+SceneRun::SceneRun(const scenes::Scene& scene, const RunOptions& options)
+    : m_scene(scene), m_keepBoxes(options.sweptBoxes) {
+    m_settings.timeStep = scene.timeStep;
+    m_settings.velocityIterations = scene.velocityIterations;
+    m_settings.positionIterations = scene.positionIterations;
+    m_settings.substeps = options.substeps;
+    m_settings.gravity = scene.gravity;
+    m_settings.continuous = options.continuous;
+}
+
+void SceneRun::Load() {
+    CreateBodiesUpTo(m_scene.InitialBodyCount());
+    for (const scenes::Joint& joint : m_scene.joints) CreateJoint(joint);
+}
+
+bool SceneRun::HasConveyor() const {
+    return std::ranges::any_of(m_scene.fixtures, [](const scenes::Fixture& f) { return f.tangentSpeed != 0.0f; });
+}
+
+void SceneRun::CreateBodiesUpTo(int count) {
+    for (; m_bodyCount < count; ++m_bodyCount) {
+        const scenes::Body& body = m_scene.bodies[static_cast<size_t>(m_bodyCount)];
+        m_newFixtures |= body.fixtureCount > 0;
+        CreateBody(body);
+    }
+}
+
+void SceneRun::KeepBoxes() {
+    Snapshot before;
+    CaptureRest(before, {.fixtures = true, .contacts = false, .joints = false, .nodes = false});
+    m_boxesBefore.clear();
+    for (const FixtureState& fixture : before.fixtures) m_boxesBefore.push_back(fixture.tight);
+}
+
+void SceneRun::AddKeptBoxes(std::vector<FixtureState>& fixtures) const {
+    for (size_t i = 0; i < fixtures.size(); ++i) {
+        const Box& after = fixtures[i].tight;
+        // What was spawned after the step has no box before it.
+        const Box& before = i < m_boxesBefore.size() ? m_boxesBefore[i] : after;
+        fixtures[i].swept = {{std::min(before.lower.x, after.lower.x), std::min(before.lower.y, after.lower.y)},
+                             {std::max(before.upper.x, after.upper.x), std::max(before.upper.y, after.upper.y)}};
+    }
+}
+
+void SceneRun::Step() {
+    if (m_keepBoxes) KeepBoxes();
+    m_heap.Measure([&] {
+        const CpuStopwatch watch;
+        m_times = StepEngine(m_newFixtures);
+        m_times.cpu = watch.GetMilliseconds();
+    });
+    m_newFixtures = false;
+    ++m_step;
+    int due = m_bodyCount;
+    while (m_spawnCount < m_scene.spawns.size() && m_scene.spawns[m_spawnCount].afterStep <= m_step) {
+        due = m_scene.spawns[m_spawnCount++].body + 1;
+    }
+    if (due > m_bodyCount) Create([&] { CreateBodiesUpTo(due); });
+}
+
+void SceneRun::Apply(const SolverSettings& settings) {
+    if (!IsInRange(settings)) {
+        throw std::invalid_argument(
+            "solver settings: the time step is legal from 0.0001 to 0.1 s, velocity iterations from 1 to 200, position "
+            "iterations from 0 to 200, substeps from 0 to 64, and gravity must be finite");
+    }
+    m_settings = settings;
+    ApplyToWorld(settings);
+}
+
+void SceneRun::BeginDrag(int body, Vec2 localPoint) {
+    if (body < 0 || body >= m_bodyCount ||
+        m_scene.bodies[static_cast<size_t>(body)].type != scenes::BodyType::dynamic) {
+        throw std::invalid_argument("body " + std::to_string(body) + " cannot be dragged: it is not a dynamic body");
+    }
+    EndDrag();
+    CreateDrag(body, localPoint);
+    m_isDragging = true;
+}
+
+void SceneRun::MoveDrag(Vec2 target) {
+    if (m_isDragging) MoveDragTo(target);
+}
+
+void SceneRun::EndDrag() {
+    if (m_isDragging) DestroyDrag();
+    m_isDragging = false;
+}
+
+int SceneRun::ShootBullet(Vec2 position, Vec2 velocity) {
+    scenes::Fixture fixture;
+    fixture.shape.type = scenes::ShapeType::circle;
+    fixture.shape.radius = bulletRadius;
+    fixture.density = bulletDensity;
+    scenes::Body body;
+    body.type = scenes::BodyType::dynamic;
+    body.bullet = true;
+    body.position = position;
+    body.linearVelocity = velocity;
+    body.firstFixture = static_cast<int>(m_scene.fixtures.size());
+    body.fixtureCount = 1;
+    m_scene.fixtures.push_back(fixture);
+    m_scene.bodies.insert(m_scene.bodies.begin() + m_bodyCount, body);
+    for (size_t i = m_spawnCount; i < m_scene.spawns.size(); ++i) ++m_scene.spawns[i].body;
+    Create([&] { CreateBodiesUpTo(m_bodyCount + 1); });
+    return m_bodyCount - 1;
+}
+
+void SceneRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {
+    snapshot.scene = m_scene.name;
+    snapshot.size = m_scene.size;
+    snapshot.step = m_step;
+    snapshot.times = m_times;
+    snapshot.memoryBytes = m_heap.GetBytes();
+    CaptureHeader(snapshot);
+    snapshot.bodies.clear();
+    snapshot.bodies.reserve(static_cast<size_t>(m_bodyCount));
+    CaptureBodies(snapshot.bodies);
+    snapshot.stateHash = HashState(snapshot.bodies);
+    snapshot.fixtures.clear();
+    snapshot.contacts.clear();
+    snapshot.joints.clear();
+    snapshot.nodes.clear();
+    snapshot.treeHeight = 0;
+    snapshot.leafSize = 0;
+    CaptureRest(snapshot, parts);
+    AddKeptBoxes(snapshot.fixtures);
+}
+
+}  // namespace testbed

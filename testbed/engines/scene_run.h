@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What the runs of all engines share: loading in the scene's order, counting steps, spawning, memory, and the common
+// part of a capture. An engine adds how to make a body and a joint, how to step, and how to describe itself.
+
+#pragma once
+
+#include "testbed/base/stopwatch.h"
+#include "testbed/engines/engine_run.h"
+#include "testbed/engines/heap_meter.h"
+
+namespace testbed {
+
+class SceneRun : public InteractiveRun {
+public:
+    void Step() final;
+    [[nodiscard]] int GetStep() const final { return m_step; }
+    [[nodiscard]] StepTimes GetTimes() const final { return m_times; }
+    [[nodiscard]] double GetCreateMilliseconds() const final { return m_createMilliseconds; }
+    [[nodiscard]] int64_t GetPeakBytes() const final { return m_heap.GetPeakBytes(); }
+    void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
+
+    [[nodiscard]] SolverSettings GetSettings() const final { return m_settings; }
+    void Apply(const SolverSettings& settings) final;
+    void BeginDrag(int body, Vec2 localPoint) final;
+    void MoveDrag(Vec2 target) final;
+    void EndDrag() final;
+    int ShootBullet(Vec2 position, Vec2 velocity) final;
+
+protected:
+    SceneRun(const scenes::Scene& scene, const RunOptions& options);
+    /// Creates what exists before the first step; for the constructor of the engine's class, inside Create.
+    void Load();
+    [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
+    /// Whether any surface of the scene moves what touches it.
+    [[nodiscard]] bool HasConveyor() const;
+    /// Bodies created so far: indices 0 … count − 1.
+    [[nodiscard]] int GetBodyCount() const { return m_bodyCount; }
+    /// Heap growth inside `call` counts as held by the engine, its time as spent on creation.
+    template <typename Call>
+    void Create(Call&& call) {
+        m_heap.Measure([&] {
+            const Stopwatch watch;
+            std::forward<Call>(call)();
+            m_createMilliseconds += watch.GetMilliseconds();
+        });
+    }
+
+    virtual void CreateBody(const scenes::Body& body) = 0;
+    virtual void CreateJoint(const scenes::Joint& joint) = 0;
+    /// One step; `newFixtures` tells that fixtures were created since the last one.
+    virtual StepTimes StepEngine(bool newFixtures) = 0;
+    /// Names, thread count, contact counts.
+    virtual void CaptureHeader(Snapshot& snapshot) = 0;
+    virtual void CaptureBodies(std::vector<BodyState>& bodies) = 0;
+    /// Fixtures, contacts, joints, nodes (with height, leaf size and reported pairs), as far as `parts` asks for them.
+    virtual void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) = 0;
+    /// Gravity, sleeping, warm starting and continuous collision into the world; steps read the rest.
+    virtual void ApplyToWorld(const SolverSettings& settings) = 0;
+    /// A mouse joint on the body at `localPoint`; none exists. Its strength is that of the dragSpring… below.
+    virtual void CreateDrag(int body, Vec2 localPoint) = 0;
+    virtual void MoveDragTo(Vec2 target) = 0;
+    virtual void DestroyDrag() = 0;
+
+    static constexpr float dragHertz = 5.0f;         ///< of the spring that pulls a body
+    static constexpr float dragDampingRatio = 0.7f;  ///< of the spring
+    static constexpr float dragAcceleration = 1000;  ///< largest force over the body's mass, m/s²
+
+private:
+    void CreateBodiesUpTo(int count);
+    /// Tight boxes are kept before a step, and joined with those after it in the capture.
+    void KeepBoxes();
+    void AddKeptBoxes(std::vector<FixtureState>& fixtures) const;
+
+    scenes::Scene m_scene;
+    HeapMeter m_heap;
+    StepTimes m_times;
+    double m_createMilliseconds = 0;
+    int m_step = 0;
+    int m_bodyCount = 0;
+    size_t m_spawnCount = 0;
+    bool m_newFixtures = false;
+    SolverSettings m_settings;
+    bool m_isDragging = false;
+    bool m_keepBoxes;
+    std::vector<Box> m_boxesBefore;  ///< by index into Snapshot::fixtures, before the last step
+};
+
+}  // namespace testbed

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree bench`: scenes timed in both engines, interleaved in one process; totals, single steps, stages, memory.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "testbed/base/case_lines.h"
+#include "testbed/base/errors.h"
+#include "testbed/base/input.h"
+#include "testbed/base/output.h"
+#include "testbed/base/progress.h"
+#include "testbed/jobs/bench/commands.h"
+#include "testbed/jobs/bench/files.h"
+#include "testbed/jobs/bench/object_bytes.h"
+#include "testbed/jobs/bench/plan.h"
+#include "testbed/jobs/bench/run.h"
+#include "testbed/jobs/bench/table.h"
+#include "testbed/jobs/bench/targets.h"
+#include "testbed/options/options.h"
+#include "testbed/page/gnuplot.h"
+
+namespace testbed {
+
+namespace {
+
+BenchResult RunOne(const BenchCase& benchCase, const BenchSettings& settings) {
+    const int steps =
+        settings.maxSteps > 0 ? std::min(settings.maxSteps, benchCase.info->steps) : benchCase.info->steps;
+    Progress progress(fmt::format("{} {}", benchCase.info->name, benchCase.size),
+                      static_cast<double>(steps) * settings.repeats * static_cast<double>(benchCase.variants.size()));
+    BenchResult result = RunBenchCase(benchCase, settings, [&](int count) { progress.Advance(count); });
+    progress.Finish(fmt::format("{} steps", result.rows.front().steps));
+    return result;
+}
+
+void Print(const std::string& text) {
+    fmt::print("{}", text);
+    std::fflush(stdout);
+}
+
+/// Runs the shard's cases, printing each as it is done.
+void RunCases(const BenchPlan& plan, BenchFiles& files, CaseLines& lines) {
+    Print(FormatBenchHeader());
+    for (std::size_t i = 0; i < plan.cases.size(); ++i) {
+        if (!plan.shard.Contains(i)) continue;
+        const BenchResult result = RunOne(plan.cases[i], plan.settings);
+        Print(FormatBenchRows(result.rows));
+        for (const BenchRow& row : result.rows) lines.Add(i, MakeBenchJson(row));
+        files.Add(result);
+    }
+}
+
+std::string DescribeBytes(const std::string& engines) {
+    std::string text;
+    for (const std::string& engine : ParseEngines(engines))
+        text += FormatObjectBytes(engine, MeasureObjectBytes(engine));
+    return text;
+}
+
+int RunBench(const BenchArguments& arguments, const Request& request) {
+    const BenchPlan plan = MakeBenchPlan(arguments);
+    BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});
+    CaseLines lines("bench", plan.cases.size());
+    std::string notes = FormatBenchNotes();
+    if (arguments.from.empty()) {
+        RunCases(plan, files, lines);
+        if (plan.shard.IsFirst()) notes += DescribeBytes(arguments.engines);
+    } else {
+        const std::vector<BenchRow> rows = ReadBenchRows(
+            arguments.from, ReadText(arguments.from, "give one that `scree bench --json` or `scree merge` wrote"));
+        Print(FormatBenchHeader() + FormatBenchRows(rows));
+        files.Add({rows, {}});
+    }
+    Print(notes);
+    std::vector<TargetResult> targets;
+    if (arguments.targets) {
+        targets = JudgeTargets(files.GetRows());
+        Print(FormatTargets(targets));
+    }
+    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    Print(files.Write({DescribeCommand(request.arguments), files.GetRows(), targets, {}, notes}));
+    return HasMiss(targets) ? exitDiffers : exitDone;
+}
+
+}  // namespace
+
+void AddBenchCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in both engines");
+    auto arguments = std::make_shared<BenchArguments>();
+    AddBenchOptions(*command, *arguments);
+    command->callback(
+        [&request, arguments] { request.action = [&request, arguments] { return RunBench(*arguments, request); }; });
+}
+
+}  // namespace testbed

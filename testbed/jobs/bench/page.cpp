@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of bench_page.h.
+
+#include "testbed/jobs/bench/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace testbed {
+namespace {
+
+PageTable MakeTable(std::span<const BenchRow> rows) {
+    PageTable table{.columns = {{.name = "scene"},
+                                {.name = "size", .numeric = true},
+                                {.name = "engine"},
+                                {.name = "solver"},
+                                {.name = "threads", .numeric = true},
+                                {.name = "total", .unit = "ms", .numeric = true},
+                                {.name = "ratio", .unit = "×", .numeric = true, .hint = "Box2D's total / this one's"},
+                                {.name = "create", .unit = "ms", .numeric = true},
+                                {.name = "median", .unit = "ms", .numeric = true, .group = "one step"},
+                                {.name = "p99", .unit = "ms", .numeric = true, .group = "one step"},
+                                {.name = "max", .unit = "ms", .numeric = true, .group = "one step"},
+                                {.name = "broad phase", .unit = "ms", .numeric = true, .group = "stages"},
+                                {.name = "narrow phase", .unit = "ms", .numeric = true, .group = "stages"},
+                                {.name = "islands", .unit = "ms", .numeric = true, .group = "stages"},
+                                {.name = "solver", .unit = "ms", .numeric = true, .group = "stages"},
+                                {.name = "continuous", .unit = "ms", .numeric = true, .group = "stages"},
+                                {.name = "body and step", .unit = "ns", .numeric = true},
+                                {.name = "contacts", .numeric = true, .hint = "most at the end of a step"},
+                                {.name = "memory", .unit = "MB", .numeric = true, .hint = "heap, most held"}},
+                    .filter = true};
+    for (const BenchRow& row : rows) {
+        const bool isVoid = !row.voidReason.empty();
+        PageCell total = PageCell::Number(row.totalMs, 1);
+        if (!row.complete) total.text = "≥ " + total.text;
+        PageCell ratio;
+        if (row.engine != "box2d" && row.ratio > 0) {
+            const PageTone tone = isVoid ? PageTone::warning : row.ratio >= 1 ? PageTone::good : PageTone::bad;
+            ratio = PageCell::Number(row.ratio, 2, tone);
+            if (isVoid) ratio.text += " void";
+            ratio.hint = row.voidReason;
+        }
+        const StageTotals& s = row.stages;
+        table.rows.push_back(
+            {row.scene, PageCell::Number(row.size), row.engine + (row.continuous ? ", continuous" : ""), row.solver,
+             PageCell::Number(row.threads), total, ratio, PageCell::Number(row.createMs, 1),
+             PageCell::Number(row.medianMs, 3), PageCell::Number(row.p99Ms, 3), PageCell::Number(row.maxMs, 3),
+             PageCell::Number(s.broadPhase, 1), PageCell::Number(s.narrowPhase, 1), PageCell::Number(s.islands, 1),
+             PageCell::Number(s.solver, 1), PageCell::Number(s.continuous, 1), PageCell::Number(row.nsPerBodyStep),
+             PageCell::Number(row.peakContacts), PageCell::Number(static_cast<double>(row.peakBytes) / 1e6, 2)});
+    }
+    return table;
+}
+
+PageTable MakeTargetsTable(std::span<const TargetResult> targets) {
+    PageTable table{.columns = {{.name = "verdict"},
+                                {.name = "target"},
+                                {.name = "scene"},
+                                {.name = "measured", .numeric = true},
+                                {.name = "needed", .numeric = true},
+                                {.name = "setting"}},
+                    .filter = true};
+    for (const TargetResult& t : targets) {
+        constexpr const char* names[] = {"met", "missed", "void", "not measured"};
+        constexpr PageTone tones[] = {PageTone::good, PageTone::bad, PageTone::warning, PageTone::muted};
+        const auto verdict = static_cast<std::size_t>(t.verdict);
+        PageCell name(names[verdict]);
+        name.tone = tones[verdict];
+        PageCell needed = PageCell::Number(t.needed, 3);
+        needed.text = (t.atLeast ? "≥ " : "≤ ") + needed.text;
+        const bool isMeasured = t.needed != 0;
+        table.rows.push_back({name, t.law, t.scene, isMeasured ? PageCell::Number(t.measured, 3) : PageCell(),
+                              isMeasured ? needed : PageCell(), t.note});
+    }
+    return table;
+}
+
+PageTiles MakeTiles(std::span<const BenchRow> rows) {
+    double sum = 0;
+    int count = 0, faster = 0;
+    const BenchRow* best = nullptr;
+    const BenchRow* worst = nullptr;
+    for (const BenchRow& row : rows) {
+        if (row.engine == "box2d" || row.ratio <= 0 || !row.voidReason.empty()) continue;
+        sum += std::log(row.ratio);
+        ++count;
+        faster += row.ratio >= 1;
+        if (best == nullptr || row.ratio > best->ratio) best = &row;
+        if (worst == nullptr || row.ratio < worst->ratio) worst = &row;
+    }
+    PageTiles tiles;
+    if (count == 0) return tiles;
+    tiles.tiles.push_back(
+        {"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×", "Box2D's total / ours"});
+    tiles.tiles.push_back({"faster than Box2D", fmt::format("{} of {}", faster, count), "", "rows that are not void"});
+    tiles.tiles.push_back({"largest ratio", fmt::format("{:.2f}", best->ratio), "×", best->scene});
+    tiles.tiles.push_back({"smallest ratio", fmt::format("{:.2f}", worst->ratio), "×", worst->scene});
+    return tiles;
+}
+
+}  // namespace
+
+Page MakeBenchPage(const BenchReport& report) {
+    Page page{.title = "Bench", .intro = "Both engines in one process, stepped in slices in turn."};
+    page.facts.push_back({"command", report.command});
+    const PageTiles tiles = MakeTiles(report.rows);
+    PageSection table{.title = "Times", .intro = report.notes, .blocks = {}};
+    if (!tiles.tiles.empty()) table.blocks.emplace_back(tiles);
+    table.blocks.emplace_back(MakeTable(report.rows));
+    page.sections.push_back(std::move(table));
+    if (!report.targets.empty()) {
+        page.sections.push_back({.title = "Targets", .blocks = {MakeTargetsTable(report.targets)}});
+    }
+    if (!report.plots.empty()) {
+        PageFigures figures;
+        for (const std::filesystem::path& plot : report.plots) {
+            figures.figures.push_back({.title = plot.stem().string(), .file = plot});
+        }
+        page.sections.push_back({.title = "Plots", .blocks = {figures}});
+    }
+    return page;
+}
+
+}  // namespace testbed

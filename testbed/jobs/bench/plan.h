@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What `scree bench` is to run: options as typed in, a checked list of cases out.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "testbed/base/shard.h"
+#include "testbed/jobs/bench/run.h"
+
+namespace testbed {
+
+/// As typed.
+struct BenchArguments {
+    std::vector<std::string> scenes;
+    std::string sizes = "default";
+    std::string engines = "scree,box2d";
+    std::string solver = "both";
+    std::string threads;  ///< empty: 1, with targets 1,2
+    std::string broadPhase = "auto";
+    bool continuous = false;
+    int repeats = 1;
+    int steps = 0;
+    double timeLimitS = 0;
+    ShardArguments shard;
+    bool targets = false;
+    std::string from;  ///< rows to judge and show instead of a run
+    std::string csv, plots, output;
+};
+
+struct BenchPlan {
+    std::vector<BenchCase> cases;  ///< of the whole run
+    Shard shard;
+    BenchSettings settings;
+};
+
+void AddBenchOptions(CLI::App& app, BenchArguments& arguments);
+
+/// The cases in the catalogue's order of scenes, or in the order typed; sizes ascending as given. Without names: the
+/// published suite, that is all scenes with a sweep that are no classics. Throws UsageError.
+[[nodiscard]] BenchPlan MakeBenchPlan(const BenchArguments& arguments);
+
+}  // namespace testbed

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of bench_row.h.
+
+#include "testbed/jobs/bench/row.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+#include "testbed/base/errors.h"
+#include "testbed/engines/state_hash.h"
+
+namespace testbed {
+namespace {
+
+/// Differences beyond which two runs did not do the same work.
+constexpr double awakeTolerance = 0.02, touchingTolerance = 0.20;
+
+/// Calls visit(column, value) in the order of the columns; this and the next are the one place that names them.
+template <typename Row, typename Visit>
+void ForEachCount(Row& row, Visit&& visit) {
+    visit("scene", row.scene);
+    visit("size", row.size);
+    visit("fixtures", row.fixtures);
+    visit("joints", row.joints);
+    visit("movers", row.movers);
+    visit("engine", row.engine);
+    visit("solver", row.solver);
+    visit("threads", row.threads);
+    visit("continuous", row.continuous);
+    visit("repeats", row.repeats);
+    visit("steps", row.steps);
+    visit("complete", row.complete);
+    visit("awake_body_steps", row.awakeBodySteps);
+    visit("touching_sum", row.touchingSum);
+    visit("contact_sum", row.contactSum);
+    visit("peak_contacts", row.peakContacts);
+    visit("peak_bytes", row.peakBytes);
+    visit("state_hash", row.stateHash);
+    visit("void", row.voidReason);
+}
+
+/// What depends on the clock.
+template <typename Row, typename Visit>
+void ForEachTime(Row& row, Visit&& visit) {
+    visit("create_ms", row.createMs);
+    visit("total_ms", row.totalMs);
+    visit("cpu_ms", row.cpuMs);
+    visit("median_ms", row.medianMs);
+    visit("p99_ms", row.p99Ms);
+    visit("max_ms", row.maxMs);
+    visit("max_step", row.maxStep);
+    visit("broad_phase_ms", row.stages.broadPhase);
+    visit("narrow_phase_ms", row.stages.narrowPhase);
+    visit("islands_ms", row.stages.islands);
+    visit("solver_ms", row.stages.solver);
+    visit("continuous_ms", row.stages.continuous);
+    visit("ns_per_body_step", row.nsPerBodyStep);
+    visit("ratio", row.ratio);
+    visit("cpu_ratio", row.cpuRatio);
+}
+
+template <typename Row, typename Visit>
+void ForEachColumn(Row& row, Visit&& visit) {
+    ForEachCount(row, visit);
+    ForEachTime(row, visit);
+}
+
+/// A hash as it is written: JSON numbers cannot hold 64 bits.
+template <typename Value>
+constexpr bool isHash = std::is_same_v<Value, uint64_t>;
+
+template <typename Value>
+void ReadField(const nlohmann::json& object, const char* name, Value& value) {
+    if constexpr (isHash<Value>) {
+        value = std::stoull(object.at(name).get<std::string>(), nullptr, 16);
+    } else {
+        value = object.at(name).get<Value>();
+    }
+}
+
+BenchRow ReadRow(const nlohmann::json& object) {
+    BenchRow row;
+    ForEachCount(row, [&](const char* name, auto& value) { ReadField(object, name, value); });
+    ForEachTime(row, [&](const char* name, auto& value) { ReadField(object.at("ms"), name, value); });
+    return row;
+}
+
+double Difference(int64_t ours, int64_t theirs) {
+    if (ours == theirs) return 0;
+    return std::abs(static_cast<double>(ours - theirs)) / static_cast<double>(std::max<int64_t>(1, theirs));
+}
+
+std::string DescribeDifference(const BenchRow& row, const BenchRow& box2d) {
+    if (row.steps != box2d.steps) return {};  // a run cut by the time limit has no full counts
+    const double awake = Difference(row.awakeBodySteps, box2d.awakeBodySteps);
+    const double touching = Difference(row.touchingSum, box2d.touchingSum);
+    std::string reason;
+    if (awake > awakeTolerance) reason = fmt::format("awake body-steps differ by {:.1f} %", 100 * awake);
+    if (touching > touchingTolerance) {
+        reason += fmt::format("{}touching contacts differ by {:.0f} %", reason.empty() ? "" : "; ", 100 * touching);
+    }
+    return reason;
+}
+
+}  // namespace
+
+double Quantile(std::span<const double> values, double part) {
+    if (values.empty()) return 0;
+    std::vector<double> sorted(values.begin(), values.end());
+    const auto count = static_cast<double>(sorted.size());
+    const auto rank = static_cast<std::ptrdiff_t>(std::max(1.0, std::ceil(part * count))) - 1;
+    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
+    return sorted[static_cast<std::size_t>(rank)];
+}
+
+BenchRun MergeRepeats(std::span<const BenchRun> runs) {
+    BenchRun merged;
+    std::vector<double> creates;
+    std::size_t shortest = runs.front().steps.size();
+    for (const BenchRun& run : runs) {
+        creates.push_back(run.createMs);
+        shortest = std::min(shortest, run.steps.size());
+        merged.complete = merged.complete && run.complete;
+    }
+    merged.createMs = Quantile(creates, 0.5);
+    std::vector<StepRecord> same;
+    for (std::size_t i = 0; i < shortest; ++i) {
+        same.clear();
+        for (const BenchRun& run : runs) same.push_back(run.steps[i]);
+        const auto middle = same.begin() + static_cast<std::ptrdiff_t>((same.size() - 1) / 2);
+        std::nth_element(same.begin(), middle, same.end(),
+                         [](const StepRecord& a, const StepRecord& b) { return a.times.step < b.times.step; });
+        merged.steps.push_back(*middle);
+    }
+    return merged;
+}
+
+void SetTimes(BenchRow& row, const BenchRun& run) {
+    std::vector<double> times;
+    row.steps = static_cast<int>(run.steps.size());
+    row.complete = run.complete;
+    row.createMs = run.createMs;
+    row.totalMs = row.cpuMs = row.maxMs = 0;
+    row.stages = {};
+    for (const StepRecord& record : run.steps) {
+        const StepTimes& t = record.times;
+        times.push_back(t.step);
+        row.totalMs += t.step;
+        row.cpuMs += t.cpu;
+        if (t.step > row.maxMs) {
+            row.maxMs = t.step;
+            row.maxStep = record.step;
+        }
+        row.stages.broadPhase += t.broadPhase;
+        row.stages.narrowPhase += t.narrowPhase;
+        row.stages.islands += t.islands;
+        row.stages.solver += t.solver - t.islands;
+        row.stages.continuous += t.continuous;
+    }
+    row.medianMs = Quantile(times, 0.5);
+    row.p99Ms = Quantile(times, 0.99);
+    row.nsPerBodyStep = row.awakeBodySteps > 0 ? row.totalMs * 1e6 / static_cast<double>(row.awakeBodySteps) : 0;
+}
+
+const BenchRow* FindBox2d(std::span<const BenchRow> rows, const BenchRow& row) {
+    const auto found = std::find_if(rows.begin(), rows.end(), [&](const BenchRow& other) {
+        return other.engine == "box2d" && other.scene == row.scene && other.size == row.size &&
+               other.continuous == row.continuous;
+    });
+    return found == rows.end() ? nullptr : &*found;
+}
+
+void CompareWithBox2d(std::span<BenchRow> rows) {
+    for (BenchRow& row : rows) {
+        const BenchRow* box2d = FindBox2d(rows, row);
+        row.ratio = box2d != nullptr && row.totalMs > 0 ? box2d->totalMs / row.totalMs : 0;
+        row.cpuRatio = box2d != nullptr && row.cpuMs > 0 ? box2d->cpuMs / row.cpuMs : 0;
+        row.voidReason = box2d != nullptr ? DescribeDifference(row, *box2d) : std::string();
+    }
+}
+
+std::string WriteBenchCsv(std::span<const BenchRow> rows) {
+    std::string text;
+    const auto append = [&text](const auto& cell) { text += fmt::format("{},", cell); };
+    const auto endLine = [&text] { text.back() = '\n'; };
+    const BenchRow none;
+    ForEachColumn(none, [&](const char* name, const auto&) { append(name); });
+    endLine();
+    for (const BenchRow& row : rows) {
+        ForEachColumn(row, [&](const char*, const auto& value) {
+            if constexpr (isHash<std::remove_cvref_t<decltype(value)>>) {
+                append(FormatHash(value));
+            } else {
+                append(value);
+            }
+        });
+        endLine();
+    }
+    return text;
+}
+
+nlohmann::ordered_json MakeBenchJson(const BenchRow& row) {
+    nlohmann::ordered_json object, times;
+    ForEachCount(row, [&object](const char* name, const auto& value) {
+        if constexpr (isHash<std::remove_cvref_t<decltype(value)>>) {
+            object[name] = FormatHash(value);
+        } else {
+            object[name] = value;
+        }
+    });
+    ForEachTime(row, [&times](const char* name, const auto& value) { times[name] = value; });
+    object["ms"] = std::move(times);
+    return object;
+}
+
+std::vector<BenchRow> ReadBenchRows(const std::string& file, const std::string& text) {
+    std::vector<BenchRow> rows;
+    std::istringstream lines(text);
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        if (line.empty()) continue;
+        try {
+            rows.push_back(ReadRow(nlohmann::json::parse(line)));
+        } catch (const std::exception& error) {  // of the parser, of a missing field, or of a hash that is none
+            throw FileError(fmt::format("{}:{}: not a row of `scree bench --json`: {}", file, number, error.what()));
+        }
+    }
+    return rows;
+}
+
+}  // namespace testbed

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of bench_table.h.
+
+#include "testbed/jobs/bench/table.h"
+
+#include <fmt/format.h>
+
+namespace testbed {
+namespace {
+
+constexpr double megabyte = 1e6;
+
+/// "×3.1", "≥×3.1" when Box2D was stopped, "≤×3.1" when only this run was, "void" in front when the work differs.
+std::string FormatRatio(const BenchRow& row, const BenchRow* box2d) {
+    if (row.engine == "box2d" || box2d == nullptr || row.ratio == 0) return "";
+    if (!row.complete && !box2d->complete) return "?";
+    const char* bound = !box2d->complete ? "≥" : !row.complete ? "≤" : "";
+    return fmt::format("{}×{:.{}f}{}", bound, row.ratio, row.ratio < 100 ? 2 : 0,
+                       row.voidReason.empty() ? "" : " void");
+}
+
+std::string FormatCpuRatio(const BenchRow& row) {
+    if (row.engine == "box2d" || row.cpuRatio == 0) return "";
+    return fmt::format("×{:.{}f} ({:.{}f})", row.cpuRatio, row.cpuRatio < 100 ? 2 : 0, row.cpuRatio / assertsFactor,
+                       row.cpuRatio < 100 ? 2 : 0);
+}
+
+std::string FormatSetting(const BenchRow& row) {
+    return fmt::format("{} {}{}", row.solver, row.threads, row.continuous ? " ccd" : "");
+}
+
+}  // namespace
+
+std::string FormatBenchHeader() {
+    return fmt::format(
+        "{:<21} {:>7} {:<6} {:<10} {:>9} {:>11} {:>12} {:>10} {:>16} {:>9} {:>9} {:>9} | {:>9} {:>9} {:>8} {:>9} {:>9} "
+        "| {:>7} {:>8} {:>8} {}\n",
+        "scene", "size", "engine", "solver thr", "create", "total ms", "ratio", "cpu ms", "ratio", "median", "p99",
+        "max", "broad", "narrow", "islands", "solver", "contin.", "ns/body", "contacts", "MB", "state hash");
+}
+
+std::string FormatBenchRows(std::span<const BenchRow> rows) {
+    std::string text, voids;
+    for (const BenchRow& row : rows) {
+        const BenchRow* box2d = FindBox2d(rows, row);
+        const StageTotals& s = row.stages;
+        text += fmt::format(
+            "{:<21} {:>7} {:<6} {:<10} {:>9.1f} {:>11} {:>12} {:>10.1f} {:>16} {:>9.3f} {:>9.3f} {:>9.3f} | {:>9.1f} "
+            "{:>9.1f} {:>8.1f} "
+            "{:>9.1f} {:>9.1f} | {:>7.0f} {:>8} {:>8.2f} {:016x}\n",
+            row.scene, row.size, row.engine, FormatSetting(row), row.createMs,
+            fmt::format("{}{:.1f}", row.complete ? "" : "≥", row.totalMs), FormatRatio(row, box2d), row.cpuMs,
+            FormatCpuRatio(row), row.medianMs, row.p99Ms, row.maxMs, s.broadPhase, s.narrowPhase, s.islands, s.solver,
+            s.continuous, row.nsPerBodyStep, row.peakContacts, static_cast<double>(row.peakBytes) / megabyte,
+            row.stateHash);
+        if (!row.complete) voids += fmt::format("  stopped at the time limit after {} steps\n", row.steps);
+        if (!row.voidReason.empty()) voids += fmt::format("  void ({}): {}\n", FormatSetting(row), row.voidReason);
+    }
+    return text + voids;
+}
+
+std::string FormatBenchNotes() {
+    return fmt::format(
+        "Times in ms: create and the stages summed over the run; median, p99 and max of single steps. ratio: Box2D's "
+        "total "
+        "/ ours,\nfor wall time and for processor time (all threads), which other programs do not lengthen; in "
+        "brackets "
+        "divided by {},\nthe most that the asserts in Debian's libbox2d were seen to cost. Box2D's solver includes "
+        "finding "
+        "islands; its broad phase\nincludes the pair search after new fixtures, not its retest in Collide. void: awake "
+        "body-steps differ by over 2 % or touching\ncontacts by over 20 %.\n",
+        assertsFactor);
+}
+
+}  // namespace testbed

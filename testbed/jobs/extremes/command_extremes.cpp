@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree extremes`: every case under every setting in a process of its own, graded.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "testbed/base/case_lines.h"
+#include "testbed/base/errors.h"
+#include "testbed/base/nearest.h"
+#include "testbed/base/output.h"
+#include "testbed/base/progress.h"
+#include "testbed/base/shard.h"
+#include "testbed/jobs/extremes/child.h"
+#include "testbed/jobs/extremes/commands.h"
+#include "testbed/jobs/extremes/report.h"
+#include "testbed/jobs/extremes/run_case.h"
+#include "testbed/options/options.h"
+
+namespace testbed {
+
+namespace {
+
+struct ExtremesArguments {
+    bool quick = false, full = false, list = false;
+    std::string filter;
+    std::string from;
+    std::string output = "out/extremes";
+    double limit = 0.0;  ///< 0: by quick and full
+    int jobs = 2;
+    ShardArguments shard;
+    std::string runCase, setting;  ///< internal: run this one here
+};
+
+struct NamedSetting {
+    std::string name;
+    EngineSetting setting;
+};
+std::vector<NamedSetting> GetSettings() {
+    std::vector<NamedSetting> settings;
+    for (const EngineSetting& setting : {GetSequential("box2d"), GetSequential("scree"), GetDial(Dial::game)}) {
+        if (IsAvailable(setting)) settings.push_back({setting.engine + " " + NameSolver(setting), setting});
+    }
+    return settings;
+}
+
+/// Cases whose name or group the expression finds; hidden ones only by their exact name.
+std::vector<const ExtremeCase*> ChooseCases(const std::string& filter) {
+    std::vector<const ExtremeCase*> chosen;
+    try {
+        const std::regex expression(filter);
+        for (const ExtremeCase& one : GetExtremeCases()) {
+            const bool found = std::regex_search(one.name, expression) || std::regex_search(one.group, expression);
+            if (one.hidden ? one.name == filter : found) chosen.push_back(&one);
+        }
+    } catch (const std::regex_error& error) {
+        throw UsageError(fmt::format("-g '{}': not a regular expression: {}", filter, error.what()));
+    }
+    if (chosen.empty()) {
+        throw UsageError(fmt::format("-g '{}' finds no case; `scree extremes --list` shows all", filter));
+    }
+    return chosen;
+}
+
+struct Job {
+    const ExtremeCase* one;
+    std::string setting;
+    std::size_t number;
+};
+
+double FindLimit(const ExtremesArguments& arguments) {
+    if (arguments.limit > 0.0) return arguments.limit;
+    return arguments.full ? 60.0 : arguments.quick ? 5.0 : 10.0;
+}
+
+/// In the child: runs the case and tells the outcome and the picture on stdout.
+int RunOneHere(const ExtremesArguments& arguments) {
+    const auto one = std::ranges::find(GetExtremeCases(), arguments.runCase, &ExtremeCase::name);
+    const std::vector<NamedSetting> settings = GetSettings();
+    const auto setting = std::ranges::find(settings, arguments.setting, &NamedSetting::name);
+    if (one == GetExtremeCases().end() || setting == settings.end()) {
+        throw UsageError(fmt::format("no such case and setting: '{}', '{}'", arguments.runCase, arguments.setting));
+    }
+    const double limit = FindLimit(arguments);
+    LimitThisProcess(limit);
+    // A long case cuts itself short, so that only one that hangs in a step meets the limit.
+    const CaseBudget budget{.quick = arguments.quick, .cpuSeconds = (arguments.quick ? 0.2 : 0.7) * limit};
+    const CaseRun run = RunCase(*one, setting->setting, budget);
+    nlohmann::ordered_json told;
+    told["outcome"] = ToJson(run.outcome);
+    told["picture"] = run.picture;
+    fmt::print("{}\n", told.dump());
+    return exitDone;
+}
+
+ExtremeResult JudgeEnd(const Job& job, ChildEnd end, std::string& picture) {
+    ExtremeResult result{
+        .name = job.one->name, .setting = job.setting, .ending = end.ending, .outcome = {}, .verdict = {}};
+    const auto told = nlohmann::ordered_json::parse(end.output, nullptr, false);
+    if (told.is_object() && told.contains("outcome")) {
+        result.outcome = OutcomeFromJson(told["outcome"]);
+        picture = told.value("picture", "");
+    } else {
+        result.ending.output = false;
+    }
+    result.verdict = GradeCase(*job.one, result.ending, result.outcome);
+    if (result.verdict.grade == Grade::abort && !end.words.empty()) {
+        // Assertions name the engine's source with the folder it was built in.
+        const std::size_t folder = end.words.rfind('/');
+        result.verdict.reasons.push_back(folder == std::string::npos ? end.words : end.words.substr(folder + 1));
+        result.outcome.note = result.verdict.reasons.back();
+    }
+    return result;
+}
+
+std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<const Job> jobs,
+                                  std::map<std::string, std::string>& pictures) {
+    const double limit = FindLimit(arguments);
+    std::vector<ChildJob> children;
+    for (const Job& job : jobs) {
+        ChildJob child{.arguments = {"extremes", "--run-case", job.one->name, "--setting", job.setting, "--limit",
+                                     fmt::format("{}", limit)},
+                       // Waiting counts here, and a busy machine makes everything wait.
+                       .wallSeconds = 10.0 * limit};
+        if (arguments.quick) child.arguments.emplace_back("--quick");
+        children.push_back(child);
+    }
+    std::vector<ExtremeResult> results(jobs.size());
+    Progress progress("extremes", static_cast<double>(std::max<std::size_t>(1, jobs.size())));
+    RunChildren(children, arguments.jobs, [&](std::size_t i, const ChildEnd& end) {
+        std::string picture;
+        results[i] = JudgeEnd(jobs[i], end, picture);
+        if (!picture.empty()) pictures[results[i].name + "/" + results[i].setting] = picture;
+        progress.Advance(1.0);
+    });
+    progress.Finish(fmt::format("{} runs", results.size()));
+    return results;
+}
+
+std::vector<ExtremeResult> ReadResults(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream) throw FileError("cannot read " + file + ": give a file that `scree extremes --json` wrote");
+    std::vector<ExtremeResult> results;
+    for (std::string line; std::getline(stream, line);) {
+        const auto fields = nlohmann::ordered_json::parse(line, nullptr, false);
+        if (!fields.is_object()) throw FileError(file + ": not a file that `scree extremes --json` wrote");
+        results.push_back(ExtremeResultFromJson(fields));
+    }
+    return results;
+}
+
+void PrintCases(std::span<const ExtremeCase* const> cases) {
+    for (const ExtremeCase* one : cases) fmt::print("{:24} {:22} {}\n", one->name, one->group, one->what);
+}
+
+int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
+    if (!arguments.runCase.empty()) return RunOneHere(arguments);
+    if (arguments.quick && arguments.full) throw UsageError("--quick and --full exclude each other");
+    const std::vector<const ExtremeCase*> cases = ChooseCases(arguments.filter);
+    if (arguments.list) {
+        PrintCases(cases);
+        return exitDone;
+    }
+    const std::vector<NamedSetting> settings = GetSettings();
+    const Shard shard = ParseShard(arguments.shard.shard);
+    std::vector<Job> jobs;
+    std::size_t number = 0;
+    for (const ExtremeCase* one : cases) {
+        for (const NamedSetting& setting : settings) {
+            if (shard.Contains(number)) jobs.push_back({one, setting.name, number});
+            ++number;
+        }
+    }
+    if (arguments.from.empty()) {
+        fmt::print("{} runs: {} cases, {} settings\n", number, cases.size(), settings.size());
+        std::fflush(stdout);
+    }
+    OutputFolder output(arguments.output);
+    std::map<std::string, std::string> pictures;
+    const std::vector<ExtremeResult> results =
+        arguments.from.empty() ? RunAll(arguments, jobs, pictures) : ReadResults(arguments.from);
+    if (!arguments.shard.json.empty()) {
+        CaseLines lines("extremes", number);
+        for (std::size_t i = 0; i < jobs.size() && arguments.from.empty(); ++i) {
+            lines.Add(jobs[i].number, ToJson(results[i]));
+        }
+        WriteTextFile(arguments.shard.json, lines.GetText());
+    }
+    output.WriteText("cases.csv", MakeExtremesCsv(results));
+    output.WriteText("index.html", MakePage(MakeExtremesPage(results, pictures, DescribeCommand(request.arguments))));
+    fmt::print("{}", FormatExtremes(results));
+    for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
+    const auto breaks = [](const ExtremeResult& r) {
+        return r.setting.starts_with("scree") && r.verdict.grade <= Grade::nonFinite;
+    };
+    return std::ranges::any_of(results, breaks) ? exitDiffers : exitDone;
+}
+
+}  // namespace
+
+void AddExtremesCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("extremes", "Stability at the extremes: cases graded in both engines");
+    auto arguments = std::make_shared<ExtremesArguments>();
+    command->add_flag("--quick", arguments->quick, "Shorter runs, at most 5 s of processor time each");
+    command->add_flag("--full", arguments->full, "Up to 60 s of processor time a run instead of 10");
+    command->add_flag("--list", arguments->list, "Only show the cases");
+    command
+        ->add_option("-g,--only", arguments->filter, "Only the cases whose name or group this regular expression finds")
+        ->type_name("REGEX");
+    command->add_option("--limit", arguments->limit, "Processor time for a run, s")->check(CLI::PositiveNumber);
+    command->add_option("--jobs", arguments->jobs, "Runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();
+    command->add_option("--from", arguments->from, "Run nothing: the report of a file that --json wrote, no pictures")
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->output, "Folder for the report")
+        ->type_name("DIR")
+        ->capture_default_str();
+    AddShardOptions(*command, arguments->shard);
+    command->footer("Exits with 1 when our engine aborts, hangs or goes non-finite in a case.");
+    command->add_option("--run-case", arguments->runCase)->group("");
+    command->add_option("--setting", arguments->setting)->group("");
+    command->callback(
+        [&request, arguments] { request.action = [&request, arguments] { return RunExtremes(*arguments, request); }; });
+}
+
+}  // namespace testbed

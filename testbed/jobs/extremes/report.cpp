@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of extremes_report.h.
+
+#include "testbed/jobs/extremes/report.h"
+#include "testbed/base/errors.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace testbed {
+
+namespace {
+
+const ExtremeCase* FindCase(const std::string& name) {
+    const auto found = std::ranges::find(GetExtremeCases(), name, &ExtremeCase::name);
+    return found == GetExtremeCases().end() ? nullptr : &*found;
+}
+
+std::vector<std::string> SettingsOf(std::span<const ExtremeResult> results) {
+    std::vector<std::string> settings;
+    for (const ExtremeResult& result : results) {
+        if (std::ranges::find(settings, result.setting) == settings.end()) settings.push_back(result.setting);
+    }
+    return settings;
+}
+
+bool IsOurs(const std::string& setting) { return setting.starts_with("scree"); }
+
+PageCell GradeCell(const ExtremeResult& result) {
+    const int grade = static_cast<int>(result.verdict.grade);
+    PageCell cell(fmt::format("{}", grade));
+    cell.value = grade;
+    cell.tone = grade == 4 ? PageTone::good : grade == 3 ? PageTone::warning : PageTone::bad;
+    cell.hint = fmt::format("{}{}{}", NameGrade(result.verdict.grade), result.verdict.reasons.empty() ? "" : ": ",
+                            fmt::join(result.verdict.reasons, "; "));
+    return cell;
+}
+
+const ExtremeResult* Find(std::span<const ExtremeResult> results, const std::string& name, const std::string& setting) {
+    for (const ExtremeResult& result : results) {
+        if (result.name == name && result.setting == setting) return &result;
+    }
+    return nullptr;
+}
+
+PageTable MakeMatrix(std::span<const ExtremeResult> results) {
+    PageTable table{.columns = {{.name = "case"}, {.name = "group"}, {.name = "what"}}, .filter = true};
+    const std::vector<std::string> settings = SettingsOf(results);
+    for (const std::string& setting : settings) table.columns.push_back({.name = setting, .numeric = true});
+    for (const ExtremeCase& one : GetExtremeCases()) {
+        std::vector<PageCell> row{one.name, one.group, one.what};
+        bool any = false;
+        for (const std::string& setting : settings) {
+            const ExtremeResult* result = Find(results, one.name, setting);
+            row.push_back(result ? GradeCell(*result) : PageCell("–"));
+            any = any || result != nullptr;
+        }
+        if (any) table.rows.push_back(row);
+    }
+    return table;
+}
+
+PageTable MakeReasons(std::span<const ExtremeResult> results) {
+    PageTable table{
+        .columns = {{.name = "case"}, {.name = "setting"}, {.name = "grade", .numeric = true}, {.name = "reasons"}},
+        .filter = true};
+    for (const ExtremeResult& result : results) {
+        if (result.verdict.grade == Grade::accurate) continue;
+        table.rows.push_back({result.name, result.setting, GradeCell(result),
+                              fmt::format("{}", fmt::join(result.verdict.reasons, "; "))});
+    }
+    return table;
+}
+
+std::array<int, 5> CountGrades(std::span<const ExtremeResult> results, const std::string& setting) {
+    std::array<int, 5> counts{};
+    for (const ExtremeResult& result : results) {
+        if (result.setting == setting) ++counts[static_cast<std::size_t>(result.verdict.grade)];
+    }
+    return counts;
+}
+
+PageTable MakeCounts(std::span<const ExtremeResult> results) {
+    PageTable table{.columns = {{.name = "setting"}}};
+    for (int grade = 4; grade >= 0; --grade) {
+        table.columns.push_back(
+            {.name = fmt::format("{}: {}", grade, NameGrade(static_cast<Grade>(grade))), .numeric = true});
+    }
+    for (const std::string& setting : SettingsOf(results)) {
+        std::vector<PageCell> row{setting};
+        const std::array<int, 5> counts = CountGrades(results, setting);
+        for (std::size_t grade = 5; grade-- > 0;) row.push_back(PageCell::Number(counts[grade]));
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+PageTable MakeMeasurements(std::span<const ExtremeResult> results) {
+    PageTable table{.columns = {{.name = "case"},
+                                {.name = "setting"},
+                                {.name = "simulated", .unit = "s", .numeric = true},
+                                {.name = "cut short"},
+                                {.name = "gain", .unit = "%", .numeric = true},
+                                {.name = "overlap", .unit = "mm", .numeric = true},
+                                {.name = "joint gap", .unit = "mm", .numeric = true},
+                                {.name = "contacts", .numeric = true},
+                                {.name = "slowest step", .unit = "ms", .numeric = true}},
+                    .filter = true};
+    for (const ExtremeResult& r : results) {
+        const Outcome& o = r.outcome;
+        table.rows.push_back({r.name, r.setting, PageCell::Number(o.seconds, 2), o.shortened ? "yes" : "",
+                              PageCell::Number(100.0 * o.gain, 3), PageCell::Number(1e3 * o.overlap, 3),
+                              PageCell::Number(1e3 * o.jointGap, 3), PageCell::Number(o.contacts),
+                              PageCell::Number(o.milliseconds, 2)});
+    }
+    return table;
+}
+
+constexpr std::string_view meaning =
+    "Every case runs in a process of its own with a limit of processor time. Grades: 0 the engine aborts or hangs, 1 a "
+    "state is no longer finite, 2 energy more than doubles, or a body passes a wall or leaves its place, 3 all "
+    "survives "
+    "but one of the questions is answered badly, 4 everything as asked.\n\n"
+    "The questions: states are finite; energy rises by no more than 1 %; nobody escapes; two seconds after load nobody "
+    "overlaps by more than a tenth of its size; no step does more than 50 times the usual work; what should come to "
+    "rest "
+    "does within five seconds; a second run ends in the same states; bad input gets an error that names the field and "
+    "changes nothing. Grade 4 also asks for small overlaps (2 cm for bodies of 1 m) and joint gaps (1 cm).";
+
+}  // namespace
+
+nlohmann::ordered_json ToJson(const ExtremeResult& result) {
+    nlohmann::ordered_json fields;
+    fields["name"] = result.name;
+    fields["setting"] = result.setting;
+    fields["grade"] = static_cast<int>(result.verdict.grade);
+    fields["reasons"] = result.verdict.reasons;
+    fields["timedOut"] = result.ending.timedOut;
+    fields["signal"] = result.ending.signal;
+    fields["exitCode"] = result.ending.exitCode;
+    fields["told"] = result.ending.output;
+    fields["outcome"] = ToJson(result.outcome);
+    return fields;
+}
+
+ExtremeResult ExtremeResultFromJson(const nlohmann::ordered_json& fields) {
+    ExtremeResult result;
+    try {
+        result.name = fields.at("name").get<std::string>();
+        result.setting = fields.at("setting").get<std::string>();
+        result.ending = {fields.at("timedOut").get<bool>(), fields.at("signal").get<int>(),
+                         fields.at("exitCode").get<int>(), fields.at("told").get<bool>()};
+        result.outcome = OutcomeFromJson(fields.at("outcome"));
+    } catch (const nlohmann::json::exception& error) {
+        throw FileError(std::string("not a line of `scree extremes --json`: ") + error.what());
+    }
+    const ExtremeCase* one = FindCase(result.name);
+    if (!one) throw FileError("no such case: " + result.name);
+    result.verdict = GradeCase(*one, result.ending, result.outcome);
+    return result;
+}
+
+std::string MakeExtremesCsv(std::span<const ExtremeResult> results) {
+    std::string text =
+        "case,group,setting,grade,reasons,signal,seconds,cut_short,gain,escapes,max_speed,overlap_m,overlap_share,"
+        "joint_gap_m,rest_speed,accuracy,contacts,work_ratio,capped,stopped,repeated,bad_calls,refused,named,"
+        "slowest_step_ms\n";
+    for (const ExtremeResult& r : results) {
+        const Outcome& o = r.outcome;
+        const ExtremeCase* one = FindCase(r.name);
+        std::string reasons = fmt::format("{}", fmt::join(r.verdict.reasons, "; "));
+        std::ranges::replace(reasons, '"', '\'');
+        fmt::format_to(std::back_inserter(text), "{},{},{},{},\"{}\",{},", r.name, one ? one->group : "", r.setting,
+                       static_cast<int>(r.verdict.grade), reasons, r.ending.signal);
+        fmt::format_to(std::back_inserter(text), "{:.4g},{},{:.6g},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},",
+                       o.seconds, o.shortened ? 1 : 0, o.gain, o.escapes, o.maxSpeed, o.overlap, o.overlapShare,
+                       o.jointGap, o.restSpeed, o.accuracy);
+        fmt::format_to(std::back_inserter(text), "{},{:.4g},{},{},{},{},{},{},{:.4f}\n", o.contacts, o.workRatio,
+                       o.capped, o.stopped, o.repeated, o.badCalls, o.refused, o.named, o.milliseconds);
+    }
+    return text;
+}
+
+Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std::string, std::string>& pictures,
+                      const std::string& command) {
+    Page page{.title = "Stability at the extremes",
+              .intro =
+                  "What both engines do with masses, sizes, speeds, places, loads and input that no engine is made "
+                  "for.",
+              .facts = {{"command", command}, {"runs", fmt::format("{}", results.size())}}};
+    page.sections.push_back(
+        {.title = "Grades", .intro = std::string(meaning), .blocks = {MakeCounts(results), MakeMatrix(results)}});
+    page.sections.push_back({.title = "Why not the full grade", .blocks = {MakeReasons(results)}});
+    PageSection figures{.title = "Worst moments",
+                        .intro =
+                            "The moment of the worst fault of every run below the full grade. Outlines only; grey "
+                            "is static."};
+    PageFigures all{.figures = {}, .columns = 4};
+    for (const ExtremeResult& r : results) {
+        const auto picture = pictures.find(r.name + "/" + r.setting);
+        if (r.verdict.grade == Grade::accurate || picture == pictures.end()) continue;
+        all.figures.push_back(
+            {.title = r.name + ", " + r.setting,
+             .caption = fmt::format("step {}: {}", r.outcome.worstStep, fmt::join(r.verdict.reasons, "; ")),
+             .svg = picture->second});
+    }
+    if (!all.figures.empty()) {
+        figures.blocks.push_back(all);
+        page.sections.push_back(figures);
+    }
+    page.sections.push_back({.title = "Measurements", .blocks = {MakeMeasurements(results)}, .folded = true});
+    return page;
+}
+
+std::string FormatExtremes(std::span<const ExtremeResult> results) {
+    std::string text = "runs by grade                4     3     2     1     0\n";
+    for (const std::string& setting : SettingsOf(results)) {
+        const std::array<int, 5> c = CountGrades(results, setting);
+        text += fmt::format("{:24} {:5} {:5} {:5} {:5} {:5}\n", setting, c[4], c[3], c[2], c[1], c[0]);
+    }
+    for (const ExtremeResult& r : results) {
+        if (r.verdict.grade >= Grade::survives || !IsOurs(r.setting)) continue;
+        text += fmt::format("below 3: {}, {}: {} ({})\n", r.name, r.setting, static_cast<int>(r.verdict.grade),
+                            fmt::join(r.verdict.reasons, "; "));
+    }
+    return text;
+}
+
+}  // namespace testbed

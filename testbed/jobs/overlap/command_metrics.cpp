@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree metrics`: the numbers of every step without any picture; overlap is counted on the CPU, no GL is opened.
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/output.h"
+#include "testbed/engines/side_by_side.h"
+#include "testbed/jobs/overlap/commands.h"
+#include "testbed/jobs/overlap/metrics.h"
+#include "testbed/jobs/overlap/show_steps.h"
+#include "testbed/jobs/overlap/summary.h"
+#include "testbed/options/options.h"
+
+namespace testbed {
+
+namespace {
+
+struct MetricsArguments {
+    std::string scene;
+    std::string steps;
+    RunArguments run;
+    PictureArguments picture;
+};
+
+int RunMetrics(const MetricsArguments& arguments, const Request& request) {
+    std::vector<std::string> names;
+    if (!arguments.scene.empty()) names.push_back(arguments.scene);
+    SceneJob job = MakeJobs(names, arguments.run, {}).front();
+    job.selection.range =
+        arguments.steps.empty() ? StepRange{1, job.info->steps, 1} : ParseSteps(arguments.steps, true);
+    const RunSetup setup = MakeRunSetup(arguments.run);
+    const PictureOptions options = MakePictureOptions(arguments.picture);
+    OutputFolder output(arguments.run.output);
+
+    const std::string name(job.info->name);
+    Progress progress(name, job.selection.range.last + workPerPicture * job.selection.Count());
+    SideBySide engines(scenes::Build(name, job.size), setup);
+    RunSummary summary{name, job.size, {}, {}};
+    ShowSteps(engines, job.selection, 1, progress, [&](std::span<const Snapshot> snapshots) {
+        std::vector<const Snapshot*> pointers;
+        for (const Snapshot& snapshot : snapshots) pointers.push_back(&snapshot);
+        const Camera camera = ChooseCamera(pointers, options);
+        for (const Snapshot& snapshot : snapshots) {
+            summary.rows.push_back(MeasureSnapshot(snapshot, CountOverlap(snapshot, camera, options).stats));
+        }
+    });
+    summary.timing = engines.GetTiming();
+    SaveMetrics(output, name, {name, job.size, DescribeCommand(request.arguments)}, summary.rows);
+    progress.Finish(fmt::format("{} steps, {} measured", engines.GetStep(), job.selection.Count()));
+    fmt::print("{}\n{}", FormatSummary(summary), FormatFiles(output.GetFiles()));
+    return exitDone;
+}
+
+}  // namespace
+
+void AddMetricsCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("metrics", "The numbers of every step alone; needs no OpenGL");
+    auto arguments = std::make_shared<MetricsArguments>();
+    command->add_option("SCENE", arguments->scene, "A scene; `scree list` shows them");
+    command
+        ->add_option("--steps", arguments->steps,
+                     "Number of steps, or first:last or first:last:stride; a full run if not given")
+        ->type_name("N|A:B:S");
+    AddRunOptions(*command, arguments->run);
+    AddCountOptions(*command, arguments->picture);
+    command->callback(
+        [&request, arguments] { request.action = [&request, arguments] { return RunMetrics(*arguments, request); }; });
+}
+
+}  // namespace testbed

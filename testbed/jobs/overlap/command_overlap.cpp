@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree overlap`: the same scene in two engines, how many nodes of each broad-phase tree cover every pixel, and the
+// broad-phase time of every step (Tsamis 2020, section 3.8, figures 7 to 10).
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "testbed/base/errors.h"
+#include "testbed/engines/side_by_side.h"
+#include "testbed/jobs/overlap/commands.h"
+#include "testbed/jobs/overlap/metrics.h"
+#include "testbed/jobs/overlap/picture_session.h"
+#include "testbed/jobs/overlap/show_steps.h"
+#include "testbed/jobs/overlap/summary.h"
+#include "testbed/jobs/overlap/timing_plot.h"
+#include "testbed/options/options.h"
+#include "testbed/page/gnuplot.h"
+
+namespace testbed {
+
+namespace {
+
+struct OverlapArguments {
+    std::vector<std::string> scenes;
+    RunArguments run;
+    PictureArguments picture;
+    StepArguments steps;
+    SequenceArguments sequence;
+};
+
+/// The plot shows at least the steps that the dissertation's figures show.
+constexpr int plotSteps = 100;
+
+/// Draws, counts and saves the pictures of one step; returns a row of numbers per engine.
+std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Snapshot> snapshots) {
+    std::vector<PaneInput> inputs;
+    PictureRecord all{.kind = "compare", .snapshots = {}, .rows = {}, .stats = {}, .camera = {}};
+    for (const Snapshot& snapshot : snapshots) {
+        all.snapshots.push_back(&snapshot);
+        // The overlap counts follow below, when the picture exists.
+        all.rows.push_back(MeasureSnapshot(snapshot, {}));
+        inputs.push_back({&snapshot, fmt::format("sibling overlap {:.3f}", all.rows.back().siblingOverlap)});
+    }
+    OverlapResult result = session.maker.MakeOverlap(inputs, session.options, session.ChooseCamera(all.snapshots));
+    all.camera = result.camera;
+    all.scaleMax = result.scaleMax;
+    for (std::size_t i = 0; i < result.panes.size(); ++i) {
+        const OverlapStats& stats = result.panes[i].count.stats;
+        all.stats.push_back(stats);
+        all.rows[i].overlapMax = stats.max;
+        all.rows[i].overlapMean = stats.mean;
+        all.rows[i].overlapP99 = stats.p99;
+    }
+
+    for (std::size_t i = 0; i < result.panes.size(); ++i) {
+        PictureRecord one = all;
+        one.kind = "overlap";
+        one.snapshots = {all.snapshots[i]};
+        one.rows = {all.rows[i]};
+        one.stats = {all.stats[i]};
+        session.Save(result.panes[i].engine, std::move(result.panes[i].image), one);
+    }
+    if (result.panes.size() == 2) {
+        session.Save("compare", std::move(result.compare), all);
+        PictureRecord difference = all;
+        difference.kind = "difference";
+        difference.difference = &result.differenceStats;
+        session.Save("difference", std::move(result.difference), difference);
+    }
+    return all.rows;
+}
+
+void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<TimingSeries>& timing) {
+    const std::filesystem::path folder(job.info->name);
+    session.output.WriteText(folder / "timing.csv", WriteTimingCsv(timing));
+    const std::filesystem::path temporary = session.output.Prepare(folder / ".timing.tmp.png");
+    DrawTimingPlot(
+        timing,
+        fmt::format("{}, size {}: broad phase of steps 1-{}", job.info->name, job.size, timing.front().steps.size()),
+        temporary);
+    session.output.Adopt(temporary, folder / "timing.png");
+}
+
+void RunScene(PictureSession& session, const SceneJob& job, const RunSetup& setup) {
+    Progress progress(std::string(job.info->name),
+                      std::max(plotSteps, job.selection.range.last) + workPerPicture * job.selection.Count());
+    session.Begin(job.selection.Count());
+    SideBySide engines(scenes::Build(job.info->name, job.size), setup);
+    RunSummary summary{std::string(job.info->name), job.size, {}, {}};
+    ShowSteps(engines, job.selection, plotSteps, progress, [&](std::span<const Snapshot> snapshots) {
+        session.Make([&] {
+            const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots);
+            summary.rows.insert(summary.rows.end(), rows.begin(), rows.end());
+        });
+    });
+    session.Finish();
+    summary.timing = engines.GetTiming();
+    SaveMetrics(session.output, job.info->name, {summary.scene, job.size, session.origin.command}, summary.rows);
+    SaveTiming(session, job, summary.timing);
+    progress.Finish(session.Describe(engines.GetStep(), job.selection.Count()));
+    fmt::print("{}\n", FormatSummary(summary));
+    std::fflush(stdout);
+}
+
+int RunOverlap(const OverlapArguments& arguments, const Request& request) {
+    const std::vector<SceneJob> jobs = MakeJobs(arguments.scenes, arguments.run, arguments.steps);
+    const RunSetup setup = MakeRunSetup(arguments.run);
+    const PictureOptions options = MakePictureOptions(arguments.picture);
+    const SequenceOptions sequence = MakeSequenceOptions(arguments.sequence, options.width, options.theme);
+    for (const SceneJob& job : jobs) CheckSheet(sequence, job.selection.Count());
+    CheckGnuplot();
+    PictureSession session = MakePictureSession(
+        {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
+        request.contextOptions);
+    for (const SceneJob& job : jobs) RunScene(session, job, setup);
+    fmt::print("{}", FormatFiles(session.output.GetFiles()));
+    return exitDone;
+}
+
+}  // namespace
+
+void AddOverlapCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand(
+        "overlap",
+        "Overlap of broad-phase trees in both engines, as pictures and numbers, with the times of all steps");
+    auto arguments = std::make_shared<OverlapArguments>();
+    command->add_option("SCENE", arguments->scenes, "Scenes; `scree list` shows them");
+    AddStepOptions(*command, arguments->steps);
+    AddSequenceOptions(*command, arguments->sequence);
+    AddRunOptions(*command, arguments->run);
+    AddCountOptions(*command, arguments->picture);
+    AddLookOptions(*command, arguments->picture);
+    command->callback([&request, arguments] {
+        request.action = [&request, arguments] {
+            return SkipMissingBackend(arguments->picture, [&] { return RunOverlap(*arguments, request); });
+        };
+    });
+}
+
+}  // namespace testbed

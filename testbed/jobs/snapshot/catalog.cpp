@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The list of reference pictures. What a scene gets depends on its own name alone, so that a new scene or a new set
+// changes no picture that exists.
+
+#include "testbed/jobs/snapshot/catalog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+
+#include "scenes/catalog.h"
+
+namespace testbed {
+
+namespace {
+
+enum class When : unsigned char { early, late, both };
+
+struct SnapshotSet {
+    std::string_view name, kind, layers;
+    int group;  ///< 0 … groupCount − 1: only scenes of this group have it; anyGroup: all
+    When when;
+    std::string_view theme = "dark";
+};
+constexpr int groupCount = 3, anyGroup = -1;
+
+constexpr SnapshotSet snapshotSets[] = {
+    {"overlap", "overlap", "internal", anyGroup, When::both},
+    {"contacts", "render", "bodies,contacts,normals,impulses", 0, When::late},
+    {"labels", "render", "bodies,labels", 0, When::early},
+    {"islands", "render", "bodies,islands,contacts", 1, When::late},
+    {"boxes", "render", "bodies,aabbs", 1, When::early},
+    {"bvh", "render", "bodies,bvh", 2, When::late},
+    {"joints", "render", "bodies,joints", 2, When::early},
+    {"velocities", "render", "bodies,velocities", 0, When::early},
+    {"swept", "render", "bodies,aabbs-swept,aabbs-fattened", 1, When::early},
+    {"partitions", "render", "bodies,partitions", 2, When::late},
+    {"light", "render", "bodies,joints,contacts,impulses", 0, When::late, "light"},
+    {"light-overlap", "overlap", "levels=0..4", 1, When::late, "light"},
+    {"light-islands", "render", "islands,velocities,labels", 2, When::early, "light"},
+};
+
+/// Scenes with sizes are halved until no more fixtures move than this: the whole check stays a matter of seconds.
+constexpr int maxMovingFixtures = 400;
+
+/// FNV-1a over the name.
+int GroupOf(std::string_view scene) {
+    uint32_t hash = 2166136261u;
+    for (const char c : scene) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
+    return static_cast<int>((hash >> 8) % groupCount);
+}
+
+int ChooseSize(const scenes::SceneInfo& info) {
+    int size = info.defaultSize;
+    while (size > info.minSize && scenes::Count(info.build(size)).movingFixtures > maxMovingFixtures) {
+        size = std::max(info.minSize, size / 2);
+    }
+    return size;
+}
+
+}  // namespace
+
+std::vector<SnapshotCase> GetSnapshotCatalog() {
+    std::vector<SnapshotCase> cases;
+    for (const scenes::SceneInfo& info : scenes::Catalog()) {
+        const int size = ChooseSize(info), group = GroupOf(info.name);
+        for (const When when : {When::early, When::late}) {
+            // A third of the way bodies fly, at the end they touch.
+            const int step = when == When::late ? info.showStep : std::max(1, info.showStep / 3);
+            for (const SnapshotSet& set : snapshotSets) {
+                if (set.group != anyGroup && set.group != group) continue;
+                if (set.when != When::both && set.when != when) continue;
+                cases.push_back({std::string(info.name), size, step, fmt::format("step-{:04}-{}", step, set.name),
+                                 std::string(set.kind), std::string(set.layers), std::string(set.theme)});
+            }
+        }
+    }
+    return cases;
+}
+
+}  // namespace testbed

@@ -1,0 +1,251 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Pictures of the snapshot catalogue made now against the references.
+
+#include "testbed/jobs/snapshot/check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <regex>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/progress.h"
+#include "testbed/jobs/snapshot/reference_folder.h"
+#include "testbed/jobs/snapshot/report.h"
+#include "testbed/jobs/snapshot/structure.h"
+#include "testbed/picture/image.h"
+#include "testbed/picture/image_compare.h"
+
+namespace testbed {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+std::regex CompilePattern(const std::string& pattern) {
+    try {
+        return std::regex(pattern);
+    } catch (const std::regex_error& error) {
+        throw UsageError(fmt::format("-g {}: not a regular expression: {}", pattern, error.what()));
+    }
+}
+
+SnapshotResult MakeResult(const SnapshotCase& snapshotCase) {
+    SnapshotResult result;
+    result.id = snapshotCase.GetId();
+    result.scene = snapshotCase.scene;
+    result.name = snapshotCase.name;
+    result.kind = snapshotCase.kind;
+    result.layers = snapshotCase.layers;
+    result.size = snapshotCase.size;
+    result.step = snapshotCase.step;
+    return result;
+}
+
+/// Ids contain nothing that an expression or the shell would read otherwise.
+std::string UpdateCommand(const std::string& id, const char* mode) {
+    return fmt::format("testbed/run snapshot update --update {} -g '^{}$'", mode, id);
+}
+
+/// How the structures of two sidecars differ, as text; empty when they agree or one has none.
+std::string DescribeStructureChange(const Json& expected, const Json& actual) {
+    if (!expected.is_object() || !expected.contains("structure") || !actual.contains("structure")) return {};
+    const Json change = CompareStructures(expected["structure"], actual["structure"]);
+    return change["equal"].get<bool>() ? std::string() : change.dump();
+}
+
+void JudgePair(SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture) {
+    const Image &expected = reference.image, &actual = picture.image;
+    result.structure = DescribeStructureChange(reference.sidecar, picture.sidecar);
+    if (expected.width != actual.width || expected.height != actual.height) {
+        result.status = SnapshotStatus::size;
+        result.message = fmt::format("{}x{} pixels, the reference has {}x{}", actual.width, actual.height,
+                                     expected.width, expected.height);
+        return;
+    }
+    result.pixels = ComparePixels(expected, actual, result.rule);
+    result.status = result.pixels.changed == 0 ? SnapshotStatus::equal : SnapshotStatus::changed;
+    result.message = DescribePixels(result);
+    if (result.status == SnapshotStatus::equal && !result.structure.empty()) {
+        result.message += "; the state below the pixels changed";
+    }
+}
+
+void Judge(SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture) {
+    result.rule = reference.rule;
+    result.update = UpdateCommand(result.id, "all");
+    if (!reference.hasImage && !reference.hasSidecar) {
+        result.status = SnapshotStatus::missing;
+        result.message = "there is no reference";
+        result.update = UpdateCommand(result.id, "missing");
+    } else if (!reference.hasImage || !reference.hasSidecar) {
+        result.status = SnapshotStatus::deleted;
+        result.message = fmt::format("the reference's {} is gone", reference.hasImage ? "sidecar" : "picture");
+    } else {
+        JudgePair(result, reference, picture);
+        if (result.status == SnapshotStatus::equal) result.update.clear();
+    }
+}
+
+class Checker {
+public:
+    Checker(const SnapshotJob& job, PictureMaker& maker) : m_job(job), m_maker(maker) {
+        if (job.alwaysReport) m_report.emplace(job.report);
+    }
+
+    SnapshotOutcome Run();
+
+private:
+    void CheckScene(std::span<const SnapshotCase> cases, std::size_t firstNumber);
+    void CheckPicture(const SnapshotCase& snapshotCase, const SnapshotPicture& picture, std::size_t number);
+    void CheckOrphan(const std::string& id, std::size_t number);
+    [[nodiscard]] bool IsAccepted(const SnapshotResult& result) const;
+    void Report(SnapshotResult& result, const ReportedPair& pair);
+    void Keep(SnapshotResult result, std::size_t number) {
+        m_outcome.results.push_back(std::move(result));
+        m_outcome.caseNumbers.push_back(number);
+    }
+
+    const SnapshotJob& m_job;
+    PictureMaker& m_maker;
+    std::optional<SnapshotReport> m_report;
+    SnapshotOutcome m_outcome;
+};
+
+bool Checker::IsAccepted(const SnapshotResult& result) const {
+    const bool isMissing = result.status == SnapshotStatus::missing;
+    const bool isSame = result.status == SnapshotStatus::equal && result.structure.empty();
+    switch (m_job.update) {
+        case UpdateMode::none:
+            return false;
+        case UpdateMode::missing:
+            return isMissing;
+        case UpdateMode::changed:
+            return !isMissing && !isSame && result.status != SnapshotStatus::orphan;
+        case UpdateMode::all:
+            return !isSame;
+    }
+    return false;
+}
+
+void Checker::Report(SnapshotResult& result, const ReportedPair& pair) {
+    if (result.status == SnapshotStatus::equal) return;
+    if (!m_report) m_report.emplace(m_job.report);
+    m_report->Add(result, pair);
+}
+
+void Checker::CheckPicture(const SnapshotCase& snapshotCase, const SnapshotPicture& picture, std::size_t number) {
+    const Clock::time_point start = Clock::now();
+    SnapshotResult result = MakeResult(snapshotCase);
+    Reference reference;
+    try {
+        reference = ReadReference(m_job.references, result.id);
+        Judge(result, reference, picture);
+    } catch (const std::exception& error) {  // a damaged reference must not hide the other results
+        result.status = SnapshotStatus::failed;
+        result.message = error.what();
+        result.update = UpdateCommand(result.id, "all");
+    }
+    result.simulateMs = picture.simulateMs;
+    result.renderMs = picture.renderMs;
+    result.compareMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    if (IsAccepted(result)) {
+        WriteReference(m_job.references, result.id, picture.image, picture.sidecar, reference.sidecar);
+        m_outcome.rewritten.push_back(result.id);
+        result = MakeResult(snapshotCase);
+        result.message = "accepted";
+    } else {
+        if (result.status == SnapshotStatus::equal && !result.structure.empty()) ++m_outcome.structureOnly;
+        Report(result, {.expected = reference.hasImage ? &reference.image : nullptr,
+                        .actual = &picture.image,
+                        .expectedSidecar = reference.hasSidecar ? FormatSidecar(reference.sidecar) : "",
+                        .actualSidecar = FormatSidecar(picture.sidecar)});
+    }
+    Keep(std::move(result), number);
+}
+
+void Checker::CheckScene(std::span<const SnapshotCase> cases, std::size_t firstNumber) {
+    Progress progress(cases.front().scene, static_cast<double>(cases.size()));
+    const std::size_t first = m_outcome.results.size();
+    std::size_t number = firstNumber;
+    const auto take = [&](const SnapshotCase& snapshotCase, SnapshotPicture picture) {
+        CheckPicture(snapshotCase, picture, number++);
+        progress.Advance(1);
+    };
+    try {
+        RenderSnapshots(cases, m_job.run, m_maker, take);
+    } catch (const std::invalid_argument& error) {  // a scene that cannot be loaded: the others still can
+        for (; number < firstNumber + cases.size(); ++number) {
+            SnapshotResult result = MakeResult(cases[number - firstNumber]);
+            result.status = SnapshotStatus::failed;
+            result.message = error.what();
+            Report(result, {});
+            Keep(std::move(result), number);
+        }
+    }
+    progress.Finish(FormatCounts(std::span(m_outcome.results).subspan(first)));
+}
+
+void Checker::CheckOrphan(const std::string& id, std::size_t number) {
+    SnapshotResult result;
+    result.id = id;
+    result.scene = id.substr(0, id.find('/'));
+    result.name = id.substr(id.find('/') + 1);
+    result.status = SnapshotStatus::orphan;
+    result.message = "a reference that the catalogue of snapshots does not have";
+    result.update = UpdateCommand(id, "all");
+    if (IsAccepted(result)) {
+        RemoveReference(m_job.references, id);
+        m_outcome.removed.push_back(id);
+        return;
+    }
+    Report(result, {});
+    Keep(std::move(result), number);
+}
+
+SnapshotOutcome Checker::Run() {
+    const std::vector<SnapshotCase> cases = SelectCases(m_job.pattern);
+    std::set<std::string> orphans = ListReferences(m_job.references);
+    for (const SnapshotCase& snapshotCase : GetSnapshotCatalog()) orphans.erase(snapshotCase.GetId());
+    const std::regex pattern = CompilePattern(m_job.pattern);
+    std::erase_if(orphans, [&](const std::string& id) { return !std::regex_search(id, pattern); });
+    if (cases.empty() && orphans.empty()) {
+        throw UsageError(fmt::format("-g {}: no snapshot matches; `scree snapshot list` shows all", m_job.pattern));
+    }
+    m_outcome.caseCount = cases.size() + orphans.size();
+    std::size_t group = 0, number = 0;
+    for (const std::span<const SnapshotCase> scene : GroupByScene(cases)) {
+        if (m_job.shard.Contains(group++)) CheckScene(scene, number);
+        number += scene.size();
+    }
+    for (const std::string& id : orphans) {
+        if (m_job.shard.IsFirst()) CheckOrphan(id, number);
+        ++number;
+    }
+    if (m_report) {
+        m_outcome.page = m_report->Finish(
+            {m_job.command, GetBackendName(m_maker.GetBackend()), m_maker.GetRendererName(), m_maker.GetVersion()},
+            m_outcome.results);
+    }
+    return std::move(m_outcome);
+}
+
+}  // namespace
+
+std::vector<SnapshotCase> SelectCases(const std::string& pattern) {
+    const std::regex expression = CompilePattern(pattern);
+    std::vector<SnapshotCase> cases = GetSnapshotCatalog();
+    std::erase_if(cases, [&](const SnapshotCase& c) { return !std::regex_search(c.GetId(), expression); });
+    return cases;
+}
+
+SnapshotOutcome CheckSnapshots(const SnapshotJob& job, PictureMaker& maker) { return Checker(job, maker).Run(); }
+
+}  // namespace testbed

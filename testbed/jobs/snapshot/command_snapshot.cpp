@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree snapshot check | update | verify | list`: pictures of every scene against references.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <vector>
+
+#include "testbed/base/case_lines.h"
+#include "testbed/base/errors.h"
+#include "testbed/base/nearest.h"
+#include "testbed/base/output.h"
+#include "testbed/base/shard.h"
+#include "testbed/jobs/snapshot/check.h"
+#include "testbed/jobs/snapshot/commands.h"
+#include "testbed/jobs/snapshot/reference_folder.h"
+#include "testbed/jobs/snapshot/report.h"
+#include "testbed/jobs/snapshot/verify.h"
+#include "testbed/options/options.h"
+
+#ifndef SCREE_REFERENCE_FOLDER
+#define SCREE_REFERENCE_FOLDER "tests/snapshots"
+#endif
+
+namespace testbed {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+struct SnapshotArguments {
+    std::string action;
+    std::string pattern;
+    std::string update;
+    std::string references = SCREE_REFERENCE_FOLDER;
+    std::string report;
+    std::string junit;
+    bool annotations = false;
+    ShardArguments shard;
+    PictureArguments picture;  ///< of these only the backend
+};
+
+constexpr std::array<std::string_view, 4> actionNames = {"check", "update", "verify", "list"};
+constexpr std::array<std::string_view, 3> updateNames = {"missing", "changed", "all"};
+/// Where a check without --report leaves what differs.
+constexpr const char* defaultReport = "out/snapshots";
+
+UpdateMode ParseUpdate(const SnapshotArguments& arguments) {
+    const std::string text = arguments.action == "update" && arguments.update.empty() ? "all" : arguments.update;
+    if (text.empty()) return UpdateMode::none;
+    const auto place = std::ranges::find(updateNames, text);
+    if (place == updateNames.end()) throw UsageError(DescribeUnknown("kind of --update", text, updateNames));
+    constexpr std::array modes{UpdateMode::missing, UpdateMode::changed, UpdateMode::all};
+    return modes[static_cast<std::size_t>(place - updateNames.begin())];
+}
+
+/// Files that the user named get their folder made first: an unwritable place is known before the work.
+void CheckWritable(const std::string& file) {
+    if (file.empty()) return;
+    const fs::path parent = fs::path(file).parent_path();
+    const OutputFolder probe(parent.empty() ? fs::path(".") : parent);
+}
+
+void PrintOutcome(const SnapshotOutcome& outcome, const SnapshotJob& job) {
+    for (const std::string& id : outcome.rewritten) fmt::print("written  {}\n", id);
+    for (const std::string& id : outcome.removed) fmt::print("removed  {}\n", id);
+    for (const SnapshotResult& result : outcome.results) {
+        if (result.status != SnapshotStatus::equal) fmt::print("{}", FormatResult(result));
+    }
+    fmt::print("{} of {} snapshots: {}", outcome.results.size(), outcome.caseCount, FormatCounts(outcome.results));
+    if (job.update != UpdateMode::none) {
+        fmt::print("; {} written, {} removed", outcome.rewritten.size(), outcome.removed.size());
+    }
+    fmt::print("\n");
+    if (outcome.structureOnly > 0) {
+        fmt::print(
+            "{} equal in their pixels alone: the state changed by less (`snapshot update` renews the sidecars)\n",
+            outcome.structureOnly);
+    }
+    if (!outcome.page.empty()) fmt::print("report: {}\n", outcome.page.string());
+}
+
+int RunCheck(const SnapshotArguments& arguments, const Request& request) {
+    SnapshotJob job;
+    job.references = arguments.references;
+    job.pattern = arguments.pattern;
+    job.shard = ParseShard(arguments.shard.shard);
+    job.update = ParseUpdate(arguments);
+    job.alwaysReport = !arguments.report.empty();
+    job.report = job.alwaysReport ? arguments.report : defaultReport;
+    job.command = "scree snapshot " + arguments.action;
+    const Backend backend = CheckedBackend(arguments.picture);
+    CheckWritable(arguments.junit);
+    CheckWritable(arguments.shard.json);
+
+    PictureMaker maker(backend, request.contextOptions);
+    const SnapshotOutcome outcome = CheckSnapshots(job, maker);
+    CaseLines lines("snapshot " + arguments.action, outcome.caseCount);
+    for (std::size_t i = 0; i < outcome.results.size(); ++i) {
+        lines.Add(outcome.caseNumbers[i], DescribeResult(outcome.results[i]));
+    }
+    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    if (!arguments.junit.empty()) WriteTextFile(arguments.junit, WriteJunit(job.command, outcome.results));
+    if (arguments.annotations) {
+        // Relative to where CI stands: annotations of files outside the checkout are not shown.
+        const std::string folder = fs::proximate(job.references).generic_string();
+        fmt::print("{}", FormatAnnotations(outcome.results, folder));
+    }
+    PrintOutcome(outcome, job);
+    return IsClean(outcome.results) ? exitDone : exitDiffers;
+}
+
+/// Cases of the shard, and their numbers in the whole run.
+struct ShardCases {
+    std::vector<SnapshotCase> cases;
+    std::vector<std::size_t> numbers;
+    std::size_t total = 0;
+};
+
+ShardCases SelectShard(const SnapshotArguments& arguments) {
+    const Shard shard = ParseShard(arguments.shard.shard);
+    const std::vector<SnapshotCase> all = SelectCases(arguments.pattern);
+    if (all.empty()) {
+        throw UsageError(fmt::format("-g {}: no snapshot matches; `scree snapshot list` shows all", arguments.pattern));
+    }
+    ShardCases chosen;
+    std::size_t group = 0;
+    for (const std::span<const SnapshotCase> scene : GroupByScene(all)) {
+        const bool isOurs = shard.Contains(group++);
+        for (const SnapshotCase& snapshotCase : scene) {
+            if (isOurs) {
+                chosen.cases.push_back(snapshotCase);
+                chosen.numbers.push_back(chosen.total);
+            }
+            ++chosen.total;
+        }
+    }
+    return chosen;
+}
+
+int RunVerify(const SnapshotArguments& arguments, const Request& request) {
+    const ShardCases chosen = SelectShard(arguments);
+    CheckWritable(arguments.shard.json);
+    const std::vector<VerifyWay> ways = GetVerifyWays();
+    const int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const std::vector<VerifyRun> runs = VerifySnapshots(chosen.cases, ways, request.contextOptions, jobs);
+    std::string missing;
+    for (const VerifyRun& run : runs) {
+        if (run.isBackendMissing) {
+            missing = run.problem;
+        } else if (!run.problem.empty()) {
+            throw std::runtime_error(fmt::format("{}: {}", run.way.GetName(), run.problem));
+        }
+    }
+    if (!missing.empty() && !arguments.picture.skipMissingBackend) throw BackendError(missing);
+
+    CaseLines lines("snapshot verify", chosen.total);
+    std::size_t differing = 0;
+    for (std::size_t i = 0; i < chosen.cases.size(); ++i) {
+        const std::string id = chosen.cases[i].GetId();
+        const std::vector<std::string> deviants = FindDeviants(runs, i);
+        lines.Add(chosen.numbers[i], {{"id", id},
+                                      {"status", deviants.empty() ? "equal" : "changed"},
+                                      {"pixels_and_state", runs.front().hashes[i]},
+                                      {"differing", deviants}});
+        if (deviants.empty()) continue;
+        ++differing;
+        fmt::print("differs  {}: {} against {}\n", id, fmt::join(deviants, "; "), ways.front().GetName());
+    }
+    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    fmt::print("{} of {} snapshots made in {} ways: {}\n", chosen.cases.size(), chosen.total,
+               std::ranges::count_if(runs, [](const VerifyRun& run) { return !run.hashes.empty(); }),
+               differing == 0 ? "all equal" : fmt::format("{} differ", differing));
+    if (SupportedThreads(2) == 1) fmt::print("the engine takes one thread; the rasteriser was tried with 1 and 2\n");
+    return differing == 0 ? exitDone : exitDiffers;
+}
+
+int RunList(const SnapshotArguments& arguments) {
+    const ShardCases chosen = SelectShard(arguments);
+    CheckWritable(arguments.shard.json);
+    CaseLines lines("snapshot list", chosen.total);
+    for (std::size_t i = 0; i < chosen.cases.size(); ++i) {
+        const SnapshotCase& c = chosen.cases[i];
+        const bool hasReference = fs::exists(fs::path(arguments.references) / (c.GetId() + ".png"));
+        fmt::print("{:<46} size {:>4}  {:<8} {:<6} {}{}\n", c.GetId(), c.size, c.kind, c.theme, c.layers,
+                   hasReference ? "" : "   (no reference)");
+        lines.Add(chosen.numbers[i], {{"id", c.GetId()},
+                                      {"scene", c.scene},
+                                      {"size", c.size},
+                                      {"step", c.step},
+                                      {"kind", c.kind},
+                                      {"layers", c.layers},
+                                      {"theme", c.theme},
+                                      {"has_reference", hasReference}});
+    }
+    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    return exitDone;
+}
+
+int RunSnapshot(const SnapshotArguments& arguments, const Request& request) {
+    const auto isAction = [&](std::string_view name) { return arguments.action == name; };
+    if (std::ranges::none_of(actionNames, isAction)) {
+        throw UsageError(DescribeUnknown("action of snapshot", arguments.action, actionNames));
+    }
+    const bool compares = isAction("check") || isAction("update");
+    if (!compares && (!arguments.update.empty() || !arguments.report.empty() || !arguments.junit.empty())) {
+        throw UsageError("--update, --report and --junit belong to snapshot check and update");
+    }
+    if (isAction("list")) return RunList(arguments);
+    return SkipMissingBackend(arguments.picture, [&] {
+        return isAction("verify") ? RunVerify(arguments, request) : RunCheck(arguments, request);
+    });
+}
+
+}  // namespace
+
+void AddSnapshotCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("snapshot", "Pictures of every scene against references");
+    auto arguments = std::make_shared<SnapshotArguments>();
+    command
+        ->add_option("ACTION", arguments->action,
+                     "check: compare with the references; update: make the differences the new references; verify: "
+                     "make each picture twice, with 1 and 2 threads and on every backend; list: show all")
+        ->required();
+    command->add_option("-g,--grep", arguments->pattern, "Only snapshots whose scene/name matches")->type_name("REGEX");
+    command->add_option("--update", arguments->update,
+                        "Which differences to accept: missing, changed or all (also removes references that no "
+                        "snapshot has); update without it: all");
+    command
+        ->add_option("--references", arguments->references, "Folder of the references; the checkout's own if not given")
+        ->type_name("DIR");
+    command
+        ->add_option(
+            "--report", arguments->report,
+            fmt::format("Folder for index.html, actual/, expected/, diff/ and results.json; without it {}, only when "
+                        "something differs",
+                        defaultReport))
+        ->type_name("DIR");
+    command->add_option("--junit", arguments->junit, "Write the results as JUnit XML")->type_name("FILE");
+    command->add_flag("--annotations", arguments->annotations, "Print a line `::error file=…` per difference, for CI");
+    AddShardOptions(*command, arguments->shard);
+    command
+        ->add_option("--backend", arguments->picture.backend,
+                     "What makes the pixels: auto, osmesa, egl or cpu; verify takes them all")
+        ->capture_default_str();
+    command->add_flag("--skip-missing-backend", arguments->picture.skipMissingBackend,
+                      "Exit with 77 instead of 3 when the backend is missing; verify goes on without it");
+    command->callback(
+        [&request, arguments] { request.action = [&request, arguments] { return RunSnapshot(*arguments, request); }; });
+}
+
+}  // namespace testbed

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Makes the pictures of the snapshot catalogue.
+
+#include "testbed/jobs/snapshot/render.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "scenes/catalog.h"
+#include "testbed/engines/engine_run.h"
+#include "testbed/jobs/snapshot/structure.h"
+#include "testbed/view/layers.h"
+
+namespace testbed {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+
+double MillisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+PictureOptions MakeOptions(const SnapshotCase& snapshotCase) {
+    PictureOptions options;
+    options.width = snapshotWidth;
+    options.height = snapshotHeight;
+    options.theme = ParseTheme(snapshotCase.theme);
+    options.supersampling = 1;  // few colours: a palette, and files of a few kilobytes
+    if (snapshotCase.kind == "overlap") {
+        options.layers = Layers{};  // the counts alone
+        options.style = Style::heat;
+        options.nodes = ParseNodeSelection(snapshotCase.layers);
+    } else {
+        options.layers = ParseLayers(snapshotCase.layers);
+        options.nodes = ParseNodeSelection("internal");
+    }
+    return options;
+}
+
+Json DescribeCase(const SnapshotCase& snapshotCase, const Snapshot& snapshot, const PictureMaker& maker) {
+    return {{"schema", 1},
+            {"kind", snapshotCase.kind},
+            {"scene", snapshotCase.scene},
+            {"name", snapshotCase.name},
+            {"size", snapshotCase.size},
+            {"step", snapshotCase.step},
+            {"layers", snapshotCase.layers},
+            {"theme", snapshotCase.theme},
+            {"backend", GetBackendName(maker.GetBackend())},
+            {"gl_renderer", maker.GetRendererName()},
+            {"engine", snapshot.engine},
+            {"broad_phase", snapshot.broadPhase},
+            {"touching", snapshot.touchingCount},
+            {"state_hash", fmt::format("{:016x}", snapshot.stateHash)}};
+}
+
+SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& snapshot, PictureMaker& maker) {
+    const Clock::time_point start = Clock::now();
+    PictureOptions options = MakeOptions(snapshotCase);
+    const PaneInput input{&snapshot, {}};
+    SnapshotPicture picture;
+    picture.sidecar = DescribeCase(snapshotCase, snapshot, maker);
+    if (snapshotCase.kind == "overlap") {
+        // A scale that ends at the largest count would recolour the whole picture when that count changes by one.
+        const Camera camera = ChooseCamera(std::array<const Snapshot*, 1>{&snapshot}, options);
+        options.scaleMax = std::bit_ceil(CountOverlap(snapshot, camera, options).stats.max);
+        OverlapResult result = maker.MakeOverlap(std::span(&input, 1), options);
+        const OverlapStats& stats = result.panes[0].count.stats;
+        picture.sidecar["overlap"] = {{"max", stats.max},
+                                      {"mean", stats.mean},
+                                      {"p99", stats.p99},
+                                      {"nodes_drawn", stats.nodesDrawn},
+                                      {"scale_max", *options.scaleMax}};
+        picture.image = std::move(result.panes[0].image);
+    } else {
+        picture.image = maker.MakeRender(input, options);
+    }
+    picture.sidecar["structure"] = DescribeStructure(snapshot);
+    picture.renderMs = MillisecondsSince(start);
+    return picture;
+}
+
+}  // namespace
+
+void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotRun& run, PictureMaker& maker,
+                     const std::function<void(const SnapshotCase&, SnapshotPicture)>& take) {
+    if (cases.empty()) return;
+    scenes::Scene scene = scenes::Build(cases.front().scene, cases.front().size);
+    if (run.perturb) run.perturb(scene);
+    RunOptions options;
+    options.threads = run.threads;
+    options.sweptBoxes = std::ranges::any_of(
+        cases, [](const SnapshotCase& c) { return c.kind == "render" && ParseLayers(c.layers).Has(Layer::swept); });
+    const std::unique_ptr<EngineRun> engine = MakeScreeRun(scene, options);
+    Snapshot snapshot;
+    for (const SnapshotCase& snapshotCase : cases) {
+        const Clock::time_point start = Clock::now();
+        const bool isNew = engine->GetStep() < snapshotCase.step || snapshot.step != snapshotCase.step;
+        while (engine->GetStep() < snapshotCase.step) engine->Step();
+        if (isNew) engine->Capture(snapshot);
+        const double simulateMs = MillisecondsSince(start);
+        SnapshotPicture picture = MakePicture(snapshotCase, snapshot, maker);
+        picture.simulateMs = simulateMs;
+        take(snapshotCase, std::move(picture));
+    }
+}
+
+int SupportedThreads(int wanted) {
+    const scenes::Scene empty;
+    for (RunOptions options{.threads = wanted}; options.threads > 1; --options.threads) {
+        try {
+            (void)MakeScreeRun(empty, options);
+            return options.threads;
+        } catch (const std::invalid_argument&) {  // the engine's way to refuse a number of threads
+        }
+    }
+    return 1;
+}
+
+std::vector<std::span<const SnapshotCase>> GroupByScene(std::span<const SnapshotCase> cases) {
+    std::vector<std::span<const SnapshotCase>> groups;
+    for (std::size_t begin = 0; begin < cases.size();) {
+        std::size_t end = begin;
+        while (end < cases.size() && cases[end].scene == cases[begin].scene) ++end;
+        groups.push_back(cases.subspan(begin, end - begin));
+        begin = end;
+    }
+    return groups;
+}
+
+}  // namespace testbed

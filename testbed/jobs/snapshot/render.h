@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Makes the pictures of the snapshot catalogue: one simulation per scene, every picture with its sidecar. Our engine
+// alone: the other one's state depends on the machine's mathematics library and on the version that is installed.
+
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "scenes/scene.h"
+#include "testbed/jobs/snapshot/catalog.h"
+#include "testbed/view/picture.h"
+
+namespace testbed {
+
+/// A picture as it was made now.
+struct SnapshotPicture {
+    Image image;
+    nlohmann::ordered_json sidecar;  ///< without "compare", the rule, which belongs to the reference
+    double simulateMs = 0;           ///< since the scene's last picture
+    double renderMs = 0;
+};
+
+/// What a test may change on the way.
+struct SnapshotRun {
+    int threads = 1;                                   ///< of the engine
+    std::function<void(scenes::Scene&)> perturb = {};  ///< applied to every scene before it is loaded
+};
+
+/// Calls `take` for every case in order; the cases are of one scene, sorted by step.
+void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotRun& run, PictureMaker& maker,
+                     const std::function<void(const SnapshotCase&, SnapshotPicture)>& take);
+
+/// The largest number of threads up to `wanted` that the engine takes.
+[[nodiscard]] int SupportedThreads(int wanted);
+
+/// Cases that follow each other and share a scene.
+[[nodiscard]] std::vector<std::span<const SnapshotCase>> GroupByScene(std::span<const SnapshotCase> cases);
+
+}  // namespace testbed

@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree tradeoff`: laws of mechanics under every setting of both engines, error against cost.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "testbed/base/case_lines.h"
+#include "testbed/base/errors.h"
+#include "testbed/base/output.h"
+#include "testbed/base/progress.h"
+#include "testbed/base/shard.h"
+#include "testbed/jobs/tradeoff/commands.h"
+#include "testbed/jobs/tradeoff/report.h"
+#include "testbed/options/options.h"
+#include "testbed/page/gnuplot.h"
+
+namespace testbed {
+
+namespace {
+
+struct TradeArguments {
+    bool quick = false;
+    bool count = false;
+    std::string filter;
+    std::string from;
+    std::string output = "out/tradeoff";
+    ShardArguments shard;
+};
+
+/// Laws whose name the expression finds. Throws UsageError for a bad one and for one that finds none.
+std::vector<const Law*> ChooseLaws(const std::string& filter) {
+    std::vector<const Law*> chosen;
+    try {
+        const std::regex expression(filter);
+        for (const Law& law : GetLaws()) {
+            if (std::regex_search(law.name, expression)) chosen.push_back(&law);
+        }
+    } catch (const std::regex_error& error) {
+        throw UsageError(fmt::format("-g '{}': not a regular expression: {}", filter, error.what()));
+    }
+    if (!chosen.empty()) return chosen;
+    std::string names;
+    for (const Law& law : GetLaws()) names += (names.empty() ? "" : ", ") + law.name;
+    throw UsageError(fmt::format("-g '{}' finds no law; there are: {}", filter, names));
+}
+
+/// Runs the shard's cases and notes each as a line.
+std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& lines) {
+    const Effort effort = arguments.quick ? Effort::quick : Effort::full;
+    const TradePlan plan{.effort = effort, .repeats = arguments.quick ? 3 : 9};
+    const std::vector<EngineSetting> grid = MakeGrid(effort);
+    const Shard shard = ParseShard(arguments.shard.shard);
+    std::vector<TradeCase> all;
+    std::size_t number = 0;
+    for (const Law* law : ChooseLaws(arguments.filter)) {
+        std::vector<EngineSetting> settings;
+        std::vector<std::size_t> numbers;
+        for (const EngineSetting& setting : grid) {
+            if (shard.Contains(number)) {
+                settings.push_back(setting);
+                numbers.push_back(number);
+            }
+            ++number;
+        }
+        if (settings.empty()) continue;
+        Progress progress(law->name, static_cast<double>(settings.size()) * (1 + plan.repeats));
+        const std::vector<TradeCase> cases = MeasureTrade(*law, settings, plan, [&] { progress.Advance(1.0); });
+        progress.Finish(fmt::format("{} settings", cases.size()));
+        for (std::size_t i = 0; i < cases.size(); ++i) lines.Add(numbers[i], ToJson(cases[i]));
+        all.insert(all.end(), cases.begin(), cases.end());
+    }
+    return all;
+}
+
+/// The cases of a file that --json or `scree merge` wrote.
+std::vector<TradeCase> ReadCases(const std::string& file) {
+    std::ifstream stream(file);
+    if (!stream) throw FileError("cannot read " + file + ": give a file that `scree tradeoff --json` wrote");
+    std::vector<TradeCase> cases;
+    for (std::string line; std::getline(stream, line);) {
+        const auto fields = nlohmann::ordered_json::parse(line, nullptr, false);
+        if (!fields.is_object()) throw FileError(file + ": not a file that `scree tradeoff --json` wrote");
+        cases.push_back(TradeCaseFromJson(fields));
+    }
+    return cases;
+}
+
+void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, const std::string& command) {
+    output.WriteText("cases.csv", MakeTradeCsv(cases));
+    output.WriteText("bounds.csv", MakeBoundsCsv(cases));
+    std::filesystem::path plots;
+    for (const Law& law : GetLaws()) {
+        if (std::ranges::find(cases, law.name, &TradeCase::law) == cases.end()) continue;
+        const std::filesystem::path relative = std::filesystem::path("plots") / (law.name + ".svg");
+        const std::filesystem::path temporary = output.Prepare(relative).string() + ".tmp";
+        RunGnuplot(MakeTradeScript(law, cases, temporary), temporary);
+        output.Adopt(temporary, relative);
+        plots = output.Prepare(relative).parent_path();
+    }
+    output.WriteText("index.html", MakePage(MakeTradePage(cases, plots, command)));
+}
+
+int RunTradeoff(const TradeArguments& arguments, const Request& request) {
+    const Effort effort = arguments.quick ? Effort::quick : Effort::full;
+    const std::size_t count = ChooseLaws(arguments.filter).size() * MakeGrid(effort).size();
+    const Shard shard = ParseShard(arguments.shard.shard);
+    if (arguments.from.empty()) {
+        fmt::print("{} cases: {} laws, {} settings\n", count, ChooseLaws(arguments.filter).size(),
+                   MakeGrid(effort).size());
+        std::fflush(stdout);
+    }
+    if (arguments.count) return exitDone;
+    CheckGnuplot();
+    OutputFolder output(arguments.output);
+    CaseLines lines("tradeoff", count);
+    const std::vector<TradeCase> cases =
+        arguments.from.empty() ? MeasureAll(arguments, lines) : ReadCases(arguments.from);
+    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    if (shard.count > 1) {
+        output.WriteText(fmt::format("cases-{}-of-{}.csv", shard.index, shard.count), MakeTradeCsv(cases));
+        fmt::print("shard {} of {}: {} cases; join the --json files with `scree merge` and give them to --from\n",
+                   shard.index, shard.count, cases.size());
+        return exitDone;
+    }
+    WriteReport(output, cases, DescribeCommand(request.arguments));
+    fmt::print("{}", FormatTrade(cases));
+    for (const std::string& file : output.GetFiles()) {
+        if (!file.ends_with(".svg")) fmt::print("{}\n", file);
+    }
+    return exitDone;
+}
+
+}  // namespace
+
+void AddTradeoffCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in both engines");
+    auto arguments = std::make_shared<TradeArguments>();
+    command->add_flag("--quick", arguments->quick, "Fewer settings, phases and repeats: under two minutes");
+    command->add_flag("--count", arguments->count, "Only print the number of cases");
+    command->add_option("-g,--only", arguments->filter, "Only the laws whose name this regular expression finds")
+        ->type_name("REGEX");
+    command->add_option("--from", arguments->from, "Measure nothing: the report of a file that --json wrote")
+        ->type_name("FILE");
+    command->add_option("-o,--output", arguments->output, "Folder for the report")
+        ->type_name("DIR")
+        ->capture_default_str();
+    AddShardOptions(*command, arguments->shard);
+    command->callback(
+        [&request, arguments] { request.action = [&request, arguments] { return RunTradeoff(*arguments, request); }; });
+}
+
+}  // namespace testbed

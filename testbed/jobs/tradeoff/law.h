@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The laws of mechanics that the trade between speed and accuracy is measured on. A law is a scenario with a known
+// result: its scenes are data, it runs in any engine under any setting, and its errors are read from the states of
+// bodies in double.
+
+#pragma once
+
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scenes/scene.h"
+#include "testbed/engines/engine_setting.h"
+#include "testbed/engines/lab.h"
+
+namespace testbed {
+
+/// For a quantity without a bound.
+inline constexpr double noBound = std::numeric_limits<double>::infinity();
+
+/// One error that a law measures; 0 is exact.
+struct LawError {
+    std::string name{};
+    std::string unit{};        ///< empty: relative or a number
+    double game = noBound;     ///< at most this at the dial's `game`
+    double precise = noBound;  ///< at most this at the dial's `precise`
+    /// Errors below are the rounding of floats: they differ by luck and are plotted and compared as if they were this.
+    double rounding = 1e-6;
+};
+
+/// How thorough a measurement is.
+enum class Effort { quick, full };
+
+struct Law {
+    std::string name{};              ///< of files and columns, "two-disks"
+    std::string title{};             ///< "Two disks collide, masses 1:1 to 1:1000"
+    std::string exact{};             ///< the exact result in words
+    std::vector<LawError> errors{};  ///< the first one is plotted
+    /// One value per entry of `errors`.
+    std::vector<double> (*measure)(const EngineSetting& setting, Effort effort) = nullptr;
+    /// What is timed: a scene of about the same work, tiled to about a thousand bodies.
+    scenes::Scene (*costScene)() = nullptr;
+    double costSeconds = 0.5;  ///< simulated time that is timed
+    Point pitch{};             ///< of the tiles, m
+    bool capped = true;        ///< our engine keeps Box2D's caps of speed
+};
+
+/// All laws, in the order of the report.
+[[nodiscard]] std::span<const Law> GetLaws();
+
+/// `copies` of a scene on a square grid.
+[[nodiscard]] scenes::Scene Tile(const scenes::Scene& scene, int copies, Point pitch);
+
+/// The law's scene, tiled to about `bodies` moving bodies.
+[[nodiscard]] scenes::Scene MakeCostScene(const Law& law, int bodies);
+
+// By theme; GetLaws joins them.
+[[nodiscard]] std::vector<Law> MakeMotionLaws();
+[[nodiscard]] std::vector<Law> MakeJointLaws();
+[[nodiscard]] std::vector<Law> MakeFrictionLaws();
+[[nodiscard]] std::vector<Law> MakeImpactLaws();
+[[nodiscard]] std::vector<Law> MakePileLaws();
+
+}  // namespace testbed

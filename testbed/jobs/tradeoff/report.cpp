@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of trade_report.h.
+
+#include "testbed/jobs/tradeoff/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+
+#include "testbed/page/gnuplot.h"
+
+namespace testbed {
+
+namespace {
+
+struct CurveLook {
+    Family family;
+    std::string_view color;
+    int pointType;  ///< gnuplot's number: 7 filled circle, 5 filled square, 9 filled triangle
+};
+constexpr CurveLook looks[] = {
+    {Family::box2d, "#0000cc", 7}, {Family::sequential, "#cc0000", 5}, {Family::soft, "#e67700", 9}};
+
+constexpr Family oursBoth[] = {Family::sequential, Family::soft};
+constexpr Family oursSequential[] = {Family::sequential};
+constexpr Family oursSoft[] = {Family::soft};
+
+struct Choice {
+    std::string_view name;
+    std::span<const Family> families;
+};
+constexpr std::array<Choice, 3> choices{
+    {{"any solver", oursBoth}, {"sequential impulses", oursSequential}, {"soft step", oursSoft}}};
+
+bool HasSoft(std::span<const TradeCase> cases) {
+    return std::ranges::any_of(cases, [](const TradeCase& c) { return FamilyOf(c.setting) == Family::soft; });
+}
+
+/// The rows of "points" of a family: cost, error, default or not.
+struct PlotRows {
+    std::string all, front, defaults;
+};
+PlotRows MakeRows(const Law& law, std::span<const TradeCase> cases, Family family) {
+    std::vector<TradePoint> points;
+    PlotRows rows;
+    for (const TradeCase& one : cases) {
+        if (one.law != law.name || FamilyOf(one.setting) != family) continue;
+        const TradePoint point{one.GetCost().median, FlooredError(law, one)};
+        if (!std::isfinite(point.error)) continue;
+        points.push_back(point);
+        rows.all += fmt::format("{:.6g} {:.6g}\n", point.cost, point.error);
+        if (IsDefault(one.setting)) {
+            rows.defaults += fmt::format("{:.6g} {:.6g} \"{}\"\n", point.cost, point.error, NameSolver(one.setting));
+        }
+    }
+    for (const std::size_t i : FindFront(points)) {
+        rows.front += fmt::format("{:.6g} {:.6g}\n", points[i].cost, points[i].error);
+    }
+    return rows;
+}
+
+std::string UnitOf(const LawError& error) { return error.unit.empty() ? "" : " [" + error.unit + "]"; }
+
+PageCell ErrorCell(std::optional<double> value, std::optional<bool> met) {
+    if (!value) return {"–"};
+    PageCell cell(fmt::format("{:.3g}", *value));
+    cell.value = *value;
+    if (met) cell.tone = *met ? PageTone::good : PageTone::bad;
+    return cell;
+}
+
+PageCell BoundCell(double bound) {
+    if (bound == noBound) return {"–"};
+    PageCell cell(fmt::format("{:.3g}", bound));
+    cell.value = bound;
+    return cell;
+}
+
+PageCell RatioCell(std::optional<double> ratio) {
+    if (!ratio) return PageCell("out of reach");
+    PageCell cell = PageCell::Number(*ratio, 2, *ratio < 1.0 ? PageTone::bad : PageTone::good);
+    return cell;
+}
+
+std::string NameOrNone(const std::optional<EngineSetting>& setting) {
+    return setting ? fmt::format("{} at {} Hz", NameSolver(*setting), setting->rate) : "–";
+}
+
+PageTable MakeGainTable(std::span<const LawGain> gains) {
+    PageTable table{.columns = {{.name = "law"},
+                                {.name = "speed-up", .unit = "×", .numeric = true, .group = "equal accuracy"},
+                                {.name = "with", .group = "equal accuracy"},
+                                {.name = "error ratio", .unit = "×", .numeric = true, .group = "equal cost"},
+                                {.name = "with", .group = "equal cost"},
+                                {.name = "lost"}}};
+    for (const LawGain& g : gains) {
+        PageCell lost(g.gain.IsLost() ? "lost" : "");
+        if (g.gain.IsLost()) lost.tone = PageTone::bad;
+        PageCell name(g.law->name);
+        name.link = "#" + g.law->name;
+        name.hint = g.law->title;
+        table.rows.push_back({g.law->name, RatioCell(g.gain.speedUp), NameOrNone(g.cheapest),
+                              RatioCell(g.gain.errorRatio), NameOrNone(g.closest), lost});
+    }
+    return table;
+}
+
+PageTable MakeBoundsTable(std::span<const BoundRow> rows) {
+    PageTable table{.columns = {{.name = "law"},
+                                {.name = "error"},
+                                {.name = "unit"},
+                                {.name = "bound", .numeric = true, .group = "game (soft 4)"},
+                                {.name = "measured", .numeric = true, .group = "game (soft 4)"},
+                                {.name = "bound", .numeric = true, .group = "precise (soft 16)"},
+                                {.name = "measured", .numeric = true, .group = "precise (soft 16)"},
+                                {.name = "Scree", .numeric = true, .group = "8/3"},
+                                {.name = "Box2D", .numeric = true, .group = "8/3"}},
+                    .filter = true};
+    for (const BoundRow& row : rows) {
+        table.rows.push_back({row.law->name, row.error->name, row.error->unit, BoundCell(row.error->game),
+                              ErrorCell(row.game, row.MeetsGame()), BoundCell(row.error->precise),
+                              ErrorCell(row.precise, row.MeetsPrecise()), ErrorCell(row.sequential, std::nullopt),
+                              ErrorCell(row.box2d, std::nullopt)});
+    }
+    return table;
+}
+
+PageTable MakeAllTable(std::span<const TradeCase> cases) {
+    PageTable table{.columns = {{.name = "law"},
+                                {.name = "engine"},
+                                {.name = "solver"},
+                                {.name = "steps per s", .numeric = true},
+                                {.name = "cost", .unit = "ns", .numeric = true},
+                                {.name = "quartiles", .unit = "ns"},
+                                {.name = "error", .numeric = true}},
+                    .filter = true};
+    for (const TradeCase& one : cases) {
+        const Quartiles cost = one.GetCost();
+        table.rows.push_back({one.law, one.setting.engine, NameSolver(one.setting),
+                              PageCell::Number(one.setting.rate, 0), PageCell::Number(cost.median, 1),
+                              fmt::format("{:.1f} … {:.1f}", cost.low, cost.high),
+                              ErrorCell(one.errors.front(), std::nullopt)});
+    }
+    return table;
+}
+
+PageTiles MakeTiles(std::span<const TradeCase> cases) {
+    PageTiles tiles;
+    for (const Choice& choice : choices) {
+        if (!HasSoft(cases) && choice.name != "sequential impulses") continue;
+        const Headline headline = Summarise(CompareWithBaseline(cases, choice.families));
+        const auto add = [&](std::string_view what, std::optional<double> value, int laws) {
+            tiles.tiles.push_back({.label = fmt::format("{}, {}", what, choice.name),
+                                   .value = value ? fmt::format("{:.2f}", *value) : "–",
+                                   .unit = "×",
+                                   .note = fmt::format("geometric mean of {} of {} laws", laws, headline.laws),
+                                   .tone = value && *value < 1.0 ? PageTone::bad : PageTone::good});
+        };
+        add("speed at equal accuracy", headline.speedUp, headline.withSpeedUp);
+        add("accuracy at equal cost", headline.errorRatio, headline.withErrorRatio);
+    }
+    return tiles;
+}
+
+constexpr std::string_view howToRead =
+    "Every point is one setting of one engine. Right is slower, up is wrong: a setting is worth using when nothing "
+    "lies "
+    "left of it and below. The line of each engine joins these settings. Named points are defaults: `8/3` is Box2D's "
+    "default (8 velocity and 3 position iterations at 60 Hz), `soft 4` and `soft 16` are our dial's `game` and "
+    "`precise`.\n\n"
+    "Cost is processor time of one thread per moving body and 1/60 s of simulated time, so that settings with other "
+    "steps "
+    "compare. It is the median of repeats taken in turns, on the law's scene copied to about a thousand bodies. Errors "
+    "are measured once, in double, from the states of the bodies; runs are deterministic. An error below the rounding "
+    "of "
+    "floats counts as that rounding.";
+
+}  // namespace
+
+std::string MakeTradeCsv(std::span<const TradeCase> cases) {
+    std::string text = "law,engine,solver,rate,error_name,unit,error,cost_ns,cost_ns_q1,cost_ns_q3\n";
+    for (const TradeCase& one : cases) {
+        const auto law = std::ranges::find(GetLaws(), one.law, &Law::name);
+        const Quartiles cost = one.GetCost();
+        for (std::size_t i = 0; i < one.errors.size(); ++i) {
+            fmt::format_to(std::back_inserter(text), "{},{},{},{},\"{}\",{},{:.9g},{:.4f},{:.4f},{:.4f}\n", one.law,
+                           one.setting.engine, NameSolver(one.setting), one.setting.rate, law->errors[i].name,
+                           law->errors[i].unit, one.errors[i], cost.median, cost.low, cost.high);
+        }
+    }
+    return text;
+}
+
+std::string MakeBoundsCsv(std::span<const TradeCase> cases) {
+    const auto number = [](std::optional<double> value) { return value ? fmt::format("{:.9g}", *value) : ""; };
+    const auto bound = [](double value) { return value == noBound ? "" : fmt::format("{:g}", value); };
+    const auto word = [](std::optional<bool> met) { return !met ? "" : *met ? "met" : "missed"; };
+    std::string text =
+        "law,error,unit,game_bound,game,game_verdict,precise_bound,precise,precise_verdict,scree_8_3,box2d_8_3\n";
+    for (const BoundRow& row : CheckBounds(cases)) {
+        fmt::format_to(std::back_inserter(text), "{},\"{}\",{},{},{},{},{},{},{},{},{}\n", row.law->name,
+                       row.error->name, row.error->unit, bound(row.error->game), number(row.game),
+                       word(row.MeetsGame()), bound(row.error->precise), number(row.precise), word(row.MeetsPrecise()),
+                       number(row.sequential), number(row.box2d));
+    }
+    return text;
+}
+
+std::string MakeTradeScript(const Law& law, std::span<const TradeCase> cases, const std::filesystem::path& picture) {
+    std::string data, plots;
+    for (const CurveLook& look : looks) {
+        const PlotRows rows = MakeRows(law, cases, look.family);
+        if (rows.all.empty()) continue;
+        const int id = static_cast<int>(look.family);
+        data += fmt::format("$all{0} << END\n{1}END\n$front{0} << END\n{2}END\n$default{0} << END\n{3}END\n", id,
+                            rows.all, rows.front, rows.defaults);
+        plots += fmt::format(
+            "{0}$all{1} with points linecolor '{2}' pointtype {3} pointsize 0.5 notitle, $front{1} with lines "
+            "linecolor "
+            "'{2}' linewidth 2 title {4}",
+            plots.empty() ? "plot " : ", ", id, look.color, look.pointType, QuoteForGnuplot(NameFamily(look.family)));
+        if (rows.defaults.empty()) continue;
+        plots += fmt::format(
+            ", $default{0} with points linecolor '{1}' pointtype {2} pointsize 1.6 notitle, $default{0} using 1:2:3 "
+            "with "
+            "labels offset 0,1 textcolor '{1}' font ',11' notitle",
+            id, look.color, look.pointType);
+    }
+    return fmt::format(
+               "set terminal svg size 640,440 font 'DejaVu Sans,13' background '#ffffff'\nset output {}\n"
+               "set border 31 linecolor '#000000'\nset grid linecolor '#cccccc' linetype 1\nset key outside bottom "
+               "horizontal\nset title {} noenhanced\nset xlabel 'ns per body and 1/60 s'\nset ylabel {} noenhanced\n"
+               "set logscale xy\nset format y '10^{{%L}}'\nset offsets graph 0.05, graph 0.05, graph 0.1, graph 0.05\n",
+               QuoteForGnuplot(std::filesystem::absolute(picture).string()), QuoteForGnuplot(law.title),
+               QuoteForGnuplot(law.errors.front().name + UnitOf(law.errors.front()))) +
+           data + plots + "\n";
+}
+
+Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path& plots, const std::string& command) {
+    Page page{.title = "Speed against accuracy",
+              .intro =
+                  "Laws of mechanics with a known result, run by both engines under many settings: how far off they "
+                  "are and what that costs.",
+              .facts = {{"command", command}, {"cases", fmt::format("{}", cases.size())}}};
+    PageSection gains{.title = "Against Box2D's default",
+                      .intro =
+                          "Equal accuracy: our cheapest setting that is at least as accurate as Box2D 2.4.1 at "
+                          "8/3 and 60 Hz, as a speed-up. Equal cost: our most accurate setting that costs no "
+                          "more, as the ratio of the errors. A law is lost when one of them is below 1 or out of "
+                          "reach.",
+                      .blocks = {MakeTiles(cases), MakeGainTable(CompareWithBaseline(cases, oursBoth))}};
+    if (!HasSoft(cases)) {
+        gains.blocks.push_back(
+            PageNote{"This build has no soft step: only sequential impulses are compared, and the "
+                     "dial's marks `game` and `precise` are not measured.",
+                     PageTone::warning});
+    }
+    page.sections.push_back(gains);
+    page.sections.push_back({.title = "Bounds of the dial",
+                             .intro = "What the marks of the dial promise at 60 Hz, and what was measured. Sequential "
+                                      "impulses at 8/3 stand beside them.",
+                             .blocks = {MakeBoundsTable(CheckBounds(cases))}});
+    PageSection figures{.title = "Error against cost", .intro = std::string(howToRead), .blocks = {}};
+    PageFigures all{.figures = {}, .columns = 2};
+    for (const Law& law : GetLaws()) {
+        if (std::ranges::find(cases, law.name, &TradeCase::law) == cases.end()) continue;
+        all.figures.push_back({.title = law.name,
+                               .caption = fmt::format("{}. Exact: {}.", law.title, law.exact),
+                               .file = plots / (law.name + ".svg")});
+    }
+    figures.blocks.push_back(all);
+    page.sections.push_back(figures);
+    page.sections.push_back({.title = "All measurements", .blocks = {MakeAllTable(cases)}, .folded = true});
+    return page;
+}
+
+std::string FormatTrade(std::span<const TradeCase> cases) {
+    std::string text;
+    const auto show = [](std::optional<double> value) { return value ? fmt::format("{:.2f}x", *value) : "none"; };
+    for (const Choice& choice : choices) {
+        if (!HasSoft(cases) && choice.name != "sequential impulses") continue;
+        const std::vector<LawGain> gains = CompareWithBaseline(cases, choice.families);
+        const Headline h = Summarise(gains);
+        text += fmt::format(
+            "{}: {} as fast at equal accuracy ({} of {} laws), {} as accurate at equal cost ({} of {})\n", choice.name,
+            show(h.speedUp), h.withSpeedUp, h.laws, show(h.errorRatio), h.withErrorRatio, h.laws);
+        std::string lost;
+        for (const LawGain& gain : gains) {
+            if (gain.gain.IsLost()) lost += (lost.empty() ? "" : ", ") + gain.law->name;
+        }
+        text += "  lost to Box2D 8/3: " + (lost.empty() ? "none" : lost) + "\n";
+    }
+    int met = 0, missed = 0;
+    std::string misses;
+    const auto judge = [&](const BoundRow& row, std::string_view mark, std::optional<double> value, double bound,
+                           std::optional<bool> ok) {
+        if (!ok) return;
+        (*ok ? met : missed)++;
+        if (!*ok) {
+            misses += fmt::format("  missed at {}: {}, {}: {:.3g}, bound {:.3g}{}\n", mark, row.law->name,
+                                  row.error->name, *value, bound, UnitOf(*row.error));
+        }
+    };
+    for (const BoundRow& row : CheckBounds(cases)) {
+        judge(row, "game", row.game, row.error->game, row.MeetsGame());
+        judge(row, "precise", row.precise, row.error->precise, row.MeetsPrecise());
+    }
+    return text + fmt::format("bounds of the dial: {} met, {} missed\n", met, missed) + misses;
+}
+
+}  // namespace testbed

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Measuring the trade between speed and accuracy: every law under every setting of both engines, its errors once (they
+// are deterministic) and its cost several times in turns with the other settings.
+
+#pragma once
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "testbed/jobs/tradeoff/law.h"
+#include "testbed/jobs/tradeoff/pareto.h"
+
+namespace testbed {
+
+/// All settings to try, Box2D's default first: Box2D's and our sequential impulses over iterations and steps, our soft
+/// steps over sub-steps and steps, as far as this build has them.
+[[nodiscard]] std::vector<EngineSetting> MakeGrid(Effort effort);
+
+/// What everything is compared with: Box2D 2.4.1 with 8 velocity and 3 position iterations at 60 Hz.
+[[nodiscard]] EngineSetting GetBaseline();
+
+/// Box2D's default, our own 8/3 and the marks of our dial at 60 Hz: marked in plots.
+[[nodiscard]] bool IsDefault(const EngineSetting& setting);
+
+/// One law under one setting.
+struct TradeCase {
+    std::string law;
+    EngineSetting setting;
+    std::vector<double> errors;  ///< as Law::errors; infinity: the run failed
+    Quartiles milliseconds;      ///< processor time of the timed steps
+    double bodyFrames = 0.0;     ///< moving bodies × simulated time in 1/60 s
+
+    /// ns per body and 1/60 s of simulated time.
+    [[nodiscard]] Quartiles GetCost() const;
+};
+
+struct TradePlan {
+    Effort effort = Effort::full;
+    int repeats = 9;
+    int bodies = 1024;  ///< of a timed scene, about
+};
+
+/// The law under the given settings. `advance` is called after each measured setting and each timed run.
+[[nodiscard]] std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const EngineSetting> settings,
+                                                  const TradePlan& plan, const std::function<void()>& advance);
+
+/// Error of quantity `index`, floored at its rounding; what is not finite is infinity.
+[[nodiscard]] double FlooredError(const Law& law, const TradeCase& one, std::size_t index = 0);
+
+/// A case as the fields of a JSON line and back. Throws FileError for fields that are not there.
+[[nodiscard]] nlohmann::ordered_json ToJson(const TradeCase& one);
+[[nodiscard]] TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields);
+
+}  // namespace testbed

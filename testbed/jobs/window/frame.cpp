@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of frame.h.
+
+#include "testbed/jobs/window/frame.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "testbed/jobs/window/panels.h"
+#include "testbed/jobs/window/scene_view.h"
+#include "testbed/jobs/window/window_colors.h"
+
+namespace testbed {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json ToJson(Vec2 v) { return {v.x, v.y}; }
+ordered_json ToJson(const Box& box) { return {box.lower.x, box.lower.y, box.upper.x, box.upper.y}; }
+
+ordered_json DescribePane(const Viewer& viewer, const EnginePane& pane) {
+    const Snapshot& s = pane.snapshot;
+    ordered_json json{{"engine", s.engine},
+                      {"broad_phase", s.broadPhase},
+                      {"step", s.step},
+                      {"bodies", s.bodies.size()},
+                      {"contacts", s.contactCount},
+                      {"nodes", s.nodes.size()},
+                      {"state_hash", fmt::format("{:016x}", s.stateHash)},
+                      {"area", {pane.area.x0, pane.area.y0, pane.area.x1, pane.area.y1}}};
+    if (viewer.pickedBody >= 0 && viewer.pickedBody < static_cast<int>(s.bodies.size())) {
+        const BodyState& body = s.bodies[static_cast<size_t>(viewer.pickedBody)];
+        json["picked"] = {
+            {"position", ToJson(body.position)}, {"velocity", ToJson(body.linearVelocity)}, {"awake", body.awake}};
+    }
+    if (pane.hoveredNode >= 0) {
+        const NodeState& node = s.nodes[static_cast<size_t>(pane.hoveredNode)];
+        json["hovered"] = {{"node", pane.hoveredNode},
+                           {"level", node.level},
+                           {"path", DescribePath(s.nodes, pane.hoveredNode)},
+                           {"box", ToJson(node.box)},
+                           {"leaves", CountLeaves(s.nodes, pane.hoveredNode)}};
+    }
+    if (pane.trace) {
+        json["trace"] = {
+            {"visited", pane.trace->visited.size()}, {"tested", pane.trace->tested}, {"leaves", pane.trace->leaves}};
+    }
+    return json;
+}
+
+}  // namespace
+
+void DrawFrame(Viewer& viewer, Gui& gui, Items& items, WindowRenderer& renderer, const FrameInput& input) {
+    gui.SetTheme(viewer.look.theme);
+    gui.BeginFrame(input.events, input.width, input.height, input.deltaTime);
+    const auto arrange = [&] { ArrangePanes(viewer, GetSceneArea(viewer, input.width, input.height)); };
+    arrange();
+    HandleInput(viewer);
+    if (!viewer.isPaused) StepAll(viewer);
+    arrange();  // a key may have changed panes or panels
+    UpdateFindings(viewer);
+    DrawPanels(viewer, items, input.width, input.height);
+    arrange();  // and so may a panel
+    const std::vector<DrawList> lists = BuildPaneLists(viewer);
+    DrawOverlay(viewer, lists);
+    const ImDrawData& panels = gui.EndFrame();
+
+    renderer.Begin(input.width, input.height, GetWindowColors(viewer.look.theme).gap);
+    const std::vector<Color> palette = MakeLookPalette(viewer.look);
+    for (size_t i = 0; i < viewer.panes.size(); ++i) {
+        const EnginePane& pane = viewer.panes[i];
+        renderer.DrawCounts(pane.area, ProjectNodes(viewer, pane), palette);
+        renderer.DrawLayers(pane.area, lists[i]);
+    }
+    renderer.DrawPanels(panels);
+}
+
+std::string WriteState(const Viewer& viewer) {
+    const SolverSettings& s = viewer.settings;
+    ordered_json layers = ordered_json::array();
+    for (const LayerInfo& layer : layerTable) {
+        if (viewer.look.layers.Has(layer.layer)) layers.push_back(layer.name);
+    }
+    ordered_json json{{"scene", viewer.info->name},
+                      {"size", viewer.size},
+                      {"paused", viewer.isPaused},
+                      {"broad_phase", viewer.broadPhase},
+                      {"settings",
+                       {{"time_step", s.timeStep},
+                        {"velocity_iterations", s.velocityIterations},
+                        {"position_iterations", s.positionIterations},
+                        {"substeps", s.substeps},
+                        {"gravity", ToJson(s.gravity)},
+                        {"sleeping", s.sleeping},
+                        {"warm_starting", s.warmStarting},
+                        {"continuous", s.continuous}}},
+                      {"camera", {viewer.cameraX, viewer.cameraY, viewer.pixelsPerMetre}},
+                      {"layers", layers},
+                      {"overlap", viewer.look.overlap},
+                      {"nodes", GetNodeSelectionName(viewer.look.nodes)},
+                      {"style", GetStyleName(viewer.look.style)},
+                      {"theme", GetThemeName(viewer.look.theme)},
+                      {"panels", viewer.look.panels},
+                      {"search", viewer.search},
+                      {"bullets", viewer.bulletCount},
+                      {"picked_body", viewer.pickedBody},
+                      {"dragging", viewer.drag.has_value()},
+                      {"message", viewer.message}};
+    if (viewer.query) json["query"] = {{"point", ToJson(*viewer.query)}, {"size", viewer.querySize}};
+    json["engines"] = ordered_json::array();
+    for (const EnginePane& pane : viewer.panes) json["engines"].push_back(DescribePane(viewer, pane));
+    return json.dump(1) + "\n";
+}
+
+}  // namespace testbed

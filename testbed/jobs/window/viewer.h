@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What the window shows and what its user may change: the scene, one run per engine with the same input to all, one
+// camera, layers, tree nodes, and what the pointer found. Data and the actions on it; drawing is in panels.h and
+// scene_view.h.
+
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scenes/catalog.h"
+#include "testbed/engines/engine_run.h"
+#include "testbed/picture/image.h"
+#include "testbed/picture/palette.h"
+#include "testbed/picture/theme.h"
+#include "testbed/view/camera.h"
+#include "testbed/view/layers.h"
+#include "testbed/view/nodes.h"
+#include "testbed/view/tree_query.h"
+
+namespace testbed {
+
+inline constexpr std::array<const char*, 2> viewerEngines = {"scree", "box2d"};
+inline constexpr size_t historyLength = 240;  ///< steps that the timing plots show
+
+/// One engine: its run, what it looks like now, its times, and where on the picture it is.
+struct EnginePane {
+    std::string engine;
+    std::unique_ptr<InteractiveRun> run;
+    Snapshot snapshot;
+    std::vector<StepTimes> history;  ///< of the last steps, the newest last
+    PixelBox area{};                 ///< of the window's picture
+
+    int hoveredNode = -1;             ///< under the pointer
+    std::optional<QueryTrace> trace;  ///< of the traced query, on the tree as it is now
+};
+
+/// How panes lie; `automatic` takes what shows the scene larger.
+enum class PaneLayout { automatic, beside, above };
+
+struct ViewerLook {
+    Layers layers;
+    bool overlap = true;  ///< counts of tree nodes behind the bodies
+    NodeSelection nodes;
+    Style style = Style::alpha;
+    float opacity = 0.04f;
+    int scaleMax = 40;    ///< count at the end of the colour scale, for all styles but alpha
+    bool smooth = false;  ///< four samples a pixel
+    Theme theme = Theme::dark;
+    PaneLayout layout = PaneLayout::automatic;
+    bool panels = true;
+};
+
+/// A body that follows the pointer, in every pane.
+struct Drag {
+    int body = -1;
+    Vec2 localPoint{}, target{};
+};
+
+/// What a press inside a pane has begun.
+struct Press {
+    size_t pane = 0;
+    float x = 0, y = 0;  ///< where, pixels of the picture
+    int button = 0;
+    bool hasMoved = false;  ///< too far to be a click
+};
+
+struct Viewer {
+    const scenes::SceneInfo* info = nullptr;
+    int size = 0;
+    std::array<bool, 2> engines{true, true};  ///< which of viewerEngines run
+    std::string broadPhase = "auto";
+    SolverSettings settings;
+    std::vector<EnginePane> panes;
+
+    bool isPaused = false;
+    int bulletCount = 0;
+    ViewerLook look;
+    std::optional<CameraRequest> camera;  ///< instead of the next fit
+    double cameraX = 0, cameraY = 0, pixelsPerMetre = 10;
+    bool isBeside = true;  ///< how the panes lie
+    bool mustFit = true;   ///< choose layout and camera anew when the panes are arranged
+
+    std::optional<Press> press;
+    std::optional<Drag> drag;
+    std::optional<Vec2> query;  ///< centre of the traced query
+    float querySize = 0;        ///< its edges, m
+    int pickedBody = -1;        ///< the body that was last pressed
+
+    std::string search;     ///< over the scenes' names
+    std::string message;    ///< of the last thing that happened
+    bool showTimes = true;  ///< false: all times count as 0, so that pictures of a run repeat
+    double framesPerSecond = 0;
+    bool wantsScreenshot = false;
+};
+
+/// Builds the scene and its runs. Throws std::out_of_range for an illegal size, std::invalid_argument as the runs do;
+/// the viewer keeps what it had then.
+void LoadScene(Viewer& viewer, const scenes::SceneInfo& info, int size);
+/// The same scene from its beginning, with the engines and the broad phase that are chosen now; settings stay.
+void Restart(Viewer& viewer);
+/// The neighbour in the catalogue's order, at its default size; the ends meet.
+void LoadNeighbour(Viewer& viewer, int offset);
+/// Turns an engine on or off and restarts; the last one stays on.
+void ToggleEngine(Viewer& viewer, size_t engine);
+/// Chooses the algorithm of our engine and restarts.
+void SetBroadPhase(Viewer& viewer, std::string_view name);
+/// In all engines, at once. Throws std::invalid_argument for illegal values.
+void ApplySettings(Viewer& viewer, const SolverSettings& settings);
+
+/// One step in every engine, and what they look like after it.
+void StepAll(Viewer& viewer);
+
+void BeginDrag(Viewer& viewer, const EnginePane& pane, int body, Vec2 point);
+void MoveDrag(Viewer& viewer, Vec2 target);
+void EndDrag(Viewer& viewer);
+void ShootBullet(Viewer& viewer, Vec2 from, Vec2 velocity);
+
+/// The camera of a pane.
+[[nodiscard]] Camera GetCamera(const Viewer& viewer, const EnginePane& pane);
+[[nodiscard]] Vec2 ToWorldPoint(const Camera& camera, double pixelX, double pixelY);
+/// Zooms so that the world point at the pixel (of the pane) stays where it is.
+void ZoomAt(Viewer& viewer, const EnginePane& pane, double pixelX, double pixelY, double factor);
+/// Divides the picture's area among the panes, fits the camera when that is asked for.
+void ArrangePanes(Viewer& viewer, const PixelBox& area);
+
+/// Height of the highest tree shown.
+[[nodiscard]] int GetTreeHeight(const Viewer& viewer);
+
+}  // namespace testbed

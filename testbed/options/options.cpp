@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Text from the command line in, checked values out.
+
+#include "testbed/options/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <span>
+#include <tuple>
+
+#include "scree/broad_phase_kind.h"
+#include "testbed/base/nearest.h"
+
+namespace testbed {
+
+namespace {
+
+constexpr std::array<std::string_view, 2> engineNames = {"scree", "box2d"};
+constexpr std::array<std::string_view, 3> posesNames = {"own", "scree", "box2d"};
+constexpr std::array<std::string_view, 4> styleNames = {"alpha", "heat", "bands", "log"};
+constexpr std::array<std::string_view, 2> themeNames = {"dark", "light"};
+constexpr std::array<std::string_view, 4> backendNames = {"auto", "osmesa", "egl", "cpu"};
+
+void CheckKnown(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
+    if (std::find(names.begin(), names.end(), word) == names.end()) {
+        throw UsageError(DescribeUnknown(what, word, names));
+    }
+}
+
+/// The whole text as a number, or nothing.
+std::optional<int> ParseInt(std::string_view text) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return value;
+}
+
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+}  // namespace
+
+std::vector<std::string> ParseEngines(std::string_view text) {
+    bool chosen[engineNames.size()] = {};
+    for (const std::string_view name : Split(text, ',')) {
+        CheckKnown("engine", name, engineNames);
+        chosen[static_cast<std::size_t>(std::find(engineNames.begin(), engineNames.end(), name) -
+                                        engineNames.begin())] = true;
+    }
+    std::vector<std::string> engines;
+    for (std::size_t i = 0; i < engineNames.size(); ++i) {
+        if (chosen[i]) engines.emplace_back(engineNames[i]);
+    }
+    return engines;
+}
+
+std::vector<int> ParseIntList(std::string_view option, std::string_view text, std::string_view takes) {
+    std::vector<int> numbers;
+    for (const std::string_view part : Split(text, ',')) {
+        const std::optional<int> number = ParseInt(part);
+        if (!number) throw UsageError(fmt::format("{} {}: give {}", option, text, takes));
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+void CheckBroadPhase(std::string_view name) { CheckKnown("broad phase", name, scree::broadPhaseNames); }
+
+std::pair<int, int> ParseSize(std::string_view option, std::string_view text) {
+    const std::vector<std::string_view> parts = Split(text, 'x');
+    const std::optional<int> width = ParseInt(parts[0]);
+    const std::optional<int> height = parts.size() == 2 ? ParseInt(parts[1]) : std::nullopt;
+    if (!width || !height) {
+        throw UsageError(fmt::format("{} {}: give width and height in pixels, for example 1920x1080", option, text));
+    }
+    return {*width, *height};
+}
+
+StepRange ParseSteps(std::string_view text, bool countAllowed) {
+    std::vector<int> numbers;
+    bool valid = true;
+    for (const std::string_view part : Split(text, ':')) {
+        const std::optional<int> number = ParseInt(part);
+        valid = valid && number.has_value();
+        numbers.push_back(number.value_or(0));
+    }
+    const bool isCount = numbers.size() == 1;
+    if (!valid || numbers.size() > 3 || (isCount && !countAllowed)) {
+        throw UsageError(fmt::format("--steps {}: give {}first:last or first:last:stride, for example 10:100:10{}",
+                                     text, countAllowed ? "a number of steps, or " : "",
+                                     countAllowed ? "" : "; one step is --step N"));
+    }
+    StepRange range;
+    range.first = isCount ? 1 : numbers[0];
+    range.last = isCount ? numbers[0] : numbers[1];
+    range.stride = numbers.size() == 3 ? numbers[2] : 1;
+    if (range.first < 1 || range.last < range.first || range.last > maxStep) {
+        throw UsageError(
+            fmt::format("--steps {}: steps are legal from 1 to {}, the first not after the last", text, maxStep));
+    }
+    if (range.stride < 1) throw UsageError(fmt::format("--steps {}: the stride must be at least 1", text));
+    return range;
+}
+
+const scenes::SceneInfo& FindScene(const std::string& name) {
+    if (const scenes::SceneInfo* info = scenes::Find(name)) return *info;
+    const std::vector<std::string_view> nearest = scenes::NearestNames(name, 3);
+    throw UsageError(
+        fmt::format("unknown scene '{}'; did you mean '{}'? `scree list` shows all", name, fmt::join(nearest, "', '")));
+}
+
+int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size) {
+    if (!size) return info.defaultSize;
+    if (*size >= info.minSize && *size <= info.maxSize) return *size;
+    if (info.minSize == info.maxSize) {
+        throw UsageError(fmt::format("--size {}: the only size of scene '{}' is {}", *size, info.name, info.minSize));
+    }
+    throw UsageError(fmt::format("--size {}: sizes of scene '{}' are legal from {} to {}", *size, info.name,
+                                 info.minSize, info.maxSize));
+}
+
+void AddRunOptions(CLI::App& app, RunArguments& arguments) {
+    app.add_option("--size", arguments.size, "Size of the scene; its own default if not given");
+    app.add_option("--broad-phase", arguments.broadPhase,
+                   fmt::format("Algorithm of the engine scree: {}", fmt::join(scree::broadPhaseNames, ", ")))
+        ->capture_default_str();
+    app.add_option("--engines", arguments.engines, "Engines to run: scree, box2d or both with a comma")
+        ->capture_default_str();
+    app.add_option("--poses", arguments.poses,
+                   "Motion that drives the trees: own (every engine simulates for itself), scree or box2d (one motion "
+                   "drives both, so that pictures differ by the tree alone)")
+        ->capture_default_str();
+    app.add_option("--threads", arguments.threads, "Threads of the engine scree")
+        ->check(CLI::Range(1, maxThreads))
+        ->capture_default_str();
+    app.add_option("-o,--output", arguments.output, "Folder for the files")->capture_default_str()->type_name("DIR");
+}
+
+RunSetup MakeRunSetup(const RunArguments& arguments) {
+    CheckBroadPhase(arguments.broadPhase);
+    CheckKnown("kind of poses", arguments.poses, posesNames);
+    RunSetup setup;
+    setup.engines = ParseEngines(arguments.engines);
+    setup.poses = arguments.poses == "own" ? Poses::own : arguments.poses == "scree" ? Poses::scree : Poses::box2d;
+    setup.options.broadPhase = arguments.broadPhase;
+    setup.options.threads = arguments.threads;
+    return setup;
+}
+
+void AddCountOptions(CLI::App& app, PictureArguments& arguments) {
+    app.add_option("--nodes", arguments.nodes, "Tree nodes to count: internal, leaves, all, level=K or levels=A..B")
+        ->capture_default_str();
+    app.add_option("--query-size", arguments.querySize,
+                   "Grow every node by half of this on each side, m: a pixel then counts the nodes that a query of "
+                   "this size, centred there, visits")
+        ->capture_default_str();
+    app.add_option("--image", arguments.image, "Width x height of a picture, pixels")->capture_default_str();
+    app.add_option("--camera", arguments.camera,
+                   "fit, or X,Y,M: the world point in the middle and the metres across the picture")
+        ->capture_default_str();
+}
+
+void AddLookOptions(CLI::App& app, PictureArguments& arguments) {
+    app.add_option("--style", arguments.style, "Colours of the counts: alpha, heat, bands or log")
+        ->capture_default_str();
+    app.add_option("--theme", arguments.theme, "Colours for a dark or a light background: dark or light")
+        ->capture_default_str();
+    app.add_option("--opacity", arguments.opacity, "Opacity of one layer in the style alpha, above 0, at most 1")
+        ->capture_default_str();
+    app.add_option("--scale-max", arguments.scaleMax, "Count at the end of the colour scale: auto or a number")
+        ->capture_default_str();
+    app.add_option(
+           "--backend", arguments.backend,
+           "What makes the pixels, the same ones in every case: cpu (built in and fastest where OpenGL is software), "
+           "auto (OSMesa, else EGL), osmesa or egl")
+        ->capture_default_str();
+    app.add_flag("--skip-missing-backend", arguments.skipMissingBackend,
+                 "Exit with 77 instead of 3 when the backend is missing");
+}
+
+PictureOptions MakePictureOptions(const PictureArguments& arguments) {
+    PictureOptions options;
+    CheckKnown("style", arguments.style, styleNames);
+    std::tie(options.width, options.height) = ParseSize("--image", arguments.image);
+    CheckKnown("theme", arguments.theme, themeNames);
+    options.nodes = ParseNodeSelection(arguments.nodes);
+    options.style = ParseStyle(arguments.style);
+    options.theme = ParseTheme(arguments.theme);
+    options.opacity = arguments.opacity;
+    options.querySize = arguments.querySize;
+    options.camera = ParseCamera(arguments.camera);
+    if (arguments.scaleMax != "auto") {
+        const std::optional<int> count = ParseInt(arguments.scaleMax);
+        if (!count || *count < 1) {
+            throw UsageError(
+                fmt::format("--scale-max {}: give auto or a whole number of at least 1", arguments.scaleMax));
+        }
+        options.scaleMax = static_cast<uint32_t>(*count);
+    }
+    CheckOptions(options);
+    return options;
+}
+
+Backend CheckedBackend(const PictureArguments& arguments) {
+    CheckKnown("backend", arguments.backend, backendNames);
+    return ParseBackend(arguments.backend);
+}
+
+int SkipMissingBackend(const PictureArguments& arguments, const std::function<int()>& action) {
+    try {
+        return action();
+    } catch (const BackendError& error) {
+        if (!arguments.skipMissingBackend) throw;
+        fmt::print(stderr, "scree: skipped: {}\n", error.what());
+        return exitSkipped;
+    }
+}
+
+void AddStepOptions(CLI::App& app, StepArguments& arguments) {
+    CLI::Option* step =
+        app.add_option("--step", arguments.step, "The step to show; the scene's own choice if not given");
+    CLI::Option* steps = app.add_option("--steps", arguments.steps, "Steps to show: first:last or first:last:stride")
+                             ->type_name("A:B:S");
+    CLI::Option* worst = app.add_option("--worst", arguments.worst,
+                                        "Show only the K worst of the steps (of --steps, else of a full run)")
+                             ->type_name("K");
+    CLI::Option* worstBy =
+        app.add_option("--worst-by", arguments.worstBy,
+                       "What makes a step worst in either engine: time (broad phase) or overlap (of siblings)")
+            ->capture_default_str();
+    step->excludes(steps)->excludes(worst);
+    worstBy->needs(worst);
+}
+
+std::string DescribeCommand(const std::vector<std::string>& arguments) {
+    std::string text = "scree";
+    for (std::size_t i = 0; i < arguments.size(); ++i) {
+        const std::string& argument = arguments[i];
+        const bool isOutput = argument == "-o" || argument == "--output";
+        if (isOutput) ++i;  // its value is the next one
+        if (isOutput || argument.starts_with("--output=") || (argument.starts_with("-o") && argument.size() > 2)) {
+            continue;
+        }
+        text += " " + argument;
+    }
+    return text;
+}
+
+}  // namespace testbed

@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Command-line options that several subcommands share: text from the command line in, checked values out. Whatever
+// cannot be meant throws UsageError (or std::invalid_argument, std::out_of_range), which end in exit code 2.
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scenes/catalog.h"
+#include "testbed/base/errors.h"
+#include "testbed/engines/side_by_side.h"
+#include "testbed/view/picture.h"
+
+namespace testbed {
+
+/// Steps first, first + stride, … last.
+struct StepRange {
+    int first = 1, last = 1, stride = 1;
+
+    [[nodiscard]] bool Contains(int step) const {
+        return step >= first && step <= last && (step - first) % stride == 0;
+    }
+    [[nodiscard]] int Count() const { return (last - first) / stride + 1; }
+};
+
+/// Steps beyond this are refused: at 1/60 s they are four and a half hours of simulated time.
+inline constexpr int maxStep = 1'000'000;
+
+/// "A:B" or "A:B:S" with 1 ≤ A ≤ B ≤ maxStep and S ≥ 1; when `countAllowed`, also "N" for 1:N. Throws UsageError.
+[[nodiscard]] StepRange ParseSteps(std::string_view text, bool countAllowed);
+
+/// "scree", "box2d" or both with a comma: the names, scree first. Throws UsageError.
+[[nodiscard]] std::vector<std::string> ParseEngines(std::string_view text);
+
+/// Whole numbers with commas. Throws UsageError that names the option and says what it takes.
+[[nodiscard]] std::vector<int> ParseIntList(std::string_view option, std::string_view text, std::string_view takes);
+
+/// Throws UsageError with the nearest name for an unknown algorithm.
+void CheckBroadPhase(std::string_view name);
+
+/// "1920x1080" of an option; UsageError naming the option for anything else.
+[[nodiscard]] std::pair<int, int> ParseSize(std::string_view option, std::string_view text);
+
+/// The row of the catalogue; UsageError with the nearest name for an unknown scene.
+[[nodiscard]] const scenes::SceneInfo& FindScene(const std::string& name);
+
+/// `size`, or the scene's default; UsageError with the legal range.
+[[nodiscard]] int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size);
+
+/// How to run a scene, as typed.
+struct RunArguments {
+    std::optional<int> size;
+    std::string broadPhase = "auto";
+    std::string engines = "scree,box2d";
+    std::string poses = "own";
+    int threads = 1;
+    std::string output = "out";
+};
+void AddRunOptions(CLI::App& app, RunArguments& arguments);
+[[nodiscard]] RunSetup MakeRunSetup(const RunArguments& arguments);
+
+/// How pictures look, as typed.
+struct PictureArguments {
+    std::string nodes = "internal";
+    std::string style = "alpha";
+    std::string theme = "dark";
+    double opacity = 0.04;
+    std::string scaleMax = "auto";
+    double querySize = 0;
+    std::string image = "1920x1080";
+    std::string camera = "fit";
+    std::string backend = "cpu";
+    bool skipMissingBackend = false;
+};
+/// The options that decide what is counted and from where; `metrics` needs no others.
+void AddCountOptions(CLI::App& app, PictureArguments& arguments);
+/// The options that decide how it looks and who draws it.
+void AddLookOptions(CLI::App& app, PictureArguments& arguments);
+[[nodiscard]] PictureOptions MakePictureOptions(const PictureArguments& arguments);
+[[nodiscard]] Backend CheckedBackend(const PictureArguments& arguments);
+
+/// Runs `action`; with --skip-missing-backend a BackendError becomes a line on stderr and exit code 77.
+[[nodiscard]] int SkipMissingBackend(const PictureArguments& arguments, const std::function<int()>& action);
+
+/// Which steps to show, as typed.
+struct StepArguments {
+    std::optional<int> step;
+    std::string steps;
+    std::optional<int> worst;
+    std::string worstBy = "time";
+};
+void AddStepOptions(CLI::App& app, StepArguments& arguments);
+
+/// The command line without program folder and -o DIR, for files that must not tell where they were made.
+[[nodiscard]] std::string DescribeCommand(const std::vector<std::string>& arguments);
+
+}  // namespace testbed

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// gnuplot as a helper program: a script in, a picture out. It is started without a shell, so that no file name needs
+// quoting for one.
+
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "testbed/base/tool.h"
+
+namespace testbed {
+
+/// Throws ToolError unless gnuplot is on PATH: call it before a long run.
+void CheckGnuplot();
+
+/// A gnuplot string literal.
+[[nodiscard]] std::string QuoteForGnuplot(std::string_view text);
+
+/// Runs a script that makes the file `picture`, which lies in an existing folder. Throws ToolError with gnuplot's own
+/// words.
+void RunGnuplot(const std::string& script, const std::filesystem::path& picture);
+
+}  // namespace testbed

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// mp4 through ffmpeg, a program of its own: pictures of one size go through a pipe, never through files.
+
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+
+#include "testbed/base/tool.h"
+#include "testbed/picture/image.h"
+
+namespace testbed {
+
+/// Throws ToolError unless ffmpeg is on PATH: call it before a long run.
+void CheckFfmpeg();
+
+class VideoWriter {
+public:
+    /// `file` is written in place, `file`.log beside it until the end: give a temporary name. ffmpeg starts with the
+    /// first frame.
+    VideoWriter(std::filesystem::path file, int framesPerSecond);
+    /// Ends ffmpeg and removes the log; without Finish also the file.
+    ~VideoWriter();
+    VideoWriter(const VideoWriter&) = delete;
+    VideoWriter& operator=(const VideoWriter&) = delete;
+
+    /// All frames are of the first one's size, else std::invalid_argument. Throws ToolError with ffmpeg's own words.
+    void Add(const Image& image);
+    /// Throws ToolError when ffmpeg could not make the video.
+    void Finish();
+
+private:
+    void Start(const Image& first);
+    [[noreturn]] void Fail();
+
+    std::filesystem::path m_file, m_log;
+    int m_framesPerSecond;
+    int m_width = 0, m_height = 0;
+    int m_pipe = -1;     ///< ffmpeg's input; −1: closed
+    pid_t m_child = -1;  ///< −1: not running
+    bool m_isDone = false;
+};
+
+}  // namespace testbed

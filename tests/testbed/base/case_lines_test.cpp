@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Joining the lines of shards gives the unsharded file, whatever the order; wrong files are named.
+
+#include "testbed/base/case_lines.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/shard.h"
+
+namespace testbed {
+namespace {
+
+constexpr std::size_t caseCount = 23;
+
+/// The file of one shard; case 5 has two lines.
+std::string MakeLines(const Shard& shard, const std::string& command = "bench", std::size_t count = caseCount) {
+    CaseLines lines(command, count);
+    for (std::size_t number = 0; number < count; ++number) {
+        if (!shard.Contains(number)) continue;
+        lines.Add(number, {{"value", number * number}});
+        if (number == 5) lines.Add(number, {{"value", "second line"}});
+    }
+    return lines.GetText();
+}
+
+std::string MessageOf(const std::vector<CaseFile>& files) {
+    try {
+        (void)MergeCaseLines(files);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(CaseLines, MergedShardsAreTheUnshardedFileInAnyOrder) {
+    const std::string whole = MakeLines({});
+    for (const int count : {1, 2, 3, 7, 40}) {
+        std::vector<CaseFile> files;
+        for (int index = 1; index <= count; ++index) {
+            files.push_back({std::to_string(index), MakeLines({.index = index, .count = count})});
+        }
+        for (int turn = 0; turn < 2; ++turn) {
+            const MergedLines merged = MergeCaseLines(files);
+            EXPECT_EQ(merged.text, whole) << count;
+            EXPECT_TRUE(merged.missing.empty());
+            std::reverse(files.begin(), files.end());
+        }
+    }
+}
+
+TEST(CaseLines, AMissingShardIsNoticed) {
+    const std::vector<CaseFile> files = {{"a", MakeLines({.index = 1, .count = 3})},
+                                         {"c", MakeLines({.index = 3, .count = 3})}};
+    EXPECT_EQ(MergeCaseLines(files).missing, (std::vector<std::size_t>{1, 4, 7, 10, 13, 16, 19, 22}));
+}
+
+TEST(CaseLines, WrongFilesAreNamedWithTheirLine) {
+    const CaseFile first{"a.jsonl", MakeLines({.index = 1, .count = 2})};
+    EXPECT_NE(MessageOf({first, {"b.jsonl", first.text}}).find("b.jsonl:1: case 0 is also in a.jsonl"),
+              std::string::npos);
+    EXPECT_NE(
+        MessageOf({first, {"b.jsonl", MakeLines({.index = 2, .count = 2}, "snapshot check")}}).find("another run"),
+        std::string::npos);
+    EXPECT_NE(MessageOf({first, {"b.jsonl", MakeLines({.index = 2, .count = 2}, "bench", 24)}}).find("another run"),
+              std::string::npos);
+    EXPECT_TRUE(MessageOf({first, {"b.jsonl", "{\"command\": \"bench\"\n"}}).starts_with("b.jsonl:1: not a line"));
+    EXPECT_TRUE(MessageOf({{"b.jsonl", R"({"command":"bench","case":9,"cases":9})"}}).starts_with("b.jsonl:1: case 9"));
+}
+
+TEST(Shard, PartsOfNHaveEveryCaseOnce) {
+    for (int count = 1; count < 9; ++count) {
+        for (std::size_t number = 0; number < 50; ++number) {
+            int owners = 0;
+            for (int index = 1; index <= count; ++index) owners += Shard{index, count}.Contains(number);
+            EXPECT_EQ(owners, 1);
+        }
+    }
+}
+
+TEST(Shard, OnlyIOfNIsRead) {
+    const Shard shard = ParseShard("3/12");
+    EXPECT_EQ(shard.index, 3);
+    EXPECT_EQ(shard.count, 12);
+    for (const char* text : {"", "1", "0/2", "3/2", "1/0", "1/2/3", "a/2", "1/b", "-1/2", "1/100001", " 1/2", "1/2 "}) {
+        EXPECT_THROW((void)ParseShard(text), UsageError) << text;
+    }
+}
+
+}  // namespace
+}  // namespace testbed

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The laws as a table, their measurement in both engines where the outcome is known, tiles, verdicts and JSON lines.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "testbed/engines/measure.h"
+#include "testbed/jobs/tradeoff/report.h"
+#include "tests/testbed/program.h"
+
+namespace testbed {
+namespace {
+
+const Law& FindLaw(const std::string& name) {
+    for (const Law& law : GetLaws()) {
+        if (law.name == name) return law;
+    }
+    throw std::invalid_argument(name);
+}
+
+TEST(Laws, AreComplete) {
+    std::set<std::string> names;
+    for (const Law& law : GetLaws()) {
+        EXPECT_TRUE(names.insert(law.name).second) << law.name;
+        EXPECT_FALSE(law.title.empty() || law.exact.empty() || law.errors.empty()) << law.name;
+        EXPECT_TRUE(law.measure && law.costScene) << law.name;
+        const scenes::SceneCounts one = scenes::Count(law.costScene());
+        const scenes::SceneCounts tiled = scenes::Count(MakeCostScene(law, 200));
+        EXPECT_EQ(tiled.dynamicBodies % one.dynamicBodies, 0) << law.name;
+        EXPECT_GE(tiled.dynamicBodies, 100) << law.name;
+        EXPECT_EQ(tiled.joints * one.dynamicBodies, one.joints * tiled.dynamicBodies) << law.name;
+    }
+    EXPECT_EQ(names.size(), 20u);
+}
+
+TEST(Laws, TilesOfAScenePassTheSameTrajectory) {
+    const Law& law = FindLaw("pendulum");
+    const scenes::Scene one = law.costScene(), four = Tile(one, 4, {8.0, 16.0});
+    for (const EngineSetting& setting : {GetBaseline(), GetSequential("scree")}) {
+        const auto alone = MakeLab(one, setting), together = MakeLab(four, setting);
+        for (int i = 0; i < 30; ++i) {
+            alone->Step();
+            together->Step();
+        }
+        for (int copy = 0; copy < 4; ++copy) {
+            const BodyReading a = alone->Read(1), b = together->Read(1 + 2 * copy);
+            // Coordinates of up to 25 m round to 2e-6 m.
+            EXPECT_NEAR(b.centre.x - 8.0 * (copy % 2), a.centre.x, 2e-5);
+            EXPECT_NEAR(b.centre.y - 16.0 * (copy / 2), a.centre.y, 2e-5);
+            EXPECT_NEAR(b.angle, a.angle, 2e-5);
+        }
+    }
+}
+
+TEST(Laws, AProjectileUnderSemiImplicitEulerFallsShortByHalfAStep) {
+    // g·h·t/2, to the rounding of 240 additions.
+    for (const char* engine : {"scree", "box2d"}) {
+        for (const int rate : {30, 60, 240}) {
+            const std::vector<double> errors =
+                FindLaw("projectile").measure(GetSequential(engine, 8, 3, rate), Effort::quick);
+            EXPECT_NEAR(errors[0], 0.5 * gravity * 4.0 / rate, 2e-3) << engine << " " << rate;
+        }
+    }
+}
+
+TEST(Laws, ASpringLosesItsAmplitudeAsImplicitEulerDoes) {
+    const double omega = 4.0 * 3.14159265358979, h = 1.0 / 60.0;
+    const double left = std::pow(1.0 + omega * h * omega * h, -15.0);
+    for (const char* engine : {"scree", "box2d"}) {
+        EXPECT_NEAR(FindLaw("spring").measure(GetSequential(engine), Effort::quick)[0], 1.0 - left, 1e-3) << engine;
+    }
+}
+
+TEST(Laws, AColumnHasItsErrorWhereItIsToldTo) {
+    // One sweep a step cannot carry ten boxes in two seconds, eight can: 0.933·N² sweeps gain a decade.
+    const Law& law = FindLaw("column-10");
+    for (const char* engine : {"scree", "box2d"}) {
+        const double coarse = law.measure(GetSequential(engine, 1, 1), Effort::quick)[0];
+        const double fine = law.measure(GetSequential(engine, 8, 3), Effort::quick)[0];
+        EXPECT_GT(coarse, 10.0 * fine) << engine;
+        EXPECT_LT(fine, 0.02) << engine;
+    }
+}
+
+TEST(Laws, TheGridHasBothEnginesDefaultsAndNothingTwice) {
+    for (const Effort effort : {Effort::quick, Effort::full}) {
+        const std::vector<EngineSetting> grid = MakeGrid(effort);
+        EXPECT_EQ(grid.front(), GetBaseline());
+        EXPECT_TRUE(std::ranges::find(grid, GetSequential("scree")) != grid.end());
+        std::set<std::string> names;
+        int soft = 0;
+        for (const EngineSetting& setting : grid) {
+            EXPECT_TRUE(names.insert(NameSetting(setting)).second) << NameSetting(setting);
+            soft += setting.solver == SolverKind::soft;
+        }
+        const std::size_t sequential = effort == Effort::quick ? 2 * 3 * 2 : 2 * 7 * 4;
+        EXPECT_EQ(grid.size() - static_cast<std::size_t>(soft), sequential);
+        const int softSettings = effort == Effort::quick ? 6 : 16;
+        EXPECT_EQ(soft, IsAvailable(GetSoft(4)) ? softSettings : 0);
+    }
+}
+
+TradeCase MakeCase(const std::string& law, const EngineSetting& setting, double error, double cost) {
+    TradeCase one;
+    one.law = law;
+    one.setting = setting;
+    one.errors.assign(FindLaw(law).errors.size(), error);
+    one.milliseconds = {0.9 * cost, cost, 1.1 * cost};
+    one.bodyFrames = 1e6;  // so that ms are ns
+    return one;
+}
+
+TEST(Verdict, ComparesWithBox2dsDefaultLawByLaw) {
+    const std::vector<TradeCase> cases = {
+        MakeCase("spring", GetBaseline(), 0.4, 100.0), MakeCase("spring", GetSequential("scree"), 0.4, 50.0),
+        MakeCase("spring", GetSequential("scree", 64), 0.1, 90.0), MakeCase("pyramid", GetBaseline(), 0.01, 100.0),
+        MakeCase("pyramid", GetSequential("scree"), 0.02, 80.0)};
+    const Family ours[] = {Family::sequential};
+    const std::vector<LawGain> gains = CompareWithBaseline(cases, ours);
+    ASSERT_EQ(gains.size(), 2u);
+    EXPECT_EQ(gains[0].law->name, "spring");
+    EXPECT_DOUBLE_EQ(*gains[0].gain.speedUp, 2.0);
+    EXPECT_EQ(*gains[0].closest, GetSequential("scree", 64));
+    EXPECT_DOUBLE_EQ(*gains[0].gain.errorRatio, 4.0);
+    EXPECT_TRUE(gains[1].gain.IsLost());
+    const Headline headline = Summarise(gains);
+    EXPECT_EQ(headline.laws, 2);
+    EXPECT_EQ(headline.withSpeedUp, 1);
+    EXPECT_DOUBLE_EQ(*headline.speedUp, 2.0);
+    EXPECT_DOUBLE_EQ(*headline.errorRatio, std::sqrt(4.0 * 0.5));
+    const std::string text = FormatTrade(cases);
+    EXPECT_NE(text.find("lost to Box2D 8/3: pyramid"), std::string::npos) << text;
+}
+
+TEST(Verdict, BoundsAreMetAtTheDialsMarks) {
+    const std::vector<TradeCase> cases = {MakeCase("spring", GetBaseline(), 0.6, 1.0),
+                                          MakeCase("spring", GetDial(Dial::game), 0.4, 1.0),
+                                          MakeCase("spring", GetDial(Dial::precise), 0.4, 1.0)};
+    const std::vector<BoundRow> rows = CheckBounds(cases);
+    ASSERT_EQ(rows.size(), 1u);
+    EXPECT_EQ(rows[0].MeetsGame(), true);      // 0.5
+    EXPECT_EQ(rows[0].MeetsPrecise(), false);  // 0.02
+    EXPECT_FALSE(rows[0].sequential);
+    EXPECT_NE(FormatTrade(cases).find("1 met, 1 missed"), std::string::npos);
+}
+
+TEST(Trade, LinesComeBackAsTheyWent) {
+    TradeCase one = MakeCase("bridge", GetSoft(8, 120), 0.25, 3.0);
+    one.errors[1] = std::numeric_limits<double>::infinity();
+    const TradeCase back = TradeCaseFromJson(nlohmann::ordered_json::parse(ToJson(one).dump()));
+    EXPECT_EQ(back.law, one.law);
+    EXPECT_EQ(back.setting, one.setting);
+    EXPECT_EQ(back.errors, one.errors);
+    EXPECT_EQ(back.GetCost().median, one.GetCost().median);
+    EXPECT_EQ(FlooredError(FindLaw("bridge"), back, 1), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(FlooredError(FindLaw("bridge"), MakeCase("bridge", GetSoft(8), 0.0, 1.0)), 1e-6);
+}
+
+TEST(Trade, TheCommandMeasuresOneLawAndDrawsIt) {
+    const ScratchFolder folder;
+    const ProgramResult result = folder.Run("tradeoff --quick -g '^free-spin$' -o out --json lines.jsonl");
+    ASSERT_EQ(result.exitCode, 0) << result.output;
+    const std::size_t settings = MakeGrid(Effort::quick).size();
+    EXPECT_NE(result.output.find(std::to_string(settings) + " cases: 1 laws"), std::string::npos) << result.output;
+    for (const char* file : {"out/index.html", "out/cases.csv", "out/bounds.csv", "out/plots/free-spin.svg"}) {
+        EXPECT_TRUE(folder.Has(file)) << file;
+    }
+    const std::string csv = folder.Read("out/cases.csv");  // of two errors: the angle's, and its share of the turn
+    EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), 1 + 2 * settings);
+    // Two shards together hold the lines of the whole, times apart, and the report comes from the joined file.
+    std::string joined;
+    for (const char* part : {"1", "2"}) {
+        const ProgramResult shard = folder.Run(std::string("tradeoff --quick -g '^free-spin$' -o out --json part") +
+                                               part + ".jsonl --shard " + part + "/2");
+        ASSERT_EQ(shard.exitCode, 0) << shard.output;
+        joined += folder.Read(std::string("part") + part + ".jsonl");
+    }
+    EXPECT_EQ(std::ranges::count(joined, '\n'), std::ranges::count(folder.Read("lines.jsonl"), '\n'));
+    const ProgramResult from = folder.Run("tradeoff --from lines.jsonl -o again");
+    EXPECT_EQ(from.exitCode, 0) << from.output;
+    EXPECT_EQ(folder.Read("again/cases.csv"), csv);
+}
+
+TEST(Trade, TheCommandRefusesWhatItCannotMean) {
+    const ScratchFolder folder;
+    const ProgramResult none = folder.Run("tradeoff -g nonesuch");
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_NE(none.output.find("finds no law; there are: projectile"), std::string::npos) << none.output;
+    EXPECT_EQ(folder.Run("tradeoff -g '('").exitCode, 2);
+    EXPECT_EQ(folder.Run("tradeoff --from missing.jsonl").exitCode, 4);
+    const ProgramResult count = folder.Run("tradeoff --count");
+    EXPECT_EQ(count.exitCode, 0);
+    const std::size_t cases = GetLaws().size() * MakeGrid(Effort::full).size();
+    EXPECT_EQ(count.output.rfind(std::to_string(cases) + " cases", 0), 0u) << count.output;
+}
+
+}  // namespace
+}  // namespace testbed
