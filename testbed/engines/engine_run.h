@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A scene running in one engine. The two adapters (run_scree.cpp, run_box2d.cpp) implement it; nothing else in the
-// testbed includes an engine's header.
+// A scene running in one engine. run_scree.cpp and run_box2d.cpp implement it; outside of this
+// folder only what abuses an engine on purpose includes an engine's header.
 
 #pragma once
 

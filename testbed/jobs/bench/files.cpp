@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of bench_files.h.
+// Implementation of files.h.
 
 #include "testbed/jobs/bench/files.h"
 

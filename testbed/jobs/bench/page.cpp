@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of bench_page.h.
+// Implementation of page.h.
 
 #include "testbed/jobs/bench/page.h"
 

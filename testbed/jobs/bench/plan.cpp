@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of bench_plan.h.
+// Implementation of plan.h.
 
 #include "testbed/jobs/bench/plan.h"
 

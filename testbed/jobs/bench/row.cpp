@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of bench_row.h.
+// Implementation of row.h.
 
 #include "testbed/jobs/bench/row.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of bench_run.h.
+// Implementation of run.h.
 
 #include "testbed/jobs/bench/run.h"
 

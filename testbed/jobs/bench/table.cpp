@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of bench_table.h.
+// Implementation of table.h.
 
 #include "testbed/jobs/bench/table.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of extremes_report.h.
+// Implementation of report.h.
 
 #include "testbed/jobs/extremes/report.h"
 #include "testbed/base/errors.h"

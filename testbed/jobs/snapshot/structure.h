@@ -23,7 +23,7 @@ namespace testbed {
 
 [[nodiscard]] nlohmann::ordered_json DescribeStructure(const Snapshot& snapshot);
 
-/// The field "structure" of results.json (snapshot_result.h). Throws std::invalid_argument for what DescribeStructure
+/// The field "structure" of results.json (result.h). Throws std::invalid_argument for what DescribeStructure
 /// cannot have written.
 [[nodiscard]] nlohmann::ordered_json CompareStructures(const nlohmann::ordered_json& expected,
                                                        const nlohmann::ordered_json& actual);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "testbed/engines/law_scenes.h"
+#include "testbed/jobs/tradeoff/law.h"
 
 namespace testbed {
 namespace {

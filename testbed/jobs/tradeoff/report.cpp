@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of trade_report.h.
+// Implementation of report.h.
 
 #include "testbed/jobs/tradeoff/report.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of window.h.
+// Implementation of glfw.h.
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
