@@ -13,6 +13,7 @@
 #include <sstream>
 #include <string>
 
+#include "testbed/base/errors.h"
 #include "testbed/picture/png.h"
 #include "tests/testbed/program.h"
 

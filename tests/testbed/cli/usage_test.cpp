@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "testbed/base/errors.h"
 #include "testbed/cli/command_line.h"
 #include "tests/testbed/program.h"
 

@@ -4,6 +4,7 @@
 // Statistics over steps, checked against their definitions; the plot's program; whole files.
 
 #include "testbed/engines/timing.h"
+#include "testbed/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

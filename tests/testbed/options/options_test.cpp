@@ -4,6 +4,7 @@
 // Laws of the command line's small parts: edit distance, step ranges, the recorded command.
 
 #include "testbed/options/options.h"
+#include "testbed/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "testbed/base/errors.h"
 #include "testbed/base/output.h"
 #include "testbed/jobs/snapshot/page.h"
 #include "tests/testbed/page/sample_pages.h"

@@ -5,6 +5,7 @@
 // cannot become a page is refused before a file is written.
 
 #include "testbed/page/page.h"
+#include "testbed/base/errors.h"
 
 #include <gtest/gtest.h>
 

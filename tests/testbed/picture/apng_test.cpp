@@ -5,6 +5,7 @@
 // frames that lie inside the picture, and the same pixels after they are put together.
 
 #include "testbed/picture/apng.h"
+#include "testbed/base/errors.h"
 #include "testbed/picture/png.h"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 // and a file that cannot be written leaves nothing behind.
 
 #include "testbed/picture/png.h"
+#include "testbed/base/errors.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

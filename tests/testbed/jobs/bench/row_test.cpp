@@ -5,6 +5,7 @@
 // survive CSV and JSON.
 
 #include "testbed/jobs/bench/row.h"
+#include "testbed/base/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "testbed/base/errors.h"
 #include "testbed/jobs/extremes/report.h"
 #include "tests/testbed/program.h"
 

@@ -4,6 +4,7 @@
 // Grades from endings and measurements, one fault at a time, and the way of an outcome through JSON.
 
 #include "testbed/jobs/extremes/outcome.h"
+#include "testbed/base/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 
+#include "testbed/base/errors.h"
 #include "testbed/base/tool.h"
 #include "testbed/picture/png.h"
 #include "tests/testbed/program.h"

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "testbed/base/errors.h"
 #include "testbed/engines/measure.h"
 #include "testbed/jobs/tradeoff/report.h"
 #include "tests/testbed/program.h"

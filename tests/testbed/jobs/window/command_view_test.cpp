@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "testbed/base/errors.h"
 #include "testbed/picture/png.h"
 #include "tests/testbed/program.h"
 
