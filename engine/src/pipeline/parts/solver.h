@@ -12,6 +12,7 @@
 #include "constraints/contact_rows.h"
 #include "constraints/joint_solver.h"
 #include "constraints/joint_tree.h"
+#include "scree/accuracy.h"
 #include "scree/features.h"
 #include "scree/world_callbacks.h"
 #include "state/bodies.h"
@@ -33,6 +34,7 @@ struct SolverSettings {
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
     float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
     float lengthScale = 1.0f;                                        ///< factor on tolerances
+    const Tolerance* tolerance = nullptr;  ///< soft step: islands may take more than `substeps` to keep it
 
     [[nodiscard]] float Slop() const { return linearSlop * lengthScale; }
 };

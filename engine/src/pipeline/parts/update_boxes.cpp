@@ -3,7 +3,7 @@
 //
 // Boxes of moved fixtures, handed over in blocks: no virtual call per box.
 
-#include "pipeline/update_boxes.h"
+#include "pipeline/parts/update_boxes.h"
 
 #include "geometry/boxes.h"
 #include "state/frames.h"

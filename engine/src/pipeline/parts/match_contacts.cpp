@@ -4,7 +4,7 @@
 // Mark, match, sweep (the dissertation, §4.2.2). Contacts that were not touching are swept at once; those that were
 // wait for the next step, in which their EndContact is due.
 
-#include "pipeline/match_contacts.h"
+#include "pipeline/parts/match_contacts.h"
 
 #include <algorithm>
 
