@@ -162,7 +162,7 @@ private:
 }  // namespace
 
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands, Isolated isolated) {
+                 IslandTable& islands, IsolatedPath path) {
     islands.Clear();
     islands.contacts.reserve(BuildAdjacency(contacts, bodies, scratch));
     scratch.jointSeen.assign(joints.info.size(), 0);
@@ -174,7 +174,7 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
         const auto b = static_cast<size_t>(body);
         constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
         if ((bodies.flags[b] & active) != active || scratch.progress[b] >= IslandScratch::seen) continue;
-        if (isolated == Isolated::apart && scratch.progress[b] == IslandScratch::untouched &&
+        if (path == IsolatedPath::apart && scratch.progress[b] == IslandScratch::untouched &&
             (!anyJoints || bodies.info[b].jointCount == 0)) {
             islands.isolated.push_back(body);
         } else {
@@ -210,7 +210,7 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
 }
 
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
-                  IslandScratch& scratch, IslandTable& active, Isolated isolated) {
+                  IslandScratch& scratch, IslandTable& active, IsolatedPath path) {
     active.Clear();
     ClearForMovers(bodies, scratch.progress);
     const auto note = [&](int body) { scratch.progress[static_cast<size_t>(body)] = IslandScratch::touched; };
@@ -230,9 +230,9 @@ void GatherActive(const ContactTable& contacts, const JointTable& joints, const 
     }
     for (const int body : bodies.movers) {
         if (!bodies.IsActive(body)) continue;
-        const bool isAlone =
-            isolated == Isolated::apart && scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
-        (isAlone ? active.isolated : active.bodies).push_back(body);
+        const bool isIsolated =
+            path == IsolatedPath::apart && scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
+        (isIsolated ? active.isolated : active.bodies).push_back(body);
     }
 }
 

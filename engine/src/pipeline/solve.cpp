@@ -42,19 +42,19 @@ void SolveGroups(const SolverSettings& settings, const FixtureTable& fixtures, S
 }  // namespace
 
 void GatherLists(const SolverSettings& settings, const ContactTable& contacts, JointTable& joints, BodyTable& bodies,
-                 IslandScratch& scratch, Isolated isolated, SolveLists lists) {
+                 IslandScratch& scratch, IsolatedPath path, SolveLists lists) {
     lists.groups.Clear();
     if (settings.substeps == 0) {
         lists.active.Clear();
-        FindIslands(contacts, joints, bodies, scratch, lists.islands, isolated);
+        FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
         return;
     }
     const Tolerance* tolerance = settings.tolerance;
     lists.islands.Clear();
     if (tolerance != nullptr || NeedsIslands(contacts, joints, bodies, settings.dt)) {
-        FindIslands(contacts, joints, bodies, scratch, lists.islands, isolated);
+        FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
     }
-    GatherActive(contacts, joints, bodies, scratch, lists.active, isolated);
+    GatherActive(contacts, joints, bodies, scratch, lists.active, path);
     if (tolerance == nullptr) return;
     GroupBySubsteps({lists.islands, lists.active, contacts, joints, *tolerance, settings.Slop(), settings.dt}, bodies,
                     lists.groups);

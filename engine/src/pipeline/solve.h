@@ -36,7 +36,7 @@ struct SolveReport {
 
 /// Fills the lists that the solver of these settings wants, and empties the others. Wakes what awake bodies reach.
 void GatherLists(const SolverSettings& settings, const ContactTable& contacts, JointTable& joints, BodyTable& bodies,
-                 IslandScratch& scratch, Isolated isolated, SolveLists lists);
+                 IslandScratch& scratch, IsolatedPath path, SolveLists lists);
 
 /// The table that lists everything awake, after GatherLists.
 const IslandTable& SolvedOf(const SolverSettings& settings, SolveLists lists);

@@ -23,7 +23,7 @@ bool HasWorkToShare(const WorldState& s) {
 /// Moves the bodies. With sub-stepping a step may end after an event; the next one then only goes on with its rest.
 void Advance(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepResults& r) {
     if (!s.continuousScratch.resuming) {
-        GatherLists(settings, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolated, s.Lists());
+        GatherLists(settings, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
         r.profile.islands = watch.Lap();
         r.solved = Solve(settings, s.fixtures, s.Lists(), s.Events(), {*s.pool, s.bodies, s.contacts, s.joints},
                          s.solverScratch);

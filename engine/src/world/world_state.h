@@ -66,7 +66,7 @@ struct WorldState {
     StepReport report;
     TOIStats distanceWork;  ///< of the last step
     bool measureErrors = false;
-    Isolated isolated = Isolated::apart;  ///< changes no bit
+    IsolatedPath isolatedPath = IsolatedPath::apart;  ///< changes no bit
 
     [[nodiscard]] ContactEvents Events() {
         return {this, listener, filter == &defaultFilter ? nullptr : filter, &distanceWork};
