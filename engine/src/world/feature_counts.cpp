@@ -236,7 +236,7 @@ KernelSet NeededKernels(WorldState& s) {
 void PrepareKernels(WorldState& s) {
     s.kernels = NeededKernels(s);
     if (s.kernels.bodyForces) s.bodies.EnsureForces();
-    if (s.def.exactDrift) s.bodies.startVelocity.resize(s.bodies.velocity.size());
+    if (s.def.exactDrift) EnsureRows(s.bodies.startVelocity, s.bodies.velocity.size());
 }
 
 bool NeedsContinuous(WorldState& s) {
