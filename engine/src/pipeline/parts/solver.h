@@ -51,8 +51,8 @@ struct alignas(64) SoftBody {
     bool jointed;
     float linearDamp, angularDamp;  ///< factors of half a sub-step
     Twist kick;                     ///< by gravity and forces in half a sub-step
-    Twist unpushed;                 ///< velocity after the last kick, before constraints, without what contacts do
-    Twist pushed;                   ///< change by contacts in the last sub-step
+    Twist unaided;                  ///< velocity after the last kick, before constraints, without what contacts do
+    Twist byContacts;               ///< change by contacts in the last sub-step
     Twist gained;                   ///< change by contacts in this sub-step so far
 };
 static_assert(sizeof(SoftBody) == 64);
@@ -87,8 +87,8 @@ struct SolverCounts {
 /// Below this many bodies a loop stays on one thread.
 inline constexpr int leastBodies = 256;
 
-/// Isolated bodies need many more: one takes a few nanoseconds, and what follows reads them on one thread, which has them
-/// in its own cache if it moved them itself.
+/// Isolated bodies need many more: one takes a few nanoseconds, and what follows reads them on one thread, which has
+/// them in its own cache if it moved them itself.
 inline constexpr int leastIsolatedBodies = 32768;
 
 /// Runs range(begin, end) → SolverCounts over parts of [0, count) on the workers and returns the sum.
