@@ -81,7 +81,7 @@ public:
             nullptr);
         const int count = seed % 50 == 0   ? 150
                           : seed % 10 == 0 ? 40
-                                           : 8;  // some with large islands, some with many free bodies
+                                           : 8;  // some with large islands, some with many isolated bodies
         for (int i = 0; i < count; ++i) AddBody();
         Note();
     }

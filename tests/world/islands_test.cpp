@@ -168,7 +168,7 @@ TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
     CompareBallisticPath(SolveSoft, 4, true);
 }
 
-/// Allocations of 60 steps of settled stacks beside free bodies, after 240 steps.
+/// Allocations of 60 steps of settled stacks beside isolated bodies, after 240 steps.
 constexpr int withTolerance = -1;
 
 long CountWarmAllocations(int substeps, int workers) {

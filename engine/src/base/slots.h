@@ -69,16 +69,20 @@ private:
     int m_count = 0;
 };
 
-/// Grows a column so that `index` exists.
-template <typename T>
-void EnsureRow(std::vector<T>& column, int index, const T& fill = T()) {
-    const auto i = static_cast<size_t>(index);
-    if (i < column.size()) return;
-    if (i == column.size()) {
-        column.push_back(fill);  // the usual case, and several times as fast
+/// Grows a column to `count` rows where it has fewer, by copies of `fill` if that is given, else by T().
+template <typename T, typename... Fill>
+void EnsureRows(std::vector<T>& column, size_t count, const Fill&... fill) {
+    if (count <= column.size()) return;
+    if (count == column.size() + 1) {
+        column.emplace_back(fill...);  // the usual case, and several times as fast
     } else {
-        column.resize(i + 1, fill);
+        column.resize(count, fill...);
     }
+}
+/// The same so that the row `index` exists.
+template <typename T, typename... Fill>
+void EnsureRow(std::vector<T>& column, int index, const Fill&... fill) {
+    EnsureRows(column, static_cast<size_t>(index) + 1, fill...);
 }
 
 }  // namespace scree

@@ -6,8 +6,8 @@
 // Items are independent, so no result depends on who took what. Loops below a size stay on the caller: that is decided
 // from counts, never from clocks.
 //
-// Workers sleep between steps (Begin wakes them once, End lets them sleep) and wait between the loops of a step by
-// spinning for a while and then yielding.
+// Workers sleep between steps (Begin wakes them once, End lets them sleep; PoolRegion does both) and wait between the
+// loops of a step by spinning for a while and then yielding.
 
 #pragma once
 
@@ -76,6 +76,22 @@ private:
     alignas(64) std::atomic<int> m_done{0};                 ///< chunks of the loop that are finished
     alignas(64) std::atomic<uint32_t> m_awake{0};           ///< odd: inside a step
     std::atomic<bool> m_quit{false};
+};
+
+/// Keeps the workers of a pool awake while it lives, if there is work worth sharing.
+class PoolRegion {
+public:
+    PoolRegion(TaskPool& pool, bool hasWork) : m_pool(hasWork ? &pool : nullptr) {
+        if (m_pool != nullptr) m_pool->Begin();
+    }
+    ~PoolRegion() {
+        if (m_pool != nullptr) m_pool->End();
+    }
+    PoolRegion(const PoolRegion&) = delete;
+    PoolRegion& operator=(const PoolRegion&) = delete;
+
+private:
+    TaskPool* m_pool;
 };
 
 }  // namespace scree

@@ -170,12 +170,12 @@ inline void SolveBlock(ContactVelocityRow& row, Velocity& a, Velocity& b) {
     const Vec2 change = total - old;
     p1.normalImpulse = total.x;
     p2.normalImpulse = total.y;
-    const Vec2 push1 = change.x * row.normal;
-    const Vec2 push2 = change.y * row.normal;
-    a.v -= row.invMassA * (push1 + push2);
-    a.w -= row.invIA * (Cross(p1.rA, push1) + Cross(p2.rA, push2));
-    b.v += row.invMassB * (push1 + push2);
-    b.w += row.invIB * (Cross(p1.rB, push1) + Cross(p2.rB, push2));
+    const Vec2 impulse1 = change.x * row.normal;
+    const Vec2 impulse2 = change.y * row.normal;
+    a.v -= row.invMassA * (impulse1 + impulse2);
+    a.w -= row.invIA * (Cross(p1.rA, impulse1) + Cross(p2.rA, impulse2));
+    b.v += row.invMassB * (impulse1 + impulse2);
+    b.w += row.invIB * (Cross(p1.rB, impulse1) + Cross(p2.rB, impulse2));
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointSte
     PairVelocity v = Load(c.pair, velocity);
     const float turn = -c.turnMass * Speed(turning, v);
     Apply(c.pair, turning, SolveBounded(row.turnImpulse, turn, step.dt * row.maxTorque), v);
-    const Vec2 push = Mul(c.pointMass, -PointSpeed(c.arms, v));
-    ApplyPoint(c.pair, c.arms, SolveBounded(row.impulse, push, step.dt * row.maxForce), v);
+    const Vec2 impulse = Mul(c.pointMass, -PointSpeed(c.arms, v));
+    ApplyPoint(c.pair, c.arms, SolveBounded(row.impulse, impulse, step.dt * row.maxForce), v);
     Store(c.pair, v, velocity);
 }
 

@@ -45,10 +45,10 @@ float Coordinate(const GearSide& side, const BodyTable& bodies, const GearConstr
     return Dot(anchor - origin, Mul(turn, side.againstAxis));
 }
 
-void PushBody(const MassRow& mass, Vec2 impulse, float turn, int body, std::vector<Velocity>& velocity) {
-    Push(mass, impulse, turn, velocity[static_cast<size_t>(body)]);
+void ApplyImpulseTo(const MassRow& mass, Vec2 impulse, float turn, int body, std::vector<Velocity>& velocity) {
+    ApplyImpulse(mass, impulse, turn, velocity[static_cast<size_t>(body)]);
 }
-void PushBody(const MassRow& mass, Vec2 impulse, float turn, int body, BodyTable& bodies) {
+void ApplyImpulseTo(const MassRow& mass, Vec2 impulse, float turn, int body, BodyTable& bodies) {
     const auto b = static_cast<size_t>(body);
     bodies.Shift(b, mass.invMass * impulse);
     bodies.position[b].a += mass.invI * turn;
@@ -57,9 +57,9 @@ void PushBody(const MassRow& mass, Vec2 impulse, float turn, int body, BodyTable
 template <typename Bodies>
 void ApplyGear(const GearConstraint& c, float impulse, Bodies& bodies) {
     for (const GearConstraint::Side& s : c.side) {
-        if (s.mass.invMass > 0.0f) PushBody(s.mass, impulse * s.axis, impulse * s.arm, s.body, bodies);
+        if (s.mass.invMass > 0.0f) ApplyImpulseTo(s.mass, impulse * s.axis, impulse * s.arm, s.body, bodies);
         if (s.againstMass.invMass > 0.0f) {
-            PushBody(s.againstMass, -impulse * s.axis, -impulse * s.againstArm, s.against, bodies);
+            ApplyImpulseTo(s.againstMass, -impulse * s.axis, -impulse * s.againstArm, s.against, bodies);
         }
     }
 }

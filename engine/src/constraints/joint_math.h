@@ -93,11 +93,11 @@ SCREE_INLINE void Store(const JointPair& p, const PairPosition& pose, BodyTable&
     bodies.IsFar() ? StoreFar(p, pose, bodies) : Store(p, pose, bodies.position);
 }
 
-SCREE_INLINE void Push(const MassRow& mass, Vec2 impulse, float turn, Velocity& body) {
+SCREE_INLINE void ApplyImpulse(const MassRow& mass, Vec2 impulse, float turn, Velocity& body) {
     body.v += mass.invMass * impulse;
     body.w += mass.invI * turn;
 }
-SCREE_INLINE void Push(const MassRow& mass, Vec2 impulse, float turn, Position& body) {
+SCREE_INLINE void ApplyImpulse(const MassRow& mass, Vec2 impulse, float turn, Position& body) {
     body.c += mass.invMass * impulse;
     body.a += mass.invI * turn;
 }
@@ -147,15 +147,15 @@ inline float InverseMass(const JointPair& p, const AxisRow& row) { return Coupli
 
 template <typename T>
 SCREE_INLINE void Apply(const JointPair& p, const AxisRow& row, float impulse, PairState<T>& state) {
-    Push(p.massA, -impulse * row.axis, -impulse * row.armA, state.a);
-    Push(p.massB, impulse * row.axis, impulse * row.armB, state.b);
+    ApplyImpulse(p.massA, -impulse * row.axis, -impulse * row.armA, state.a);
+    ApplyImpulse(p.massB, impulse * row.axis, impulse * row.armB, state.b);
 }
 
 /// Both anchors together: an impulse at the point, equal and opposite.
 template <typename T>
 SCREE_INLINE void ApplyPoint(const JointPair& p, const Arms& arms, Vec2 impulse, PairState<T>& state) {
-    Push(p.massA, -impulse, -Cross(arms.a, impulse), state.a);
-    Push(p.massB, impulse, Cross(arms.b, impulse), state.b);
+    ApplyImpulse(p.massA, -impulse, -Cross(arms.a, impulse), state.a);
+    ApplyImpulse(p.massB, impulse, Cross(arms.b, impulse), state.b);
 }
 SCREE_INLINE Vec2 PointSpeed(const Arms& arms, const PairVelocity& v) {
     return v.b.v + Cross(v.b.w, arms.b) - v.a.v - Cross(v.a.w, arms.a);

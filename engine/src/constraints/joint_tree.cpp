@@ -167,7 +167,7 @@ struct JointTree::Data {
     template <typename Own, typename Later>
     void EliminateLink(const TreeJoint& joint, int at, Own n, Later rows);
     void Solve();
-    void Push();
+    void ApplyImpulses();
 };
 
 JointTree::JointTree() : m(std::make_unique<Data>()) {}
@@ -427,7 +427,7 @@ void JointTree::Data::Solve() {
 }
 
 /// The impulses of the last solve.
-void JointTree::Data::Push() {
+void JointTree::Data::ApplyImpulses() {
     for (TreeJoint& joint : joints) {
         TreeBody& a = bodies[At(joint.a)];
         TreeBody& b = bodies[At(joint.b)];
@@ -484,7 +484,7 @@ void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& ve
             for (int i = 0; i < next.count; ++i) joint.rhs[i] = -inverse * next.error[i];
         }
         m->Solve();
-        m->Push();
+        m->ApplyImpulses();
     }
     StoreVelocities(m->bodies, velocity);
 }
@@ -501,7 +501,7 @@ void JointTree::SolveAfterMove(std::vector<Velocity>& velocity) {
         }
     }
     m->Solve();
-    m->Push();
+    m->ApplyImpulses();
     StoreVelocities(m->bodies, velocity);
 }
 

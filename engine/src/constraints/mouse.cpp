@@ -32,7 +32,7 @@ void WarmStart(const MouseConstraint& c, const MouseRow& row, std::vector<Veloci
     Velocity& v = velocity[static_cast<size_t>(c.body)];
     // A body that hangs on one point would spin for long: Box2D's 2 % per step keep the mouse handy.
     v.w *= 0.98f;
-    Push(c.mass, row.impulse, Cross(c.arm, row.impulse), v);
+    ApplyImpulse(c.mass, row.impulse, Cross(c.arm, row.impulse), v);
 }
 
 void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
@@ -40,7 +40,7 @@ void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& ste
     Velocity& v = velocity[static_cast<size_t>(c.body)];
     const Vec2 speed = v.v + Cross(v.w, c.arm) + c.bias + c.gamma * row.impulse;
     const Vec2 impulse = SolveBounded(row.impulse, Mul(c.softMass, -speed), step.dt * row.maxForce);
-    Push(c.mass, impulse, Cross(c.arm, impulse), v);
+    ApplyImpulse(c.mass, impulse, Cross(c.arm, impulse), v);
 }
 
 bool SolvePosition(const MouseConstraint&, const MouseRow&, const JointStep&, BodyTable&) { return true; }

@@ -47,8 +47,8 @@ float Update(const PulleyRow& row, const JointStep& step, const BodyTable& bodie
 /// Tension pulls both bodies towards their ground anchors, B by the ratio more.
 template <typename T>
 void Pull(const PulleyConstraint& c, float tension, float ratio, PairState<T>& state) {
-    Push(c.pair.massA, -tension * c.axisA, -tension * c.armA, state.a);
-    Push(c.pair.massB, -ratio * tension * c.axisB, -ratio * tension * c.armB, state.b);
+    ApplyImpulse(c.pair.massA, -tension * c.axisA, -tension * c.armA, state.a);
+    ApplyImpulse(c.pair.massB, -ratio * tension * c.axisB, -ratio * tension * c.armB, state.b);
 }
 
 }  // namespace

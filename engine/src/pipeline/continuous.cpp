@@ -294,6 +294,20 @@ private:
 
 }  // namespace
 
+ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int substeps, std::span<const int> isolated,
+                                          bool subStepping) {
+    const bool isSoft = solver.substeps > 0;
+    const bool isExact = isSoft || solver.exactDrift;
+    return {.dt = solver.dt,
+            .velocityIterations = isSoft ? 2 * substeps : solver.velocityIterations,
+            .maxTranslation = solver.maxTranslation,
+            .maxRotation = solver.maxRotation,
+            .subStepping = subStepping,
+            .lengthScale = solver.lengthScale,
+            .gravity = solver.gravity,
+            .ballistic = isExact ? isolated : std::span<const int>()};
+}
+
 ContinuousReport SolveContinuous(const ContinuousSettings& settings, const ContactEvents& events,
                                  ContinuousTables tables, ContinuousScratch& scratch) {
     return ContinuousSolver(settings, events, tables, scratch).Run();

@@ -19,6 +19,7 @@
 
 #include "constraints/contact_rows.h"
 #include "pipeline/contact_events.h"
+#include "pipeline/parts/solver.h"
 #include "pipeline/parts/toi_pairs.h"
 
 namespace scree {
@@ -34,6 +35,11 @@ struct ContinuousSettings {
     /// forces act for the rest of the step after it. Without exact drift: none.
     std::span<const int> ballistic;
 };
+
+/// After a step that the solver has done, or begun to do, with these settings. `substeps` are those that it took,
+/// `isolated` are the bodies that it moved without contacts and joints.
+ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int substeps, std::span<const int> isolated,
+                                          bool subStepping);
 
 struct ContinuousReport {
     int events = 0;         ///< times a body was stopped at an impact

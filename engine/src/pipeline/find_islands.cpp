@@ -14,14 +14,14 @@ namespace {
 
 constexpr uint8_t solvedFlags = ContactFlag::alive | ContactFlag::touching | ContactFlag::enabled;
 
-/// Contacts that push: touching, enabled, no sensor.
-bool Pushes(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::sensor)) == solvedFlags; }
+/// A contact is solved if it touches, is enabled and has no sensor.
+bool IsSolved(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::sensor)) == solvedFlags; }
 
 /// Makes the column 0 for all movers, static bodies left aside if they are many: in mostly static worlds their rows
 /// would cost more than the rest.
 template <typename T>
 void ClearForMovers(const BodyTable& bodies, std::vector<T>& column) {
-    column.resize(static_cast<size_t>(bodies.slots.Size()));
+    EnsureRows(column, static_cast<size_t>(bodies.slots.Size()));
     if (bodies.movers.size() * 8 >= column.size()) {
         std::fill(column.begin(), column.end(), T{0});
         return;
@@ -29,20 +29,14 @@ void ClearForMovers(const BodyTable& bodies, std::vector<T>& column) {
     for (const int body : bodies.movers) column[static_cast<size_t>(body)] = 0;
 }
 
-/// Grows the column where it is too small; what it holds is of no interest.
-template <typename T>
-void EnsureSize(std::vector<T>& column, size_t size) {
-    if (column.size() < size) column.resize(size);
-}
-
-/// The rows of the contacts that push. The choice is no branch, for it follows no pattern.
-std::span<const int> GatherPushing(const ContactTable& contacts, std::vector<int>& rows) {
+/// The rows of the solved contacts. The choice is no branch, for it follows no pattern.
+std::span<const int> GatherSolved(const ContactTable& contacts, std::vector<int>& rows) {
     const size_t count = contacts.flags.size();
-    EnsureSize(rows, count);
+    EnsureRows(rows, count);
     size_t used = 0;
     for (size_t c = 0; c < count; ++c) {
         rows[used] = static_cast<int>(c);
-        used += Pushes(contacts.flags[c]) ? 1 : 0;
+        used += IsSolved(contacts.flags[c]) ? 1 : 0;
     }
     return {rows.data(), used};
 }
@@ -52,8 +46,8 @@ std::span<const int> GatherPushing(const ContactTable& contacts, std::vector<int
 size_t BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
     ClearForMovers(bodies, s.end);
     ClearForMovers(bodies, s.progress);
-    s.first.resize(s.end.size());
-    const std::span<const int> rows = GatherPushing(contacts, s.rows);
+    EnsureRows(s.first, s.end.size());
+    const std::span<const int> rows = GatherSolved(contacts, s.rows);
     const auto mover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody ? body : -1; };
     int total = 0;
     for (const int row : rows) {
@@ -62,7 +56,7 @@ size_t BuildAdjacency(const ContactTable& contacts, const BodyTable& bodies, Isl
             if (body >= 0) ++s.end[static_cast<size_t>(body)], ++total;
         }
     }
-    EnsureSize(s.entries, static_cast<size_t>(total));
+    EnsureRows(s.entries, static_cast<size_t>(total));
     int used = 0;
     const auto add = [&](int body, IslandScratch::Entry entry) {
         if (body < 0) return;
@@ -97,7 +91,7 @@ public:
         island.bodyBegin = static_cast<int>(m_islands.bodies.size());
         island.contactBegin = static_cast<int>(m_islands.contacts.size());
         island.jointBegin = static_cast<int>(m_islands.joints.size());
-        PushOther(seed);
+        ReachOther(seed);
         while (!m_scratch.stack.empty()) {
             const int body = m_scratch.stack.back();
             m_scratch.stack.pop_back();
@@ -114,15 +108,15 @@ public:
     }
 
 private:
-    void Push(int body, bool isTouched) {
+    void Reach(int body, bool isTouched) {
         m_scratch.progress[static_cast<size_t>(body)] = isTouched ? IslandScratch::seen : IslandScratch::seenUntouched;
         m_scratch.stack.push_back(body);
     }
 
-    void PushOther(int other) {
+    void ReachOther(int other) {
         if (m_bodies.type[static_cast<size_t>(other)] == staticBody) return;
         const uint8_t progress = m_scratch.progress[static_cast<size_t>(other)];
-        if (progress < IslandScratch::seen) Push(other, progress == IslandScratch::touched);
+        if (progress < IslandScratch::seen) Reach(other, progress == IslandScratch::touched);
     }
 
     void VisitContacts(int body) {
@@ -135,7 +129,7 @@ private:
                 entry.other < 0 ? uint8_t{IslandScratch::seen} : m_scratch.progress[static_cast<size_t>(entry.other)];
             if (progress == IslandScratch::visited) continue;  // it has listed the contact
             m_islands.contacts.push_back(entry.contact);
-            if (progress < IslandScratch::seen) Push(entry.other, true);
+            if (progress < IslandScratch::seen) Reach(entry.other, true);
         }
     }
 
@@ -148,7 +142,7 @@ private:
             if (!m_bodies.Has(other, BodyFlag::enabled)) continue;
             m_scratch.jointSeen[static_cast<size_t>(joint)] = 1;
             m_islands.joints.push_back(joint);
-            PushOther(other);
+            ReachOther(other);
         }
     }
 
@@ -162,7 +156,7 @@ private:
 }  // namespace
 
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands, Isolated isolated) {
+                 IslandTable& islands, IsolatedPath path) {
     islands.Clear();
     islands.contacts.reserve(BuildAdjacency(contacts, bodies, scratch));
     scratch.jointSeen.assign(joints.info.size(), 0);
@@ -174,7 +168,7 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
         const auto b = static_cast<size_t>(body);
         constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
         if ((bodies.flags[b] & active) != active || scratch.progress[b] >= IslandScratch::seen) continue;
-        if (isolated == Isolated::apart && scratch.progress[b] == IslandScratch::untouched &&
+        if (path == IsolatedPath::apart && scratch.progress[b] == IslandScratch::untouched &&
             (!anyJoints || bodies.info[b].jointCount == 0)) {
             islands.isolated.push_back(body);
         } else {
@@ -200,7 +194,7 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
         return isMover(a) && isMover(b) && bodies.IsActive(a) != bodies.IsActive(b);
     };
     for (size_t c = 0; c < contacts.flags.size(); ++c) {
-        if (Pushes(contacts.flags[c]) && wakes(contacts.pair[c].bodyA, contacts.pair[c].bodyB)) return true;
+        if (IsSolved(contacts.flags[c]) && wakes(contacts.pair[c].bodyA, contacts.pair[c].bodyB)) return true;
     }
     for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
         const JointInfo& info = joints.info[static_cast<size_t>(joint)];
@@ -210,12 +204,12 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
 }
 
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
-                  IslandScratch& scratch, IslandTable& active, Isolated isolated) {
+                  IslandScratch& scratch, IslandTable& active, IsolatedPath path) {
     active.Clear();
     ClearForMovers(bodies, scratch.progress);
     const auto note = [&](int body) { scratch.progress[static_cast<size_t>(body)] = IslandScratch::touched; };
     for (size_t c = 0; c < contacts.flags.size(); ++c) {
-        if (!Pushes(contacts.flags[c])) continue;
+        if (!IsSolved(contacts.flags[c])) continue;
         const ContactPair& pair = contacts.pair[c];
         if (!bodies.IsActive(pair.bodyA) && !bodies.IsActive(pair.bodyB)) continue;
         active.contacts.push_back(static_cast<int>(c));
@@ -230,9 +224,9 @@ void GatherActive(const ContactTable& contacts, const JointTable& joints, const 
     }
     for (const int body : bodies.movers) {
         if (!bodies.IsActive(body)) continue;
-        const bool isAlone =
-            isolated == Isolated::apart && scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
-        (isAlone ? active.isolated : active.bodies).push_back(body);
+        const bool isIsolated =
+            path == IsolatedPath::apart && scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
+        (isIsolated ? active.isolated : active.bodies).push_back(body);
     }
 }
 

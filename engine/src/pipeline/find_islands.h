@@ -25,7 +25,7 @@ struct IslandScratch {
         int contact, other;  ///< the mover on the other side, −1 if that is static
     };
 
-    std::vector<int> rows;          ///< of the contacts that push
+    std::vector<int> rows;          ///< of the solved contacts
     std::vector<int> first, end;    ///< per touched mover: range of its contacts in `entries`
     std::vector<Entry> entries;     ///< contacts by body
     std::vector<uint8_t> progress;  ///< per mover
@@ -39,7 +39,7 @@ struct IslandScratch {
 };
 
 /// Where bodies without contacts and joints go.
-enum class Isolated : uint8_t {
+enum class IsolatedPath : uint8_t {
     apart,      ///< to the list of isolated bodies, which are integrated without a solver
     asIslands,  ///< among the others, for comparisons: same bits, more time
 };
@@ -48,13 +48,13 @@ enum class Isolated : uint8_t {
 /// that are reached wake up, their sleep timers keep running). O(contacts +
 /// joints + movers).
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands, Isolated isolated = Isolated::apart);
+                 IslandTable& islands, IsolatedPath path = IsolatedPath::apart);
 
 /// True if the islands of this step matter: a body may fall asleep within `dt`, or a sleeping one may have to wake
 /// because it is joined to or touches an awake one.
 bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt);
-/// The same lists without the search, and no islands: awake bodies, contacts that push them and their joints, by row.
+/// The same lists without the search, and no islands: awake bodies, solved contacts and joints of theirs, by row.
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
-                  IslandScratch& scratch, IslandTable& active, Isolated isolated = Isolated::apart);
+                  IslandScratch& scratch, IslandTable& active, IsolatedPath path = IsolatedPath::apart);
 
 }  // namespace scree

@@ -78,7 +78,7 @@ SubstepGroup& SubstepGroups::Find(int substeps) {
 }
 
 void GroupBySubsteps(const GroupInput& in, BodyTable& bodies, SubstepGroups& groups) {
-    bodies.demand.resize(bodies.info.size());
+    EnsureRows(bodies.demand, bodies.info.size());
     groups.Clear();
     for (const Island& island : in.islands.islands) {
         float wanted = 0.0f;

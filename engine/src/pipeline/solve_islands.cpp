@@ -7,7 +7,7 @@
 #include "pipeline/solve_islands.h"
 
 #include "pipeline/parts/body_motion.h"
-#include "pipeline/parts/free_bodies.h"
+#include "pipeline/parts/isolated_bodies.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
 
@@ -287,7 +287,7 @@ private:
 class BallisticPath {
 public:
     BallisticPath(const SolverSettings& settings, BodyTable& bodies)
-        : m_settings(settings), m_bodies(bodies), m_moveFree(GetMoveFree()) {
+        : m_settings(settings), m_bodies(bodies), m_moveIsolated(GetMoveIsolated()) {
         m_task = {&bodies.velocity[0].v.x,
                   &bodies.position[0].c.x,
                   &bodies.startPosition[0].c.x,
@@ -326,15 +326,15 @@ private:
 
     SolverCounts MoveEight(std::span<const int> rows) const {
         SolverCounts counts;
-        switch (m_moveFree(m_task, rows.data())) {
-            case FreeMove::refused:
+        switch (m_moveIsolated(m_task, rows.data())) {
+            case IsolatedMove::refused:
                 for (const int body : rows) counts += MoveOne(body);
                 break;
-            case FreeMove::fast:
+            case IsolatedMove::fast:
                 if (!m_settings.allowSleep) break;
                 for (const int body : rows) m_bodies.sleepTime[static_cast<size_t>(body)] = 0.0f;
                 break;
-            case FreeMove::slow:
+            case IsolatedMove::slow:
                 for (const int body : rows) Sleep(body);
                 break;
         }
@@ -362,15 +362,15 @@ private:
 
     const SolverSettings& m_settings;
     BodyTable& m_bodies;
-    MoveFreeFunction m_moveFree;
-    FreeBodiesTask m_task;
+    MoveIsolatedFunction m_moveIsolated;
+    IsolatedBodiesTask m_task;
 };
 
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& islands, TaskPool& pool,
                            BodyTable& bodies) {
     if (islands.isolated.empty()) return {};
     const BallisticPath path(settings, bodies);
-    return CountRanges(pool, islands.isolated.size(), leastFreeBodies,
+    return CountRanges(pool, islands.isolated.size(), leastIsolatedBodies,
                        [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
 }
 

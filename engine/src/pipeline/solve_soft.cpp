@@ -57,12 +57,12 @@ SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, i
 template <bool forces>
 inline void Kick(SoftBody& soft, Velocity& v) {
     if constexpr (forces) {
-        soft.unpushed = {soft.linearDamp * (v.v + soft.kick.v), soft.angularDamp * (v.w + soft.kick.w)};
+        soft.unaided = {soft.linearDamp * (v.v + soft.kick.v), soft.angularDamp * (v.w + soft.kick.w)};
     } else {
-        soft.unpushed = {v.v + soft.kick.v, v.w + 0.0f};
+        soft.unaided = {v.v + soft.kick.v, v.w + 0.0f};
     }
-    v.v = soft.unpushed.v + 0.5f * soft.pushed.v;
-    v.w = soft.unpushed.w + 0.5f * soft.pushed.w;
+    v.v = soft.unaided.v + 0.5f * soft.byContacts.v;
+    v.w = soft.unaided.w + 0.5f * soft.byContacts.w;
 }
 
 inline void Drift(const Velocity& v, float h, Velocity& delta) {
@@ -141,59 +141,36 @@ public:
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
         m_task.sumImpulses = report || m_s.blocks.Bounces();
+        const bool hasRows = !m_s.tree.GetOthers().empty() || !m_s.tree.GetBounded().empty();
+        m_plan = {.warmStarts = m_settings.impulseScale > 0.0f,
+                  .hasContacts = !m_s.blocks.IsEmpty(),
+                  .bounces = m_s.blocks.Bounces(),
+                  .hasRows = hasRows,
+                  .hasTrees = !m_s.tree.IsEmpty()};
     }
 
     void Substep(int index) {
-        const bool first = index == 0;
-        constexpr int coldIterations = 32;
-        if (first ? m_settings.impulseScale > 0.0f : m_bounced || RenewsPush(index)) ExpectPush();
-        if (m_s.blocks.Bounces()) RunKernel(Pool(), m_task, m_kernels.approach);
-        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            ForEachSoft([&](SoftBody& soft) { Kick<forces>(soft, VelocityOf(soft)); });
-        });
-        if (HasRows()) {
-            // Each sub-step pushes twice, with half of its forces each time.
-            PrepareJoints(JointWork(first ? 0.5f * SubstepScale() : 1.0f), m_s.tree.GetOthers(), m_s.tree.GetBounded());
-        }
-        if (first && !m_s.tree.IsEmpty()) m_s.tree.Factorize(Poses());
-        ProjectTree();
-        if (HasRows()) SolveJointVelocities(JointWork(1.0f));
-        NotePush([&] {
-            RunKernel(Pool(), m_task, m_kernels.solveSoft);
-            if (!first || m_settings.impulseScale > 0.0f) return;
-            // Nothing is known of the contacts yet: piles would sag before their impulses have grown.
-            for (int i = 0; i < coldIterations; ++i) RunKernel(Pool(), m_task, m_kernels.solveSoft);
-        });
-        m_bounced = m_s.blocks.Bounces() && Bounce();
-        if (!m_s.tree.IsEmpty()) m_s.tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
-        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            ForEachSoft([&](SoftBody& soft) {
-                Velocity& v = VelocityOf(soft);
-                if (!soft.jointed) soft.gained = {v.v - soft.unpushed.v, v.w - soft.unpushed.w};
-                Drift(v, m_h, m_s.delta[static_cast<size_t>(soft.body)]);
-                Kick<forces>(soft, v);
-            });
-        });
-        if (HasRows()) {
-            CorrectJoints();
-            WarmStartJoints(JointWork(1.0f));
-        }
-        if (!m_s.tree.IsEmpty()) {
-            m_s.tree.Factorize(Poses());
-            m_s.tree.SolveAfterMove(m_bodies.velocity);
-        }
-        if (HasRows()) {
-            SolveJointVelocities(JointWork(1.0f));
-            if (!m_s.tree.IsEmpty()) m_s.tree.SolveAfterMove(m_bodies.velocity);
-        }
-        NotePush([&] { RunKernel(Pool(), m_task, m_kernels.relax); });
-        ForEachSoft([&](SoftBody& soft) { EndPush(soft); });
+        const bool isFirst = index == 0;
+        ExpectContacts(index);
+        NoteApproach();
+        KickAll();
+        PrepareRows(isFirst);
+        ProjectTrees(isFirst);
+        SolveRows();
+        SolveContacts(isFirst);
+        Bounce();
+        AimTrees();
+        DriftAll();
+        CorrectRows();
+        StopTrees();
+        StopRows();
+        Relax();
     }
 
     SolverCounts Finish() {
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
-        if (HasRows()) {
+        if (m_plan.hasRows) {
             const JointTask whole = JointWork(2.0f * static_cast<float>(m_settings.substeps));
             ScaleJointImpulses(whole, m_s.tree.GetOthers());
             ScaleJointImpulses(whole, m_s.tree.GetBounded());
@@ -212,6 +189,15 @@ public:
     }
 
 private:
+    /// What there is to do in each sub-step; the same in all of them.
+    struct Plan {
+        bool warmStarts = false;  ///< impulses of the last step are known
+        bool hasContacts = false;
+        bool bounces = false;   ///< some contact may
+        bool hasRows = false;   ///< joints that are solved row by row
+        bool hasTrees = false;  ///< joints that are solved directly
+    };
+
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
 
     template <bool forces>
@@ -249,36 +235,98 @@ private:
     }
 
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
-    /// Joints that are solved row by row.
-    [[nodiscard]] bool HasRows() const { return !m_s.tree.GetOthers().empty() || !m_s.tree.GetBounded().empty(); }
-
     /// Impulses of half a sub-step; what may still close, may do so in a whole one.
     [[nodiscard]] JointTask JointWork(float impulseScale) {
         return {{0.5f * m_h, 1.0f / m_h, impulseScale, m_settings.Slop()}, m_bodies, m_tables.joints, m_s.joints};
     }
     [[nodiscard]] JointTree::Poses Poses() const { return {m_bodies, m_s.delta}; }
 
-    /// Limits, motors and contacts of a tree must see what its joints make of the forces.
-    void ProjectTree() {
-        const bool isAlone = m_s.blocks.IsEmpty() && !HasRows();
-        if (!m_s.tree.IsEmpty() && !isAlone) m_s.tree.SolveAfterMove(m_bodies.velocity);
-    }
+    // The phases of a sub-step, in order.
 
-    /// True if a contact bounced; blows that meet in one body are solved together.
-    bool Bounce() {
+    void NoteApproach() {
+        if (m_plan.bounces) RunKernel(Pool(), m_task, m_kernels.approach);
+    }
+    void KickAll() {
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            ForEachSoft([&](SoftBody& soft) { Kick<forces>(soft, VelocityOf(soft)); });
+        });
+    }
+    /// Joints are solved twice in a sub-step, with half of its forces each time.
+    void PrepareRows(bool isFirst) {
+        if (!m_plan.hasRows) return;
+        PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_s.tree.GetOthers(), m_s.tree.GetBounded());
+    }
+    /// Rows and contacts of a tree must see what its joints make of the forces.
+    void ProjectTrees(bool isFirst) {
+        if (!m_plan.hasTrees) return;
+        if (isFirst) m_s.tree.Factorize(Poses());
+        if (m_plan.hasContacts || m_plan.hasRows) m_s.tree.SolveAfterMove(m_bodies.velocity);
+    }
+    void SolveRows() {
+        if (m_plan.hasRows) SolveJointVelocities(JointWork(1.0f));
+    }
+    /// Without warm starting nothing is known of the contacts in the first sub-step: piles would sag before their
+    /// impulses have grown.
+    void SolveContacts(bool isFirst) {
+        constexpr int coldIterations = 32;
+        const int iterations = isFirst && !m_plan.warmStarts ? 1 + coldIterations : 1;
+        NoteContacts([&] {
+            for (int i = 0; i < iterations; ++i) RunKernel(Pool(), m_task, m_kernels.solveSoft);
+        });
+    }
+    /// Blows that meet in one body are solved together.
+    void Bounce() {
         constexpr int iterations = 8;
-        if (!RunBounce(Pool(), m_task, m_kernels)) return false;
+        m_bounced = m_plan.bounces && RunBounce(Pool(), m_task, m_kernels);
+        if (!m_bounced) return;
         for (int i = 1; i < iterations; ++i) RunBounce(Pool(), m_task, m_kernels);
         RunKernel(Pool(), m_task, m_kernels.endBounce);
-        return true;
+    }
+    /// Velocities with which the trees' joints are closed after the move.
+    void AimTrees() {
+        if (m_plan.hasTrees) m_s.tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
+    }
+    void DriftAll() {
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            ForEachSoft([&](SoftBody& soft) {
+                Velocity& v = VelocityOf(soft);
+                if (!soft.jointed) soft.gained = {v.v - soft.unaided.v, v.w - soft.unaided.w};
+                Drift(v, m_h, m_s.delta[static_cast<size_t>(soft.body)]);
+                Kick<forces>(soft, v);
+            });
+        });
+    }
+    void CorrectRows() {
+        if (!m_plan.hasRows) return;
+        CorrectJoints();
+        WarmStartJoints(JointWork(1.0f));
+    }
+    /// No speed is left along the trees' joints.
+    void StopTrees() {
+        if (!m_plan.hasTrees) return;
+        m_s.tree.Factorize(Poses());
+        m_s.tree.SolveAfterMove(m_bodies.velocity);
+    }
+    void StopRows() {
+        if (!m_plan.hasRows) return;
+        SolveJointVelocities(JointWork(1.0f));
+        if (m_plan.hasTrees) m_s.tree.SolveAfterMove(m_bodies.velocity);
+    }
+    /// Contacts once more, without pushing apart.
+    void Relax() {
+        NoteContacts([&] { RunKernel(Pool(), m_task, m_kernels.relax); });
+        ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
     }
 
-    /// The push that is repeated comes from differences of velocities. Their rounding errors, which differ from body to
-    /// body, would be repeated with it, and momentum drift with the number of sub-steps to the power of 1.5.
-    static bool RenewsPush(int substep) { return substep >= 4 && substep % 2 == 0; }
+    /// What is repeated comes from differences of velocities. Their rounding errors, which differ from body to body,
+    /// would be repeated with it, and momentum drift with the number of sub-steps to the power of 1.5.
+    static bool RenewsExpected(int substep) { return substep >= 4 && substep % 2 == 0; }
 
-    /// What contacts will do to each body in this sub-step, by their accumulated impulses.
-    void ExpectPush() {
+    /// What contacts will do to each body in this sub-step: by their accumulated impulses where those are needed, else
+    /// what they did in the last one.
+    void ExpectContacts(int substep) {
+        const bool isNeeded = substep == 0 ? m_plan.warmStarts : m_bounced || RenewsExpected(substep);
+        if (!isNeeded) return;
         ForEachSoft([&](SoftBody& soft) {
             const Velocity& v = VelocityOf(soft);
             soft.gained = {v.v, v.w};
@@ -286,16 +334,16 @@ private:
         RunKernel(Pool(), m_task, m_kernels.warmStart);
         ForEachSoft([&](SoftBody& soft) {
             Velocity& v = VelocityOf(soft);
-            soft.pushed = {v.v - soft.gained.v, v.w - soft.gained.w};
+            soft.byContacts = {v.v - soft.gained.v, v.w - soft.gained.w};
             v.v = soft.gained.v, v.w = soft.gained.w;
             soft.gained = {};
         });
     }
 
     /// Runs a pass over the contacts and notes what it did to jointed bodies: joints are warm-started by themselves, so
-    /// only the push of contacts is to be repeated. For other bodies the velocities before and after tell.
+    /// only what contacts did is to be repeated. For other bodies the velocities before and after tell.
     template <typename Pass>
-    void NotePush(Pass&& pass) {
+    void NoteContacts(Pass&& pass) {
         for (size_t i = 0; i < m_s.jointed.size(); ++i) {
             const Velocity& v = VelocityOf(Jointed(i));
             m_s.before[i] = {v.v, v.w};
@@ -308,15 +356,15 @@ private:
             soft.gained.w += v.w - m_s.before[i].w;
         }
     }
-    void EndPush(SoftBody& soft) {
+    void EndContacts(SoftBody& soft) {
         if (soft.jointed) {
-            soft.pushed.v += soft.gained.v, soft.pushed.w += soft.gained.w;
+            soft.byContacts.v += soft.gained.v, soft.byContacts.w += soft.gained.w;
             soft.gained = {};
             return;
         }
         const Velocity& v = VelocityOf(soft);
-        soft.pushed.v = soft.gained.v + (v.v - soft.unpushed.v);
-        soft.pushed.w = soft.gained.w + (v.w - soft.unpushed.w);
+        soft.byContacts.v = soft.gained.v + (v.v - soft.unaided.v);
+        soft.byContacts.w = soft.gained.w + (v.w - soft.unaided.w);
     }
     [[nodiscard]] Velocity& VelocityOf(const SoftBody& soft) {
         return m_bodies.velocity[static_cast<size_t>(soft.body)];
@@ -346,6 +394,7 @@ private:
     SolverScratch& m_s;
     const ContactKernels& m_kernels;
     KernelTask m_task{};
+    Plan m_plan;
     bool m_bounced = false;  ///< in this sub-step: impulses of contacts were reset
 };
 

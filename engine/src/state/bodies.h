@@ -116,7 +116,7 @@ struct BodyTable {
     /// Positions have rests.
     [[nodiscard]] bool IsFar() const { return !rest.empty(); }
     /// Makes `rest` a column like the others; without bodies, from the first one on.
-    void EnsureRests() { rest.resize(position.empty() ? 1 : position.size()); }
+    void EnsureRests() { EnsureRows(rest, position.empty() ? 1 : position.size()); }
     [[nodiscard]] Vec2 GetRest(int body) const { return rest.empty() ? vec2Zero : rest[static_cast<size_t>(body)].end; }
     /// The body starts the step where it is.
     void NoteStart(size_t b) {
@@ -157,7 +157,7 @@ struct BodyTable {
     /// The transform that belongs to `position`.
     void UpdateTransform(int body);
     /// Makes `force` a column like the others.
-    void EnsureForces() { force.resize(position.size()); }
+    void EnsureForces() { EnsureRows(force, position.size()); }
     [[nodiscard]] ForceRow GetForce(int body) const {
         return force.empty() ? ForceRow{vec2Zero, 0.0f, 0.0f} : force[static_cast<size_t>(body)];
     }

@@ -14,8 +14,8 @@ namespace {
 
 size_t Row(int index) { return static_cast<size_t>(index); }
 
-/// True if a push reaches the body: dynamic, and awake or woken by it.
-bool TakesPush(BodyTable& bodies, int body, bool wake) {
+/// True if an impulse reaches the body: dynamic, and awake or woken by it.
+bool TakesImpulse(BodyTable& bodies, int body, bool wake) {
     if (bodies.type[Row(body)] != dynamicBody) return false;
     if (wake && !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);
     return bodies.Has(body, BodyFlag::awake);
@@ -23,7 +23,7 @@ bool TakesPush(BodyTable& bodies, int body, bool wake) {
 
 /// The same for a force, which the step has to look at.
 bool TakesForce(WorldState& s, int body, bool wake) {
-    if (!TakesPush(s.bodies, body, wake)) return false;
+    if (!TakesImpulse(s.bodies, body, wake)) return false;
     s.featureCounts.forces = true;
     NeedKernels(s, {Feature::forces});
     return true;
@@ -134,7 +134,7 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
     const Velocity sum = AddImpulse(*m_state, m_index, impulse, Cross(FromCentre(point), impulse));
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, point, wake);
-    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
+    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 
@@ -144,7 +144,7 @@ ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
     const Velocity sum = AddImpulse(*m_state, m_index, impulse, 0.0f);
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, wake);
-    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
+    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 
@@ -154,7 +154,7 @@ ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
     const Velocity sum = AddImpulse(*m_state, m_index, vec2Zero, impulse);
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, wake);
-    if (TakesPush(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
+    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
     return ErrorCode::ok;
 }
 

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include "pipeline/update_boxes.h"
+#include "pipeline/parts/update_boxes.h"
 #include "scree/body.h"
 #include "scree/chain_shape.h"
 #include "world/guard.h"

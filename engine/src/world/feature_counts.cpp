@@ -225,12 +225,23 @@ Features NeededFeatures(WorldState& s) {
     return s.featureCounts.contactsEdited && !isSettled ? used | UsedByContacts(s, used) : used;
 }
 
-}  // namespace
-
 KernelSet NeededKernels(WorldState& s) {
     KernelSet kernels = ChooseKernels(NeededFeatures(s));
     kernels.continuous = kernels.continuous && s.def.continuousPhysics;
     return kernels;
+}
+
+}  // namespace
+
+void PrepareKernels(WorldState& s) {
+    s.kernels = NeededKernels(s);
+    if (s.kernels.bodyForces) s.bodies.EnsureForces();
+    if (s.def.exactDrift) EnsureRows(s.bodies.startVelocity, s.bodies.velocity.size());
+}
+
+bool NeedsContinuous(WorldState& s) {
+    s.kernels.continuous = NeededKernels(s).continuous;
+    return s.kernels.continuous || (s.def.continuousPhysics && s.continuousScratch.resuming);
 }
 
 void NeedKernels(WorldState& s, Features features) {

@@ -65,8 +65,12 @@ void RecountFeatures(WorldState& state);
 /// An exact count of everything.
 FeatureUsers CountFeatureUsers(const WorldState& state);
 
-/// What the kernels of this step need. O(1), O(contacts) while contacts may differ from their fixtures.
-KernelSet NeededKernels(WorldState& state);
+/// Sets what the kernels of this step need, and makes their columns. O(1), O(contacts) while contacts may differ from
+/// their fixtures.
+void PrepareKernels(WorldState& state);
+/// Whether the step needs its continuous stage: a listener of the solver may have made a bullet, and a step that goes
+/// on with the rest of the last one has its events to finish.
+bool NeedsContinuous(WorldState& state);
 /// A callback made an object use this while a step runs.
 void NeedKernels(WorldState& state, Features features);
 

@@ -184,7 +184,7 @@ MemoryUse GetMemoryUse(const World& world) {
 }
 
 void SetIsolatedPath(World& world, bool apart) {
-    world.GetState().isolated = apart ? Isolated::apart : Isolated::asIslands;
+    world.GetState().isolatedPath = apart ? IsolatedPath::apart : IsolatedPath::asIslands;
 }
 
 KernelSet GetKernels(const World& world) { return world.GetState().kernels; }

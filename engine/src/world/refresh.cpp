@@ -14,8 +14,6 @@ namespace scree {
 
 namespace {
 
-MatchTables Tables(WorldState& s) { return {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}; }
-
 /// Destroys the contacts of a body that satisfy the predicate. Their rows are used again after the next pair finding.
 template <typename Predicate>
 void DestroyIf(WorldState& s, int body, Predicate involves) {
@@ -39,12 +37,6 @@ Motion MotionOf(BodyType type) {
 }
 
 }  // namespace
-
-void FindPairsAndMatch(WorldState& s, FreshOrder order) {
-    s.broadPhase->FindPairs(s.pairs);
-    MatchContacts(s.pairs, order, s.Events(), Tables(s));
-    s.pairsStale = false;
-}
 
 void ForgetNearStatics(WorldState& s, int body) {
     NearStatics& near = s.continuousScratch.nearStatics;

@@ -5,13 +5,10 @@
 
 #pragma once
 
-#include "pipeline/match_contacts.h"
 #include "world/world_state.h"
 
 namespace scree {
 
-/// Finds all pairs of the stored boxes and marks or makes their contacts.
-void FindPairsAndMatch(WorldState& state, FreshOrder order);
 /// What continuous collision knows about static fixtures near the body is forgotten; of all bodies if it is static.
 void ForgetNearStatics(WorldState& state, int body);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
@@ -30,7 +27,7 @@ void RefilterBodies(WorldState& state, int bodyA, int bodyB);
 void ResetMass(WorldState& state, int body);
 
 /// A body with such a coordinate, m, makes the positions of the world have rests (WorldDef::farDistance).
-inline bool IsFar(const WorldState& s, float coordinate) { return coordinate > s.def.farDistance * s.def.lengthScale; }
+inline bool IsFar(const WorldState& s, float coordinate) { return coordinate > s.FarDistance(); }
 /// Makes them have rests if this position calls for it.
 void NotePosition(WorldState& s, Vec2 position, Vec2 rest);
 

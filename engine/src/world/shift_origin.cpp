@@ -4,7 +4,7 @@
 // Moves the origin of a world: every stored world coordinate loses `newOrigin`. Contacts and impulses live in body
 // coordinates and stay.
 
-#include "pipeline/update_boxes.h"
+#include "pipeline/parts/update_boxes.h"
 #include "world/guard.h"
 #include "world/refresh.h"
 

@@ -11,10 +11,9 @@
 #include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
 #include "pipeline/continuous.h"
-#include "pipeline/find_islands.h"
-#include "pipeline/group_substeps.h"
+#include "pipeline/find_pairs.h"
 #include "pipeline/narrow_phase.h"
-#include "pipeline/solve_islands.h"
+#include "pipeline/solve.h"
 #include "scree/world.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -67,11 +66,15 @@ struct WorldState {
     StepReport report;
     TOIStats distanceWork;  ///< of the last step
     bool measureErrors = false;
-    Isolated isolated = Isolated::apart;  ///< changes no bit
+    IsolatedPath isolatedPath = IsolatedPath::apart;  ///< changes no bit
 
     [[nodiscard]] ContactEvents Events() {
         return {this, listener, filter == &defaultFilter ? nullptr : filter, &distanceWork};
     }
+    [[nodiscard]] SolveLists Lists() { return {islands, active, substepGroups}; }
+    [[nodiscard]] PairTables ForPairs() { return {*pool, bodies, fixtures, joints, contacts, *broadPhase, pairs}; }
+    /// A coordinate beyond it makes positions have rests, m.
+    [[nodiscard]] float FarDistance() const { return def.farDistance * def.lengthScale; }
     /// The pool that `def` asks for, in place of the one there was.
     void MakePool();
     /// Tells the error handler and gives the code back.

@@ -53,7 +53,7 @@ NearStatics::Ball NearStatics::MakeBall(int body, const Tables& t) {
 std::optional<std::span<const int>> NearStatics::Find(int body, const Tables& tables) {
     if (!m_enabled || tables.bodies.IsFar()) return std::nullopt;
     const auto b = static_cast<size_t>(body);
-    if (b >= m_balls.size()) m_balls.resize(static_cast<size_t>(tables.bodies.slots.Size()));
+    if (b >= m_balls.size()) EnsureRows(m_balls, static_cast<size_t>(tables.bodies.slots.Size()));
     Ball& ball = m_balls[b];
     const float farthest = Max(DistanceSquared(tables.bodies.startPosition[b].c, ball.centre),
                                DistanceSquared(tables.bodies.position[b].c, ball.centre));

@@ -12,6 +12,7 @@
 #include "constraints/contact_rows.h"
 #include "constraints/joint_solver.h"
 #include "constraints/joint_tree.h"
+#include "scree/accuracy.h"
 #include "scree/features.h"
 #include "scree/world_callbacks.h"
 #include "state/bodies.h"
@@ -33,6 +34,7 @@ struct SolverSettings {
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
     float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
     float lengthScale = 1.0f;                                        ///< factor on tolerances
+    const Tolerance* tolerance = nullptr;  ///< soft step: islands may take more than `substeps` to keep it
 
     [[nodiscard]] float Slop() const { return linearSlop * lengthScale; }
 };
@@ -49,8 +51,8 @@ struct alignas(64) SoftBody {
     bool jointed;
     float linearDamp, angularDamp;  ///< factors of half a sub-step
     Twist kick;                     ///< by gravity and forces in half a sub-step
-    Twist unpushed;                 ///< velocity after the last kick, before constraints, without what contacts do
-    Twist pushed;                   ///< change by contacts in the last sub-step
+    Twist unaided;                  ///< velocity after the last kick, before constraints, without what contacts do
+    Twist byContacts;               ///< change by contacts in the last sub-step
     Twist gained;                   ///< change by contacts in this sub-step so far
 };
 static_assert(sizeof(SoftBody) == 64);
@@ -85,9 +87,9 @@ struct SolverCounts {
 /// Below this many bodies a loop stays on one thread.
 inline constexpr int leastBodies = 256;
 
-/// Free bodies need many more: one takes a few nanoseconds, and what follows reads them on one thread, which has them
-/// in its own cache if it moved them itself.
-inline constexpr int leastFreeBodies = 32768;
+/// Isolated bodies need many more: one takes a few nanoseconds, and what follows reads them on one thread, which has
+/// them in its own cache if it moved them itself.
+inline constexpr int leastIsolatedBodies = 32768;
 
 /// Runs range(begin, end) → SolverCounts over parts of [0, count) on the workers and returns the sum.
 template <typename OfRange>

@@ -24,9 +24,9 @@ void ToiPairs::Clear() {
     const size_t count = Row(m_bodies.slots.Size());
     m_s.pairs.clear();
     m_s.events.Clear();
-    m_s.firstPair.resize(count, -1);
-    m_s.alpha.resize(count, 0.0f);
-    m_s.knownTo.resize(Row(m_t.fixtures.slots.Size()), 0);
+    EnsureRows(m_s.firstPair, count, -1);
+    EnsureRows(m_s.alpha, count);
+    EnsureRows(m_s.knownTo, Row(m_t.fixtures.slots.Size()));
     for (const int body : m_s.touched) {
         m_s.firstPair[Row(body)] = -1;
         if (!m_s.resuming) m_s.alpha[Row(body)] = 0.0f;
@@ -166,7 +166,7 @@ void ToiPairs::Add(int fixture, int other) {
     if (otherBody == body || m_t.fixtures.isSensor[Row(other)] || !MayMeet(body, otherBody)) return;
     if (m_bodies.type[Row(otherBody)] == staticBody && IsClear(fixture, other, 0.0f)) return;
     if (m_s.knownTo[Row(other)] == m_s.round) return;
-    if (!MayPush(fixture, other)) return;
+    if (!MayCollide(fixture, other)) return;
     const int index = static_cast<int>(m_s.pairs.size());
     for (const int b : {body, otherBody}) {
         if (m_s.firstPair[Row(b)] < 0) m_s.touched.push_back(b);
@@ -179,7 +179,7 @@ void ToiPairs::Add(int fixture, int other) {
 }
 
 /// Neither refused by a filter or a joint nor disabled by a listener.
-bool ToiPairs::MayPush(int fixture, int other) const {
+bool ToiPairs::MayCollide(int fixture, int other) const {
     // Who asks nobody need not look for the contact: it is enabled, and there because it may be.
     if (m_events.listener != nullptr || m_events.filter != nullptr) {
         const int contact = m_t.contacts.Find(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));

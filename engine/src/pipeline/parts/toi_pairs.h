@@ -86,7 +86,7 @@ private:
     void Collect(int body, bool withDynamic);
     void MarkKnown(int body, int fixture);
     void Add(int fixture, int other);
-    [[nodiscard]] bool MayPush(int fixture, int other) const;
+    [[nodiscard]] bool MayCollide(int fixture, int other) const;
     [[nodiscard]] bool PassesBy(const ToiPair& pair) const;
     [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const;
     void UpdateEvent(int index);

@@ -92,7 +92,7 @@ Bits BitsOf(const Body& body) {
             body.IsAwake() ? 1u : 0u};
 }
 
-TEST(FreeBodies, MoveInGroupsAsTheyDoAlone) {
+TEST(IsolatedBodies, MoveInGroupsAsTheyDoAlone) {
     constexpr int count = 611, steps = 60;
     const std::vector<Recipe> recipes = MakeRecipes(count);
     for (const int workers : {1, 3}) {
@@ -124,7 +124,7 @@ TEST(FreeBodies, MoveInGroupsAsTheyDoAlone) {
     }
 }
 
-TEST(FreeBodies, OneThatIsNotFiniteAnyMoreStopsAndItsNeighboursGoOn) {
+TEST(IsolatedBodies, OneThatIsNotFiniteAnyMoreStopsAndItsNeighboursGoOn) {
     WorldDef def = MakeDef(1);
     def.maxTranslation = std::numeric_limits<float>::infinity();
     World world(def);

@@ -4,7 +4,7 @@
 // Mark, match, sweep (the dissertation, §4.2.2). Contacts that were not touching are swept at once; those that were
 // wait for the next step, in which their EndContact is due.
 
-#include "pipeline/match_contacts.h"
+#include "pipeline/parts/match_contacts.h"
 
 #include <algorithm>
 
@@ -20,7 +20,7 @@ constexpr int leastPairsToShare = 1024;
 /// The contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the pairs
 /// leave it: a pair that is gone or new is one such place, the start of a worker's range another.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts, std::vector<int>& found) {
-    if (found.size() < pairs.size()) found.resize(pairs.size());
+    EnsureRows(found, pairs.size());
     pool.For(static_cast<int>(pairs.size()), leastPairsToShare, [&](int begin, int end, int /*worker*/) {
         int ownFirst = -1;
         int* follower = begin == 0 ? &contacts.firstMatched : &ownFirst;

@@ -12,7 +12,7 @@
 namespace scree {
 
 /// Columns of the body table, four floats a row, and the constants of the step.
-struct FreeBodiesTask {
+struct IsolatedBodiesTask {
     float* velocity;       ///< v, w
     float* position;       ///< centre of mass, angle, its rest
     float* startPosition;  ///< written: the position before
@@ -30,16 +30,16 @@ struct FreeBodiesTask {
     void (*sinCos)(float angle, float* sineCosine);
 };
 
-enum class FreeMove : int32_t {
+enum class IsolatedMove : int32_t {
     refused,  ///< nothing was written: one of them is not dynamic, or fast enough for a cap, or not finite afterwards
     fast,     ///< moved, and none is slow
     slow,     ///< moved, and some are slow enough for the sleep timer to run
 };
 
 /// Moves the bodies of eight different rows through one step of sequential impulses without constraints.
-using MoveFreeFunction = FreeMove (*)(const FreeBodiesTask& task, const int32_t* eight);
+using MoveIsolatedFunction = IsolatedMove (*)(const IsolatedBodiesTask& task, const int32_t* eight);
 
 /// The best form this processor has. All forms give the same bits.
-MoveFreeFunction GetMoveFree();
+MoveIsolatedFunction GetMoveIsolated();
 
 }  // namespace scree

@@ -4,6 +4,6 @@
 // The kernel for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
 
 #if defined(__AVX2__)
-#define SCREE_MOVE_FREE MoveFreeAvx2
-#include "pipeline/parts/free_bodies.inc"
+#define SCREE_MOVE_ISOLATED MoveIsolatedAvx2
+#include "pipeline/parts/isolated_bodies.inc"
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Stage: tight AABBs of the fixtures of bodies that moved, into the broad phase.
+// Part of the stage that finds pairs: tight AABBs of the fixtures of bodies that moved, into the broad phase.
 
 #pragma once
 

@@ -3,21 +3,21 @@
 //
 // The kernel for the instruction set that the whole library is compiled for, and the choice of the best one.
 
-#define SCREE_MOVE_FREE MoveFreeBase
-#include "pipeline/parts/free_bodies.inc"
+#define SCREE_MOVE_ISOLATED MoveIsolatedBase
+#include "pipeline/parts/isolated_bodies.inc"
 
 namespace scree {
 
 #if defined(SCREE_HAS_AVX2_KERNELS)
-FreeMove MoveFreeAvx2(const FreeBodiesTask& task, const int32_t* eight);
+IsolatedMove MoveIsolatedAvx2(const IsolatedBodiesTask& task, const int32_t* eight);
 #endif
 
-MoveFreeFunction GetMoveFree() {
+MoveIsolatedFunction GetMoveIsolated() {
 #if defined(SCREE_HAS_AVX2_KERNELS)
     static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
-    if (hasAvx2) return &MoveFreeAvx2;
+    if (hasAvx2) return &MoveIsolatedAvx2;
 #endif
-    return &MoveFreeBase;
+    return &MoveIsolatedBase;
 }
 
 }  // namespace scree

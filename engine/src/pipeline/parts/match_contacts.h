@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Stage: pairs → contacts. Marks the contact of every reported pair or makes one. Contacts left unmarked have parted:
+// Part of the stage that finds pairs: marks the contact of every pair or makes one. Contacts left unmarked have parted:
 // those that did not touch go at once, those that did are removed by the narrow phase of the next step, where Box2D
 // reports their EndContact.
 

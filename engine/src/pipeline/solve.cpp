@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Sequential impulses are solved by islands. The soft step solves everything at once; it looks for islands only when
+// something may fall asleep or wake, or when each has its own number of sub-steps.
+
+#include "pipeline/solve.h"
+
+#include <cmath>
+
+#include "pipeline/solve_islands.h"
+#include "pipeline/solve_soft.h"
+
+namespace scree {
+
+namespace {
+
+/// Sequential impulses add to angles without their rests, which are therefore to be 0.
+void ClearAngleRests(BodyTable& bodies, SolverScratch& scratch) {
+    if (!scratch.anglesHaveRests) return;
+    for (const int body : bodies.movers) bodies.position[static_cast<size_t>(body)].aRest = 0.0f;
+    scratch.anglesHaveRests = false;
+}
+
+/// One group after the other; without a tolerance all that is active is the one group.
+void SolveGroups(const SolverSettings& settings, const FixtureTable& fixtures, SolveLists lists,
+                 const ContactEvents& events, SolverTables tables, SolverScratch& scratch, SolveReport& report) {
+    tables.noteDemand = settings.tolerance != nullptr;
+    const auto solve = [&](const SolverSettings& own, const IslandTable& group) {
+        report.substeps = own.substeps;  // groups come with rising numbers
+        report.bodySubsteps += static_cast<int64_t>(group.bodies.size() + group.isolated.size()) * own.substeps;
+        report.counts += SolveSoft(own, fixtures, group, events, tables, scratch);
+    };
+    if (settings.tolerance == nullptr) return solve(settings, lists.active);
+    SolverSettings own = settings;
+    for (const SubstepGroup& group : lists.groups.Get()) {
+        own.substeps = group.substeps;
+        solve(own, group.lists);
+    }
+}
+
+}  // namespace
+
+void GatherLists(const SolverSettings& settings, const ContactTable& contacts, JointTable& joints, BodyTable& bodies,
+                 IslandScratch& scratch, IsolatedPath path, SolveLists lists) {
+    lists.groups.Clear();
+    if (settings.substeps == 0) {
+        lists.active.Clear();
+        FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
+        return;
+    }
+    const Tolerance* tolerance = settings.tolerance;
+    lists.islands.Clear();
+    if (tolerance != nullptr || NeedsIslands(contacts, joints, bodies, settings.dt)) {
+        FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
+    }
+    GatherActive(contacts, joints, bodies, scratch, lists.active, path);
+    if (tolerance == nullptr) return;
+    GroupBySubsteps({lists.islands, lists.active, contacts, joints, *tolerance, settings.Slop(), settings.dt}, bodies,
+                    lists.groups);
+}
+
+const IslandTable& SolvedOf(const SolverSettings& settings, SolveLists lists) {
+    return settings.substeps > 0 ? lists.active : lists.islands;
+}
+
+SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, SolveLists lists,
+                  const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
+    SolveReport report{.substeps = settings.substeps};
+    if (settings.substeps > 0) {
+        scratch.anglesHaveRests = true;
+        SolveGroups(settings, fixtures, lists, events, tables, scratch, report);
+        SleepIslands(settings, lists.active, lists.islands, tables.bodies);
+    } else {
+        ClearAngleRests(tables.bodies, scratch);
+        report.counts = SolveIslands(settings, fixtures, lists.islands, events, tables, scratch);
+    }
+    const IslandTable& solved = SolvedOf(settings, lists);
+    report.islandCount = static_cast<int>(lists.islands.islands.size());
+    report.isolatedCount = static_cast<int>(solved.isolated.size());
+    report.awakeCount = report.isolatedCount + static_cast<int>(solved.bodies.size());
+    return report;
+}
+
+void ForgetNonFiniteImpulses(ContactTable& contacts) {
+    for (Manifold& manifold : contacts.manifold) {
+        for (ManifoldPoint& point : manifold.points) {
+            if (!std::isfinite(point.normalImpulse)) point.normalImpulse = 0.0f;
+            if (!std::isfinite(point.tangentImpulse)) point.tangentImpulse = 0.0f;
+        }
+    }
+}
+
+}  // namespace scree

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What a step is asked for, what its stages find out, and the step itself.
+
+#pragma once
+
+#include "world/world_state.h"
+
+namespace scree {
+
+/// As WorldDef::solver wants it.
+struct StepRequest {
+    float dt;                                    ///< s, ≥ 0
+    int velocityIterations, positionIterations;  ///< of sequential impulses
+    int substeps;                                ///< of the soft step; 0: sequential impulses
+    const Tolerance* tolerance = nullptr;        ///< of the soft step: islands may take more than `substeps`
+    bool measureErrors = false;                  ///< the report is to tell the errors that are left
+};
+
+/// What the stages of a step found out, and how long they took.
+struct StepResults {
+    Profile profile{};
+    int touchingCount = 0;
+    SolveReport solved{};
+    ContinuousReport continuous{};
+};
+
+/// One step of a world whose caller has checked the request.
+StepReport RunStep(WorldState& state, const StepRequest& request);
+
+SolverSettings MakeSettings(const WorldState& state, const StepRequest& request);
+/// The report of a step that is over. Measures errors if they are asked for.
+StepReport MakeReport(WorldState& state, const StepRequest& request, const StepResults& results);
+
+}  // namespace scree
