@@ -14,7 +14,7 @@ FreeMove MoveFreeAvx2(const FreeBodiesTask& task, const int32_t* eight);
 
 MoveFreeFunction GetMoveFree() {
 #if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+    static const bool hasAvx2 = HasAvx2();
     if (hasAvx2) return &MoveFreeAvx2;
 #endif
     return &MoveFreeBase;
