@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "broad_phase/top_down.h"
+#include "broad_phase/split_rules.h"
 
 namespace scree::broadphase {
 namespace {
