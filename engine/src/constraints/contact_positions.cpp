@@ -4,8 +4,8 @@
 // The position pass of contacts: pushes overlapping bodies apart by a share of the overlap, without touching velocities
 // (so no energy is added), re-evaluating the manifold at the corrected poses in every iteration.
 
-#include "constraints/contact_rows.h"
 #include "base/compiler.h"
+#include "constraints/contact_rows.h"
 #include "state/frames.h"
 
 namespace scree {
