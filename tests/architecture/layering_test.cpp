@@ -85,6 +85,20 @@ TEST(Layering, AStageOfTheStepIncludesNoOtherStage) {
     EXPECT_TRUE(wrong.empty()) << Join(wrong);
 }
 
+TEST(Layering, OnlyTheBaseOfTheEngineNamesCompilersAndInstructions) {
+    static const std::regex names(
+        R"(__builtin_|__attribute__|__atomic_|gnu::|_mm\d*_|__GNUC__|_MSC_VER|__SSE|__AVX|__ARM)");
+    constexpr std::string_view base = "engine/src/base/";
+    Lines wrong;
+    for (const SourceFile& file : SourceFiles()) {
+        if (!file.path.starts_with("engine/") || file.path.starts_with(base)) continue;
+        for (const std::string& line : file.lines) {
+            if (std::regex_search(line, names)) wrong.push_back(file.path + ": " + line);
+        }
+    }
+    EXPECT_TRUE(wrong.empty()) << Join(wrong);
+}
+
 TEST(Layering, TheEngineDependsOnNothingElseHere) {
     for (const char* folder : {"engine/src/", "engine/include/"}) {
         const Lines wrong = FindIncludes(folder, [](const std::string& name) {

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 bool IsSource(const fs::path& path) {
-    static constexpr std::array<std::string_view, 7> endings = {".h", ".cpp", ".in", ".vert", ".frag", ".sh", ".py"};
+    static constexpr std::array<std::string_view, 8> endings = {".h",    ".cpp",  ".inc", ".in",
+                                                                ".vert", ".frag", ".sh",  ".py"};
     const std::string ending = path.extension().string();
     return path.filename() == "run" || (std::find(endings.begin(), endings.end(), ending) != endings.end() &&
                                         path.extension() != ".pc.in" && !path.string().ends_with(".pc.in"));

@@ -5,9 +5,7 @@
 
 #include "base/task_pool.h"
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
+#include "base/compiler.h"
 
 namespace scree {
 
@@ -16,19 +14,13 @@ namespace {
 /// More: better balance; fewer: less taking turns.
 constexpr int chunksPerWorker = 4;
 
-inline void Pause() {
-#if defined(__SSE2__)
-    _mm_pause();
-#endif
-}
-
 /// Waits until done() holds: spins for some microseconds, then gives the core away in between.
 template <typename Done>
 void Await(Done&& done) {
     constexpr int spins = 2000;
     for (int i = 0; i < spins; ++i) {
         if (done()) return;
-        Pause();
+        PauseSpinning();
     }
     while (!done()) std::this_thread::yield();
 }

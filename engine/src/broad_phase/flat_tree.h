@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "broad_phase/lanes.h"
+#include "broad_phase/bounds.h"
 #include "broad_phase/pair_sink.h"
 #include "broad_phase/ray_probe.h"
 #include "broad_phase/small_stack.h"

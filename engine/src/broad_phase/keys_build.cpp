@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "broad_phase/split_rules.h"
+
 namespace scree::broadphase {
 namespace {
 
@@ -22,50 +24,26 @@ struct KeyBounds {
     [[nodiscard]] int Height() const { return highY - lowY; }
 };
 
-#if defined(__SSE2__)
-
 KeyBounds MeasureKeys(const KeyItem* items, uint32_t count) {
     // Two items per register; the lanes that hold slots are never read.
-    __m128i low = _mm_set1_epi16(0x7FFF);
-    __m128i high = _mm_set1_epi16(-0x8000);
+    S8 low = SplatS8(0x7FFF), high = SplatS8(-0x8000);
+    const auto take = [&](S8 keys) { low = MinS8(low, keys), high = MaxS8(high, keys); };
     uint32_t i = 0;
-    for (; i + 2 <= count; i += 2) {
-        const __m128i pair = _mm_loadu_si128(reinterpret_cast<const __m128i*>(items + i));
-        low = _mm_min_epi16(low, pair);
-        high = _mm_max_epi16(high, pair);
-    }
-    if (i < count) {
-        const __m128i half = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(items + i));
-        const __m128i last = _mm_unpacklo_epi64(half, half);
-        low = _mm_min_epi16(low, last);
-        high = _mm_max_epi16(high, last);
-    }
-    low = _mm_min_epi16(low, _mm_unpackhi_epi64(low, low));
-    high = _mm_max_epi16(high, _mm_unpackhi_epi64(high, high));
-    const auto lowBits = static_cast<uint32_t>(_mm_cvtsi128_si32(low));
-    const auto highBits = static_cast<uint32_t>(_mm_cvtsi128_si32(high));
-    return {static_cast<int16_t>(lowBits), static_cast<int16_t>(lowBits >> 16), static_cast<int16_t>(highBits),
-            static_cast<int16_t>(highBits >> 16)};
+    for (; i + 2 <= count; i += 2) take(LoadS8(items + i));
+    if (i < count) take(LoadTwiceS8(items + i));
+    low = MinS8(low, UpperHalfS8(low));
+    high = MaxS8(high, UpperHalfS8(high));
+    int16_t lowest[2], highest[2];
+    StoreFirstTwoS8(lowest, low);
+    StoreFirstTwoS8(highest, high);
+    return {lowest[0], lowest[1], highest[0], highest[1]};
 }
-
-#else
-
-KeyBounds MeasureKeys(const KeyItem* items, uint32_t count) {
-    KeyBounds out{0x7FFF, 0x7FFF, -0x8000, -0x8000};
-    for (uint32_t i = 0; i < count; ++i) {
-        const auto [x, y] = items[i].key;
-        out = {std::min(out.lowX, x), std::min(out.lowY, y), std::max(out.highX, x), std::max(out.highY, y)};
-    }
-    return out;
-}
-
-#endif
 
 /// Copies items with key[axis] <= limit to the front of `out` and the others to its back; returns the number of the
 /// former. Every item is written to both ends and the counts decide which copy stays: a branch would be mispredicted
 /// half of the time. Four at a time, all loaded before the first is stored, since the compiler must assume that they
 /// overlap.
-__attribute__((noinline)) uint32_t Partition(const KeyItem* in, uint32_t count, KeyItem* out, int axis, int limit) {
+SCREE_NOINLINE uint32_t Partition(const KeyItem* in, uint32_t count, KeyItem* out, int axis, int limit) {
     const auto goesLeft = [=](const KeyItem& item) { return static_cast<ptrdiff_t>(item.key[axis] <= limit ? 1 : 0); };
     const auto put = [](KeyItem* place, uint64_t item) { std::memcpy(place, &item, sizeof item); };
     KeyItem* back = out + count - 1;
@@ -165,8 +143,8 @@ struct KeysPass {
     bool MakeKeys(KeyItem* items, uint32_t count) const {
         // Lanes: twice the centre, x and y, two times.
         const auto centreOf = [this](KeyItem item) {
-            const F4 box = Load4(&boxes[item.slot].lowerBound.x);
-            return Add4(box, SwapHalves4(box));
+            const F4 box = Load4(reinterpret_cast<const float*>(&boxes[item.slot]));
+            return box + SwapHalves4(box);
         };
         F4 lowLanes = Splat4(infinity);
         F4 highLanes = Splat4(-infinity);

@@ -13,7 +13,6 @@
 
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
-#include "broad_phase/top_down.h"
 
 namespace scree::broadphase {
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "broad_phase/lane_lists.h"
+
 namespace scree::broadphase {
 namespace {
 
@@ -23,6 +25,13 @@ struct Hits {
     uint32_t* second;
 };
 
+/// Bit i is set where all four comparisons hold in lane i.
+SCREE_KERNEL uint32_t MaskAllLessEqual(const F4 (&a)[4], const F4 (&b)[4]) {
+    const Mask4 x = And4(LessEqual4(a[0], b[0]), LessEqual4(a[2], b[2]));
+    const Mask4 y = And4(LessEqual4(a[1], b[1]), LessEqual4(a[3], b[3]));
+    return Bits4(And4(x, y));
+}
+
 struct Lanes {
     const float* lane[4];
 
@@ -32,7 +41,7 @@ struct Lanes {
     [[nodiscard]] uint32_t RowMask(uint32_t position, const F4 (&probe)[4]) const {
         F4 row[4];
         LoadRow(position, row);
-        return MaskAllLessEqual4(row, probe);
+        return MaskAllLessEqual(row, probe);
     }
     /// Reads the four boxes at position … position + 3.
     void LoadRow(uint32_t position, F4 (&row)[4]) const {
@@ -49,7 +58,7 @@ template <int one>
 uint32_t MaskOfOne(const F4 (&row)[4], const F4 (&probe)[4]) {
     const F4 box[4] = {SplatLane4<one>(row[0]), SplatLane4<one>(row[1]), SplatLane4<one>(row[2]),
                        SplatLane4<one>(row[3])};
-    return MaskAllLessEqual4(box, probe);
+    return MaskAllLessEqual(box, probe);
 }
 
 /// The probe of a box, each component in all four lanes of its own register.
@@ -64,7 +73,7 @@ constexpr uint32_t LanesBefore(uint32_t row, uint32_t end) { return end - row >=
 
 /// All pairs inside a leaf; returns the number of hits. Each row of four boxes stays in registers as probes and meets
 /// all rows before it, then itself: loops end once per row and not once per box, and every end is a misprediction.
-__attribute__((noinline)) uint32_t TestInside(const FlatTree& tree, const TreeNode& leaf, Hits hits) {
+SCREE_NOINLINE uint32_t TestInside(const FlatTree& tree, const TreeNode& leaf, Hits hits) {
     const Lanes lanes(tree);
     uint32_t* outFirst = hits.first;
     uint32_t* outSecond = hits.second;
@@ -95,8 +104,8 @@ __attribute__((noinline)) uint32_t TestInside(const FlatTree& tree, const TreeNo
 }
 
 /// Pairs of candidates and the boxes of a leaf; a hit's first is the index among the candidates.
-__attribute__((noinline)) uint32_t TestCandidates(const FlatTree& tree, const TreeNode& leaf, const Bounds* candidates,
-                                                  uint32_t candidateCount, Hits hits) {
+SCREE_NOINLINE uint32_t TestCandidates(const FlatTree& tree, const TreeNode& leaf, const Bounds* candidates,
+                                       uint32_t candidateCount, Hits hits) {
     const Lanes lanes(tree);
     uint32_t* outFirst = hits.first;
     uint32_t* outSecond = hits.second;
@@ -113,7 +122,7 @@ __attribute__((noinline)) uint32_t TestCandidates(const FlatTree& tree, const Tr
 }
 
 /// Positions of a node's boxes that overlap `box`, written to out.second; returns how many.
-__attribute__((noinline)) uint32_t ScanRange(const FlatTree& tree, const TreeNode& range, const Bounds& box, Hits out) {
+SCREE_NOINLINE uint32_t ScanRange(const FlatTree& tree, const TreeNode& range, const Bounds& box, Hits out) {
     const Lanes lanes(tree);
     const SplatProbe probe(box);
     uint32_t* outSecond = out.second;
@@ -126,8 +135,8 @@ __attribute__((noinline)) uint32_t ScanRange(const FlatTree& tree, const TreeNod
     return found;
 }
 
-__attribute__((noinline)) void EmitPairs(const ItemId* firstIds, const ItemId* secondIds, Hits hits, uint32_t count,
-                                         PairSink& sink) {
+SCREE_NOINLINE void EmitPairs(const ItemId* firstIds, const ItemId* secondIds, Hits hits, uint32_t count,
+                              PairSink& sink) {
     const uint32_t* first = hits.first;
     const uint32_t* second = hits.second;
     Pair* out = sink.Reserve(count + 1);
@@ -148,9 +157,8 @@ struct CandidateArrays {
 };
 
 /// Copies those of the candidates that overlap box 1 to `out1` and those that overlap box 2 to `out2`.
-__attribute__((noinline)) std::pair<uint32_t, uint32_t> FilterForBoth(CandidateArrays in, uint32_t count,
-                                                                      const TreeNode* children, CandidateArrays out1,
-                                                                      CandidateArrays out2) {
+SCREE_NOINLINE std::pair<uint32_t, uint32_t> FilterForBoth(CandidateArrays in, uint32_t count, const TreeNode* children,
+                                                           CandidateArrays out1, CandidateArrays out2) {
     const F4 probe1 = ProbeOf(Load(children[0].box));
     const F4 probe2 = ProbeOf(Load(children[1].box));
     uint32_t kept1 = 0, kept2 = 0;

@@ -17,7 +17,6 @@
 #include "base/task_pool.h"
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
-#include "broad_phase/top_down.h"
 
 namespace scree::broadphase {
 

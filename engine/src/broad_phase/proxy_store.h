@@ -16,6 +16,11 @@
 
 namespace scree::broadphase {
 
+/// A range [first, first + count) of slots.
+struct SlotRange {
+    uint32_t first = 0, count = 0;
+};
+
 /// Marks a proxy whose box in the tree is up to date.
 inline constexpr uint32_t notPending = 0xFFFFFFFFu;
 
@@ -24,6 +29,9 @@ public:
     [[nodiscard]] uint32_t Size() const { return static_cast<uint32_t>(m_boxes.size()); }
     [[nodiscard]] uint32_t MoverCount() const { return m_moverCount; }
     [[nodiscard]] uint32_t StaticCount() const { return Size() - m_moverCount; }
+    [[nodiscard]] SlotRange Movers() const { return {0, m_moverCount}; }
+    [[nodiscard]] SlotRange Statics() const { return {m_moverCount, StaticCount()}; }
+    [[nodiscard]] SlotRange All() const { return {0, Size()}; }
     [[nodiscard]] bool IsStatic(uint32_t slot) const { return slot >= m_moverCount; }
 
     /// The slot of a fixture, noSlot if it is not here.
@@ -34,6 +42,7 @@ public:
     [[nodiscard]] ItemId Id(uint32_t slot) const { return m_ids[slot]; }
     /// A free field for the algorithm, moved along with the proxy; notPending at first.
     [[nodiscard]] uint32_t& Pending(uint32_t slot) { return m_pending[slot]; }
+    [[nodiscard]] uint32_t Pending(uint32_t slot) const { return m_pending[slot]; }
 
     /// Returns the slot.
     uint32_t Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box);

@@ -10,7 +10,7 @@
 
 #include <functional>
 
-#include "broad_phase/lanes.h"
+#include "broad_phase/bounds.h"
 #include "scree/shape.h"
 
 namespace scree::broadphase {

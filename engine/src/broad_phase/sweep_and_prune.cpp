@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "broad_phase/algorithms.h"
-#include "broad_phase/lanes.h"
+#include "broad_phase/bounds.h"
 #include "broad_phase/linear_broad_phase.h"
 
 namespace scree::broadphase {

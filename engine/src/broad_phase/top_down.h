@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Top-down building: a range of boxes is measured, split in two by a rule and so on down to the leaves. The two rules
-// of Tsamis 2020, §3.2 (list 4) and §3.6 are here: the barycentre rule (middle of the bounds of the centres) and the
-// surface area heuristic over bins (Wald 2007, On fast construction of SAH-based bounding volume hierarchies).
+// Top-down building by a split rule: boxes in, flat tree out, O(n log n) unless the boxes defeat the rule. A range of
+// boxes is measured, split in two and so on down to the leaves.
 
 #pragma once
 
@@ -12,51 +11,14 @@
 
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
+#include "broad_phase/split_rules.h"
 
 namespace scree::broadphase {
-
-/// A box while it is being sorted into a tree.
-struct BuildItem {
-    Bounds box;
-    ItemId id;
-};
-
-/// A range [first, first + count) of slots.
-struct SlotRange {
-    uint32_t first = 0, count = 0;
-};
-
-/// What splitting must know of a range of boxes.
-struct RangeBounds {
-    Bounds box = emptyBounds;
-    Bounds centre = emptyBounds;  ///< twice the bounds of the centres, lower and negated upper like a box
-};
-
-RangeBounds Measure(const BuildItem* items, uint32_t count);
-
-/// Reorders `count` >= 2 items into two parts and returns the size of the first; 0 or `count` if it cannot tell them
-/// apart.
-using SplitRule = uint32_t (*)(BuildItem* items, uint32_t count, const Bounds& centre);
-
-/// By the middle of the centres' bounds along their longer side.
-uint32_t SplitBarycentre(BuildItem* items, uint32_t count, const Bounds& centre);
-/// By the cheapest of the bin borders of both axes: perimeter × count, the surface area of 2D.
-uint32_t SplitSah(BuildItem* items, uint32_t count, const Bounds& centre);
-
-/// Splits by a rule may go this deep; below it halves of equal count end every recursion within 32 more levels.
-inline constexpr int maxRuleDepth = 64;
-
-/// The rule's split, or equal halves where it does not separate or has gone too deep. In 1 … count − 1.
-uint32_t SplitOrHalve(SplitRule rule, BuildItem* items, uint32_t count, const Bounds& centre, int depth);
 
 /// Copies proxies into items, reusing the vector.
 void CollectItems(const ProxyStore& store, SlotRange slots, std::vector<BuildItem>& items);
 
 /// Builds the tree over `items`, which it reorders into leaf order.
 void BuildTopDown(std::vector<BuildItem>& items, SplitRule rule, uint32_t leafSize, FlatTree& tree);
-
-/// Appends the tree, continued by `rule` to one box per leaf, children behind parents; its root gets `parent` and the
-/// level below that node's. Does nothing with an empty tree.
-void AppendNodes(const FlatTree& tree, SplitRule rule, int32_t parent, std::vector<BvhNode>& nodes);
 
 }  // namespace scree::broadphase

@@ -1,107 +1,47 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Bookkeeping around the rebuilt trees: which proxies a tree no longer describes, when it must be rebuilt, whether
-// statics have a tree of their own, and queries over trees and edited proxies together.
+// Proxies in; builds when they are due, pairs and answers out.
 
 #include "broad_phase/tree_broad_phase.h"
 
-#include <algorithm>
-#include <cmath>
+#include "broad_phase/tree_nodes.h"
 
 namespace scree::broadphase {
-namespace {
-
-/// A scanned box costs about a fortieth of a rebuilt one, which makes √(40·n) edits per rebuild the cheapest.
-uint32_t EditLimit(uint32_t proxies) {
-    return std::max(64u, static_cast<uint32_t>(std::sqrt(40.0f * static_cast<float>(proxies))));
-}
-
-}  // namespace
 
 TreeBroadPhase::TreeBroadPhase(const BroadPhaseConfig& config, SplitRule rule, int leafSize)
     : m_rule(rule),
       m_leafSize(static_cast<uint32_t>(config.leafSize > 0 ? config.leafSize : leafSize)),
-      m_staticShareThreshold(config.staticShareThreshold) {}
-
-void TreeBroadPhase::ForgetEdits(Edits& edits, bool stale) {
-    for (const uint32_t fixture : edits.pending) m_store.Pending(m_store.Find(fixture)) = notPending;
-    edits.pending.clear();
-    edits.count = 0;
-    edits.limit = EditLimit(m_store.Size());
-    edits.stale = stale;
-}
-
-void TreeBroadPhase::NoteEdit(Edits& edits) {
-    if (!edits.stale && ++edits.count > edits.limit) ForgetEdits(edits, true);
-}
-
-void TreeBroadPhase::MarkPending(uint32_t slot) {
-    Edits& edits = EditsOf(slot);
-    if (edits.stale || m_store.Pending(slot) != notPending) return;
-    NoteEdit(edits);
-    if (edits.stale) return;
-    m_store.Pending(slot) = static_cast<uint32_t>(edits.pending.size());
-    edits.pending.push_back(m_store.Id(slot).fixture);
-}
+      m_trees(m_store, config.staticShareThreshold) {}
 
 void TreeBroadPhase::Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) {
-    m_staticIndexStale = m_staticIndexStale || motion == Motion::isStatic;
-    MarkPending(m_store.Insert(fixture, body, motion, box));
+    m_isStaticIndexStale = m_isStaticIndexStale || motion == Motion::isStatic;
+    const uint32_t slot = m_store.Insert(fixture, body, motion, box);
+    m_trees.EditsOf(slot).Mark(slot);
 }
 
 void TreeBroadPhase::Update(uint32_t fixture, const AABB& box, Vec2 /*displacement*/) {
     const uint32_t slot = m_store.Find(fixture);
-    m_staticIndexStale = m_staticIndexStale || m_store.IsStatic(slot);
+    m_isStaticIndexStale = m_isStaticIndexStale || m_store.IsStatic(slot);
     m_store.SetBox(slot, box);
-    MarkPending(slot);
+    m_trees.EditsOf(slot).Mark(slot);
 }
 
 void TreeBroadPhase::UpdateMany(std::span<const BoxUpdate> updates) {
-    // More than the trees can leave aside: nothing need be noted one by one.
-    if (!m_moverEdits.stale && updates.size() > m_moverEdits.limit) ForgetEdits(m_moverEdits, true);
+    m_trees.moverEdits.Expect(updates.size());
     for (const BoxUpdate& update : updates) {
         const uint32_t slot = m_store.Find(update.fixture);
         m_store.SetBox(slot, update.box);
-        if (m_moverEdits.stale && !m_store.IsStatic(slot)) continue;
-        m_staticIndexStale = m_staticIndexStale || m_store.IsStatic(slot);
-        MarkPending(slot);
+        if (m_trees.moverEdits.IsStale() && !m_store.IsStatic(slot)) continue;
+        m_isStaticIndexStale = m_isStaticIndexStale || m_store.IsStatic(slot);
+        m_trees.EditsOf(slot).Mark(slot);
     }
 }
 
 void TreeBroadPhase::Remove(uint32_t fixture) {
     const uint32_t slot = m_store.Find(fixture);
-    m_staticIndexStale = m_staticIndexStale || m_store.IsStatic(slot);
-    Edits& edits = EditsOf(slot);
-    if (const uint32_t at = m_store.Pending(slot); at != notPending) {
-        edits.pending[at] = edits.pending.back();
-        m_store.Pending(m_store.Find(edits.pending[at])) = at;
-        edits.pending.pop_back();
-    }
-    m_store.Remove(slot);
-    NoteEdit(edits);
-}
-
-void TreeBroadPhase::ChooseTrees() {
-    const float limit = m_staticShareThreshold * static_cast<float>(m_store.Size());
-    const bool separate = static_cast<float>(m_store.StaticCount()) > limit;
-    if (separate == m_separate) return;
-    m_separate = separate;
-    ForgetEdits(m_moverEdits, true);
-    ForgetEdits(m_staticEdits, true);
-    m_statics.Reset(0);
-}
-
-void TreeBroadPhase::MainTreeBuilt() {
-    m_stats.rebuiltProxies += MainSlots().count;
-    ForgetEdits(m_moverEdits, false);
-    if (!m_separate) ForgetEdits(m_staticEdits, false);
-}
-
-void TreeBroadPhase::BuildStatics() {
-    Build(Statics(), m_statics);
-    m_stats.rebuiltProxies += m_store.StaticCount();
-    ForgetEdits(m_staticEdits, false);
+    m_isStaticIndexStale = m_isStaticIndexStale || m_store.IsStatic(slot);
+    m_trees.EditsOf(slot).Remove(slot);
 }
 
 void TreeBroadPhase::Build(SlotRange slots, FlatTree& tree) {
@@ -113,117 +53,73 @@ void TreeBroadPhase::DetectBetween(const FlatTree& movers, const FlatTree& stati
     m_stats.boxTests += QueryBatch(movers, statics, m_batch, sink);
 }
 
+void TreeBroadPhase::NoteMainBuilt() {
+    m_stats.rebuiltProxies += m_trees.MainSlots().count;
+    m_trees.NoteMainBuilt();
+}
+
+void TreeBroadPhase::BuildStatics() {
+    Build(m_store.Statics(), m_trees.statics);
+    m_stats.rebuiltProxies += m_store.StaticCount();
+    m_trees.NoteStaticsBuilt();
+}
+
+void TreeBroadPhase::BuildWhatIsStale() {
+    if (m_trees.IsMainStale()) {
+        m_trees.Choose();
+        Build(m_trees.MainSlots(), m_trees.main);
+        NoteMainBuilt();
+    }
+    if (m_trees.AreStaticsStale()) BuildStatics();
+}
+
 void TreeBroadPhase::FindPairs(std::vector<Pair>& pairs) {
     m_stats = {};
-    ChooseTrees();
-    m_stats.staticTreeSeparate = m_separate;
+    m_trees.Choose();
+    const bool apart = m_trees.AreStaticsApart();
+    m_stats.staticTreeSeparate = apart;
     PairSink sink(pairs);
-    const bool asCandidates = m_separate && m_store.StaticCount() <= MaxRootCandidates();
-    m_rootCandidates = asCandidates ? Statics() : SlotRange{};
-    BuildAndDetect(MainSlots(), m_main, sink);
-    MainTreeBuilt();
-    if (m_separate && !asCandidates && m_store.MoverCount() > 0) {
-        if (m_staticEdits.stale || m_staticEdits.count > 0) BuildStatics();
-        DetectBetween(m_main, m_statics, sink);
+    const bool asCandidates = apart && m_store.StaticCount() <= MaxRootCandidates();
+    m_rootCandidates = asCandidates ? m_store.Statics() : SlotRange{};
+    BuildAndDetect(m_trees.MainSlots(), m_trees.main, sink);
+    NoteMainBuilt();
+    if (apart && !asCandidates && m_store.MoverCount() > 0) {
+        if (m_trees.staticEdits.IsStale() || m_trees.staticEdits.Count() > 0) BuildStatics();
+        DetectBetween(m_trees.main, m_trees.statics, sink);
     }
     sink.Finish();
 }
 
-void TreeBroadPhase::RefreshStale() {
-    if (m_moverEdits.stale || (!m_separate && m_staticEdits.stale)) {
-        ChooseTrees();
-        Build(MainSlots(), m_main);
-        MainTreeBuilt();
-    }
-    if (m_separate && m_staticEdits.stale) BuildStatics();
-}
-
-void TreeBroadPhase::RefreshAll() {
-    if (m_moverEdits.count > 0) ForgetEdits(m_moverEdits, true);
-    if (m_staticEdits.count > 0) ForgetEdits(m_staticEdits, true);
-    RefreshStale();
-}
-
-bool TreeBroadPhase::IsCurrent(uint32_t fixture, bool fromStaticTree) {
-    const uint32_t slot = m_store.Find(fixture);
-    if (slot == noSlot || m_store.Pending(slot) != notPending) return false;
-    // A fixture removed and inserted again with another motion type can be in both trees.
-    return !m_separate || m_store.IsStatic(slot) == fromStaticTree;
-}
-
-bool TreeBroadPhase::QueryTree(bool staticTree, const AABB& box, const std::function<bool(uint32_t)>& visit) {
-    const bool edited = m_moverEdits.count + m_staticEdits.count > 0;
-    const auto check = [&](ItemId id) { return (edited && !IsCurrent(id.fixture, staticTree)) || visit(id.fixture); };
-    return (staticTree ? m_statics : m_main).Query(box, m_stats.boxTests, check);
-}
-
-bool TreeBroadPhase::QueryEdits(const Edits& edits, const AABB& box, const std::function<bool(uint32_t)>& visit) {
-    m_stats.boxTests += edits.pending.size();
-    for (const uint32_t fixture : edits.pending) {
-        if (TestOverlap(m_store.Box(m_store.Find(fixture)), box) && !visit(fixture)) return false;
-    }
-    return true;
-}
-
 void TreeBroadPhase::Query(const AABB& box, const std::function<bool(uint32_t)>& visit) {
-    RefreshStale();
-    (void)(QueryTree(false, box, visit) && QueryTree(true, box, visit) && QueryEdits(m_moverEdits, box, visit) &&
-           QueryEdits(m_staticEdits, box, visit));
+    BuildWhatIsStale();
+    m_trees.Query(box, m_stats.boxTests, visit);
 }
 
 void TreeBroadPhase::QueryStatic(const AABB& box, const std::function<bool(uint32_t)>& visit) {
-    if (!m_separate) {
-        if (m_staticIndexStale) Build(Statics(), m_staticIndex);
-        m_staticIndexStale = false;
-        m_staticIndex.Query(box, m_stats.boxTests, [&](ItemId id) { return visit(id.fixture); });
+    if (m_trees.AreStaticsApart()) {
+        if (m_trees.AreStaticsStale()) BuildStatics();
+        m_trees.QueryStatics(box, m_stats.boxTests, visit);
         return;
     }
-    if (m_staticEdits.stale) BuildStatics();
-    (void)(QueryTree(true, box, visit) && QueryEdits(m_staticEdits, box, visit));
+    if (m_isStaticIndexStale) Build(m_store.Statics(), m_staticIndex);
+    m_isStaticIndexStale = false;
+    m_staticIndex.Query(box, m_stats.boxTests, [&](ItemId id) { return visit(id.fixture); });
 }
 
 void TreeBroadPhase::RayCast(const RayCastInput& input,
                              const std::function<float(const RayCastInput&, uint32_t)>& visit) {
-    RefreshStale();
-    const bool edited = m_moverEdits.count + m_staticEdits.count > 0;
-    RayProbe ray(input);
-    for (const FlatTree* tree : {&m_main, &m_statics}) {
-        const bool isStaticTree = tree == &m_statics;
-        const auto check = [&](ItemId id) {
-            return edited && !IsCurrent(id.fixture, isStaticTree) ? RayStep::goOn : ray.Visit(visit, id.fixture);
-        };
-        if (tree->RayCast(ray, m_stats.boxTests, check) == RayStep::stop) return;
-    }
-    for (const Edits* edits : {&m_moverEdits, &m_staticEdits}) {
-        m_stats.boxTests += edits->pending.size();
-        for (const uint32_t fixture : edits->pending) {
-            if (!ray.MayHitLeaf(m_store.Box(m_store.Find(fixture)))) continue;
-            if (ray.Visit(visit, fixture) == RayStep::stop) return;
-        }
-    }
+    BuildWhatIsStale();
+    m_trees.RayCast(input, m_stats.boxTests, visit);
 }
 
 void TreeBroadPhase::GetNodes(std::vector<BvhNode>& nodes) {
-    RefreshAll();
-    nodes.clear();
-    int32_t parent = -1;
-    if (!m_main.Empty() && !m_statics.Empty()) {
-        BvhNode root;
-        root.box = Union(ToAabb(m_main.nodes[0].box), ToAabb(m_statics.nodes[0].box));
-        nodes.push_back(root);
-        parent = 0;
-    }
-    for (const FlatTree* tree : {&m_main, &m_statics}) {
-        const auto index = static_cast<int32_t>(nodes.size());
-        AppendNodes(*tree, m_rule, parent, nodes);
-        if (parent == 0) (tree == &m_main ? nodes[0].child1 : nodes[0].child2) = index;
-    }
+    m_trees.RefuseEdits();
+    BuildWhatIsStale();
+    WriteNodes(m_trees.main, m_trees.statics, m_rule, nodes);
 }
 
 size_t TreeBroadPhase::GetMemoryBytes() const {
-    return m_store.GetMemoryBytes() + m_main.GetMemoryBytes() + m_statics.GetMemoryBytes() +
-           m_staticIndex.GetMemoryBytes() +
-           (m_moverEdits.pending.capacity() + m_staticEdits.pending.capacity()) * sizeof(uint32_t) +
+    return m_store.GetMemoryBytes() + m_trees.GetMemoryBytes() + m_staticIndex.GetMemoryBytes() +
            m_batch.capacity() * sizeof(BatchItem) + m_items.capacity() * sizeof(BuildItem) + GetBufferBytes();
 }
 

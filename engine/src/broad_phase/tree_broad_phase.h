@@ -1,14 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What the rebuilding tree algorithms share: the proxy store, one main tree rebuilt by every FindPairs, a static tree
-// kept apart while the share of statics is above the threshold (Tsamis 2020, §3.7.1) and rebuilt only after statics
-// were edited, and lazy answers to queries between edits (§3.7.2). An algorithm supplies the building and the
-// detection.
-//
-// Edits after a build do not touch the tree. The edited proxies go to a short list that queries scan beside the tree,
-// and what the tree still says about them is ignored. When the list exceeds a few √n the tree counts as stale and the
-// next query rebuilds it: n edits interleaved with n queries cost O(n^1.5), not O(n²).
+// What the rebuilding tree algorithms share: the proxies and their trees as a BroadPhase. Every FindPairs rebuilds the
+// main tree; queries between edits are answered lazily from what was built last (proxy_trees.h, tree_edits.h). An
+// algorithm supplies the building and the detection.
 
 #pragma once
 
@@ -19,6 +14,7 @@
 #include "broad_phase/broad_phase.h"
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
+#include "broad_phase/proxy_trees.h"
 #include "broad_phase/top_down.h"
 
 namespace scree::broadphase {
@@ -65,39 +61,14 @@ protected:
     const uint32_t m_leafSize;
 
 private:
-    /// What changed in one part of the proxies since its tree was built.
-    struct Edits {
-        std::vector<uint32_t> pending;  ///< fixtures whose boxes must be scanned beside the tree
-        uint32_t count = 0;             ///< proxies edited or removed
-        uint32_t limit = 0;
-        bool stale = true;  ///< the tree is of no use any more; `pending` is then empty
-    };
-
-    void NoteEdit(Edits& edits);
-    void MarkPending(uint32_t slot);
-    void ForgetEdits(Edits& edits, bool stale);
-    void ChooseTrees();
-    void MainTreeBuilt();
+    void NoteMainBuilt();
     void BuildStatics();
-    void RefreshStale();
-    void RefreshAll();
-    /// Visits what a tree holds and is still current; false if the visitor ended it.
-    bool QueryTree(bool staticTree, const AABB& box, const std::function<bool(uint32_t)>& visit);
-    /// Visits edited proxies; false if the visitor ended it.
-    bool QueryEdits(const Edits& edits, const AABB& box, const std::function<bool(uint32_t)>& visit);
-    [[nodiscard]] bool IsCurrent(uint32_t fixture, bool fromStaticTree);
-    Edits& EditsOf(uint32_t slot) { return m_store.IsStatic(slot) ? m_staticEdits : m_moverEdits; }
-    [[nodiscard]] SlotRange Movers() const { return {0, m_store.MoverCount()}; }
-    [[nodiscard]] SlotRange Statics() const { return {m_store.MoverCount(), m_store.StaticCount()}; }
-    [[nodiscard]] SlotRange MainSlots() const { return m_separate ? Movers() : SlotRange{0, m_store.Size()}; }
+    void BuildWhatIsStale();
 
-    const float m_staticShareThreshold;
-    FlatTree m_main, m_statics;
+    ProxyTrees m_trees;
     FlatTree m_staticIndex;  ///< of QueryStatic while the statics have no tree of their own
-    bool m_staticIndexStale = true;
-    Edits m_moverEdits, m_staticEdits;
+    bool m_isStaticIndexStale = true;
     SlotRange m_rootCandidates;
-    bool m_separate = false;
     std::vector<BuildItem> m_items;  ///< of the default Build
     std::vector<BatchItem> m_batch;  ///< of the default DetectBetween
 };

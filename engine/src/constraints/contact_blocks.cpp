@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "base/compiler.h"
 #include "scree/settings.h"
 #include "state/frames.h"
 
@@ -25,12 +26,6 @@ constexpr size_t blocksAhead = 4;  ///< that filling looks
 static_assert(sizeof(Manifold) == manifoldFloats * sizeof(float));
 static_assert(offsetof(Manifold, localNormal) == manifoldNormalAt * sizeof(float));
 static_assert(sizeof(ManifoldPoint) == manifoldPointFloats * sizeof(float));
-
-void Fetch([[maybe_unused]] const void* address) {
-#if defined(__GNUC__)
-    __builtin_prefetch(address);
-#endif
-}
 
 /// Makes the column this long; what it held is of no interest, so that it need not be kept while there is a larger one.
 template <typename T>
@@ -72,10 +67,31 @@ void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& l
 
 }  // namespace
 
+/// The only place that knows which side of a contact is which side of its block.
+SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInput& input, int contact) {
+    const auto c = static_cast<size_t>(contact);
+    const ContactPair& pair = input.contacts.pair[c];
+    const Manifold& manifold = input.contacts.manifold[c];
+    const bool movesA = input.bodies.type[static_cast<size_t>(pair.bodyA)] == dynamicBody;
+    const bool movesB = input.bodies.type[static_cast<size_t>(pair.bodyB)] == dynamicBody;
+    const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
+    const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
+    const bool isSwapped = !movesB, isReferenceB = manifold.type == Manifold::e_faceB;
+    return {.contact = contact,
+            .a = isSwapped ? pair.bodyB : pair.bodyA,
+            .b = isSwapped ? pair.bodyA : pair.bodyB,
+            .radiusA = isSwapped ? radiusB : radiusA,
+            .radiusB = isSwapped ? radiusA : radiusB,
+            .isReferenceB = isReferenceB != isSwapped,
+            .isCircles = manifold.type == Manifold::e_circles,
+            .hasTwoPoints = manifold.pointCount == 2,
+            .isFixedA = !movesA || !movesB};
+}
+
 void ContactBlocks::Sort(const BlockInput& input) {
     constexpr size_t fetchAhead = 8;
     const size_t count = input.list.size();
-    Renew(m_items, count);
+    Renew(m_sided, count);
     Renew(m_colours, count);
     Renew(m_lane, count);
     m_movers.clear();
@@ -83,28 +99,12 @@ void ContactBlocks::Sort(const BlockInput& input) {
     for (size_t i = 0; i < count; ++i) {
         if (i + fetchAhead < count) {  // rows of neighbours in the list are anywhere
             const auto ahead = static_cast<size_t>(input.list[i + fetchAhead]);
-            Fetch(&input.contacts.pair[ahead]);
-            Fetch(&input.contacts.manifold[ahead].localNormal);
+            Prefetch(&input.contacts.pair[ahead]);
+            Prefetch(&input.contacts.manifold[ahead].localNormal);
         }
-        const int contact = input.list[i];
-        const auto c = static_cast<size_t>(contact);
-        const ContactPair& pair = input.contacts.pair[c];
-        const Manifold& manifold = input.contacts.manifold[c];
-        const bool movesA = input.bodies.type[static_cast<size_t>(pair.bodyA)] == dynamicBody;
-        const bool movesB = input.bodies.type[static_cast<size_t>(pair.bodyB)] == dynamicBody;
-        const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
-        const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
-        const bool isFixed = !movesA || !movesB, isSwapped = !movesB;
-        const bool isReferenceB = manifold.type == Manifold::e_faceB;
-        m_items[i] = {contact,
-                      isSwapped ? pair.bodyB : pair.bodyA,
-                      isSwapped ? pair.bodyA : pair.bodyB,
-                      isSwapped ? radiusB : radiusA,
-                      isSwapped ? radiusA : radiusB,
-                      isReferenceB != isSwapped,
-                      manifold.type == Manifold::e_circles,
-                      manifold.pointCount == 2};
-        (isFixed ? m_fixed : m_movers).push_back(static_cast<int>(i));
+        const SidedContact contact = SortSides(input, input.list[i]);
+        m_sided[i] = contact;
+        (contact.isFixedA ? m_fixed : m_movers).push_back(static_cast<int>(i));
     }
 }
 
@@ -112,15 +112,15 @@ void ContactBlocks::ColourMovers() {
     int base = 0;
     while (!m_movers.empty()) {
         for (const int i : m_movers) {
-            const Item& item = m_items[static_cast<size_t>(i)];
-            m_used[static_cast<size_t>(item.a)] = m_used[static_cast<size_t>(item.b)] = 0;
+            const SidedContact& contact = At(i);
+            m_used[static_cast<size_t>(contact.a)] = m_used[static_cast<size_t>(contact.b)] = 0;
         }
         m_next.clear();
         int highest = -1;
         for (const int i : m_movers) {
-            const Item& item = m_items[static_cast<size_t>(i)];
-            uint64_t& usedA = m_used[static_cast<size_t>(item.a)];
-            uint64_t& usedB = m_used[static_cast<size_t>(item.b)];
+            const SidedContact& contact = At(i);
+            uint64_t& usedA = m_used[static_cast<size_t>(contact.a)];
+            uint64_t& usedB = m_used[static_cast<size_t>(contact.b)];
             const uint64_t free = ~(usedA | usedB);
             if (free == 0) {
                 m_next.push_back(i);
@@ -140,10 +140,10 @@ void ContactBlocks::ColourMovers() {
 
 void ContactBlocks::ColourFixed() {
     // The k-th contact of a body with the unmovable has the k-th colour.
-    for (const int i : m_fixed) m_used[static_cast<size_t>(m_items[static_cast<size_t>(i)].b)] = 0;
+    for (const int i : m_fixed) m_used[static_cast<size_t>(At(i).b)] = 0;
     int most = 0;
     for (const int i : m_fixed) {
-        const int colour = static_cast<int>(m_used[static_cast<size_t>(m_items[static_cast<size_t>(i)].b)]++);
+        const int colour = static_cast<int>(m_used[static_cast<size_t>(At(i).b)]++);
         m_colours[static_cast<size_t>(i)] = m_colourCount + colour;
         most = colour + 1 > most ? colour + 1 : most;
     }
@@ -153,11 +153,11 @@ void ContactBlocks::ColourFixed() {
 void ContactBlocks::MakeRanges() {
     // Counting sort by (colour, points) into blocks.
     const auto groupOf = [&](size_t i) {
-        return static_cast<size_t>(m_colours[i] * kindCount + (m_items[i].hasTwoPoints ? 1 : 0));
+        return static_cast<size_t>(m_colours[i] * kindCount + (m_sided[i].hasTwoPoints ? 1 : 0));
     };
     const size_t groupCount = static_cast<size_t>(m_colourCount * kindCount);
     m_start.assign(groupCount, 0);
-    for (size_t i = 0; i < m_items.size(); ++i) ++m_start[groupOf(i)];
+    for (size_t i = 0; i < m_sided.size(); ++i) ++m_start[groupOf(i)];
     m_ranges.clear();
     int block = 0;
     for (size_t g = 0; g < groupCount; ++g) {
@@ -172,28 +172,28 @@ void ContactBlocks::MakeRanges() {
     const size_t lanes = (m_blocks.size() + blocksAhead) * blockLanes;
     m_order.assign(lanes, -1);
     m_contact.assign(lanes, 0);
-    for (size_t i = 0; i < m_items.size(); ++i) {
+    for (size_t i = 0; i < m_sided.size(); ++i) {
         m_lane[i] = m_start[groupOf(i)]++;
         m_order[static_cast<size_t>(m_lane[i])] = static_cast<int>(i);
-        m_contact[static_cast<size_t>(m_lane[i])] = m_items[i].contact;
+        m_contact[static_cast<size_t>(m_lane[i])] = m_sided[i].contact;
     }
 }
 
-void ContactBlocks::Prefetch(const BlockInput& input, size_t block) const {
+void ContactBlocks::FetchAhead(const BlockInput& input, size_t block) const {
     // Contacts of a colour are far apart: ask for their rows here four blocks ahead, for those of the tables two ahead,
     // and for the bodies of the next block.
-    const auto itemAt = [&](size_t lane) { return &m_items[static_cast<size_t>(std::max(m_order[lane], 0))]; };
+    const auto contactAt = [&](size_t lane) { return &At(std::max(m_order[lane], 0)); };
     for (size_t l = block * blockLanes; l < (block + 1) * blockLanes; ++l) {
-        Fetch(itemAt(l + blocksAhead * blockLanes));
+        Prefetch(contactAt(l + blocksAhead * blockLanes));
         const auto far = static_cast<size_t>(m_contact[l + 2 * blockLanes]);
-        Fetch(&input.contacts.manifold[far]);
-        Fetch(&input.contacts.material[far]);
-        const Item* next = itemAt(l + blockLanes);
+        Prefetch(&input.contacts.manifold[far]);
+        Prefetch(&input.contacts.material[far]);
+        const SidedContact* next = contactAt(l + blockLanes);
         for (const int body : {next->a, next->b}) {
-            Fetch(&input.bodies.transform[static_cast<size_t>(body)]);
-            Fetch(&input.bodies.position[static_cast<size_t>(body)]);
-            Fetch(&input.bodies.velocity[static_cast<size_t>(body)]);
-            Fetch(&input.bodies.mass[static_cast<size_t>(body)]);
+            Prefetch(&input.bodies.transform[static_cast<size_t>(body)]);
+            Prefetch(&input.bodies.position[static_cast<size_t>(body)]);
+            Prefetch(&input.bodies.velocity[static_cast<size_t>(body)]);
+            Prefetch(&input.bodies.mass[static_cast<size_t>(body)]);
         }
     }
 }
@@ -214,15 +214,15 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
                 (*row)[l] = (*row)[0];
             continue;
         }
-        const Item& item = m_items[static_cast<size_t>(i)];
+        const SidedContact& contact = At(i);
         ++lanes.count;
-        lanes.contact[l] = item.contact;
-        block.bodyA[l] = item.a, block.bodyB[l] = item.b;
-        lanes.referenceIsB[l] = item.isReferenceB ? 1.0f : 0.0f;
-        lanes.isCircles[l] = item.isCircles ? 1.0f : 0.0f;
-        lanes.anyCircles |= item.isCircles;
-        lanes.radiusA[l] = item.radiusA;
-        lanes.radiusB[l] = item.radiusB;
+        lanes.contact[l] = contact.contact;
+        block.bodyA[l] = contact.a, block.bodyB[l] = contact.b;
+        lanes.referenceIsB[l] = contact.isReferenceB ? 1.0f : 0.0f;
+        lanes.isCircles[l] = contact.isCircles ? 1.0f : 0.0f;
+        lanes.anyCircles |= contact.isCircles;
+        lanes.radiusA[l] = contact.radiusA;
+        lanes.radiusB[l] = contact.radiusB;
     }
     if (lanes.isFar) PlaceLanes(input.bodies, block, lanes);
 }
@@ -237,7 +237,7 @@ bool ContactBlocks::FillRange(const BlockInput& input, size_t begin, size_t end)
                                   [](int32_t block, const BlockRange& r) { return block < r.end; });
     for (size_t k = begin; k < end; ++k) {
         if (static_cast<int32_t>(k) == range->end) ++range;
-        Prefetch(input, k);
+        FetchAhead(input, k);
         NameLanes(input, k, lanes);
         bounces |= input.kernels.fill(source, lanes, range->kind, m_blocks[k]);
     }
@@ -267,7 +267,7 @@ void ContactBlocks::Store(float scale, std::vector<Manifold>& manifold) const {
         const ContactBlock& block = m_blocks[k];
         const int* contact = &m_contact[k * blockLanes];
         for (int l = 0; l < blockLanes; ++l) {
-            Fetch(&manifold[static_cast<size_t>(contact[l + 2 * blockLanes])]);
+            Prefetch(&manifold[static_cast<size_t>(contact[l + 2 * blockLanes])]);
             if (block.slot[l] < 0) continue;
             Manifold& m = manifold[static_cast<size_t>(contact[l])];
             // One friction row serves both points: half each.
@@ -281,12 +281,12 @@ void ContactBlocks::Store(float scale, std::vector<Manifold>& manifold) const {
 }
 
 void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const {
-    impulses.resize(m_items.size());
-    for (size_t i = 0; i < m_items.size(); ++i) {
+    impulses.resize(m_sided.size());
+    for (size_t i = 0; i < m_sided.size(); ++i) {
         const ContactBlock& block = m_blocks[static_cast<size_t>(m_lane[i] / blockLanes)];
         const int l = m_lane[i] % blockLanes;
         ContactImpulse& out = impulses[i];
-        out.count = m_items[i].hasTwoPoints ? 2 : 1;
+        out.count = m_sided[i].hasTwoPoints ? 2 : 1;
         const float tangent = (summed ? block.totalTangent : block.tangentImpulse)[l] / static_cast<float>(out.count);
         for (int p = 0; p < out.count; ++p) {
             out.normalImpulses[p] = (summed ? block.totalNormal : block.normalImpulse)[p][l];
@@ -302,7 +302,7 @@ float ContactBlocks::GetSeparation(size_t at, const std::vector<Velocity>& delta
     const Velocity& b = delta[static_cast<size_t>(block.bodyB[l])];
     const float closer = Dot({block.normalX[l], block.normalY[l]}, b.v - a.v);
     float least = std::numeric_limits<float>::max();
-    for (int p = 0; p < (m_items[at].hasTwoPoints ? 2 : 1); ++p) {
+    for (int p = 0; p < (m_sided[at].hasTwoPoints ? 2 : 1); ++p) {
         least = Min(least, block.separation[p][l] + closer + (block.armB[p][l] * b.w - block.armA[p][l] * a.w));
     }
     return least;

@@ -58,14 +58,17 @@ public:
 
 private:
     /// A contact of the list as its block sees it: side B can be pushed. Colouring and naming read these rows instead
-    /// of the tables.
-    struct Item {
+    /// of the tables, and know nothing of the contact's own sides.
+    struct SidedContact {
         int contact;
         int a, b;                ///< bodies
         float radiusA, radiusB;  ///< of their shapes, m
         bool isReferenceB;       ///< the manifold's face is B's
         bool isCircles, hasTwoPoints;
+        bool isFixedA;  ///< side A cannot be pushed
     };
+
+    static SidedContact SortSides(const BlockInput& input, int contact);
 
     void Sort(const BlockInput& input);
     void ColourMovers();
@@ -74,11 +77,13 @@ private:
     void Fill(const BlockInput& input);
     void NameLanes(const BlockInput& input, size_t block, FillLanes& lanes);
     bool FillRange(const BlockInput& input, size_t begin, size_t end);
-    void Prefetch(const BlockInput& input, size_t block) const;
+    void FetchAhead(const BlockInput& input, size_t block) const;
+    /// By position in the list.
+    [[nodiscard]] const SidedContact& At(int i) const { return m_sided[static_cast<size_t>(i)]; }
 
     std::vector<ContactBlock> m_blocks;
     std::vector<BlockRange> m_ranges;
-    std::vector<Item> m_items;           ///< per contact of the list
+    std::vector<SidedContact> m_sided;   ///< per contact of the list
     std::vector<int> m_colours;          ///< per contact of the list
     std::vector<uint64_t> m_used;        ///< per body: colours taken in this round
     std::vector<int> m_movers, m_fixed;  ///< positions in the list; movers that have no colour yet

@@ -4,7 +4,6 @@
 // The contact kernels for the instruction set that the whole library is compiled for, and the choice of the best set.
 
 #define SCREE_KERNEL_SET baseContactKernels
-#define SCREE_KERNEL_NAME "base"
 #include "constraints/contact_kernels.inc"
 
 namespace scree {
@@ -15,7 +14,7 @@ extern const ContactKernels avx2ContactKernels;
 
 const ContactKernels& GetContactKernels() {
 #if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+    static const bool hasAvx2 = HasAvx2();
     if (hasAvx2) return avx2ContactKernels;
 #endif
     return baseContactKernels;

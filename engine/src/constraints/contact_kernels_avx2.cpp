@@ -3,8 +3,7 @@
 //
 // The contact kernels for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
 
-#if defined(__AVX2__)
+#if defined(SCREE_HAS_AVX2_KERNELS)
 #define SCREE_KERNEL_SET avx2ContactKernels
-#define SCREE_KERNEL_NAME "avx2"
 #include "constraints/contact_kernels.inc"
 #endif

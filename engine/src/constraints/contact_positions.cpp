@@ -4,6 +4,7 @@
 // The position pass of contacts: pushes overlapping bodies apart by a share of the overlap, without touching velocities
 // (so no energy is added), re-evaluating the manifold at the corrected poses in every iteration.
 
+#include "base/compiler.h"
 #include "constraints/contact_rows.h"
 #include "state/frames.h"
 
@@ -17,8 +18,8 @@ struct ContactSample {
 };
 
 /// Normal, point and separation of one manifold point at the present poses.
-[[gnu::always_inline]] inline ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA,
-                                                     const Transform& xfB, int index) {
+SCREE_INLINE ContactSample Evaluate(const ContactPositionRow& row, const Transform& xfA, const Transform& xfB,
+                                    int index) {
     ContactSample out;
     switch (row.type) {
         case Manifold::e_circles: {

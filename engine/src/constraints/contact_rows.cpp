@@ -5,6 +5,7 @@
 
 #include "constraints/contact_rows.h"
 
+#include "base/compiler.h"
 #include "state/frames.h"
 
 namespace scree {
@@ -16,16 +17,15 @@ namespace {
 constexpr float maxConditionNumber = 1000.0f;
 
 // Forced inline: at -O2 the call costs a tenth of the whole solve.
-[[gnu::always_inline]] inline void ApplyImpulse(Velocity& a, Velocity& b, const ContactVelocityRow& row,
-                                                const ContactPointRow& point, Vec2 impulse) {
+SCREE_INLINE void ApplyImpulse(Velocity& a, Velocity& b, const ContactVelocityRow& row, const ContactPointRow& point,
+                               Vec2 impulse) {
     a.v -= row.invMassA * impulse;
     a.w -= row.invIA * Cross(point.rA, impulse);
     b.v += row.invMassB * impulse;
     b.w += row.invIB * Cross(point.rB, impulse);
 }
 
-[[gnu::always_inline]] inline Vec2 RelativeVelocity(const Velocity& a, const Velocity& b,
-                                                    const ContactPointRow& point) {
+SCREE_INLINE Vec2 RelativeVelocity(const Velocity& a, const Velocity& b, const ContactPointRow& point) {
     return b.v + Cross(b.w, point.rB) - a.v - Cross(a.w, point.rA);
 }
 

@@ -10,16 +10,10 @@
 #include <cmath>
 #include <vector>
 
+#include "base/compiler.h"
 #include "state/bodies.h"
 #include "state/frames.h"
 #include "state/joints.h"
-
-/// The iterations only run at full speed if both bodies stay in registers, which takes inlining all the way down.
-#if defined(__GNUC__)
-#define SCREE_INLINE [[gnu::always_inline]] inline
-#else
-#define SCREE_INLINE inline
-#endif
 
 namespace scree {
 

@@ -22,6 +22,8 @@
 
 namespace scree {
 
+class JointForest;
+
 struct JointTreeInput {
     const BodyTable& bodies;
     const JointTable& joints;
@@ -64,8 +66,7 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    struct Data;
-    std::unique_ptr<Data> m;
+    std::unique_ptr<JointForest> m;
 };
 
 }  // namespace scree

@@ -6,9 +6,7 @@
 
 #pragma once
 
-#include <cstring>
-
-#include "geometry/lanes.h"
+#include "geometry/vectors4.h"
 #include "scree/shape.h"
 
 namespace scree {
@@ -21,28 +19,23 @@ inline AABB BoxOf(const CircleShape& circle, const Transform& xf) {
 
 /// The first four vertices side by side, the others one by one: nearly all polygons are boxes.
 inline AABB BoxOf(const PolygonShape& polygon, const Transform& xf) {
-    Vec2x4 corners = LoadVec2x4(polygon.m_vertices);
-    if (polygon.m_count < 4) corners = FillFrom(corners, polygon.m_count, polygon.m_vertices[0]);
-    const Vec2x4 placed = Mul(xf, corners);
+    Vector4 corners = LoadVectors4(&polygon.m_vertices[0].x);
+    if (polygon.m_count < 4) corners = FirstLanes4(polygon.m_count, corners, SplatVector4(polygon.m_vertices[0]));
+    const Vector4 placed = Mul4(SplatPlacement4(xf), corners);
     // Two vertices of one coordinate against the other two, then both coordinates together: {x, y, x, y}.
-    const Float4 low = Min(__builtin_shufflevector(placed.x, placed.y, 0, 1, 4, 5),
-                           __builtin_shufflevector(placed.x, placed.y, 2, 3, 6, 7));
-    const Float4 high = Max(__builtin_shufflevector(placed.x, placed.y, 0, 1, 4, 5),
-                            __builtin_shufflevector(placed.x, placed.y, 2, 3, 6, 7));
-    const Float4 smallest =
-        Min(__builtin_shufflevector(low, low, 0, 2, 0, 2), __builtin_shufflevector(low, low, 1, 3, 1, 3));
-    const Float4 largest =
-        Max(__builtin_shufflevector(high, high, 0, 2, 0, 2), __builtin_shufflevector(high, high, 1, 3, 1, 3));
-    Float4 both = __builtin_shufflevector(smallest, largest, 0, 1, 4, 5);
+    const F4 first = Shuffle4<0, 1, 0, 1>(placed.x, placed.y), second = Shuffle4<2, 3, 2, 3>(placed.x, placed.y);
+    const F4 low = Min4(first, second), high = Max4(first, second);
+    const F4 smallest = Min4(Shuffle4<0, 2, 0, 2>(low, low), Shuffle4<1, 3, 1, 3>(low, low));
+    const F4 largest = Max4(Shuffle4<0, 2, 0, 2>(high, high), Shuffle4<1, 3, 1, 3>(high, high));
+    F4 both = Shuffle4<0, 1, 0, 1>(smallest, largest);
     for (int i = 4; i < polygon.m_count; ++i) {
         const Vec2 v = Mul(xf, polygon.m_vertices[i]);
-        const Vec2 lower = Min(Vec2{both[0], both[1]}, v), upper = Max(Vec2{both[2], both[3]}, v);
-        both = Float4{lower.x, lower.y, upper.x, upper.y};
+        const F4 twice = Set4(v.x, v.y, v.x, v.y);
+        both = Shuffle4<0, 1, 2, 3>(Min4(both, twice), Max4(both, twice));
     }
     const float skin = polygon.m_radius;
-    both += Float4{-skin, -skin, skin, skin};
     AABB box;
-    std::memcpy(&box, &both, sizeof box);
+    Store4(reinterpret_cast<float*>(&box), both + Set4(-skin, -skin, skin, skin));
     return box;
 }
 

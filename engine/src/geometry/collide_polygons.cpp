@@ -9,8 +9,8 @@
 #include <cfloat>
 
 #include "geometry/clip.h"
-#include "geometry/lanes.h"
 #include "geometry/polygon_preference.h"
+#include "geometry/vectors4.h"
 #include "scree/collision.h"
 
 namespace scree {
@@ -26,52 +26,53 @@ struct FaceQuery {
 /// over vertices and, as the first of equals wins, no choice of a face.
 template <int Chunks>
 struct PolygonLanes {
-    Vec2x4 vertices[Chunks];
-    Vec2x4 normals[Chunks];
+    Vector4 vertices[Chunks];
+    Vector4 normals[Chunks];
 };
 
 template <int Chunks>
-[[gnu::always_inline]] inline PolygonLanes<Chunks> LoadLanes(const PolygonShape& polygon) {
+SCREE_INLINE PolygonLanes<Chunks> LoadLanes(const PolygonShape& polygon) {
     PolygonLanes<Chunks> out;
     for (int k = 0; k < Chunks; ++k) {
-        out.vertices[k] = LoadVec2x4(polygon.m_vertices + 4 * k);
-        out.normals[k] = LoadVec2x4(polygon.m_normals + 4 * k);
+        out.vertices[k] = LoadVectors4(&polygon.m_vertices[4 * k].x);
+        out.normals[k] = LoadVectors4(&polygon.m_normals[4 * k].x);
     }
     const int used = polygon.m_count - 4 * (Chunks - 1);
     if (used < 4) {
-        out.vertices[Chunks - 1] = FillFrom(out.vertices[Chunks - 1], used, polygon.m_vertices[0]);
-        out.normals[Chunks - 1] = FillFrom(out.normals[Chunks - 1], used, polygon.m_normals[0]);
+        out.vertices[Chunks - 1] = FirstLanes4(used, out.vertices[Chunks - 1], SplatVector4(polygon.m_vertices[0]));
+        out.normals[Chunks - 1] = FirstLanes4(used, out.normals[Chunks - 1], SplatVector4(polygon.m_normals[0]));
     }
     return out;
 }
 
 /// The largest of four, the first of several.
-[[gnu::always_inline]] inline FaceQuery Largest(Float4 values) {
+SCREE_INLINE FaceQuery Largest(F4 lanes) {
+    const float values[] = {GetLane4<0>(lanes), GetLane4<1>(lanes), GetLane4<2>(lanes), GetLane4<3>(lanes)};
     const FaceQuery low = values[1] > values[0] ? FaceQuery{1, values[1]} : FaceQuery{0, values[0]};
     const FaceQuery high = values[3] > values[2] ? FaceQuery{3, values[3]} : FaceQuery{2, values[2]};
     return high.separation > low.separation ? high : low;
 }
 
 /// The vertices' signed distances from four faces, the smallest for each face.
-[[gnu::always_inline]] inline Float4 DeepestVertex(Vec2x4 vertices, Vec2x4 faceNormals, Vec2x4 faceCorners) {
-    const Float4 d0 = Dot(faceNormals, Lane<0>(vertices) - faceCorners);
-    const Float4 d1 = Dot(faceNormals, Lane<1>(vertices) - faceCorners);
-    const Float4 d2 = Dot(faceNormals, Lane<2>(vertices) - faceCorners);
-    const Float4 d3 = Dot(faceNormals, Lane<3>(vertices) - faceCorners);
-    return Min(Min(d0, d1), Min(d2, d3));
+SCREE_INLINE F4 DeepestVertex(Vector4 vertices, Vector4 faceNormals, Vector4 faceCorners) {
+    const F4 d0 = Dot4(faceNormals, SplatLane4<0>(vertices) - faceCorners);
+    const F4 d1 = Dot4(faceNormals, SplatLane4<1>(vertices) - faceCorners);
+    const F4 d2 = Dot4(faceNormals, SplatLane4<2>(vertices) - faceCorners);
+    const F4 d3 = Dot4(faceNormals, SplatLane4<3>(vertices) - faceCorners);
+    return Min4(Min4(d0, d1), Min4(d2, d3));
 }
 
 /// `toOther` maps the polygon's frame to the other's.
 template <int Chunks, int OtherChunks>
-[[gnu::always_inline]] inline FaceQuery FindMaxSeparation(const PolygonLanes<Chunks>& polygon,
-                                                          const PolygonLanes<OtherChunks>& other,
-                                                          const Transform& toOther) {
+SCREE_INLINE FaceQuery FindMaxSeparation(const PolygonLanes<Chunks>& polygon, const PolygonLanes<OtherChunks>& other,
+                                         const Transform& toOther) {
+    const Placement4 placement = SplatPlacement4(toOther);
     FaceQuery best{0, -FLT_MAX};
     for (int k = 0; k < Chunks; ++k) {
-        const Vec2x4 normals = Mul(toOther.q, polygon.normals[k]);
-        const Vec2x4 corners = Mul(toOther, polygon.vertices[k]);
-        Float4 deepest = DeepestVertex(other.vertices[0], normals, corners);
-        if constexpr (OtherChunks > 1) deepest = Min(deepest, DeepestVertex(other.vertices[1], normals, corners));
+        const Vector4 normals = Mul4(placement.q, polygon.normals[k]);
+        const Vector4 corners = Mul4(placement, polygon.vertices[k]);
+        F4 deepest = DeepestVertex(other.vertices[0], normals, corners);
+        if constexpr (OtherChunks > 1) deepest = Min4(deepest, DeepestVertex(other.vertices[1], normals, corners));
         const FaceQuery found = Largest(deepest);
         if (found.separation > best.separation) best = {4 * k + found.face, found.separation};
     }

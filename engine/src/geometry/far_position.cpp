@@ -5,6 +5,8 @@
 
 #include "scree/far_position.h"
 
+#include "base/compiler.h"
+
 namespace scree {
 
 namespace {
@@ -14,11 +16,7 @@ struct Split {
 };
 
 /// One number, and not in line: side by side g++ 12 makes vectors of two, of which it drops the way to float and back.
-#if defined(__GNUC__)
-[[gnu::noinline]]
-#endif
-Split
-SplitDouble(double x) {
+SCREE_NOINLINE Split SplitDouble(double x) {
     const auto nearest = static_cast<float>(x);
     return {nearest, static_cast<float>(x - static_cast<double>(nearest))};
 }

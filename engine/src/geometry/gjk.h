@@ -9,11 +9,7 @@
 
 #include <bit>
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
-
-#include "geometry/lanes.h"
+#include "geometry/vectors4.h"
 #include "scree/distance.h"
 
 namespace scree {
@@ -26,7 +22,7 @@ struct Core {
     Vec2 origin;
     /// The first four vertices and the last four; they overlap when there are fewer than eight. With fewer than four,
     /// the last vertex fills both.
-    Vec2x4 low, high;
+    Vector4 low, high;
 
     Core() = default;
     Core(const Vec2* verticesIn, int countIn, Vec2 originIn);
@@ -37,51 +33,39 @@ struct Core {
 inline Core::Core(const Vec2* verticesIn, int countIn, Vec2 originIn)
     : vertices(verticesIn), count(countIn), origin(originIn) {
     if (count >= 4) {
-        const Vec2x4 shift{Splat(origin.x), Splat(origin.y)};
-        low = LoadVec2x4(vertices) - shift;
-        high = LoadVec2x4(vertices + (count - 4)) - shift;
+        const Vector4 shift = SplatVector4(origin);
+        low = LoadVectors4(&vertices[0].x) - shift;
+        high = LoadVectors4(&vertices[count - 4].x) - shift;
     } else {
         const Vec2 v0 = At(0), v1 = At(count > 1 ? 1 : 0), v2 = At(count - 1);
-        low = Vec2x4{Float4{v0.x, v1.x, v2.x, v2.x}, Float4{v0.y, v1.y, v2.y, v2.y}};
+        low = {Set4(v0.x, v1.x, v2.x, v2.x), Set4(v0.y, v1.y, v2.y, v2.y)};
         high = low;
     }
 }
 
 /// The larger of lanes 0 and 2, 1 and 3, then of those.
-inline float Largest(Float4 v) {
-    const Float4 halves = Max(v, __builtin_shufflevector(v, v, 2, 3, 0, 1));
-    return Max(halves[0], halves[1]);
+inline float Largest(F4 v) {
+    const F4 halves = Max4(v, SwapHalves4(v));
+    return Max(GetLane4<0>(halves), GetLane4<1>(halves));
 }
 
 /// How far a core reaches along a direction.
 inline float FindReach(const Core& core, Vec2 direction) {
-    if (core.count == 1) return Dot(direction, {core.low.x[0], core.low.y[0]});
-    const Vec2x4 d{Splat(direction.x), Splat(direction.y)};
-    float best = Largest(Max(Dot(d, core.low), Dot(d, core.high)));
+    if (core.count == 1) return Dot(direction, {GetLane4<0>(core.low.x), GetLane4<0>(core.low.y)});
+    const Vector4 d = SplatVector4(direction);
+    float best = Largest(Max4(Dot4(d, core.low), Dot4(d, core.high)));
     for (int i = 4; i < core.count - 4; ++i) best = Max(best, Dot(direction, core.At(i)));
     return best;
-}
-
-using Int4 = int32_t __attribute__((vector_size(16)));
-
-/// One bit per lane of a comparison.
-inline uint32_t MoveMask(Int4 lanes) {
-#if defined(__SSE2__)
-    return static_cast<uint32_t>(_mm_movemask_ps(reinterpret_cast<__m128>(lanes)));
-#else
-    return static_cast<uint32_t>((lanes[0] & 1) | (lanes[1] & 2) | (lanes[2] & 4) | (lanes[3] & 8));
-#endif
 }
 
 /// The index of a vertex that reaches farthest along a direction.
 inline int FindExtreme(const Core& core, Vec2 direction) {
     if (core.count == 1) return 0;
-    const Vec2x4 d{Splat(direction.x), Splat(direction.y)};
-    const Float4 low = Dot(d, core.low);
-    const Float4 high = Dot(d, core.high);
-    float best = Largest(Max(low, high));
+    const Vector4 d = SplatVector4(direction);
+    const F4 low = Dot4(d, core.low), high = Dot4(d, core.high);
+    float best = Largest(Max4(low, high));
     // Bits 0…3: the first four; bits 4…7: the last four. No bit is set if something is not a number.
-    const uint32_t bits = MoveMask(low == best) | MoveMask(high == best) << 4;
+    const uint32_t bits = Bits4(Equal4(low, Splat4(best))) | Bits4(Equal4(high, Splat4(best))) << 4;
     const int place = std::countr_zero(bits | 0x100u);
     int index = place < 4 ? (place < core.count ? place : core.count - 1) : (place < 8 ? core.count - 8 + place : 0);
     for (int i = 4; i < core.count - 4; ++i) {

@@ -15,7 +15,7 @@ void CollideQuadDisksAvx2(const QuadDiskPairs& pairs, QuadDiskContacts& contacts
 
 QuadKernels GetQuadKernels() {
 #if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+    static const bool hasAvx2 = HasAvx2();
     if (hasAvx2) return {&CollideQuadsAvx2, &CollideQuadDisksAvx2};
 #endif
     return GetBaseQuadKernels();

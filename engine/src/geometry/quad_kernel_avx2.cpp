@@ -3,7 +3,7 @@
 //
 // The kernels for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
 
-#if defined(__AVX2__)
+#if defined(SCREE_HAS_AVX2_KERNELS)
 #define SCREE_QUAD_NAME(kernel) kernel##Avx2
 #include "geometry/quad_kernel.inc"
 #endif

@@ -6,9 +6,7 @@
 
 #pragma once
 
-#include <algorithm>
-#include <atomic>
-
+#include "base/shared_count.h"
 #include "scree/time_of_impact.h"
 #include "scree/world_callbacks.h"
 
@@ -25,13 +23,9 @@ struct ContactEvents {
 
 /// Counts one run of GJK. Sums and a maximum: the same in any order, from any thread.
 inline void CountDistance(TOIStats& work, int iterations) {
-    constexpr auto order = std::memory_order_relaxed;
-    std::atomic_ref(work.distanceCalls).fetch_add(1, order);
-    std::atomic_ref(work.distanceIterations).fetch_add(iterations, order);
-    const std::atomic_ref most(work.maxDistanceIterations);
-    int seen = most.load(order);
-    while (seen < iterations && !most.compare_exchange_weak(seen, iterations, order)) {
-    }
+    AddShared(work.distanceCalls, 1);
+    AddShared(work.distanceIterations, iterations);
+    RaiseShared(work.maxDistanceIterations, iterations);
 }
 
 }  // namespace scree

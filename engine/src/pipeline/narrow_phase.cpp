@@ -5,6 +5,7 @@
 
 #include "pipeline/narrow_phase.h"
 
+#include "base/compiler.h"
 #include "geometry/collide_quads.h"
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/destroy_contact.h"
@@ -32,14 +33,14 @@ constexpr int fetchAhead = 4, fetchPairAhead = 12;
 /// Asks for what the update of a coming row reads; rows of neighbours are in memory anywhere.
 void Fetch(int contact, const NarrowPhaseTables& t) {
     if (contact < fetchPairAhead) return;
-    __builtin_prefetch(&t.contacts.pair[static_cast<size_t>(contact - fetchPairAhead)]);
+    Prefetch(&t.contacts.pair[static_cast<size_t>(contact - fetchPairAhead)]);
     const auto next = static_cast<size_t>(contact - fetchAhead);
     const ContactPair& pair = t.contacts.pair[next];
-    __builtin_prefetch(&t.contacts.manifold[next], 1);
-    __builtin_prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyA)]);
-    __builtin_prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
-    __builtin_prefetch(t.fixtures.shape[pair.fixtureA]);
-    __builtin_prefetch(t.fixtures.shape[pair.fixtureB]);
+    PrefetchToWrite(&t.contacts.manifold[next]);
+    Prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyA)]);
+    Prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
+    Prefetch(t.fixtures.shape[pair.fixtureA]);
+    Prefetch(t.fixtures.shape[pair.fixtureB]);
 }
 
 bool IsActive(int contact, const NarrowPhaseTables& t) {

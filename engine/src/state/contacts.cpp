@@ -320,7 +320,6 @@ void ContactTable::EraseKey(int contact) {
 }
 
 size_t ContactTable::GetBytesPerRow() {
-    static_assert(sizeof(HandleSlot) == sizeof(Contact));
     // The hash is between one and two thirds full: at most three entries a contact. One number more for the successor.
     return sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial) + 4 * sizeof(int) +
            sizeof(HandleSlot);

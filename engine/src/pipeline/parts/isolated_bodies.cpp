@@ -14,7 +14,7 @@ IsolatedMove MoveIsolatedAvx2(const IsolatedBodiesTask& task, const int32_t* eig
 
 MoveIsolatedFunction GetMoveIsolated() {
 #if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = __builtin_cpu_supports("avx2") != 0;
+    static const bool hasAvx2 = HasAvx2();
     if (hasAvx2) return &MoveIsolatedAvx2;
 #endif
     return &MoveIsolatedBase;

@@ -3,7 +3,7 @@
 //
 // The kernel for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
 
-#if defined(__AVX2__)
+#if defined(SCREE_HAS_AVX2_KERNELS)
 #define SCREE_MOVE_ISOLATED MoveIsolatedAvx2
 #include "pipeline/parts/isolated_bodies.inc"
 #endif

@@ -5,6 +5,7 @@
 
 #include "pipeline/parts/update_boxes.h"
 
+#include "base/simd.h"
 #include "geometry/boxes.h"
 #include "state/frames.h"
 
@@ -12,8 +13,8 @@ namespace scree {
 
 namespace {
 
-/// Inlined: it runs once for every box that moves.
-[[gnu::always_inline]] inline AABB BoxOfFixture(const FixtureTable& fixtures, size_t fixture, const Transform& xf) {
+/// Inlined: it runs for each box.
+SCREE_INLINE AABB BoxOfFixture(const FixtureTable& fixtures, size_t fixture, const Transform& xf) {
     const Shape& shape = *fixtures.shape[fixture];
     switch (fixtures.type[fixture]) {
         case Shape::e_circle:
@@ -28,18 +29,6 @@ namespace {
     }
 }
 
-/// |x| and |y| of the centre, without branches, and twice 0.
-Float4 SizeOf(const Position& position) {
-    using Bits4 = int32_t __attribute__((vector_size(16)));
-    static_assert(sizeof(Position) == sizeof(Bits4));
-    Bits4 bits;
-    std::memcpy(&bits, &position, sizeof bits);
-    bits &= Bits4{0x7fffffff, 0x7fffffff, 0, 0};
-    Float4 sizes;
-    std::memcpy(&sizes, &bits, sizeof sizes);
-    return sizes;
-}
-
 /// Boxes on their way to the broad phase; few enough for the first-level cache. `isFar`: positions have rests.
 template <bool isFar>
 class BoxBatch {
@@ -50,9 +39,10 @@ public:
           m_broadPhase(broadPhase),
           m_usesDisplacement(broadPhase.UsesDisplacement()) {}
 
-    [[gnu::always_inline]] void Add(int body) {
+    SCREE_INLINE void Add(int body) {
+        static_assert(sizeof(Position) == 4 * sizeof(float));
         const auto b = static_cast<size_t>(body);
-        m_farthest = Max(SizeOf(m_bodies.position[b]), m_farthest);
+        m_farthest = Max4(Abs4(Load4(&m_bodies.position[b].c.x)), m_farthest);
         const Vec2 c = m_bodies.position[b].c;
         const Vec2 displacement = m_usesDisplacement ? m_bodies.GetMotion(b) : vec2Zero;
         const Transform xf = isFar ? TransformIn(c, m_bodies, body) : m_bodies.transform[b];
@@ -69,7 +59,7 @@ public:
         m_broadPhase.UpdateMany({m_updates, m_count});
         m_count = 0;
     }
-    [[nodiscard]] float GetFarthest() const { return Max(m_farthest[0], m_farthest[1]); }
+    [[nodiscard]] float GetFarthest() const { return Max(GetLane4<0>(m_farthest), GetLane4<1>(m_farthest)); }
 
 private:
     static constexpr size_t capacity = 512;
@@ -79,7 +69,7 @@ private:
     BroadPhase& m_broadPhase;
     const bool m_usesDisplacement;
     size_t m_count = 0;
-    Float4 m_farthest = Splat(0.0f);  ///< x and y
+    F4 m_farthest = Splat4(0.0f);  ///< |x| and |y| of centres, and what need not be read
     BoxUpdate m_updates[capacity];
 };
 

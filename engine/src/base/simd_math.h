@@ -1,14 +1,51 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Eight plane vectors, rotations and placements side by side, for kernels: the arithmetic of scree/math.h, lane by
-// lane, with the same bits.
+// Plane vectors, rotations and placements, four or eight side by side, for kernels: the arithmetic of scree/math.h,
+// lane by lane, with the same bits. That header is not included: its functions, compiled for one processor, could be
+// called on another.
 
 #pragma once
 
-#include "base/wide.h"
+#include "base/simd.h"
 
 namespace scree {
+inline namespace SCREE_SIMD_SET {
+
+struct Vector4 {
+    F4 x, y;
+};
+SCREE_KERNEL Vector4 operator-(Vector4 a, Vector4 b) { return {a.x - b.x, a.y - b.y}; }
+SCREE_KERNEL F4 Dot4(Vector4 a, Vector4 b) { return a.x * b.x + a.y * b.y; }
+SCREE_KERNEL Vector4 SplatVector4(float x, float y) { return {Splat4(x), Splat4(y)}; }
+/// Four vectors that lie one behind the other: x, y, x, y, …
+SCREE_KERNEL Vector4 LoadVectors4(const float* xy) {
+    const F4 low = Load4(xy), high = Load4(xy + 4);
+    return {Shuffle4<0, 2, 0, 2>(low, high), Shuffle4<1, 3, 1, 3>(low, high)};
+}
+/// One vector in all lanes.
+template <int lane>
+SCREE_KERNEL Vector4 SplatLane4(Vector4 v) {
+    return {SplatLane4<lane>(v.x), SplatLane4<lane>(v.y)};
+}
+/// The lanes of `a` below `count`, then those of `b`.
+SCREE_KERNEL Vector4 FirstLanes4(int count, Vector4 a, Vector4 b) {
+    return {FirstLanes4(count, a.x, b.x), FirstLanes4(count, a.y, b.y)};
+}
+
+struct Rotation4 {
+    F4 s, c;
+};
+SCREE_KERNEL Vector4 Mul4(Rotation4 q, Vector4 v) { return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
+
+struct Placement4 {
+    Vector4 p;
+    Rotation4 q;
+};
+SCREE_KERNEL Vector4 Mul4(const Placement4& t, Vector4 v) {
+    const Vector4 turned = Mul4(t.q, v);
+    return {turned.x + t.p.x, turned.y + t.p.y};
+}
 
 struct Vector8 {
     F8 x, y;
@@ -20,7 +57,7 @@ SCREE_KERNEL F8 Dot8(Vector8 a, Vector8 b) { return a.x * b.x + a.y * b.y; }
 SCREE_KERNEL F8 Cross8(Vector8 a, Vector8 b) { return a.x * b.y - a.y * b.x; }
 /// The speed of the point at `arm` from the centre of a body that turns at `w`.
 SCREE_KERNEL Vector8 Cross8(F8 w, Vector8 arm) { return {Splat8(0.0f) - w * arm.y, w * arm.x}; }
-SCREE_KERNEL Vector8 Select8(F8 mask, Vector8 yes, Vector8 no) {
+SCREE_KERNEL Vector8 Select8(Mask8 mask, Vector8 yes, Vector8 no) {
     return {Select8(mask, yes.x, no.x), Select8(mask, yes.y, no.y)};
 }
 
@@ -39,15 +76,16 @@ SCREE_KERNEL Vector8 MulT8(const Placement8& t, Vector8 v) { return MulT8(t.q, v
 SCREE_KERNEL Placement8 MulT8(const Placement8& a, const Placement8& b) {
     return {MulT8(a.q, b.p - a.p), {a.q.c * b.q.s - a.q.s * b.q.c, a.q.c * b.q.c + a.q.s * b.q.s}};
 }
-SCREE_KERNEL Placement8 Select8(F8 mask, const Placement8& yes, const Placement8& no) {
+SCREE_KERNEL Placement8 Select8(Mask8 mask, const Placement8& yes, const Placement8& no) {
     return {Select8(mask, yes.p, no.p), {Select8(mask, yes.q.s, no.q.s), Select8(mask, yes.q.c, no.q.c)}};
 }
 
 /// The vector scaled to length 1; left alone where it is shorter than `least`.
 SCREE_KERNEL Vector8 Normalize8(Vector8 v, F8 least) {
     const F8 one = Splat8(1.0f), length = Sqrt8(Dot8(v, v));
-    const F8 isLong = GreaterEqual8(length, least);
+    const Mask8 isLong = GreaterEqual8(length, least);
     return Select8(isLong, one / Select8(isLong, length, one), one) * v;
 }
 
+}  // namespace SCREE_SIMD_SET
 }  // namespace scree

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What standard C++20 cannot say to a compiler or a processor: inlining by force, no inlining, fetching ahead, the
+// pause of a waiting loop, and which vector instructions there are. Outside base/ nothing names a compiler.
+
+#pragma once
+
+#if defined(__FAST_MATH__)
+#error "Scree is exact to the bit: compile it without -ffast-math."
+#endif
+
+#if defined(_MSC_VER) && !defined(__clang__)
+#include <intrin.h>
+#endif
+
+#if defined(__GNUC__)
+/// Inlined whatever the compiler thinks of it.
+#define SCREE_INLINE [[gnu::always_inline]] inline
+#define SCREE_NOINLINE [[gnu::noinline]]
+#elif defined(_MSC_VER)
+#define SCREE_INLINE __forceinline
+#define SCREE_NOINLINE __declspec(noinline)
+#else
+#define SCREE_INLINE inline
+#define SCREE_NOINLINE
+#endif
+
+/// A function that files for several instruction sets share: inlined, or a copy of the file's own. No copy made for one
+/// set may be called from a file for another.
+#define SCREE_KERNEL SCREE_INLINE static
+
+/// x86 with SSE2, which x86-64 always has; MSVC does not say so by __SSE2__.
+#if defined(__SSE2__) || defined(_M_X64)
+#define SCREE_HAS_SSE2
+#include <immintrin.h>
+#endif
+
+namespace scree {
+
+/// Asks for a cache line that will be read soon. Any address may be given.
+SCREE_KERNEL void Prefetch([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+    __builtin_prefetch(address);
+#elif defined(SCREE_HAS_SSE2)
+    _mm_prefetch(static_cast<const char*>(address), _MM_HINT_T0);
+#endif
+}
+
+/// The same for a line that will be written.
+SCREE_KERNEL void PrefetchToWrite([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+    __builtin_prefetch(address, 1);
+#else
+    Prefetch(address);
+#endif
+}
+
+/// Tells the processor that this thread only waits.
+SCREE_KERNEL void PauseSpinning() {
+#if defined(SCREE_HAS_SSE2)
+    _mm_pause();
+#endif
+}
+
+/// Whether this processor, and the system that runs on it, has AVX2.
+SCREE_KERNEL bool HasAvx2() {
+#if defined(SCREE_HAS_SSE2) && defined(__GNUC__)
+    return __builtin_cpu_supports("avx2") != 0;
+#elif defined(SCREE_HAS_SSE2) && defined(_MSC_VER)
+    int leaf1[4], leaf7[4];
+    __cpuid(leaf1, 1);
+    const bool savesRegisters = (leaf1[2] & (1 << 27)) != 0 && (_xgetbv(0) & 6) == 6;
+    __cpuidex(leaf7, 7, 0);
+    return savesRegisters && (leaf7[1] & (1 << 5)) != 0;
+#else
+    return false;
+#endif
+}
+
+}  // namespace scree

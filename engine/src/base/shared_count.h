@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Counting into plain numbers from several threads: sums and maxima, which are the same in any order. std::atomic_ref,
+// or the compiler's own form where the standard library has none yet (libc++ before 19).
+
+#pragma once
+
+#include <atomic>
+
+namespace scree {
+
+inline void AddShared(int& count, int number) {
+#if defined(__cpp_lib_atomic_ref)
+    std::atomic_ref(count).fetch_add(number, std::memory_order_relaxed);
+#else
+    __atomic_fetch_add(&count, number, __ATOMIC_RELAXED);
+#endif
+}
+
+/// Raises `most` to `number` if it is smaller.
+inline void RaiseShared(int& most, int number) {
+#if defined(__cpp_lib_atomic_ref)
+    const std::atomic_ref shared(most);
+    int seen = shared.load(std::memory_order_relaxed);
+    while (seen < number && !shared.compare_exchange_weak(seen, number, std::memory_order_relaxed)) {
+    }
+#else
+    int seen = __atomic_load_n(&most, __ATOMIC_RELAXED);
+    while (seen < number &&
+           !__atomic_compare_exchange_n(&most, &seen, number, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+    }
+#endif
+}
+
+}  // namespace scree
