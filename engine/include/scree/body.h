@@ -6,10 +6,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include "scree/errors.h"
 #include "scree/fixture.h"
+#include "scree/function_ref.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
@@ -140,9 +140,9 @@ public:
     /// a step that added some costs O(contacts of the world).
     [[nodiscard]] int GetContactCount() const;
     /// Calls visit(contact) for each of them, newest first, until it returns false.
-    void VisitContacts(const std::function<bool(Contact*)>& visit);
+    void VisitContacts(FunctionRef<bool(Contact*)> visit);
     /// Joints of this body, newest first, until visit returns false.
-    void VisitJoints(const std::function<bool(Joint*)>& visit);
+    void VisitJoints(FunctionRef<bool(Joint*)> visit);
     [[nodiscard]] int GetJointCount() const;
     /// The newest joint of this body, null without one; go on with Joint::GetNext(body).
     [[nodiscard]] Joint* GetJointList() const;

@@ -67,27 +67,30 @@ public:
         }
     }
 
-    void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) override {
-        m_tree.Query(ToBounds(box), m_stats.boxTests,
-                     [&](uint32_t leaf) { return visit(m_tree.Node(leaf).id.fixture); });
+    uint64_t Query(const AABB& box, Visitor visit) const override {
+        uint64_t boxTests = 0;
+        m_tree.Query(ToBounds(box), boxTests, [&](uint32_t leaf) { return visit(m_tree.Node(leaf).id.fixture); });
+        return boxTests;
     }
 
-    void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) override {
-        if (m_tree.Root() == noNode) return;
+    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override {
+        uint64_t boxTests = 0;
+        if (m_tree.Root() == noNode) return boxTests;
         RayProbe ray(input);
         SmallStack stack;
         stack.Push(m_tree.Root());
         while (!stack.Empty()) {
             const FatNode& node = m_tree.Node(stack.Pop());
-            ++m_stats.boxTests;
+            ++boxTests;
             const AABB box = ToAabb(node.box);
             if (node.IsLeaf()) {
-                if (ray.MayHitLeaf(box) && ray.Visit(visit, node.id.fixture) == RayStep::stop) return;
+                if (ray.MayHitLeaf(box) && ray.Visit(visit, node.id.fixture) == RayStep::stop) break;
             } else if (ray.MayHitNode(box)) {
                 stack.Push(node.child1);
                 stack.Push(node.child2);
             }
         }
+        return boxTests;
     }
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override {

@@ -283,7 +283,7 @@ int Body::GetContactCount() const {
     return count;
 }
 
-void Body::VisitContacts(const std::function<bool(Contact*)>& visit) {
+void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) {
     Guard guard(*m_state, "Body::VisitContacts");
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed()) return;
     const WorldLock lock(*m_state);
@@ -298,7 +298,7 @@ Joint* Body::GetJointList() const {
 }
 int Body::GetJointCount() const { return m_state->bodies.info[Row(m_index)].jointCount; }
 
-void Body::VisitJoints(const std::function<bool(Joint*)>& visit) {
+void Body::VisitJoints(FunctionRef<bool(Joint*)> visit) {
     Guard guard(*m_state, "Body::VisitJoints");
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed() || GetJointCount() == 0) return;
     const WorldLock lock(*m_state);

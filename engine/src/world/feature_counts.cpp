@@ -150,7 +150,7 @@ Features UnderSettings(Features features, const WorldDef& def) {
 void AddBodyFeatures(WorldState& s, int body, int sign) {
     const Features features = FeaturesOfBody(s.bodies, body);
     Count(s.featureCounts.users, features, sign);
-    if (sign > 0 && s.locked) NeedKernels(s, features);
+    if (sign > 0 && s.IsLocked()) NeedKernels(s, features);
 }
 
 void AddFixtureFeatures(WorldState& s, int fixture, int sign) {

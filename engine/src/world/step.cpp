@@ -60,6 +60,7 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     r.profile.narrowPhase = watch.Lap();
     PrepareKernels(s);  // listeners of contacts have had their say
     if (request.dt >= shortestStep) Advance(s, MakeSettings(s, request), watch, r);
+    s.broadPhase->PrepareQueries();
     if (s.autoClearForces) s.world->ClearForces();
     r.profile.step = total.Lap();
     s.report = MakeReport(s, request, r);

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -60,7 +61,8 @@ struct WorldState {
     FeatureCounts featureCounts;
     KernelSet kernels{};  ///< of the last step; a callback may add to it
 
-    bool locked = false;  ///< callbacks are running: nothing may be created, destroyed or moved
+    /// Callbacks that are running: nothing may be created, destroyed or moved. Queries of several threads count too.
+    mutable std::atomic<int> locks{0};
     bool autoClearForces = true;
     float lastInverseDt = 0.0f;
     StepReport report;
@@ -75,6 +77,7 @@ struct WorldState {
     [[nodiscard]] PairTables ForPairs() { return {*pool, bodies, fixtures, joints, contacts, *broadPhase, pairs}; }
     /// A coordinate beyond it makes positions have rests, m.
     [[nodiscard]] float FarDistance() const { return def.farDistance * def.lengthScale; }
+    [[nodiscard]] bool IsLocked() const { return locks.load(std::memory_order_relaxed) > 0; }
     /// The pool that `def` asks for, in place of the one there was.
     void MakePool();
     /// Tells the error handler and gives the code back.

@@ -139,7 +139,12 @@ void ToiPairs::Collect(int body, bool withDynamic) {
             return true;
         };
         const AABB box = SweptBox(body, f);
-        withDynamic ? m_t.broadPhase.Query(box, visit) : m_t.broadPhase.QueryStatic(box, visit);
+        if (withDynamic) {
+            m_t.broadPhase.PrepareQueries();  // boxes were swept
+            m_t.broadPhase.Query(box, visit);
+        } else {
+            m_t.broadPhase.QueryStatic(box, visit);
+        }
         std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
         if (!m_s.found.empty()) MarkKnown(body, f);
         for (const int other : m_s.found) Add(f, other);
