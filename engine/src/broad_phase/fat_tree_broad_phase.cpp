@@ -27,8 +27,13 @@ public:
 
     void Restore(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
         const uint32_t leaf = m_tree.CreateLeaf(ToBounds(box), {fixture, GroupOf(body, motion)});
-        m_leaves.Set(fixture, leaf);
-        Buffer(leaf);
+        try {
+            Buffer(leaf);
+            m_leaves.Set(fixture, leaf);
+        } catch (...) {
+            m_tree.DestroyLeaf(leaf);  // memory has run out; a mark without a leaf does no harm
+            throw;
+        }
         ++m_count;
     }
 
@@ -139,8 +144,8 @@ private:
     void Buffer(uint32_t leaf) {
         if (leaf >= m_buffered.size()) m_buffered.resize(std::max<size_t>(leaf + 1, 2 * m_buffered.size()), 0);
         if (m_buffered[leaf] != 0) return;
-        m_buffered[leaf] = 1;
         m_buffer.push_back(leaf);
+        m_buffered[leaf] = 1;
     }
 
     void FindPairsOf(uint32_t leaf) {
