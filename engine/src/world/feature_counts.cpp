@@ -68,9 +68,7 @@ Features FeaturesOf(const FixtureFacts& fixture) {
 
 /// What the world's own settings use.
 Features FeaturesOfSettings(const WorldState& s) {
-    return FeaturesOf(s.def)
-        .Add(Feature::events, s.listener != nullptr)
-        .Add(Feature::filters, s.filter != &s.defaultFilter);
+    return FeaturesOf(s.def).Add(Feature::events, s.listener != nullptr).Add(Feature::filters, s.filter != nullptr);
 }
 
 }  // namespace

@@ -51,8 +51,7 @@ struct WorldState {
 
     DestructionListener* destructionListener = nullptr;
     ContactListener* listener = nullptr;
-    ContactFilter defaultFilter;
-    ContactFilter* filter = &defaultFilter;
+    ContactFilter* filter = nullptr;  ///< null: filter data decide
     ErrorHandler errorHandler = nullptr;
     void* errorContext = nullptr;
     Draw* draw = nullptr;
@@ -70,8 +69,8 @@ struct WorldState {
     bool measureErrors = false;
     IsolatedPath isolatedPath = IsolatedPath::apart;  ///< changes no bit
 
-    [[nodiscard]] ContactEvents Events() {
-        return {this, listener, filter == &defaultFilter ? nullptr : filter, &distanceWork};
+    [[nodiscard]] ContactEvents Events(bool restartsTimers = true) {
+        return {this, listener, filter, &distanceWork, restartsTimers};
     }
     [[nodiscard]] SolveLists Lists() { return {islands, active, substepGroups}; }
     [[nodiscard]] PairTables ForPairs() { return {*pool, bodies, fixtures, joints, contacts, *broadPhase, pairs}; }
