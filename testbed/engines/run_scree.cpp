@@ -335,7 +335,7 @@ void ScreeRun::CaptureContacts(std::vector<ContactState>& contacts) const {
         state.fixtureB = IndexOf(c->GetFixtureB());
         state.touching = c->IsTouching();
         state.color = colours[static_cast<size_t>(c->GetIndex())];
-        const scree::Manifold& manifold = *c->GetManifold();
+        const scree::Manifold manifold = c->GetManifold();
         state.pointCount = manifold.pointCount;
         if (state.pointCount > 0) {
             scree::WorldManifold world;

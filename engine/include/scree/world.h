@@ -163,6 +163,9 @@ public:
     [[nodiscard]] bool GetExactDrift() const;
     /// Subtracts `newOrigin` from every position: for programs that draw near their origin. Refused while locked.
     ErrorCode ShiftOrigin(Vec2 newOrigin);
+    /// Gives back what past steps needed and this one does not: scratch, and room for more rows. No result changes; the
+    /// next step makes its scratch anew. Refused while locked.
+    ErrorCode TrimMemory();
     /// True inside Step, and in callbacks of queries and of destruction.
     [[nodiscard]] bool IsLocked() const;
 
@@ -189,10 +192,13 @@ public:
     [[nodiscard]] BodyId GetId(const Body* body) const;
     [[nodiscard]] FixtureId GetId(const Fixture* fixture) const;
     [[nodiscard]] JointId GetId(const Joint* joint) const;
+    /// Ids of contacts mean nothing in a world that was loaded from an image.
+    [[nodiscard]] ContactId GetId(const Contact* contact) const;
     /// The object, or null if it is gone, even when its slot is used again.
     [[nodiscard]] Body* Find(BodyId id);
     [[nodiscard]] Fixture* Find(FixtureId id);
     [[nodiscard]] Joint* Find(JointId id);
+    [[nodiscard]] Contact* Find(ContactId id);
 
     /// Queries only read: between steps any number of threads may ask at once, while nobody edits or steps the world
     /// and no error is to be told. The world is locked while one of them calls the program. After a step they take

@@ -72,6 +72,11 @@ private:
     ErrorCode m_code = ErrorCode::ok;
 };
 
+/// True if the object of an accessor is alive; if not, the error handler hears of it.
+inline bool IsAlive(const WorldState& state, const Slots& slots, int index, const char* accessor) {
+    return !Guard(state, accessor).Living(slots, index).Failed();
+}
+
 /// Holds a world locked while callbacks run, also when one throws; may be nested, and held by several threads at once.
 class WorldLock {
 public:
