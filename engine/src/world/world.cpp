@@ -150,7 +150,8 @@ ErrorCode World::SetContactListener(ContactListener* listener) {
 ErrorCode World::SetContactFilter(ContactFilter* filter) {
     Guard guard(*m_state, "World::SetContactFilter");
     if (filter != nullptr && guard.Uses({Feature::filters}).Failed()) return guard.Code();
-    m_state->filter = filter != nullptr ? filter : &m_state->defaultFilter;
+    m_state->filter = filter;
+    m_state->contacts.refused.Clear();
     return ErrorCode::ok;
 }
 
@@ -256,6 +257,27 @@ StepErrors World::MeasureErrors() const {
     const float dt = s.lastInverseDt > 0.0f ? 1.0f / s.lastInverseDt : 0.0f;
     return scree::MeasureErrors({s.bodies, s.fixtures, s.contacts, s.joints}, linearSlop * s.def.lengthScale, dt);
 }
+ErrorCode World::TrimMemory() {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::TrimMemory");
+    if (guard.Unlocked("give memory back outside of Step and callbacks").Failed()) return guard.Code();
+    s.solverScratch.Trim();
+    s.islandScratch = {};
+    s.narrowPhaseScratch = {};
+    s.islands = {};
+    s.active = {};
+    s.substepGroups = {};
+    if (!s.continuousScratch.resuming) {
+        NearStatics near = s.continuousScratch.nearStatics;  // remembers whether it may be used
+        near.Trim();
+        s.continuousScratch = {};
+        s.continuousScratch.nearStatics = near;
+    }
+    s.pairs.shrink_to_fit();
+    s.contacts.Trim();
+    return ErrorCode::ok;
+}
+
 bool World::GetExactDrift() const { return m_state->def.exactDrift; }
 bool World::IsLocked() const { return m_state->IsLocked(); }
 
