@@ -195,7 +195,7 @@ void CaptureContacts(const scree::World& world, const ScreeListing& listing, std
         state.fixtureB = proxyOf(c->GetFixtureB());
         state.touching = c->IsTouching();
         state.color = colours[static_cast<size_t>(c->GetIndex())];
-        const scree::Manifold& manifold = *c->GetManifold();
+        const scree::Manifold manifold = c->GetManifold();
         state.pointCount = manifold.pointCount;
         if (state.pointCount > 0) {
             scree::WorldManifold points;

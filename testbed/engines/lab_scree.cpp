@@ -97,7 +97,7 @@ struct ScreeNames {
     }
 
     static double GetStepImpulse(scree::Contact& contact, int point) {
-        return double{contact.GetManifold()->points[point].normalImpulse};
+        return double{contact.GetManifold().points[point].normalImpulse};
     }
 };
 

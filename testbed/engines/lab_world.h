@@ -7,6 +7,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "scenes/build.h"
@@ -83,7 +84,7 @@ public:
         contacts.clear();
         for (auto* c = m_world->GetContactList(); c; c = c->GetNext()) {
             if (!c->IsTouching()) continue;
-            const auto& manifold = *c->GetManifold();
+            const auto manifold = ValueOf(c->GetManifold());
             ContactReading reading;
             reading.bodyA = static_cast<int>(c->GetFixtureA()->GetBody()->GetUserData().pointer);
             reading.bodyB = static_cast<int>(c->GetFixtureB()->GetBody()->GetUserData().pointer);
@@ -109,6 +110,16 @@ public:
     }
 
 private:
+    /// One engine gives manifolds by value, the other a pointer.
+    template <typename Manifold>
+    static auto ValueOf(const Manifold& manifold) {
+        if constexpr (std::is_pointer_v<Manifold>) {
+            return *manifold;
+        } else {
+            return manifold;
+        }
+    }
+
     template <class Vec>
     static Point ToPoint(const Vec& v) {
         return {double{v.x}, double{v.y}};

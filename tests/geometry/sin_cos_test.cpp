@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// SinCos against the correctly rounded values: within 1 ulp below 1e9 rad, on the unit circle beyond, and pinned bits,
-// so that a machine or compiler that rounds differently is found out.
+// SinCos and Atan2 against the correctly rounded values: within 1 ulp (SinCos below 1e9 rad, beyond on the unit
+// circle), and pinned bits, so that a machine or compiler that rounds differently is found out.
 
 #include <gtest/gtest.h>
 
@@ -119,6 +119,47 @@ TEST(SinCos, HasTheSameBitsEverywhere) {
         for (const float f : {r.sin, r.cos}) hash = (hash ^ std::bit_cast<uint32_t>(f)) * 0x100000001b3u;
     }
     EXPECT_EQ(hash, 0x9d4cc602d218ac41u) << std::hex << hash;
+}
+
+TEST(Atan2, IsWithinOneUlpOfTheRoundedValueInAllDirectionsAndSizes) {
+    Source source(26);
+    int64_t largest = 0;
+    int wrong = 0;
+    constexpr int count = 300000;
+    for (int i = 0; i < count; ++i) {
+        const float size = std::ldexp(1.0f, source.Below(60) - 30);
+        const float x = source.Between(-1.0f, 1.0f) * size;
+        const float y = source.Between(-1.0f, 1.0f) * (source.Chance(2) ? size : 1.0e-3f * size);
+        const auto exact = static_cast<float>(std::atan2(static_cast<long double>(y), static_cast<long double>(x)));
+        const int64_t d = UlpDistance(Atan2(y, x), exact);
+        largest = std::max(largest, d);
+        wrong += d != 0;
+    }
+    EXPECT_LE(largest, 1);
+    EXPECT_LT(wrong, count / 100);
+}
+
+TEST(Atan2, KeepsTheQuadrantsAndWhatIsSpecial) {
+    const float infinity = INFINITY;
+    for (const float y : {0.0f, -0.0f, 1.0f, -1.0f, infinity, -infinity, 1.0e-40f}) {
+        for (const float x : {0.0f, -0.0f, 1.0f, -1.0f, infinity, -infinity, 1.0e-40f}) {
+            const auto exact = static_cast<float>(std::atan2(static_cast<double>(y), static_cast<double>(x)));
+            EXPECT_EQ(std::bit_cast<uint32_t>(Atan2(y, x)), std::bit_cast<uint32_t>(exact)) << y << ", " << x;
+        }
+    }
+    EXPECT_TRUE(std::isnan(Atan2(NAN, 1.0f)));
+    EXPECT_TRUE(std::isnan(Atan2(1.0f, NAN)));
+    EXPECT_EQ(Rot(2.5f).GetAngle(), 2.5f);
+}
+
+TEST(Atan2, HasTheSameBitsEverywhere) {
+    Source source(27);
+    uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
+    for (int i = 0; i < 1000000; ++i) {
+        const float y = source.Between(-1.0f, 1.0f), x = source.Between(-1.0f, 1.0f) * (i % 3 == 0 ? 1.0e-3f : 1.0f);
+        hash = (hash ^ std::bit_cast<uint32_t>(Atan2(y, x))) * 0x100000001b3u;
+    }
+    EXPECT_EQ(hash, 0x62f7269c0ecea863u) << std::hex << hash;
 }
 
 }  // namespace

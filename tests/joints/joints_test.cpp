@@ -79,7 +79,7 @@ TEST(JointHandles, OneJointAfterAnotherUsesItsSlotWithoutItsState) {
     Body* b = AddBody(world, dynamicBody, {1, 0});
     AddBox(b, 0.2f, 0.2f);
     Joint* first = Weld(world, a, b);
-    first->GetUserData().pointer = 7;
+    first->SetUserData({7});
     StepFor(world, 5);
     EXPECT_GT(first->GetReactionForce(60.0f).Length(), 0.1f);
     world.DestroyJoint(first);

@@ -27,9 +27,16 @@ std::vector<double> MeanForces(Lab<E>& lab, int levels) {
         for (auto* c = lab.world.GetContactList(); c; c = c->GetNext()) {
             const double upper = std::max(Centre(c->GetFixtureA()->GetBody()).y, Centre(c->GetFixtureB()->GetBody()).y);
             const auto level = static_cast<size_t>(std::lround((upper - 0.5 * side) / restDistance));
-            const auto* manifold = c->GetManifold();
-            for (int p = 0; p < manifold->pointCount; ++p)
-                force.at(level) += static_cast<double>(manifold->points[p].normalImpulse) / h / window;
+            const auto given = c->GetManifold();
+            const auto manifold = [&] {
+                if constexpr (std::is_pointer_v<decltype(given)>) {
+                    return *given;
+                } else {
+                    return given;
+                }
+            }();
+            for (int p = 0; p < manifold.pointCount; ++p)
+                force.at(level) += static_cast<double>(manifold.points[p].normalImpulse) / h / window;
         }
     }
     return force;

@@ -6,22 +6,48 @@
 
 #include "tests/world/allocation_counter.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
 
 namespace {
 std::atomic<long> allocations{0};
-}
+std::atomic<long> bytes{0};
+std::atomic<long> untilFailure{-1};
+}  // namespace
 
 namespace scree::test {
 long AllocationCount() { return allocations; }
+long AllocatedBytes() { return bytes; }
+void FailAllocation(long count) { untilFailure = count; }
 }  // namespace scree::test
 
-void* operator new(std::size_t size) {
+namespace {
+
+void* Allocate(std::size_t size, std::size_t alignment) {
     ++allocations;
-    if (void* p = std::malloc(size)) return p;
-    throw std::bad_alloc();
+    if (untilFailure >= 0 && untilFailure-- == 0) throw std::bad_alloc();
+    const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
+    void* p = alignment > __STDCPP_DEFAULT_NEW_ALIGNMENT__ ? std::aligned_alloc(alignment, rounded) : std::malloc(size);
+    if (p == nullptr) throw std::bad_alloc();
+    bytes += static_cast<long>(malloc_usable_size(p));
+    return p;
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+void Free(void* p) noexcept {
+    if (p != nullptr) bytes -= static_cast<long>(malloc_usable_size(p));
+    std::free(p);
+}
+
+}  // namespace
+
+void* operator new(std::size_t size) { return Allocate(size, 1); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+    return Allocate(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* p) noexcept { Free(p); }
+void operator delete(void* p, std::size_t) noexcept { Free(p); }
+void operator delete(void* p, std::align_val_t) noexcept { Free(p); }
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept { Free(p); }

@@ -203,7 +203,7 @@ Log DestroyABody() {
     Goodbyes<E> goodbyes(recorder.log);
     Attach<E>(MakeBody<E>(world, E::isStatic, 0, 0, 1), EdgeOf<E>({-20, 0}, {20, 0}), 0);
     typename E::Body* body = MakeBody<E>(world, E::isDynamic, 0, 0.5f, 2);
-    for (uintptr_t i = 0; i < 3; ++i) Attach<E>(body, BoxShape<E>(0.5f, 0.5f))->GetUserData().pointer = 20 + i;
+    for (uintptr_t i = 0; i < 3; ++i) SetName(Attach<E>(body, BoxShape<E>(0.5f, 0.5f)), 20 + i);
     for (uintptr_t i = 0; i < 3; ++i) {
         typename E::Body* other = MakeBody<E>(world, E::isDynamic, 5.0f + 2.0f * static_cast<float>(i), 3.0f, 3 + i);
         Attach<E>(other, CircleOf<E>(0.5f));

@@ -243,5 +243,95 @@ TEST(IndexedHeap, GivesItemsByKeyThenTieWhateverTheOrderOfChanges) {
     EXPECT_EQ(order, "53104");
 }
 
+/// Squares that fly about in a ring of edges which push inwards only. Pressed into a corner by others one may begin a
+/// step across an edge; its middle must not pass.
+TEST(Continuous, SquaresStayInARingOfOneSidedEdges) {
+    constexpr int sides = 24;
+    constexpr float radius = 6.0f;
+    World world({0.0f, 0.0f});
+    Vec2 ring[sides];
+    for (int i = 0; i < sides; ++i) {
+        const Rot turn(-2.0f * pi * static_cast<float>(i) / static_cast<float>(sides));  // clockwise: it pushes inwards
+        ring[i] = radius * turn.GetXAxis();
+    }
+    ChainShape loop;
+    (void)loop.CreateLoop(ring, sides);
+    FixtureDef wall;
+    wall.shape = &loop;
+    AddBody(world, staticBody, {0.0f, 0.0f})->CreateFixture(&wall);
+    PolygonShape square;
+    square.SetAsBox(0.25f, 0.25f);
+    std::vector<Body*> bodies;
+    for (int i = 0; i < 150; ++i) {
+        const Rot turn(2.399963f * static_cast<float>(i));
+        Body* body = AddBody(world, dynamicBody, 0.42f * std::sqrt(static_cast<float>(i)) * turn.GetXAxis());
+        FixtureDef def;
+        def.shape = &square;
+        def.density = 1.0f;
+        def.restitution = 0.9f;
+        body->CreateFixture(&def);
+        body->SetLinearVelocity(90.0f * Rot(1.7f * static_cast<float>(i)).GetXAxis());
+        bodies.push_back(body);
+    }
+    for (int step = 0; step < 400; ++step) {
+        world.Step(1.0f / 60.0f, 8, 3);
+        if (step % 40 != 0) continue;
+        for (size_t i = 0; i < bodies.size(); ++i) {
+            bodies[i]->SetLinearVelocity(90.0f *
+                                         Rot(1.3f * static_cast<float>(step) + static_cast<float>(i)).GetXAxis());
+        }
+    }
+    int outside = 0;
+    for (const Body* body : bodies) outside += body->GetPosition().Length() > radius ? 1 : 0;
+    EXPECT_EQ(outside, 0);
+}
+
+/// An event at a kinematic body looks anew at the bodies that it pushed, not at all that are near the kinematic one.
+TEST(Continuous, EventsInADrumCostWhatTheyTouch) {
+    const auto calls = [](int count) {
+        World world({0.0f, -10.0f});
+        Body* drum = AddBody(world, kinematicBody, {0.0f, 0.0f});
+        PolygonShape side;
+        for (const float sign : {-1.0f, 1.0f}) {
+            side.SetAsBox(20.0f, 0.1f, {0.0f, 20.0f * sign}, 0.0f);
+            drum->CreateFixture(&side, 0.0f);
+            side.SetAsBox(0.1f, 20.0f, {20.0f * sign, 0.0f}, 0.0f);
+            drum->CreateFixture(&side, 0.0f);
+        }
+        drum->SetAngularVelocity(0.05f);
+        for (int i = 0; i < count; ++i) {
+            Body* body = AddBody(world, dynamicBody,
+                                 {-18.0f + 36.0f * static_cast<float>(i) / static_cast<float>(count), -19.0f});
+            AddBox(body, 0.05f, 0.05f);
+            body->SetLinearVelocity({0.0f, -60.0f});
+        }
+        int most = 0;
+        for (int step = 0; step < 10; ++step) {
+            StepFor(world, 1);
+            most = std::max(most, inspect::GetDistanceWork(world).calls);
+        }
+        return most;
+    };
+    const int few = calls(50), many = calls(200);
+    EXPECT_GT(few, 50);
+    EXPECT_LT(many, 6 * few) << few;
+}
+
+/// A bullet that rests, awake, is one all the same.
+TEST(Continuous, NothingPassesThroughABulletAtRest) {
+    for (const float speed : {30.0f, 90.0f, 200.0f}) {
+        World world({0.0f, 0.0f});
+        world.SetAllowSleeping(false);
+        Body* plate = AddBody(world, dynamicBody, {0.0f, 0.0f});
+        AddBox(plate, 0.02f, 3.0f, 1000.0f);
+        plate->SetBullet(true);
+        Body* disk = AddBody(world, dynamicBody, {-5.3f, 0.4f});
+        AddCircle(disk, 0.1f, 0.1f);
+        disk->SetLinearVelocity({speed, 0.0f});
+        StepFor(world, 30);
+        EXPECT_LT(disk->GetPosition().x, plate->GetPosition().x) << speed;
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

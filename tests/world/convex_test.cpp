@@ -41,7 +41,7 @@ Body* AddThickGround(World& world, float angle = 0.0f) {
 int PointsOf(Body* body) {
     int points = 0;
     body->VisitContacts([&](Contact* contact) {
-        if (contact->IsTouching()) points += contact->GetManifold()->pointCount;
+        if (contact->IsTouching()) points += contact->GetManifold().pointCount;
         return true;
     });
     return points;

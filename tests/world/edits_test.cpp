@@ -150,8 +150,7 @@ Log ListOrders() {
     std::vector<typename E::Body*> bodies;
     for (uintptr_t i = 0; i < 6; ++i) {
         bodies.push_back(MakeBody<E>(world, E::isDynamic, 2.0f * static_cast<float>(i), 0, i));
-        for (uintptr_t k = 0; k < 3; ++k)
-            Attach<E>(bodies.back(), CircleOf<E>(0.2f))->GetUserData().pointer = 10 * i + k;
+        for (uintptr_t k = 0; k < 3; ++k) SetName(Attach<E>(bodies.back(), CircleOf<E>(0.2f)), 10 * i + k);
     }
     for (size_t i = 0; i + 1 < bodies.size(); ++i) {
         typename E::RevoluteJointDef def;
@@ -271,10 +270,10 @@ TEST(Edits, ShiftOriginKeepsContactsAndBoxesInEveryBroadPhase) {
         Fixture* fixture = AddBox(box, 0.5f, 0.5f);
         StepFor(world, 5);
         const Contact* contact = world.GetContactList();
-        const float impulse = contact->GetManifold()->points[0].normalImpulse;
+        const float impulse = contact->GetManifold().points[0].normalImpulse;
         ASSERT_EQ(world.ShiftOrigin({64, 32}), ErrorCode::ok);
         EXPECT_EQ(world.GetContactCount(), 1);
-        EXPECT_EQ(contact->GetManifold()->points[0].normalImpulse, impulse);
+        EXPECT_EQ(contact->GetManifold().points[0].normalImpulse, impulse);
         EXPECT_NEAR(box->GetPosition().x, -64.0f, 1e-4f);
         EXPECT_TRUE(TestOverlap(fixture->GetAABB(), {box->GetPosition(), box->GetPosition()}));
         const auto hit = world.RayCastClosest({-64, 0}, {-64, -100});

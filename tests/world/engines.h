@@ -102,6 +102,10 @@ struct Theirs {
 
 using Log = std::vector<std::string>;
 
+/// Writes a name on a fixture that exists.
+inline void SetName(scree::Fixture* fixture, uintptr_t name) { fixture->SetUserData({name}); }
+inline void SetName(b2Fixture* fixture, uintptr_t name) { fixture->GetUserData().pointer = name; }
+
 /// A body whose fixtures carry `name`, so that logs of both engines can be compared.
 template <class E>
 typename E::Body* MakeBody(typename E::World& world, typename E::BodyType type, float x, float y, uintptr_t name = 0) {

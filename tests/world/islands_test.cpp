@@ -168,9 +168,27 @@ TEST(Islands, TheBallisticPathGivesTheBitsOfTheIslandPath) {
     CompareBallisticPath(SolveSoft, 4, true);
 }
 
-/// Allocations of 60 steps of settled stacks beside isolated bodies, after 240 steps.
 constexpr int withTolerance = -1;
 
+long CountAllocations(World& world, int substeps, int warmUp) {
+    const auto stepFor = [&](int steps) {
+        for (int i = 0; i < steps; ++i) {
+            if (substeps > 0) {
+                world.Step(1.0f / 60.0f, substeps);
+            } else if (substeps == withTolerance) {
+                world.Step(1.0f / 60.0f, Tolerance{.overlap = 0.008f});
+            } else {
+                world.Step(1.0f / 60.0f, 8, 3);
+            }
+        }
+    };
+    stepFor(warmUp);
+    const long before = AllocationCount();
+    stepFor(60);
+    return AllocationCount() - before;
+}
+
+/// Allocations of 60 steps of settled stacks beside isolated bodies, after 240 steps.
 long CountWarmAllocations(int substeps, int workers) {
     WorldDef def;
     def.gravity = {0.0f, -10.0f};
@@ -188,21 +206,52 @@ long CountWarmAllocations(int substeps, int workers) {
         lone->SetGravityScale(0.0f);
         AddBox(lone, 0.5f, 0.5f);
     }
-    const auto stepFor = [&](int steps) {
-        for (int i = 0; i < steps; ++i) {
-            if (substeps > 0) {
-                world.Step(1.0f / 60.0f, substeps);
-            } else if (substeps == withTolerance) {
-                world.Step(1.0f / 60.0f, Tolerance{.overlap = 0.008f});
-            } else {
-                world.Step(1.0f / 60.0f, 8, 3);
-            }
-        }
-    };
-    stepFor(240);
-    const long before = AllocationCount();
-    stepFor(60);
-    return AllocationCount() - before;
+    return CountAllocations(world, substeps, 240);
+}
+
+/// The same of disks and boxes that bounce about between walls: they meet, part, leave their neighbourhoods and hit
+/// static fixtures, one of them as a bullet.
+long CountBouncingAllocations(int substeps, int workers) {
+    WorldDef def;
+    def.gravity = {0.0f, 0.0f};
+    def.workerCount = workers;
+    World world(def);
+    EdgeShape wall;
+    Body* walls = AddBody(world, staticBody, {0.0f, 0.0f});
+    const Vec2 corners[4] = {{-12.0f, -12.0f}, {12.0f, -12.0f}, {12.0f, 12.0f}, {-12.0f, 12.0f}};
+    for (int i = 0; i < 4; ++i) {
+        wall.SetTwoSided(corners[i], corners[(i + 1) % 4]);
+        FixtureDef fixture;
+        fixture.shape = &wall;
+        fixture.restitution = 1.0f;
+        walls->CreateFixture(&fixture);
+    }
+    CircleShape disk;
+    disk.m_radius = 0.2f;
+    PolygonShape box;
+    box.SetAsBox(0.2f, 0.2f);
+    for (int i = 0; i < 300; ++i) {
+        BodyDef body;
+        body.type = dynamicBody;
+        body.bullet = i % 100 == 0;
+        body.position = {static_cast<float>(i % 20) - 9.5f, static_cast<float>(i / 20) - 7.0f};
+        body.linearVelocity = {static_cast<float>(i * 7 % 11) - 5.0f, static_cast<float>(i * 5 % 13) - 6.0f};
+        FixtureDef fixture;
+        fixture.shape = i % 3 == 0 ? static_cast<const Shape*>(&box) : &disk;
+        fixture.density = 1.0f;
+        fixture.friction = 0.0f;
+        fixture.restitution = 1.0f;
+        world.CreateBody(&body)->CreateFixture(&fixture);
+    }
+    return CountAllocations(world, substeps, 1500);
+}
+
+TEST(Step, AWarmStepOfMovingBodiesAllocatesNothing) {
+    for (const int workers : {1, 2}) {
+        EXPECT_EQ(CountBouncingAllocations(0, workers), 0) << "sequential impulses, workers " << workers;
+        EXPECT_EQ(CountBouncingAllocations(4, workers), 0) << "soft step, workers " << workers;
+        EXPECT_EQ(CountBouncingAllocations(withTolerance, workers), 0) << "with a tolerance, workers " << workers;
+    }
 }
 
 TEST(Step, AWarmStepAllocatesNothing) {

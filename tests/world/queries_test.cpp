@@ -181,6 +181,42 @@ TEST(Queries, FindWhatAskingEveryFixtureFindsInEveryBroadPhase) {
     }));
 }
 
+/// A ray whose first point lies on a fixture hits that one at fraction 0, whatever lies beyond it and in whichever
+/// order the fixtures were made.
+TEST(Queries, ARayThatStartsOnASurfaceHitsItFirst) {
+    EXPECT_TRUE(rc::check("the surface under the start is the closest hit", [] {
+        World world(Vec2{0.0f, 0.0f});
+        const float width = static_cast<float>(*rc::gen::inRange(1, 9));
+        const float depth = static_cast<float>(*rc::gen::inRange(2, 9));
+        const int others = *rc::gen::inRange(1, 6);
+        const int before = *rc::gen::inRange(0, others + 1);
+        Fixture* surface = nullptr;
+        for (int i = 0; i <= others; ++i) {
+            BodyDef def;
+            if (i == before) {
+                EdgeShape edge;
+                edge.SetTwoSided({-width, 0.0f}, {width, 0.0f});
+                surface = world.CreateBody(&def)->CreateFixture(&edge, 0.0f);
+            } else {
+                def.position = {0.0f, -depth - static_cast<float>(3 * i)};
+                PolygonShape box;
+                box.SetAsBox(0.5f * width, 1.0f);
+                world.CreateBody(&def)->CreateFixture(&box, 0.0f);
+            }
+        }
+        if (*rc::gen::arbitrary<bool>()) StepFor(world, 1);
+        const Vec2 from{0.25f * width, 0.0f}, to{0.25f * width, -60.0f};
+        const auto hit = world.RayCastClosest(from, to);
+        RC_ASSERT(hit.has_value());
+        RC_ASSERT(hit->fixture == surface);
+        RC_ASSERT(hit->fraction == 0.0f);
+        std::vector<RayHit> hits;
+        world.RayCastAll(from, to, hits);
+        RC_ASSERT(hits.front().fixture == surface);
+        for (const RayHit& each : hits) RC_ASSERT(!std::signbit(each.fraction));
+    }));
+}
+
 TEST(Queries, EveryBroadPhaseVisitsTheSameFixtures) {
     for (int kind = 0; kind < kinds; ++kind) {
         Clutter c(static_cast<BroadPhaseKind>(kind), 7, 80);

@@ -60,7 +60,7 @@ std::unique_ptr<World> MakeMixedWorld(BroadPhaseKind kind = BroadPhaseKind::auto
         } else {
             AddCircle(bodies.back(), 0.5f);
         }
-        bodies.back()->GetUserData().pointer = static_cast<uintptr_t>(100 + i);
+        bodies.back()->SetUserData({static_cast<uintptr_t>(100 + i)});
     }
     AddCircle(bodies[2], 0.8f, 0.0f)->SetSensor(true);
     bodies[5]->SetBullet(true);

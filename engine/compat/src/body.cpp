@@ -23,7 +23,7 @@ b2Body* b2Bridge::MakeBody(b2World& world, const b2BodyDef& def, scree::Body* ha
     body->m_jointList = nullptr;
     body->m_contactList = nullptr;
     body->m_userData = def.userData;
-    handle->GetUserData().pointer = reinterpret_cast<uintptr_t>(body);
+    handle->SetUserData({reinterpret_cast<uintptr_t>(body)});
     body->m_xf.SetIdentity();
     body->m_worldCenter.SetZero();
     body->m_localCenter.SetZero();

@@ -13,13 +13,13 @@ using namespace scree::box2d;
 b2Manifold* b2Contact::GetManifold() {
     // In a callback the first call fetches it; what the program then changes must not be fetched over.
     if (m_handle == nullptr) return &m_manifold;
-    if (!m_manifoldExposed) m_manifold = ToBox2d(*m_handle->GetManifold());
+    if (!m_manifoldExposed) m_manifold = ToBox2d(m_handle->GetManifold());
     m_manifoldExposed = b2Bridge::Data(*m_fixtureA->GetBody()).stepping;
     return &m_manifold;
 }
 
 const b2Manifold* b2Contact::GetManifold() const {
-    if (m_handle != nullptr && !m_manifoldExposed) m_manifold = ToBox2d(*m_handle->GetManifold());
+    if (m_handle != nullptr && !m_manifoldExposed) m_manifold = ToBox2d(m_handle->GetManifold());
     return &m_manifold;
 }
 

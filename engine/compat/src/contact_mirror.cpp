@@ -127,7 +127,7 @@ void b2Bridge::FreeContact(b2WorldData& data, b2Contact* contact) {
 
 void b2Bridge::Detach(b2WorldData& data, b2Contact* contact) {
     const scree::Contact& from = *contact->m_handle;
-    contact->m_manifold = ToBox2d(*contact->m_handle->GetManifold());
+    contact->m_manifold = ToBox2d(contact->m_handle->GetManifold());
     contact->m_enabled = from.IsEnabled();
     contact->m_friction = from.GetFriction();
     contact->m_restitution = from.GetRestitution();
@@ -179,7 +179,7 @@ void b2Bridge::SyncContacts(b2WorldData& data) {
 void b2Bridge::EndCallback(b2Contact& contact) {
     if (!contact.m_manifoldExposed) return;
     contact.m_manifoldExposed = false;
-    *contact.m_handle->GetManifold() = ToScree(contact.m_manifold);
+    contact.m_handle->SetManifold(ToScree(contact.m_manifold));
 }
 
 namespace scree::box2d {
@@ -190,6 +190,7 @@ bool Events::ShouldCollide(Fixture* fixtureA, Fixture* fixtureB) {
 }
 
 void Events::BeginContact(Contact* contact) {
+    if (m_data.listener == nullptr) return;  // a callback has taken it away
     b2Contact* mirror = b2Bridge::Mirror(m_data, contact);
     b2Bridge::BeginCallback(*mirror);
     m_data.listener->BeginContact(mirror);
@@ -198,7 +199,7 @@ void Events::BeginContact(Contact* contact) {
 
 void Events::EndContact(Contact* contact) {
     m_data.contactsStale = true;
-    if (!m_data.stepping) return;  // told before the engine's edit: b2Bridge::EndContacts
+    if (!m_data.stepping || m_data.listener == nullptr) return;  // told before the engine's edit: b2Bridge::EndContacts
     b2Contact* mirror = b2Bridge::Mirror(m_data, contact);
     b2Bridge::BeginCallback(*mirror);
     m_data.listener->EndContact(mirror);
@@ -206,6 +207,7 @@ void Events::EndContact(Contact* contact) {
 }
 
 void Events::PreSolve(Contact* contact, const Manifold* oldManifold) {
+    if (m_data.listener == nullptr) return;
     b2Contact* mirror = b2Bridge::Mirror(m_data, contact);
     const b2Manifold old = ToBox2d(*oldManifold);
     b2Bridge::BeginCallback(*mirror);
@@ -214,6 +216,7 @@ void Events::PreSolve(Contact* contact, const Manifold* oldManifold) {
 }
 
 void Events::PostSolve(Contact* contact, const ContactImpulse* impulse) {
+    if (m_data.listener == nullptr) return;
     b2Contact* mirror = b2Bridge::Mirror(m_data, contact);
     b2ContactImpulse converted{};
     converted.count = impulse->count;

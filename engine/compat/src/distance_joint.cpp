@@ -23,17 +23,17 @@ void b2DistanceJointDef::Initialize(b2Body* bA, b2Body* bB, const b2Vec2& anchor
 
 float b2DistanceJoint::GetLength() const { return As<scree::DistanceJoint>(m_handle).GetLength(); }
 float b2DistanceJoint::SetLength(float length) {
-    As<scree::DistanceJoint>(m_handle).SetLength(length);
+    As<scree::DistanceJoint>(m_handle).SetLength(b2Max(b2_linearSlop, length));
     return GetLength();
 }
 float b2DistanceJoint::GetMinLength() const { return As<scree::DistanceJoint>(m_handle).GetMinLength(); }
 float b2DistanceJoint::SetMinLength(float minLength) {
-    As<scree::DistanceJoint>(m_handle).SetMinLength(minLength);
+    As<scree::DistanceJoint>(m_handle).SetMinLength(b2Clamp(minLength, b2_linearSlop, GetMaxLength()));
     return GetMinLength();
 }
 float b2DistanceJoint::GetMaxLength() const { return As<scree::DistanceJoint>(m_handle).GetMaxLength(); }
 float b2DistanceJoint::SetMaxLength(float maxLength) {
-    As<scree::DistanceJoint>(m_handle).SetMaxLength(maxLength);
+    As<scree::DistanceJoint>(m_handle).SetMaxLength(b2Max(maxLength, GetMinLength()));
     return GetMaxLength();
 }
 float b2DistanceJoint::GetCurrentLength() const { return As<scree::DistanceJoint>(m_handle).GetCurrentLength(); }

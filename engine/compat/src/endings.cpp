@@ -183,6 +183,7 @@ void b2Bridge::DestroyJoint(b2WorldData& data, b2Joint* joint) {
 }
 
 void b2Bridge::ForgetReports(b2WorldData& data, const b2Fixture* fixture) {
+    const std::lock_guard lock(data.reportsMutex);
     for (std::vector<b2Fixture*>* reported : data.reports) {
         std::replace(reported->begin(), reported->end(), const_cast<b2Fixture*>(fixture),
                      static_cast<b2Fixture*>(nullptr));

@@ -75,7 +75,7 @@ b2Fixture* b2Bridge::MakeFixture(b2Body& body, const b2FixtureDef& def) {
         proxy.fixture = fixture;
         proxy.childIndex = child;
         proxy.proxyId = b2BroadPhase::e_nullProxy;
-        fixture->m_handles[child]->GetUserData().pointer = reinterpret_cast<uintptr_t>(&proxy);
+        fixture->m_handles[child]->SetUserData({reinterpret_cast<uintptr_t>(&proxy)});
     }
     Refresh(body);
     Touch(data);
@@ -140,6 +140,10 @@ void b2Bridge::SyncShapes(b2WorldData& data) {
     }
 }
 
+void b2Bridge::ApplyFilter(b2Fixture& fixture) {
+    for (int32 i = 0; i < fixture.m_childCount; ++i) fixture.m_handles[i]->SetFilterData(ToScree(fixture.m_filter));
+}
+
 void b2Bridge::ForgetShape(b2WorldData& data, b2Fixture* fixture) {
     if (fixture->m_shapeExposed) std::erase(data.exposedShapes, fixture);
 }
@@ -161,14 +165,15 @@ void b2Fixture::SetSensor(bool sensor) {
 bool b2Fixture::IsSensor() const { return m_handles[0]->IsSensor(); }
 
 void b2Fixture::SetFilterData(const b2Filter& filter) {
-    for (int32 i = 0; i < m_childCount; ++i) {
-        if (m_handles[i]->SetFilterData(ToScree(filter)) != scree::ErrorCode::ok) return;
-    }
+    b2WorldData& data = b2Bridge::Data(*m_body);
     m_filter = filter;
+    if (data.stepping) return data.refilters.push_back(this);  // the engine hears of it after the step
+    b2Bridge::ApplyFilter(*this);
     b2Bridge::Touch(b2Bridge::Data(*m_body));
 }
 const b2Filter& b2Fixture::GetFilterData() const { return m_filter; }
 void b2Fixture::Refilter() {
+    if (b2Bridge::Data(*m_body).stepping) return b2Bridge::Data(*m_body).refilters.push_back(this);
     for (int32 i = 0; i < m_childCount; ++i) m_handles[i]->Refilter();
     b2Bridge::Touch(b2Bridge::Data(*m_body));
 }

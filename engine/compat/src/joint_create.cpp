@@ -215,7 +215,7 @@ b2Joint* b2Bridge::MakeJoint(b2WorldData& data, const b2JointDef& def) {
     joint->m_localAnchorA.SetZero();
     joint->m_localAnchorB.SetZero();
     joint->m_localAxisA.SetZero();
-    handle->GetUserData().pointer = reinterpret_cast<uintptr_t>(joint);
+    handle->SetUserData({reinterpret_cast<uintptr_t>(joint)});
     CopyLocals(*joint, def);
     Link(data, joint);
     return joint;

@@ -17,13 +17,20 @@ namespace {
 /// While it lives, fixtures that callbacks destroy turn into nulls in the list.
 class Report {
 public:
-    Report(b2WorldData& data, std::vector<b2Fixture*>& fixtures) : m_data(data) { data.reports.push_back(&fixtures); }
-    ~Report() { m_data.reports.pop_back(); }
+    Report(b2WorldData& data, std::vector<b2Fixture*>& fixtures) : m_data(data), m_fixtures(fixtures) {
+        const std::lock_guard lock(m_data.reportsMutex);
+        data.reports.push_back(&fixtures);
+    }
+    ~Report() {
+        const std::lock_guard lock(m_data.reportsMutex);
+        std::erase(m_data.reports, &m_fixtures);
+    }
     Report(const Report&) = delete;
     Report& operator=(const Report&) = delete;
 
 private:
     b2WorldData& m_data;
+    std::vector<b2Fixture*>& m_fixtures;
 };
 
 }  // namespace

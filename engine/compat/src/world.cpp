@@ -132,8 +132,11 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
     if (data.destructions > 0) return Complain("b2World::Step", "call it outside of callbacks");
     b2Bridge::SyncShapes(data);
     data.stepping = true;
-    const scree::StepReport report = data.engine.Step(timeStep, velocityIterations, positionIterations);
+    const scree::StepReport report =
+        data.engine.Step(timeStep, b2Max(velocityIterations, 0), b2Max(positionIterations, 0));
     data.stepping = false;
+    for (b2Fixture* fixture : data.refilters) b2Bridge::ApplyFilter(*fixture);
+    data.refilters.clear();
     b2Bridge::Touch(data);
     for (b2Body* body = data.bodies; body != nullptr; body = b2Bridge::Next(*body)) b2Bridge::Refresh(*body);
     data.profile = {};

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <mutex>
 #include <unordered_set>
 #include <vector>
 
@@ -57,7 +58,10 @@ struct b2WorldData {
     bool stepping = false;
     int destructions = 0;            ///< calls that destroy, and have callbacks under way
     std::vector<uint8_t> endedRows;  ///< engine's contacts whose end was told before the engine removes them
-    std::vector<std::vector<b2Fixture*>*> reports;  ///< of queries whose callbacks are under way
+    /// Of queries whose callbacks are under way; several threads may ask at once.
+    std::vector<std::vector<b2Fixture*>*> reports;
+    std::mutex reportsMutex;
+    std::vector<b2Fixture*> refilters;  ///< whose filter a callback of the step has set
 
     std::vector<b2Fixture*> exposedShapes;  ///< fixtures whose shape the program may change
     int chainCount = 0;
@@ -93,6 +97,8 @@ struct b2Bridge {
     /// Hands changes of exposed shapes to the engine.
     static void SyncShapes(b2WorldData& data);
     static void ForgetShape(b2WorldData& data, b2Fixture* fixture);
+    /// Hands the fixture's filter to the engine, whose contacts are asked about again.
+    static void ApplyFilter(b2Fixture& fixture);
     static b2FixtureProxy& Proxy(const b2Fixture& fixture, int32 child) { return fixture.m_proxies[child]; }
     static int32 ChildCount(const b2Fixture& fixture) { return fixture.m_childCount; }
     static b2Fixture* Fixtures(const b2Body& body) { return body.m_fixtureList; }

@@ -6,10 +6,10 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 
 #include "scree/errors.h"
 #include "scree/fixture.h"
+#include "scree/function_ref.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
@@ -46,7 +46,8 @@ struct BodyDef {
     float gravityScale = 1.0f;
 };
 
-/// A thin, stable handle on a body; made by World::CreateBody, dead after World::DestroyBody.
+/// A thin, stable handle on a body; made by World::CreateBody, dead after World::DestroyBody: then every call is an
+/// error (ErrorCode::foreignHandle) and gives 0, false or null.
 class Body {
 public:
     /// Attaches a fixture and updates the mass if its density is not 0. Returns null (and changes nothing) for a null
@@ -64,7 +65,7 @@ public:
     /// Moves the body at once, contacts follow in the next step. Its origin is put to position + positionRest, m.
     /// Refused while the world is locked.
     ErrorCode SetTransform(Vec2 position, float angle, Vec2 positionRest = {0.0f, 0.0f});
-    [[nodiscard]] const Transform& GetTransform() const;
+    [[nodiscard]] Transform GetTransform() const;
     [[nodiscard]] Vec2 GetPosition() const;
     [[nodiscard]] float GetAngle() const;
     [[nodiscard]] Vec2 GetWorldCenter() const;
@@ -140,16 +141,17 @@ public:
     /// a step that added some costs O(contacts of the world).
     [[nodiscard]] int GetContactCount() const;
     /// Calls visit(contact) for each of them, newest first, until it returns false.
-    void VisitContacts(const std::function<bool(Contact*)>& visit);
+    void VisitContacts(FunctionRef<bool(Contact*)> visit);
     /// Joints of this body, newest first, until visit returns false.
-    void VisitJoints(const std::function<bool(Joint*)>& visit);
+    void VisitJoints(FunctionRef<bool(Joint*)> visit);
     [[nodiscard]] int GetJointCount() const;
     /// The newest joint of this body, null without one; go on with Joint::GetNext(body).
     [[nodiscard]] Joint* GetJointList() const;
     /// The next body of the world: movers first, then static bodies, newest first in each group; null at the end.
     [[nodiscard]] Body* GetNext();
     [[nodiscard]] const Body* GetNext() const;
-    [[nodiscard]] BodyUserData& GetUserData();
+    [[nodiscard]] BodyUserData GetUserData() const;
+    ErrorCode SetUserData(const BodyUserData& data);
     [[nodiscard]] World* GetWorld();
     /// Dense number of this body in its world; reused after destruction.
     [[nodiscard]] int GetIndex() const { return m_index; }
@@ -160,6 +162,7 @@ public:
 
 private:
     [[nodiscard]] Vec2 FromCentre(Vec2 worldPoint) const;
+    [[nodiscard]] bool Lives(const char* accessor) const;
 
     WorldState* m_state;
     int m_index;

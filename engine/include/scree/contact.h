@@ -14,12 +14,16 @@
 
 namespace scree {
 
-/// A thin handle on a contact, valid until the pair's boxes part (EndContact is the last call for a touching one).
+/// A thin handle on a contact, alive until the pair's boxes part (EndContact is the last call for a touching one): then
+/// every call is an error and gives 0, false or null, until the handle serves another contact. World::GetId tells two
+/// contacts with the same handle apart.
 class Contact {
 public:
     /// In local coordinates; pointCount 0 when not touching.
-    [[nodiscard]] Manifold* GetManifold();
-    [[nodiscard]] const Manifold* GetManifold() const;
+    [[nodiscard]] Manifold GetManifold() const;
+    /// Replaces the manifold until the next step computes it anew: meant for
+    /// PreSolve. Refused: more than two points, or a number that is not finite.
+    ErrorCode SetManifold(const Manifold& manifold);
     void GetWorldManifold(WorldManifold* worldManifold) const;
     [[nodiscard]] bool IsTouching() const;
     /// Disabling lasts for the current step only: meant for PreSolve.
@@ -54,6 +58,7 @@ public:
 
 private:
     friend struct ContactTable;
+    [[nodiscard]] bool Lives(const char* accessor) const;
 
     WorldState* m_state;
     int m_row;

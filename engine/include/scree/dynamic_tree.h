@@ -6,9 +6,9 @@
 
 #pragma once
 
-#include <functional>
 #include <memory>
 
+#include "scree/function_ref.h"
 #include "scree/math.h"
 #include "scree/settings.h"
 #include "scree/shape.h"
@@ -42,10 +42,10 @@ public:
 
     /// Calls visit(proxy) for each proxy whose fat box overlaps, until it returns false. The tree must not change
     /// meanwhile.
-    void Query(const AABB& aabb, const std::function<bool(int)>& visit) const;
+    void Query(const AABB& aabb, FunctionRef<bool(int)> visit) const;
     /// Calls visit(input, proxy) for each proxy whose fat box the ray may hit. It returns the new maxFraction, 0 to
     /// stop, a negative number to leave the ray as it is.
-    void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, int)>& visit) const;
+    void RayCast(const RayCastInput& input, FunctionRef<float(const RayCastInput&, int)> visit) const;
 
     /// True if links, heights and boxes are consistent. O(n).
     [[nodiscard]] bool Validate() const;

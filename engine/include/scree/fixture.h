@@ -39,7 +39,8 @@ struct FixtureDef {
     Filter filter;
 };
 
-/// A thin, stable handle on a fixture; made by Body::CreateFixture, dead after DestroyFixture or DestroyBody.
+/// A thin, stable handle on a fixture; made by Body::CreateFixture, dead after DestroyFixture or DestroyBody: then
+/// every call is an error and gives 0, false or null.
 class Fixture {
 public:
     [[nodiscard]] Shape::Type GetType() const;
@@ -54,7 +55,7 @@ public:
     [[nodiscard]] bool IsSensor() const;
     /// New filter; contacts are re-examined in the next step.
     ErrorCode SetFilterData(const Filter& filter);
-    [[nodiscard]] const Filter& GetFilterData() const;
+    [[nodiscard]] Filter GetFilterData() const;
     /// Re-examines the filters of this fixture's contacts in the next step.
     void Refilter();
     [[nodiscard]] Body* GetBody();
@@ -66,7 +67,8 @@ public:
     /// The next fixture of the same body, newest first; null at the end.
     [[nodiscard]] Fixture* GetNext();
     [[nodiscard]] const Fixture* GetNext() const;
-    [[nodiscard]] FixtureUserData& GetUserData();
+    [[nodiscard]] FixtureUserData GetUserData() const;
+    ErrorCode SetUserData(const FixtureUserData& data);
     [[nodiscard]] bool TestPoint(Vec2 p) const;
     bool RayCast(RayCastOutput* output, const RayCastInput& input) const;
     void GetMassData(MassData* massData) const;
@@ -92,6 +94,8 @@ public:
     Fixture& operator=(const Fixture&) = delete;
 
 private:
+    [[nodiscard]] bool Lives(const char* accessor) const;
+
     WorldState* m_state;
     int m_index;
 };

@@ -21,5 +21,6 @@ struct ObjectId {
 using BodyId = ObjectId<class Body>;
 using FixtureId = ObjectId<class Fixture>;
 using JointId = ObjectId<class Joint>;
+using ContactId = ObjectId<class Contact>;
 
 }  // namespace scree

@@ -34,7 +34,7 @@ const TOIStats& GetDistanceWork(const World& world);
 /// colour push no body twice. O(contacts).
 void GetContactColours(const World& world, std::vector<int>& colours);
 
-/// Bytes in use by each table.
+/// Bytes that each table keeps, room for more rows included. Scratch of all stages is `solverScratch`.
 struct MemoryUse {
     size_t bodies = 0, fixtures = 0, contacts = 0, joints = 0, broadPhase = 0, solverScratch = 0;
     size_t bytesPerBody = 0, bytesPerFixture = 0, bytesPerContact = 0;  ///< of one record, solver scratch excluded

@@ -57,7 +57,8 @@ ErrorCode AngularStiffness(float& stiffness, float& damping, float frequencyHert
                            const Body* bodyA, const Body* bodyB);
 
 /// A thin, stable handle on a joint; made by World::CreateJoint. Setters return an error and change nothing for bad
-/// numbers. Destroying a joint destroys the gears that use it first.
+/// numbers. Destroying a joint destroys the gears that use it first. Every call on a dead one is an error and gives 0,
+/// false or null.
 class Joint {
 public:
     virtual ~Joint() = default;
@@ -67,7 +68,8 @@ public:
     /// The other end, seen from one of the joint's bodies.
     [[nodiscard]] Body* GetOther(const Body* body) const;
     [[nodiscard]] bool GetCollideConnected() const;
-    [[nodiscard]] JointUserData& GetUserData();
+    [[nodiscard]] JointUserData GetUserData() const;
+    ErrorCode SetUserData(const JointUserData& data);
     /// True if both bodies are enabled.
     [[nodiscard]] bool IsEnabled() const;
     /// The next joint of the world, newest first; null at the end.
@@ -91,6 +93,9 @@ public:
 
 protected:
     friend struct JointTable;
+    /// Whether the joint is alive; if not, the error handler hears of the
+    /// accessor.
+    [[nodiscard]] bool Lives(const char* accessor) const;
     Joint(WorldState* state, int index, int row) : m_state(state), m_index(index), m_row(row) {}
     WorldState* m_state;
     int m_index;

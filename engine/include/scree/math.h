@@ -76,6 +76,9 @@ struct SinCosResult {
 
 /// Sine and cosine of an angle in rad, the same bits on every machine; within 1 ulp for |angle| < 1e9 (math.cpp).
 SinCosResult SinCos(float angle);
+/// The angle of the vector (x, y) in [−π, π], rad, the same bits on every
+/// machine; within 1 ulp. 0 for (0, 0).
+float Atan2(float y, float x);
 
 /// A rotation as sine and cosine.
 struct Rot {
@@ -91,7 +94,7 @@ struct Rot {
     }
     constexpr void SetIdentity() { s = 0.0f, c = 1.0f; }
     /// The angle in (−π, π], rad.
-    [[nodiscard]] float GetAngle() const { return std::atan2(s, c); }
+    [[nodiscard]] float GetAngle() const { return Atan2(s, c); }
     [[nodiscard]] constexpr Vec2 GetXAxis() const { return {c, s}; }
     [[nodiscard]] constexpr Vec2 GetYAxis() const { return {-s, c}; }
 };

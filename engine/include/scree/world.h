@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -20,6 +19,7 @@
 #include "scree/errors.h"
 #include "scree/features.h"
 #include "scree/fixture.h"
+#include "scree/function_ref.h"
 #include "scree/ids.h"
 #include "scree/joint.h"
 #include "scree/profile.h"
@@ -163,6 +163,9 @@ public:
     [[nodiscard]] bool GetExactDrift() const;
     /// Subtracts `newOrigin` from every position: for programs that draw near their origin. Refused while locked.
     ErrorCode ShiftOrigin(Vec2 newOrigin);
+    /// Gives back what past steps needed and this one does not: scratch, and room for more rows. No result changes; the
+    /// next step makes its scratch anew. Refused while locked.
+    ErrorCode TrimMemory();
     /// True inside Step, and in callbacks of queries and of destruction.
     [[nodiscard]] bool IsLocked() const;
 
@@ -191,35 +194,43 @@ public:
     [[nodiscard]] BodyId GetId(const Body* body) const;
     [[nodiscard]] FixtureId GetId(const Fixture* fixture) const;
     [[nodiscard]] JointId GetId(const Joint* joint) const;
+    /// Ids of contacts mean nothing in a world that was loaded from an image.
+    [[nodiscard]] ContactId GetId(const Contact* contact) const;
     /// The object, or null if it is gone, even when its slot is used again.
     [[nodiscard]] Body* Find(BodyId id);
     [[nodiscard]] Fixture* Find(FixtureId id);
     [[nodiscard]] Joint* Find(JointId id);
+    [[nodiscard]] Contact* Find(ContactId id);
 
+    /// Queries only read: between steps any number of threads may ask at once, while nobody edits or steps the world
+    /// and no error is to be told. The world is locked while one of them calls the program. After a step they take
+    /// logarithmic time; after many edits without one (a level just made), until PrepareQueries, they look at every
+    /// box.
+    ErrorCode PrepareQueries();
     /// Calls visit(fixture) for every fixture whose broad-phase box overlaps `aabb`, until it returns false.
-    ErrorCode QueryAABB(const AABB& aabb, const std::function<bool(Fixture*)>& visit);
+    ErrorCode QueryAABB(const AABB& aabb, FunctionRef<bool(Fixture*)> visit) const;
     /// Calls visit(fixture, point, normal, fraction) for fixtures that the ray p1→p2 hits, in no particular order. It
     /// returns −1 to ignore the fixture, 0 to stop, the fraction to shorten the ray, 1 to go on.
-    ErrorCode RayCast(Vec2 p1, Vec2 p2, const std::function<float(Fixture*, Vec2, Vec2, float)>& visit);
+    ErrorCode RayCast(Vec2 p1, Vec2 p2, FunctionRef<float(Fixture*, Vec2, Vec2, float)> visit) const;
     /// The same with Box2D's callback classes.
-    ErrorCode QueryAABB(QueryCallback* callback, const AABB& aabb);
-    ErrorCode RayCast(RayCastCallback* callback, Vec2 p1, Vec2 p2);
+    ErrorCode QueryAABB(QueryCallback* callback, const AABB& aabb) const;
+    ErrorCode RayCast(RayCastCallback* callback, Vec2 p1, Vec2 p2) const;
     /// The first fixture on the ray; none for bad input too.
-    std::optional<RayHit> RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter& filter = {});
+    std::optional<RayHit> RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter& filter = {}) const;
     /// All fixtures on the ray, nearest first. `hits` is overwritten.
-    ErrorCode RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const QueryFilter& filter = {});
+    ErrorCode RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const QueryFilter& filter = {}) const;
     /// Calls visit(fixture) for every fixture that contains the point, until it returns false.
-    ErrorCode QueryPoint(Vec2 point, const std::function<bool(Fixture*)>& visit, const QueryFilter& filter = {});
+    ErrorCode QueryPoint(Vec2 point, FunctionRef<bool(Fixture*)> visit, const QueryFilter& filter = {}) const;
     /// Calls visit(fixture) for every fixture that overlaps `shape` placed at `xf` (no chain), until it returns false.
-    ErrorCode OverlapShape(const Shape& shape, const Transform& xf, const std::function<bool(Fixture*)>& visit,
-                           const QueryFilter& filter = {});
+    ErrorCode OverlapShape(const Shape& shape, const Transform& xf, FunctionRef<bool(Fixture*)> visit,
+                           const QueryFilter& filter = {}) const;
     /// All fixtures that `shape` (no chain) meets on its way from `xf` by `translation`, without turning, each as if it
     /// were alone; first met first. `hits` is overwritten.
     ErrorCode ShapeCast(const Shape& shape, const Transform& xf, Vec2 translation, std::vector<ShapeHit>& hits,
-                        const QueryFilter& filter = {});
+                        const QueryFilter& filter = {}) const;
     /// The first of them; none for bad input too.
     std::optional<ShapeHit> ShapeCastClosest(const Shape& shape, const Transform& xf, Vec2 translation,
-                                             const QueryFilter& filter = {});
+                                             const QueryFilter& filter = {}) const;
 
     /// Who draws in DebugDraw; must outlive its use; null: nobody.
     void SetDebugDraw(Draw* draw);

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/bytes.h"
+
 namespace scree {
 
 class IndexedHeap {
@@ -45,6 +47,8 @@ public:
         Place(slot, last);
         SiftDown(SiftUp(slot));
     }
+
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_items, m_slotOf); }
 
 private:
     struct Item {

@@ -6,14 +6,30 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace scree {
 
+/// Room for `count` rows in columns that grow by and by, so that adding them cannot fail.
+template <typename... T>
+void ReserveRows(size_t count, std::vector<T>&... columns) {
+    const auto reserve = [count](auto& column) {
+        if (count > column.capacity()) column.reserve(std::max(count, 2 * column.capacity()));
+    };
+    (reserve(columns), ...);
+}
+
 class Slots {
 public:
+    /// The index that Allocate is going to give. Whatever fails must fail here: Allocate and Free do not after it.
+    int Prepare() {
+        if (!m_free.empty()) return m_free.back();
+        ReserveRows(m_alive.size() + 1, m_alive, m_generation, m_free);
+        return Size();
+    }
     /// A free index; Size() grows by one when none was free.
     int Allocate() {
         ++m_count;

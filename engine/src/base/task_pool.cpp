@@ -30,10 +30,18 @@ void Await(Done&& done) {
 TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
     : m_workerCount(workerCount), m_chunkCount(workerCount * chunksPerWorker), m_callbacks(callbacks) {
     if (m_callbacks.enqueue != nullptr) return;
-    for (int worker = 1; worker < workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
+    try {
+        m_threads.reserve(static_cast<size_t>(workerCount - 1));
+        for (int worker = 1; worker < workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
+    } catch (...) {
+        Stop();  // those that could be made
+        throw;
+    }
 }
 
-TaskPool::~TaskPool() {
+TaskPool::~TaskPool() { Stop(); }
+
+void TaskPool::Stop() {
     m_quit = true;
     m_awake.fetch_add(1);
     m_awake.notify_all();

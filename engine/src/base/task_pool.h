@@ -54,6 +54,7 @@ private:
     void Run(int count, TaskFunction function, void* context);
     void RunWithCallbacks();
     void Work(int worker);
+    void Stop();
     void RunChunks(uint32_t turn, int worker);
     void RunRange(int index, int parts, int worker) {
         const auto at = [&](int i) { return static_cast<int>(static_cast<int64_t>(m_count) * i / parts); };

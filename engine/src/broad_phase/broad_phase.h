@@ -9,13 +9,13 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "scree/broad_phase_kind.h"
 #include "scree/bvh_node.h"
+#include "scree/function_ref.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
@@ -33,8 +33,7 @@ struct Pair {
     friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-/// What FindPairs did in its last call, and lazy rebuilds and queries since then, for reports and scaling tests;
-/// counts, never clocks.
+/// What FindPairs did in its last call, and rebuilds since then, for reports and scaling tests; counts, never clocks.
 struct BroadPhaseStats {
     uint64_t boxTests = 0;        ///< box–box comparisons
     uint32_t rebuiltProxies = 0;  ///< proxies that went through a build (or a reinsertion)
@@ -60,6 +59,12 @@ struct BoxUpdate {
     Vec2 displacement;
     uint32_t fixture;
 };
+
+/// Called with a fixture; false ends the query.
+using Visitor = FunctionRef<bool(uint32_t)>;
+/// Called with what is left of the ray and a fixture; returns the new maxFraction: 0 ends the cast, a negative value
+/// ignores the fixture and leaves the ray as it is.
+using RayVisitor = FunctionRef<float(const RayCastInput&, uint32_t)>;
 
 class BroadPhase {
 public:
@@ -89,15 +94,16 @@ public:
     /// Writes the complete pair set into `pairs` (cleared first).
     virtual void FindPairs(std::vector<Pair>& pairs) = 0;
 
-    /// Calls `visit(fixture)` for every fixture whose stored box overlaps `box`, until it returns false.
-    /// Rebuilds lazily after edits.
-    virtual void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) = 0;
-    /// The same for static fixtures: visits all of them, and any movers too if that is cheaper than to leave them out.
-    virtual void QueryStatic(const AABB& box, const std::function<bool(uint32_t)>& visit) { Query(box, visit); }
-    /// Visits fixtures whose stored box the ray may hit. `visit(input, fixture)` returns the new maxFraction: 0 ends
-    /// the cast, a negative value ignores the fixture and leaves the ray as it is.
-    virtual void RayCast(const RayCastInput& input,
-                         const std::function<float(const RayCastInput&, uint32_t)>& visit) = 0;
+    /// Rebuilds what edits have made stale. Queries answer right without it, but scan what is stale.
+    virtual void PrepareQueries() {}
+    /// Visits every fixture whose stored box overlaps `box`. Returns the number of box tests. Queries and ray casts
+    /// read only: any number of threads may ask while nobody edits.
+    virtual uint64_t Query(const AABB& box, Visitor visit) const = 0;
+    /// Visits fixtures whose stored box the ray may hit; the same.
+    virtual uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const = 0;
+    /// Query for static fixtures, of which it may rebuild a tree: visits all of them, and any movers too if that is
+    /// cheaper than to leave them out.
+    virtual void QueryStatic(const AABB& box, Visitor visit) { Query(box, visit); }
 
     /// The stored box (tight, or fattened in `fat-tree`).
     [[nodiscard]] virtual AABB GetBox(uint32_t fixture) const = 0;

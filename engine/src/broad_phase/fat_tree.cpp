@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/slots.h"
+
 namespace scree::broadphase {
 namespace {
 
@@ -37,6 +39,7 @@ void FatTree::Free(uint32_t index) {
 }
 
 uint32_t FatTree::CreateLeaf(const Bounds& box, ItemId id) {
+    ReserveRows(m_nodes.size() + 2, m_nodes);  // when memory runs out nothing has changed yet
     const uint32_t leaf = Allocate();
     m_nodes[leaf].box = box;
     m_nodes[leaf].id = id;

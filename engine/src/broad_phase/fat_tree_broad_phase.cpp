@@ -27,8 +27,13 @@ public:
 
     void Restore(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
         const uint32_t leaf = m_tree.CreateLeaf(ToBounds(box), {fixture, GroupOf(body, motion)});
-        m_leaves.Set(fixture, leaf);
-        Buffer(leaf);
+        try {
+            Buffer(leaf);
+            m_leaves.Set(fixture, leaf);
+        } catch (...) {
+            m_tree.DestroyLeaf(leaf);  // memory has run out; a mark without a leaf does no harm
+            throw;
+        }
         ++m_count;
     }
 
@@ -67,27 +72,30 @@ public:
         }
     }
 
-    void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) override {
-        m_tree.Query(ToBounds(box), m_stats.boxTests,
-                     [&](uint32_t leaf) { return visit(m_tree.Node(leaf).id.fixture); });
+    uint64_t Query(const AABB& box, Visitor visit) const override {
+        uint64_t boxTests = 0;
+        m_tree.Query(ToBounds(box), boxTests, [&](uint32_t leaf) { return visit(m_tree.Node(leaf).id.fixture); });
+        return boxTests;
     }
 
-    void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) override {
-        if (m_tree.Root() == noNode) return;
+    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override {
+        uint64_t boxTests = 0;
+        if (m_tree.Root() == noNode) return boxTests;
         RayProbe ray(input);
         SmallStack stack;
         stack.Push(m_tree.Root());
         while (!stack.Empty()) {
             const FatNode& node = m_tree.Node(stack.Pop());
-            ++m_stats.boxTests;
+            ++boxTests;
             const AABB box = ToAabb(node.box);
             if (node.IsLeaf()) {
-                if (ray.MayHitLeaf(box) && ray.Visit(visit, node.id.fixture) == RayStep::stop) return;
+                if (ray.MayHitLeaf(box) && ray.Visit(visit, node.id.fixture) == RayStep::stop) break;
             } else if (ray.MayHitNode(box)) {
                 stack.Push(node.child1);
                 stack.Push(node.child2);
             }
         }
+        return boxTests;
     }
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override {
@@ -136,8 +144,8 @@ private:
     void Buffer(uint32_t leaf) {
         if (leaf >= m_buffered.size()) m_buffered.resize(std::max<size_t>(leaf + 1, 2 * m_buffered.size()), 0);
         if (m_buffered[leaf] != 0) return;
-        m_buffered[leaf] = 1;
         m_buffer.push_back(leaf);
+        m_buffered[leaf] = 1;
     }
 
     void FindPairsOf(uint32_t leaf) {

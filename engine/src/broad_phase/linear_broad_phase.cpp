@@ -9,21 +9,20 @@
 
 namespace scree::broadphase {
 
-void LinearBroadPhase::Query(const AABB& box, const std::function<bool(uint32_t)>& visit) {
-    m_stats.boxTests += m_store.Size();
+uint64_t LinearBroadPhase::Query(const AABB& box, Visitor visit) const {
     for (uint32_t slot = 0; slot < m_store.Size(); ++slot) {
-        if (TestOverlap(m_store.Box(slot), box) && !visit(m_store.Id(slot).fixture)) return;
+        if (TestOverlap(m_store.Box(slot), box) && !visit(m_store.Id(slot).fixture)) return slot + 1;
     }
+    return m_store.Size();
 }
 
-void LinearBroadPhase::RayCast(const RayCastInput& input,
-                               const std::function<float(const RayCastInput&, uint32_t)>& visit) {
-    m_stats.boxTests += m_store.Size();
+uint64_t LinearBroadPhase::RayCast(const RayCastInput& input, RayVisitor visit) const {
     RayProbe ray(input);
     for (uint32_t slot = 0; slot < m_store.Size(); ++slot) {
         if (!ray.MayHitLeaf(m_store.Box(slot))) continue;
-        if (ray.Visit(visit, m_store.Id(slot).fixture) == RayStep::stop) return;
+        if (ray.Visit(visit, m_store.Id(slot).fixture) == RayStep::stop) return slot + 1;
     }
+    return m_store.Size();
 }
 
 }  // namespace scree::broadphase

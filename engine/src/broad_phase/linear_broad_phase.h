@@ -20,8 +20,8 @@ public:
     }
     void Remove(uint32_t fixture) override { m_store.Remove(m_store.Find(fixture)); }
 
-    void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) override;
-    void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) override;
+    uint64_t Query(const AABB& box, Visitor visit) const override;
+    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override;
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return m_store.Box(m_store.Find(fixture)); }
     [[nodiscard]] int GetProxyCount() const override { return static_cast<int>(m_store.Size()); }

@@ -5,6 +5,8 @@
 
 #include "broad_phase/proxy_store.h"
 
+#include "base/slots.h"
+
 namespace scree::broadphase {
 
 void ProxyStore::Move(uint32_t from, uint32_t to) {
@@ -17,6 +19,9 @@ void ProxyStore::Move(uint32_t from, uint32_t to) {
 
 uint32_t ProxyStore::Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) {
     uint32_t slot = Size();
+    // When memory runs out nothing has changed yet.
+    ReserveRows(m_boxes.size() + 1, m_boxes, m_ids, m_pending);
+    m_table.Set(fixture, motion == Motion::isStatic ? slot : m_moverCount);
     m_boxes.emplace_back();
     m_ids.emplace_back();
     m_pending.emplace_back();
@@ -28,7 +33,6 @@ uint32_t ProxyStore::Insert(uint32_t fixture, uint32_t body, Motion motion, cons
     m_boxes[slot] = box;
     m_ids[slot] = {fixture, GroupOf(body, motion)};
     m_pending[slot] = notPending;
-    m_table.Set(fixture, slot);
     return slot;
 }
 

@@ -8,7 +8,7 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
+#include <span>
 
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
@@ -18,9 +18,6 @@ namespace scree::broadphase {
 
 class ProxyTrees {
 public:
-    using Visitor = std::function<bool(uint32_t)>;
-    using RayVisitor = std::function<float(const RayCastInput&, uint32_t)>;
-
     ProxyTrees(ProxyStore& store, float staticShareThreshold)
         : moverEdits(store), staticEdits(store), m_store(store), m_staticShareThreshold(staticShareThreshold) {}
 
@@ -44,17 +41,26 @@ public:
     /// Makes trees stale that do not describe every proxy.
     void RefuseEdits();
 
-    /// Visits the fixtures of both trees, or of the static tree, as BroadPhase::Query does; none of them may be stale.
-    /// Adds to `boxTests`.
-    void Query(const AABB& box, uint64_t& boxTests, const Visitor& visit);
-    void QueryStatics(const AABB& box, uint64_t& boxTests, const Visitor& visit);
-    void RayCast(const RayCastInput& input, uint64_t& boxTests, const RayVisitor& visit);
+    /// Visits the fixtures of both trees, or of the static tree, as BroadPhase::Query does: the proxies of a stale tree
+    /// are scanned. Adds to `boxTests`; false if the visitor ended it.
+    bool Query(const AABB& box, uint64_t& boxTests, Visitor visit) const;
+    bool QueryStatics(const AABB& box, uint64_t& boxTests, Visitor visit) const;
+    void RayCast(const RayCastInput& input, uint64_t& boxTests, RayVisitor visit) const;
 
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    bool QueryTree(const FlatTree& tree, const AABB& box, uint64_t& boxTests, const Visitor& visit);
-    bool QueryEdits(const TreeEdits& edits, const AABB& box, uint64_t& boxTests, const Visitor& visit);
+    /// Where the proxies of a tree are found: in it and in lists of edits, or by a scan of their slots.
+    struct Part {
+        const FlatTree& tree;
+        SlotRange slots;
+        bool isStale;
+        std::span<const uint32_t> edits, moreEdits;
+    };
+    [[nodiscard]] Part MainPart() const;
+    [[nodiscard]] Part StaticPart() const;
+    bool QueryPart(const Part& part, const AABB& box, uint64_t& boxTests, Visitor visit) const;
+    RayStep RayCastPart(const Part& part, RayProbe& ray, uint64_t& boxTests, RayVisitor visit) const;
     [[nodiscard]] bool IsEdited() const { return moverEdits.Count() + staticEdits.Count() > 0; }
     [[nodiscard]] bool IsCurrent(uint32_t fixture, const FlatTree& from) const;
 

@@ -8,9 +8,8 @@
 
 #pragma once
 
-#include <functional>
-
 #include "broad_phase/bounds.h"
+#include "broad_phase/broad_phase.h"
 #include "scree/shape.h"
 
 namespace scree::broadphase {
@@ -32,7 +31,7 @@ public:
     [[nodiscard]] bool MayHitNode(const AABB& box) const { return MayHit(box, 3.0e-6f); }
 
     /// Calls the visitor and shortens the ray by its answer: 0 ends the cast, a negative one changes nothing.
-    RayStep Visit(const std::function<float(const RayCastInput&, uint32_t)>& visit, uint32_t fixture) {
+    RayStep Visit(RayVisitor visit, uint32_t fixture) {
         const float answer = visit(m_input, fixture);
         if (answer == 0.0f) return RayStep::stop;
         if (answer > 0.0f) Clip(answer);

@@ -64,7 +64,7 @@ void TreeBroadPhase::BuildStatics() {
     m_trees.NoteStaticsBuilt();
 }
 
-void TreeBroadPhase::BuildWhatIsStale() {
+void TreeBroadPhase::PrepareQueries() {
     if (m_trees.IsMainStale()) {
         m_trees.Choose();
         Build(m_trees.MainSlots(), m_trees.main);
@@ -90,12 +90,19 @@ void TreeBroadPhase::FindPairs(std::vector<Pair>& pairs) {
     sink.Finish();
 }
 
-void TreeBroadPhase::Query(const AABB& box, const std::function<bool(uint32_t)>& visit) {
-    BuildWhatIsStale();
-    m_trees.Query(box, m_stats.boxTests, visit);
+uint64_t TreeBroadPhase::Query(const AABB& box, Visitor visit) const {
+    uint64_t boxTests = 0;
+    m_trees.Query(box, boxTests, visit);
+    return boxTests;
 }
 
-void TreeBroadPhase::QueryStatic(const AABB& box, const std::function<bool(uint32_t)>& visit) {
+uint64_t TreeBroadPhase::RayCast(const RayCastInput& input, RayVisitor visit) const {
+    uint64_t boxTests = 0;
+    m_trees.RayCast(input, boxTests, visit);
+    return boxTests;
+}
+
+void TreeBroadPhase::QueryStatic(const AABB& box, Visitor visit) {
     if (m_trees.AreStaticsApart()) {
         if (m_trees.AreStaticsStale()) BuildStatics();
         m_trees.QueryStatics(box, m_stats.boxTests, visit);
@@ -106,15 +113,9 @@ void TreeBroadPhase::QueryStatic(const AABB& box, const std::function<bool(uint3
     m_staticIndex.Query(box, m_stats.boxTests, [&](ItemId id) { return visit(id.fixture); });
 }
 
-void TreeBroadPhase::RayCast(const RayCastInput& input,
-                             const std::function<float(const RayCastInput&, uint32_t)>& visit) {
-    BuildWhatIsStale();
-    m_trees.RayCast(input, m_stats.boxTests, visit);
-}
-
 void TreeBroadPhase::GetNodes(std::vector<BvhNode>& nodes) {
     m_trees.RefuseEdits();
-    BuildWhatIsStale();
+    PrepareQueries();
     WriteNodes(m_trees.main, m_trees.statics, m_rule, nodes);
 }
 

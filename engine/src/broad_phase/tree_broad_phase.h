@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What the rebuilding tree algorithms share: the proxies and their trees as a BroadPhase. Every FindPairs rebuilds the
-// main tree; queries between edits are answered lazily from what was built last (proxy_trees.h, tree_edits.h). An
-// algorithm supplies the building and the detection.
+// main tree; queries between edits are answered from what was built last (proxy_trees.h, tree_edits.h). An algorithm
+// supplies the building and the detection.
 
 #pragma once
 
@@ -30,9 +30,10 @@ public:
     void Remove(uint32_t fixture) override;
     void FindPairs(std::vector<Pair>& pairs) override;
 
-    void Query(const AABB& box, const std::function<bool(uint32_t)>& visit) override;
-    void QueryStatic(const AABB& box, const std::function<bool(uint32_t)>& visit) override;
-    void RayCast(const RayCastInput& input, const std::function<float(const RayCastInput&, uint32_t)>& visit) override;
+    void PrepareQueries() override;
+    uint64_t Query(const AABB& box, Visitor visit) const override;
+    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override;
+    void QueryStatic(const AABB& box, Visitor visit) override;
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return m_store.Box(m_store.Find(fixture)); }
     [[nodiscard]] int GetProxyCount() const override { return static_cast<int>(m_store.Size()); }
@@ -63,7 +64,6 @@ protected:
 private:
     void NoteMainBuilt();
     void BuildStatics();
-    void BuildWhatIsStale();
 
     ProxyTrees m_trees;
     FlatTree m_staticIndex;  ///< of QueryStatic while the statics have no tree of their own

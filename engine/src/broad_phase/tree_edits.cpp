@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace scree::broadphase {
 namespace {
@@ -34,8 +35,12 @@ void TreeEdits::Mark(uint32_t slot) {
     if (m_stale || m_store.Pending(slot) != notPending) return;
     CountOne();
     if (m_stale) return;
-    m_store.Pending(slot) = static_cast<uint32_t>(m_pending.size());
-    m_pending.push_back(m_store.Id(slot).fixture);
+    try {
+        m_pending.push_back(m_store.Id(slot).fixture);
+    } catch (const std::bad_alloc&) {
+        return Forget(true);  // no room for the list: the tree is to be rebuilt
+    }
+    m_store.Pending(slot) = static_cast<uint32_t>(m_pending.size() - 1);
 }
 
 void TreeEdits::Remove(uint32_t slot) {

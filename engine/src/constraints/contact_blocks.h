@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/task_pool.h"
 #include "constraints/contact_block.h"
 #include "scree/collision.h"
@@ -55,6 +56,10 @@ public:
     [[nodiscard]] int GetColourCount() const { return m_colourCount; }
     /// Colour of each contact of the list.
     [[nodiscard]] std::span<const int> GetColours() const { return m_colours; }
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(m_blocks, m_ranges, m_sided, m_colours, m_used, m_movers, m_fixed, m_next, m_start, m_lane,
+                       m_order, m_contact);
+    }
 
 private:
     /// A contact of the list as its block sees it: side B can be pushed. Colouring and naming read these rows instead

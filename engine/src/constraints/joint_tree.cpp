@@ -103,11 +103,11 @@ void JointTree::SolveAfterMove(std::vector<Velocity>& velocity) {
 void JointTree::NotePullRates(float dt, std::vector<BodyDemand>& demand) const {
     for (const TreeJoint& joint : m->joints) {
         if (joint.rows.count < 2) continue;
-        const double pull = std::hypot(joint.total[0], joint.total[1]) / double{dt};
+        const double pull = std::sqrt(joint.total[0] * joint.total[0] + joint.total[1] * joint.total[1]) / double{dt};
         const auto note = [&](const TreeBody& body, double x, double y) {
             if (body.invMass == 0.0 || body.invI == 0.0) return;
             // A rod pulled at its end: inertia m·l²/3 about the other end of the arm l/2.
-            const double arm = std::hypot(x, y), inertia = 1.0 / body.invI + arm * arm / body.invMass;
+            const double arm = std::sqrt(x * x + y * y), inertia = 1.0 / body.invI + arm * arm / body.invMass;
             float& rate = demand[At(body.body)].pullRate;
             rate = std::max(rate, static_cast<float>(std::sqrt(pull * arm / (1.5 * inertia))));
         };

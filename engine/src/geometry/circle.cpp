@@ -30,7 +30,7 @@ bool CircleShape::RayCast(RayCastOutput* output, const RayCastInput& input, cons
     // Written so that NaN misses; a start inside gives a negative first root.
     if (!(0.0f <= scaled && scaled <= input.maxFraction * rr)) return false;
     const float fraction = scaled / rr;
-    output->fraction = fraction;
+    output->fraction = fraction + 0.0f;  // never −0
     output->normal = toStart + fraction * ray;
     output->normal.Normalize();
     return true;

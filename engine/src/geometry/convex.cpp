@@ -117,7 +117,7 @@ bool ConvexShape::RayCast(RayCastOutput* output, const RayCastInput& input, cons
         }
     }
     if (best.normal == vec2Zero) return false;
-    output->fraction = best.fraction;
+    output->fraction = best.fraction + 0.0f;  // never −0
     output->normal = Mul(xf.q, best.normal);
     return true;
 }

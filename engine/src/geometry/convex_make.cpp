@@ -37,7 +37,8 @@ struct MassSum {
 void AddSlice(MassSum& sum, Vec2 apex, double radius, double turn, Vec2 axis) {
     if (!(turn > 0.0)) return;
     const double area = 0.5 * turn * radius * radius;
-    const double offset = 4.0 * radius * std::sin(0.5 * turn) / (3.0 * turn);
+    const double sine = SinCos(static_cast<float>(0.5 * turn)).sin;
+    const double offset = 4.0 * radius * sine / (3.0 * turn);
     sum.Add(area, apex + static_cast<float>(offset) * axis, area * (0.5 * radius * radius - offset * offset));
 }
 
@@ -58,7 +59,7 @@ MassData RoundedMass(const ConvexShape& shape, float radius) {
         sum.Add(length * r, 0.5f * (v1 + v2) + 0.5f * radius * n1, length * r * (length * length + r * r) / 12.0);
         Vec2 middle = n1 + n2;
         if (middle.Normalize() < 1.0e-3f) middle = Cross(1.0f, n1);  // the round end of a capsule
-        AddSlice(sum, v2, r, std::atan2(std::fabs(Cross(n1, n2)), Dot(n1, n2)), middle);
+        AddSlice(sum, v2, r, Atan2(Abs(Cross(n1, n2)), Dot(n1, n2)), middle);
     }
     return sum.Get();
 }

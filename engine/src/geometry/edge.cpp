@@ -45,7 +45,7 @@ bool EdgeShape::RayCast(RayCastOutput* output, const RayCastInput& input, const 
     const float s = Dot((p1 + t * ray) - m_vertex1, along) / lengthSquared;
     if (!(0.0f <= s && s <= 1.0f)) return false;
 
-    output->fraction = t;
+    output->fraction = t + 0.0f;  // never −0
     output->normal = behind > 0.0f ? -Mul(xf.q, normal) : Mul(xf.q, normal);
     return true;
 }

@@ -15,10 +15,17 @@ namespace scree {
 struct WorldState;
 
 struct ContactEvents {
-    WorldState* state;          ///< only passed on to make handles
-    ContactListener* listener;  ///< may be null
-    ContactFilter* filter;      ///< null: the fixtures' filter data decide alone
-    TOIStats* work;             ///< distance and time-of-impact work of the step
+    WorldState* state;  ///< only passed on to make handles
+    /// The world's, looked up at each use because a callback may change them.
+    /// Null listener: nobody is told; null filter: the fixtures' filter data
+    /// decide alone.
+    ContactListener* const& listener;
+    ContactFilter* const& filter;
+    TOIStats* work;  ///< distance and time-of-impact work of the step
+    /// A contact that begins or ends restarts the sleep timers of bodies that are
+    /// awake, too, as in Box2D 2.4. Without it such a contact wakes sleepers
+    /// only: one that flickers would keep its island awake for ever.
+    bool restartsTimers = true;
 };
 
 /// Counts one run of GJK. Sums and a maximum: the same in any order, from any thread.

@@ -47,6 +47,7 @@ public:
 
     ContinuousReport Run() {
         m_toi.Clear();
+        ForgetMembers();  // of an event that a callback ended by an exception
         m_s.ballistic.clear();
         m_toi.FindAll();
         while (!m_s.events.Empty()) {
@@ -124,39 +125,53 @@ private:
         m_bodies.Wake(pair.bodyA);
         m_bodies.Wake(pair.bodyB);
         m_s.islandContacts.assign(1, contact);
-        m_s.islandBodies.assign({pair.bodyA, pair.bodyB});
+        for (const int body : {pair.bodyA, pair.bodyB}) AddMember(body);
         for (const int body : {pair.bodyA, pair.bodyB}) {
-            if (m_toi.IsDynamic(body)) JoinTouching(body, index, alpha);
+            if (m_toi.IsDynamic(body)) JoinTouching(pair, body, index, alpha);
         }
         SolveEvent(pair, alpha);
         for (size_t i = 0; i < m_s.islandBodies.size(); ++i) {
-            const int body = m_s.islandBodies[i];
-            if (m_bodies.type[Row(body)] != staticBody) m_toi.Refresh(body);
+            // A kinematic body goes on as it did, so what is known of its pairs stays true: a drum has thousands.
+            if (m_toi.IsDynamic(m_s.islandBodies[i])) m_toi.Refresh(m_s.islandBodies[i]);
         }
+        ForgetMembers();
         return true;
     }
 
     /// Adds what else touches the body at the time of the event: a corner stops it from two sides.
-    void JoinTouching(int body, int event, float alpha) {
+    void JoinTouching(const ToiPair& met, int body, int event, float alpha) {
         for (int p = m_s.firstPair[Row(body)]; p >= 0; p = m_toi.Next(p, body)) {
             const ToiPair pair = m_s.pairs[Row(p)];
             if (p == event || pair.over) continue;
             const int other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
-            const bool isMember =
-                std::find(m_s.islandBodies.begin(), m_s.islandBodies.end(), other) != m_s.islandBodies.end();
+            // Pairs of the two bodies that met are in both their lists.
+            if (body == met.bodyB && other == met.bodyA && m_toi.IsDynamic(other)) continue;
+            const bool isMember = PlaceOf(other) >= 0;
             const BodyBackup backup = isMember ? BodyBackup{} : Advance(other, alpha);
             const int contact = BoxesOverlap(pair) ? TouchingContact(pair) : -1;
             if (contact < 0) {
                 if (!isMember) Restore(backup);
                 continue;
             }
-            if (std::find(m_s.islandContacts.begin(), m_s.islandContacts.end(), contact) == m_s.islandContacts.end()) {
-                m_s.islandContacts.push_back(contact);
-            }
+            m_s.islandContacts.push_back(contact);
             if (isMember) continue;
-            m_s.islandBodies.push_back(other);
+            AddMember(other);
             m_bodies.Wake(other);
         }
+    }
+
+    void AddMember(int body) {
+        EnsureRows(m_s.islandPlace, Row(m_bodies.slots.Size()), -1);
+        m_s.islandPlace[Row(body)] = static_cast<int>(m_s.islandBodies.size());
+        m_s.islandBodies.push_back(body);
+    }
+    void ForgetMembers() {
+        for (const int body : m_s.islandBodies) m_s.islandPlace[Row(body)] = -1;
+        m_s.islandBodies.clear();
+    }
+    /// Place of the body among those of the event, −1 if it is not one of them.
+    [[nodiscard]] int PlaceOf(int body) const {
+        return Row(body) < m_s.islandPlace.size() ? m_s.islandPlace[Row(body)] : -1;
     }
 
     [[nodiscard]] bool BoxesOverlap(const ToiPair& pair) const {
@@ -230,9 +245,8 @@ private:
     /// After the event: no contact of it will be pressed together again by forces within the step.
     [[nodiscard]] bool StaysApart() const {
         const auto aheadOf = [this](int body) {
-            const auto at = std::find(m_s.islandBodies.begin(), m_s.islandBodies.end(), body);
-            return at == m_s.islandBodies.end() ? Velocity{}
-                                                : m_s.ahead[static_cast<size_t>(at - m_s.islandBodies.begin())];
+            const int place = PlaceOf(body);
+            return place < 0 ? Velocity{} : m_s.ahead[Row(place)];
         };
         for (const ContactVelocityRow& row : m_s.rows.velocity) {
             const Velocity a = aheadOf(row.bodyA), b = aheadOf(row.bodyB);

@@ -17,6 +17,18 @@ constexpr uint8_t solvedFlags = ContactFlag::alive | ContactFlag::touching | Con
 /// A contact is solved if it touches, is enabled and has no sensor.
 bool IsSolved(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::sensor)) == solvedFlags; }
 
+/// A joint is solved if both its bodies are enabled.
+bool IsSolved(const JointInfo& joint, const BodyTable& bodies) {
+    return bodies.Has(joint.bodyA, BodyFlag::enabled) && bodies.Has(joint.bodyB, BodyFlag::enabled);
+}
+bool HasSolvedJoint(const JointTable& joints, const BodyTable& bodies, int body) {
+    if (bodies.info[static_cast<size_t>(body)].jointCount == 0) return false;
+    for (const int joint : joints.OfBody(body)) {
+        if (IsSolved(joints.info[static_cast<size_t>(joint)], bodies)) return true;
+    }
+    return false;
+}
+
 /// Makes the column 0 for all movers, static bodies left aside if they are many: in mostly static worlds their rows
 /// would cost more than the rest.
 template <typename T>
@@ -169,7 +181,7 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
         constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
         if ((bodies.flags[b] & active) != active || scratch.progress[b] >= IslandScratch::seen) continue;
         if (path == IsolatedPath::apart && scratch.progress[b] == IslandScratch::untouched &&
-            (!anyJoints || bodies.info[b].jointCount == 0)) {
+            (!anyJoints || !HasSolvedJoint(joints, bodies, body))) {
             islands.isolated.push_back(body);
         } else {
             search.Grow(body);
@@ -198,7 +210,7 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
     }
     for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
         const JointInfo& info = joints.info[static_cast<size_t>(joint)];
-        if (wakes(info.bodyA, info.bodyB)) return true;
+        if (IsSolved(info, bodies) && wakes(info.bodyA, info.bodyB)) return true;
     }
     return false;
 }
@@ -217,8 +229,7 @@ void GatherActive(const ContactTable& contacts, const JointTable& joints, const 
     }
     for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
         const JointInfo& info = joints.info[static_cast<size_t>(joint)];
-        const bool enabled = bodies.Has(info.bodyA, BodyFlag::enabled) && bodies.Has(info.bodyB, BodyFlag::enabled);
-        if (!enabled || (!bodies.IsActive(info.bodyA) && !bodies.IsActive(info.bodyB))) continue;
+        if (!IsSolved(info, bodies) || (!bodies.IsActive(info.bodyA) && !bodies.IsActive(info.bodyB))) continue;
         active.joints.push_back(joint);
         note(info.bodyA), note(info.bodyB);
     }

@@ -28,6 +28,11 @@ public:
     [[nodiscard]] std::span<SubstepGroup> Get() { return {m_groups.data(), m_count}; }
     [[nodiscard]] std::span<const SubstepGroup> Get() const { return {m_groups.data(), m_count}; }
     void Clear() { m_count = 0; }
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        size_t bytes = BytesOf(m_groups);
+        for (const SubstepGroup& group : m_groups) bytes += group.lists.GetMemoryBytes();
+        return bytes;
+    }
     /// An empty group, in its place, unless there is one with that number.
     void Enter(int substeps);
     /// The group with a number that was entered.

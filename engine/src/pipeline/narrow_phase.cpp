@@ -163,14 +163,14 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
         if (!ahead) Fetch(contact, t);
         if (!t.contacts.Has(contact, ContactFlag::alive)) continue;
         if (!Stays(contact, events, t)) {
-            DestroyContact(contact, events, t.bodies, t.contacts);
+            DestroyContact(contact, !t.contacts.Has(contact, ContactFlag::marked), events, t.bodies, t.contacts);
             continue;
         }
         uint8_t finding = NarrowPhaseScratch::nothing;
         if (ahead) finding = scratch.findings[static_cast<size_t>(contact)];
         bool touching = finding == NarrowPhaseScratch::touching;
         if (finding != NarrowPhaseScratch::nothing) {
-            NoteTouching(contact, touching, t.bodies, t.contacts);
+            NoteTouching(contact, touching, events.restartsTimers, t.bodies, t.contacts);
         } else {
             touching = IsActive(contact, t) ? UpdateContact(contact, t.fixtures, events, t.bodies, t.contacts)
                                             : t.contacts.Has(contact, ContactFlag::touching);

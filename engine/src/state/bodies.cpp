@@ -21,8 +21,19 @@ void Normalize(Vec2& c, Vec2& below) {
 }  // namespace
 
 int BodyTable::Add(WorldState* state, const BodyDef& def) {
-    const int index = slots.Allocate();
+    const int index = slots.Prepare();
     const auto i = static_cast<size_t>(index);
+    // When memory runs out nothing has changed yet.
+    ReserveRows(i + 1, velocity, position, startPosition, transform, mass, motion, sleepTime, flags, type, fixtureHead,
+                info);
+    if (!startVelocity.empty()) ReserveRows(i + 1, startVelocity);
+    if (IsFar()) ReserveRows(i + 1, rest);
+    if (!force.empty()) ReserveRows(i + 1, force);
+    if (!demand.empty()) ReserveRows(i + 1, demand);
+    ReserveRows(movers.size() + 1, movers);
+    while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
+
+    slots.Allocate();
     EnsureRow(velocity, index);
     if (!startVelocity.empty()) EnsureRow(startVelocity, index);
     EnsureRow(position, index);
@@ -38,7 +49,6 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     EnsureRow(type, index);
     EnsureRow(fixtureHead, index);
     EnsureRow(info, index);
-    while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
 
     type[i] = def.type;
     const bool isStatic = def.type == staticBody;
@@ -125,6 +135,9 @@ Vec2 BodyTable::SetLocalCenter(size_t b, Vec2 center) {
     const Transform& xf = transform[b];
     const Vec2 way = Mul(xf.q, center) - Mul(xf.q, mass[b].localCenter);
     const Vec2 before = position[b].c;
+    const bool moves = !(GetMotion(b) == vec2Zero) || position[b].a != startPosition[b].a;
+    const Rot startTurn(startPosition[b].a);
+    const Vec2 startWay = Mul(startTurn, center) - Mul(startTurn, mass[b].localCenter);
     mass[b].localCenter = center;
     if (IsFar()) {
         rest[b].end += way;
@@ -132,7 +145,13 @@ Vec2 BodyTable::SetLocalCenter(size_t b, Vec2 center) {
     } else {
         position[b].c = Mul(xf, center);
     }
-    NoteStart(b);
+    if (moves) {
+        // A callback within a step may ask for this: the motion of the step stays
+        // what it was.
+        (IsFar() ? rest[b].start : startPosition[b].c) += startWay;
+    } else {
+        NoteStart(b);
+    }
     return IsFar() ? way : position[b].c - before;
 }
 

@@ -11,6 +11,9 @@
 #include <bit>
 #include <cstring>
 
+#include "base/bytes.h"
+#include "base/slots.h"
+
 namespace scree {
 
 namespace {
@@ -87,6 +90,7 @@ int ContactTable::Add(const ContactPair& newPair) {
 
 void ContactTable::Remove(int contact) {
     EraseKey(contact);
+    NoteEnd(contact);
     flags[static_cast<size_t>(contact)] = 0;
     --m_count;
     m_free.push_back(contact);
@@ -125,6 +129,7 @@ void ContactTable::RemoveParted() {
     const bool rehash = gone.size() * 2 > static_cast<size_t>(m_count);
     for (const int contact : gone) {
         if (!rehash) EraseKey(contact);
+        NoteEnd(contact);
         flags[static_cast<size_t>(contact)] = 0;
     }
     if (rehash) Rehash();
@@ -267,6 +272,23 @@ Contact* ContactTable::Handle(WorldState* state, int contact) {
     return &m_handles[static_cast<size_t>(GetNumber(contact))];
 }
 
+Contact* ContactTable::HandleOf(int number) {
+    if (number < 0 || static_cast<size_t>(number) >= m_handles.size()) return nullptr;
+    HandleSlot& handle = m_handles[static_cast<size_t>(number)];
+    return IsAlive(handle.m_row) ? &handle : nullptr;
+}
+
+bool ContactTable::Owns(const Contact* contact) const {
+    if (contact == nullptr || !IsAlive(contact->m_row)) return false;
+    const auto number = static_cast<size_t>(GetNumber(contact->m_row));
+    return number < m_handles.size() && &m_handles[number] == contact;
+}
+
+uint32_t ContactTable::GetGeneration(int number) {
+    EnsureRow(m_generation, number, 0u);
+    return m_generation[static_cast<size_t>(number)];
+}
+
 void ContactTable::Reserve(size_t more) {
     const size_t rows = flags.size() + more - std::min(more, m_free.size());
     if (rows > flags.capacity()) {
@@ -326,9 +348,20 @@ size_t ContactTable::GetBytesPerRow() {
 }
 
 size_t ContactTable::GetMemoryBytes() const {
-    return flags.size() *
-               (sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial) + sizeof(int)) +
-           m_hash.size() * sizeof(int) + m_handles.size() * sizeof(HandleSlot);
+    return BytesOf(flags, pair, manifold, material, successor, matched, freshPairs, freshRefusals, m_hash, m_free,
+                   m_generation, m_first, m_entries) +
+           m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
+}
+
+void ContactTable::Trim() {
+    Shrink(flags, pair, manifold, material, successor);
+    matched = {}, freshPairs = {}, freshRefusals = {};
+    m_first = {}, m_entries = {};
+    m_adjacencyValid = false;
+    Shrink(m_free, m_generation);
+    m_hash = {};
+    m_shift = 64;
+    if (m_count > 0) Grow(m_count);
 }
 
 }  // namespace scree

@@ -16,6 +16,7 @@
 
 #include "scree/collision.h"
 #include "scree/contact.h"
+#include "state/refused_pairs.h"
 
 namespace scree {
 
@@ -47,9 +48,11 @@ struct ContactTable {
     /// The row whose pair came behind this row's pair when pairs were last matched, −1 none: pairs come in nearly the
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
     std::vector<int> successor;
-    int firstMatched = -1;             ///< where that order begins
-    std::vector<int> matched;          ///< scratch of the matching: the contact of each pair
-    std::vector<uint64_t> freshPairs;  ///< likewise
+    int firstMatched = -1;                ///< where that order begins
+    std::vector<int> matched;             ///< scratch of the matching: the contact of each pair
+    std::vector<uint64_t> freshPairs;     ///< likewise
+    std::vector<uint64_t> freshRefusals;  ///< likewise: of these, what the filter has refused
+    RefusedPairs refused;
 
     [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
     [[nodiscard]] bool IsAlive(int contact) const {
@@ -93,6 +96,12 @@ struct ContactTable {
     std::span<const int> OfBody(int body);
     /// The handle of a row, made on first use; it stays with the contact until that ends.
     Contact* Handle(WorldState* state, int contact);
+    /// The handle with this number while its contact lives, null without one.
+    [[nodiscard]] Contact* HandleOf(int number);
+    [[nodiscard]] bool Owns(const Contact* contact) const;
+    /// How many contacts the handle with this number has outlived since generations are counted: from the first call
+    /// on.
+    [[nodiscard]] uint32_t GetGeneration(int number);
     /// Number of a row's contact (Contact::GetIndex), and one more than the largest there is.
     [[nodiscard]] int GetNumber(int contact) const {
         const auto row = static_cast<size_t>(contact);
@@ -101,6 +110,8 @@ struct ContactTable {
     [[nodiscard]] size_t GetNumberEnd() const { return std::max(flags.size(), m_handles.size()); }
 
     [[nodiscard]] size_t GetMemoryBytes() const;
+    /// Gives back the room for more contacts.
+    void Trim();
     [[nodiscard]] static size_t GetBytesPerRow();
 
 private:
@@ -120,6 +131,10 @@ private:
     /// Row r has become row movedTo[r + 1], −1 if it was free.
     void MoveHandles(std::span<const int> movedTo);
     void EnsureAdjacency();
+    void NoteEnd(int contact) {
+        const auto number = static_cast<size_t>(GetNumber(contact));
+        if (number < m_generation.size()) ++m_generation[number];
+    }
     void InsertKey(int contact);
     void EraseKey(int contact);
 
@@ -128,6 +143,7 @@ private:
     std::vector<int> m_free;  ///< highest first, when compact
     bool m_isCompact = true;  ///< no row was removed since Compact
     std::deque<HandleSlot> m_handles;
+    std::vector<uint32_t> m_generation;  ///< per number; empty until somebody asks for one
     int m_count = 0;
 
     bool m_adjacencyValid = false;

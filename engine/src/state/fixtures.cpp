@@ -8,8 +8,14 @@
 namespace scree {
 
 int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
-    const int index = slots.Allocate();
+    const int index = slots.Prepare();
     const auto i = static_cast<size_t>(index);
+    // When memory runs out nothing has changed yet.
+    ReserveRows(i + 1, body, shape, type, isSensor, filter, material, next, info, m_shapeRow);
+    while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
+    const int shapeRow = TakeShape(*def.shape);
+
+    slots.Allocate();
     EnsureRow(body, index);
     EnsureRow(shape, index);
     EnsureRow(type, index);
@@ -18,10 +24,9 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     EnsureRow(material, index);
     EnsureRow(next, index);
     EnsureRow(info, index);
-    while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
 
     body[i] = bodyIndex;
-    SetShape(index, *def.shape);
+    PutShape(index, def.shape->GetType(), shapeRow);
     isSensor[i] = def.isSensor ? 1 : 0;
     filter[i] = def.filter;
     material[i] = {def.friction, def.restitution, def.restitutionThreshold};
@@ -33,46 +38,48 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
 }
 
 template <typename Use>
-void FixtureTable::WithPool(int fixture, Use&& use) {
-    const auto i = static_cast<size_t>(fixture);
-    switch (type[i]) {
+void FixtureTable::WithPool(Shape::Type shapeType, Use&& use) {
+    switch (shapeType) {
         case Shape::e_circle:
-            use(m_circles, m_shapeRow[i]);
-            break;
+            return use(m_circles);
         case Shape::e_edge:
-            use(m_edges, m_shapeRow[i]);
-            break;
+            return use(m_edges);
         case Shape::e_convex:
-            use(m_convexes, m_shapeRow[i]);
-            break;
+            return use(m_convexes);
         default:
-            use(m_polygons, m_shapeRow[i]);
-            break;
+            return use(m_polygons);
     }
 }
 
-void FixtureTable::SetShape(int fixture, const Shape& value) {
-    const auto i = static_cast<size_t>(fixture);
-    type[i] = value.GetType();
-    EnsureRow(m_shapeRow, fixture);
-    WithPool(fixture, [&]<typename T>(ShapePool<T>& pool, int& row) {
-        row = pool.Take(static_cast<const T&>(value));
-        shape[i] = pool.At(row);
-    });
+int FixtureTable::TakeShape(const Shape& value) {
+    int row = -1;
+    WithPool(value.GetType(), [&]<typename T>(ShapePool<T>& pool) { row = pool.Take(static_cast<const T&>(value)); });
+    return row;
 }
+
+void FixtureTable::PutShape(int fixture, Shape::Type shapeType, int row) {
+    const auto i = static_cast<size_t>(fixture);
+    type[i] = shapeType;
+    EnsureRow(m_shapeRow, fixture);
+    m_shapeRow[i] = row;
+    WithPool(shapeType, [&](auto& pool) { shape[i] = pool.At(row); });
+}
+
+void FixtureTable::SetShape(int fixture, const Shape& value) { PutShape(fixture, value.GetType(), TakeShape(value)); }
 
 Shape* FixtureTable::GetOwnShape(int fixture) {
     const auto i = static_cast<size_t>(fixture);
-    WithPool(fixture, [&](auto& pool, int& row) {
-        row = pool.MakeOwn(row);
-        shape[i] = pool.At(row);
+    WithPool(type[i], [&](auto& pool) {
+        m_shapeRow[i] = pool.MakeOwn(m_shapeRow[i]);
+        shape[i] = pool.At(m_shapeRow[i]);
     });
     return shape[i];
 }
 
 void FixtureTable::Remove(int fixture) {
-    WithPool(fixture, [](auto& pool, int row) { pool.Release(row); });
-    shape[static_cast<size_t>(fixture)] = nullptr;
+    const auto i = static_cast<size_t>(fixture);
+    WithPool(type[i], [&](auto& pool) { pool.Release(m_shapeRow[i]); });
+    shape[i] = nullptr;
     slots.Free(fixture);
 }
 

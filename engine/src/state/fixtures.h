@@ -84,9 +84,12 @@ struct FixtureTable {
     [[nodiscard]] static size_t GetBytesPerRow();
 
 private:
-    /// Calls use(pool, row) with the pool of the fixture's shape.
+    /// Calls use(pool) with the pool of a type of shapes.
     template <typename Use>
-    void WithPool(int fixture, Use&& use);
+    void WithPool(Shape::Type shapeType, Use&& use);
+    /// A row of the pool with the shape's values, and its use as a fixture's shape.
+    int TakeShape(const Shape& value);
+    void PutShape(int fixture, Shape::Type shapeType, int row);
 
     std::vector<int> m_shapeRow;  ///< in the pool of its type
     ShapePool<CircleShape> m_circles;

@@ -8,6 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
+
 namespace scree {
 
 /// Ranges into the order arrays below.
@@ -28,6 +30,7 @@ struct IslandTable {
         islands.clear();
         for (std::vector<int>* list : {&bodies, &contacts, &joints, &isolated}) list->clear();
     }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(islands, bodies, contacts, joints, isolated); }
 };
 
 inline std::span<const int> Range(const std::vector<int>& order, int begin, int end) {

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <tuple>
 #include <vector>
@@ -107,11 +108,18 @@ struct JointTable {
     template <typename Row>
     int Add(WorldState* state, const JointInfo& head, const Row& row) {
         JointStore<Row>& store = Store<Row>();
-        const int rowIndex = store.slots.Allocate();
-        const int index = slots.Allocate();
+        const int rowIndex = store.slots.Prepare();
+        const int index = slots.Prepare();
+        // When memory runs out nothing has changed yet.
+        ReserveRows(static_cast<size_t>(rowIndex) + 1, store.rows);
+        ReserveRows(static_cast<size_t>(index) + 1, info, handles);
+        ReserveRows(static_cast<size_t>(std::max(head.bodyA, head.bodyB)) + 1, m_first, m_count);
+        if (static_cast<size_t>(rowIndex) == store.handles.size()) store.handles.emplace_back(state, -1, rowIndex);
+
+        store.slots.Allocate();
+        slots.Allocate();
         EnsureRow(store.rows, rowIndex);
         store.rows[static_cast<size_t>(rowIndex)] = row;
-        if (static_cast<size_t>(rowIndex) == store.handles.size()) store.handles.emplace_back(state, index, rowIndex);
         Joint& handle = store.handles[static_cast<size_t>(rowIndex)];
         handle.m_index = index;
         Link(index, rowIndex, head, &handle);

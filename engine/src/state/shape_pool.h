@@ -12,6 +12,7 @@
 #include <deque>
 #include <vector>
 
+#include "base/slots.h"
 #include "scree/shape.h"
 
 namespace scree {
@@ -75,9 +76,10 @@ public:
             Forget(row);
             return row;
         }
-        --m_users[r];
         const T copy = m_items[r];
-        return Add(copy);
+        const int own = Add(copy);
+        --m_users[r];
+        return own;
     }
     [[nodiscard]] T* At(int row) { return &m_items[static_cast<size_t>(row)]; }
     [[nodiscard]] size_t GetMemoryBytes() const { return m_items.size() * (sizeof(T) + sizeof(int)); }
@@ -102,6 +104,7 @@ private:
 
     int Add(const T& value) {
         if (m_free.empty()) {
+            ReserveRows(m_items.size() + 1, m_users, m_free);  // when memory runs out nothing has changed
             m_items.push_back(value);
             m_users.push_back(1);
             return static_cast<int>(m_items.size()) - 1;

@@ -61,14 +61,29 @@ void SetFlag(BodyTable& bodies, int body, uint16_t flag, bool on) {
 
 }  // namespace
 
-const Transform& Body::GetTransform() const { return m_state->bodies.transform[Row(m_index)]; }
-Vec2 Body::GetPosition() const { return GetTransform().p; }
-float Body::GetAngle() const { return m_state->bodies.position[Row(m_index)].a; }
-Vec2 Body::GetWorldCenter() const { return m_state->bodies.position[Row(m_index)].c; }
-Vec2 Body::GetPositionRest() const { return m_state->bodies.GetOriginRest(m_index); }
-Vec2 Body::GetWorldCenterRest() const { return m_state->bodies.GetRest(m_index); }
+bool Body::Lives(const char* accessor) const { return IsAlive(*m_state, m_state->bodies.slots, m_index, accessor); }
+
+Transform Body::GetTransform() const {
+    if (Lives("Body::GetTransform")) return m_state->bodies.transform[Row(m_index)];
+    Transform identity;
+    identity.SetIdentity();
+    return identity;
+}
+Vec2 Body::GetPosition() const { return Lives("Body::GetPosition") ? GetTransform().p : vec2Zero; }
+float Body::GetAngle() const { return Lives("Body::GetAngle") ? m_state->bodies.position[Row(m_index)].a : 0.0f; }
+Vec2 Body::GetWorldCenter() const {
+    return Lives("Body::GetWorldCenter") ? m_state->bodies.position[Row(m_index)].c : vec2Zero;
+}
+Vec2 Body::GetPositionRest() const {
+    return Lives("Body::GetPositionRest") ? m_state->bodies.GetOriginRest(m_index) : vec2Zero;
+}
+Vec2 Body::GetWorldCenterRest() const {
+    return Lives("Body::GetWorldCenterRest") ? m_state->bodies.GetRest(m_index) : vec2Zero;
+}
 Vec2 Body::FromCentre(Vec2 worldPoint) const { return worldPoint - GetWorldCenter() - GetWorldCenterRest(); }
-Vec2 Body::GetLocalCenter() const { return m_state->bodies.mass[Row(m_index)].localCenter; }
+Vec2 Body::GetLocalCenter() const {
+    return Lives("Body::GetLocalCenter") ? m_state->bodies.mass[Row(m_index)].localCenter : vec2Zero;
+}
 
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
     Guard guard(*m_state, "Body::SetLinearVelocity");
@@ -79,19 +94,24 @@ ErrorCode Body::SetLinearVelocity(Vec2 v) {
     m_state->bodies.velocity[Row(m_index)].v = v;
     return ErrorCode::ok;
 }
-Vec2 Body::GetLinearVelocity() const { return m_state->bodies.velocity[Row(m_index)].v; }
+Vec2 Body::GetLinearVelocity() const {
+    return Lives("Body::GetLinearVelocity") ? m_state->bodies.velocity[Row(m_index)].v : vec2Zero;
+}
 
 ErrorCode Body::SetAngularVelocity(float omega) {
     Guard guard(*m_state, "Body::SetAngularVelocity");
     if (guard.Living(m_state->bodies.slots, m_index).Near(omega, "omega").Failed()) return guard.Code();
-    if (omega != 0.0f && GetType() != staticBody && guard.Uses({Feature::rotation}).Failed()) return guard.Code();
+    if (omega != 0.0f && !guard.Failed() && GetType() != staticBody && guard.Uses({Feature::rotation}).Failed())
+        return guard.Code();
     const Recording recording = guard.Record(m_index, omega);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (omega * omega > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[Row(m_index)].w = omega;
     return ErrorCode::ok;
 }
-float Body::GetAngularVelocity() const { return m_state->bodies.velocity[Row(m_index)].w; }
+float Body::GetAngularVelocity() const {
+    return Lives("Body::GetAngularVelocity") ? m_state->bodies.velocity[Row(m_index)].w : 0.0f;
+}
 
 ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
     Guard guard(*m_state, "Body::ApplyForce");
@@ -158,13 +178,15 @@ ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
     return ErrorCode::ok;
 }
 
-float Body::GetMass() const { return m_state->bodies.motion[Row(m_index)].mass; }
+float Body::GetMass() const { return Lives("Body::GetMass") ? m_state->bodies.motion[Row(m_index)].mass : 0.0f; }
 float Body::GetInertia() const {
+    if (!Lives("Body::GetInertia")) return 0.0f;
     const BodyInfo& info = m_state->bodies.info[Row(m_index)];
     const Vec2 center = GetLocalCenter();
     return info.inertia + m_state->bodies.motion[Row(m_index)].mass * Dot(center, center);
 }
 void Body::GetMassData(MassData* data) const {
+    if (!Lives("Body::GetMassData")) return;
     Guard guard(*m_state, "Body::GetMassData");
     if (guard.NotNull(data != nullptr, "data", "pass where to write").Failed()) return;
     data->mass = GetMass();
@@ -172,47 +194,62 @@ void Body::GetMassData(MassData* data) const {
     data->I = GetInertia();
 }
 
-Vec2 Body::GetWorldPoint(Vec2 localPoint) const { return Mul(GetTransform(), localPoint); }
-Vec2 Body::GetWorldVector(Vec2 localVector) const { return Mul(GetTransform().q, localVector); }
+Vec2 Body::GetWorldPoint(Vec2 localPoint) const {
+    return Lives("Body::GetWorldPoint") ? Mul(GetTransform(), localPoint) : vec2Zero;
+}
+Vec2 Body::GetWorldVector(Vec2 localVector) const {
+    return Lives("Body::GetWorldVector") ? Mul(GetTransform().q, localVector) : vec2Zero;
+}
 Vec2 Body::GetLocalPoint(Vec2 worldPoint) const {
+    if (!Lives("Body::GetLocalPoint")) return vec2Zero;
     return MulT(GetTransform().q, worldPoint - GetPosition() - GetPositionRest());
 }
-Vec2 Body::GetLocalVector(Vec2 worldVector) const { return MulT(GetTransform().q, worldVector); }
+Vec2 Body::GetLocalVector(Vec2 worldVector) const {
+    return Lives("Body::GetLocalVector") ? MulT(GetTransform().q, worldVector) : vec2Zero;
+}
 Vec2 Body::GetLinearVelocityFromWorldPoint(Vec2 worldPoint) const {
+    if (!Lives("Body::GetLinearVelocityFromWorldPoint")) return vec2Zero;
     return GetLinearVelocity() + Cross(GetAngularVelocity(), FromCentre(worldPoint));
 }
 Vec2 Body::GetLinearVelocityFromLocalPoint(Vec2 localPoint) const {
+    if (!Lives("Body::GetLinearVelocityFromLocalPoint")) return vec2Zero;
     if (!m_state->bodies.IsFar()) return GetLinearVelocityFromWorldPoint(GetWorldPoint(localPoint));
     return GetLinearVelocity() + Cross(GetAngularVelocity(), GetWorldVector(localPoint - GetLocalCenter()));
 }
 
-float Body::GetLinearDamping() const { return m_state->bodies.motion[Row(m_index)].linearDamping; }
+float Body::GetLinearDamping() const {
+    return Lives("Body::GetLinearDamping") ? m_state->bodies.motion[Row(m_index)].linearDamping : 0.0f;
+}
 ErrorCode Body::SetLinearDamping(float damping) {
     Guard guard(*m_state, "Body::SetLinearDamping");
     guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
-    if (damping != 0.0f && GetType() == dynamicBody) guard.Uses({Feature::damping});
+    if (damping != 0.0f && !guard.Failed() && GetType() == dynamicBody) guard.Uses({Feature::damping});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, damping);
     const BodyFeatureEdit edit(*m_state, m_index);
     m_state->bodies.motion[Row(m_index)].linearDamping = damping;
     return ErrorCode::ok;
 }
-float Body::GetAngularDamping() const { return m_state->bodies.motion[Row(m_index)].angularDamping; }
+float Body::GetAngularDamping() const {
+    return Lives("Body::GetAngularDamping") ? m_state->bodies.motion[Row(m_index)].angularDamping : 0.0f;
+}
 ErrorCode Body::SetAngularDamping(float damping) {
     Guard guard(*m_state, "Body::SetAngularDamping");
     guard.Living(m_state->bodies.slots, m_index).Amount(damping, "damping");
-    if (damping != 0.0f && GetType() == dynamicBody) guard.Uses({Feature::damping});
+    if (damping != 0.0f && !guard.Failed() && GetType() == dynamicBody) guard.Uses({Feature::damping});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, damping);
     const BodyFeatureEdit edit(*m_state, m_index);
     m_state->bodies.motion[Row(m_index)].angularDamping = damping;
     return ErrorCode::ok;
 }
-float Body::GetGravityScale() const { return m_state->bodies.motion[Row(m_index)].gravityScale; }
+float Body::GetGravityScale() const {
+    return Lives("Body::GetGravityScale") ? m_state->bodies.motion[Row(m_index)].gravityScale : 0.0f;
+}
 ErrorCode Body::SetGravityScale(float scale) {
     Guard guard(*m_state, "Body::SetGravityScale");
     guard.Living(m_state->bodies.slots, m_index).Finite(scale, "scale");
-    if (scale != 1.0f && GetType() == dynamicBody) guard.Uses({Feature::gravityScale});
+    if (scale != 1.0f && !guard.Failed() && GetType() == dynamicBody) guard.Uses({Feature::gravityScale});
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, scale);
     const BodyFeatureEdit edit(*m_state, m_index);
@@ -220,7 +257,7 @@ ErrorCode Body::SetGravityScale(float scale) {
     return ErrorCode::ok;
 }
 
-BodyType Body::GetType() const { return m_state->bodies.type[Row(m_index)]; }
+BodyType Body::GetType() const { return Lives("Body::GetType") ? m_state->bodies.type[Row(m_index)] : BodyType{}; }
 
 ErrorCode Body::SetBullet(bool flag) {
     Guard guard(*m_state, "Body::SetBullet");
@@ -232,7 +269,7 @@ ErrorCode Body::SetBullet(bool flag) {
     SetFlag(m_state->bodies, m_index, BodyFlag::bullet, flag);
     return ErrorCode::ok;
 }
-bool Body::IsBullet() const { return m_state->bodies.Has(m_index, BodyFlag::bullet); }
+bool Body::IsBullet() const { return Lives("Body::IsBullet") ? m_state->bodies.Has(m_index, BodyFlag::bullet) : false; }
 
 ErrorCode Body::SetSleepingAllowed(bool flag) {
     Guard guard(*m_state, "Body::SetSleepingAllowed");
@@ -243,7 +280,9 @@ ErrorCode Body::SetSleepingAllowed(bool flag) {
     if (!flag) m_state->bodies.Wake(m_index);
     return ErrorCode::ok;
 }
-bool Body::IsSleepingAllowed() const { return m_state->bodies.Has(m_index, BodyFlag::autoSleep); }
+bool Body::IsSleepingAllowed() const {
+    return Lives("Body::IsSleepingAllowed") ? m_state->bodies.Has(m_index, BodyFlag::autoSleep) : false;
+}
 
 ErrorCode Body::SetAwake(bool flag) {
     Guard guard(*m_state, "Body::SetAwake");
@@ -254,9 +293,11 @@ ErrorCode Body::SetAwake(bool flag) {
     flag ? m_state->bodies.Wake(m_index) : m_state->bodies.PutToSleep(m_index);
     return ErrorCode::ok;
 }
-bool Body::IsAwake() const { return m_state->bodies.Has(m_index, BodyFlag::awake); }
+bool Body::IsAwake() const { return Lives("Body::IsAwake") ? m_state->bodies.Has(m_index, BodyFlag::awake) : false; }
 
-bool Body::IsEnabled() const { return m_state->bodies.Has(m_index, BodyFlag::enabled); }
+bool Body::IsEnabled() const {
+    return Lives("Body::IsEnabled") ? m_state->bodies.Has(m_index, BodyFlag::enabled) : false;
+}
 
 ErrorCode Body::SetFixedRotation(bool flag) {
     Guard guard(*m_state, "Body::SetFixedRotation");
@@ -270,21 +311,26 @@ ErrorCode Body::SetFixedRotation(bool flag) {
     ResetMassData();
     return ErrorCode::ok;
 }
-bool Body::IsFixedRotation() const { return m_state->bodies.Has(m_index, BodyFlag::fixedRotation); }
+bool Body::IsFixedRotation() const {
+    return Lives("Body::IsFixedRotation") ? m_state->bodies.Has(m_index, BodyFlag::fixedRotation) : false;
+}
 
 Fixture* Body::GetFixtureList() {
+    if (!Lives("Body::GetFixtureList")) return nullptr;
     const int head = m_state->bodies.fixtureHead[Row(m_index)];
     return head < 0 ? nullptr : &m_state->fixtures.handles[Row(head)];
 }
 const Fixture* Body::GetFixtureList() const { return const_cast<Body*>(this)->GetFixtureList(); }
 int Body::GetContactCount() const {
+    if (!Lives("Body::GetContactCount")) return 0;
     int count = 0;
     for (const int c : m_state->contacts.OfBody(m_index)) count += m_state->contacts.IsAlive(c) ? 1 : 0;
     return count;
 }
 
-void Body::VisitContacts(const std::function<bool(Contact*)>& visit) {
+void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) {
     Guard guard(*m_state, "Body::VisitContacts");
+    guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed()) return;
     const WorldLock lock(*m_state);
     for (const int c : m_state->contacts.OfBody(m_index)) {
@@ -293,13 +339,17 @@ void Body::VisitContacts(const std::function<bool(Contact*)>& visit) {
 }
 
 Joint* Body::GetJointList() const {
+    if (!Lives("Body::GetJointList")) return nullptr;
     const int front = m_state->joints.OfBody(m_index).Front();
     return front < 0 ? nullptr : m_state->joints.handles[Row(front)];
 }
-int Body::GetJointCount() const { return m_state->bodies.info[Row(m_index)].jointCount; }
+int Body::GetJointCount() const {
+    return Lives("Body::GetJointCount") ? m_state->bodies.info[Row(m_index)].jointCount : 0;
+}
 
-void Body::VisitJoints(const std::function<bool(Joint*)>& visit) {
+void Body::VisitJoints(FunctionRef<bool(Joint*)> visit) {
     Guard guard(*m_state, "Body::VisitJoints");
+    guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed() || GetJointCount() == 0) return;
     const WorldLock lock(*m_state);
     for (const int j : m_state->joints.OfBody(m_index)) {
@@ -308,11 +358,19 @@ void Body::VisitJoints(const std::function<bool(Joint*)>& visit) {
 }
 
 Body* Body::GetNext() {
+    if (!Lives("Body::GetNext")) return nullptr;
     const int next = m_state->bodies.info[Row(m_index)].listNext;
     return next < 0 ? nullptr : &m_state->bodies.handles[Row(next)];
 }
 const Body* Body::GetNext() const { return const_cast<Body*>(this)->GetNext(); }
-BodyUserData& Body::GetUserData() { return m_state->bodies.info[Row(m_index)].userData; }
+BodyUserData Body::GetUserData() const {
+    return Lives("Body::GetUserData") ? m_state->bodies.info[Row(m_index)].userData : BodyUserData{};
+}
+ErrorCode Body::SetUserData(const BodyUserData& data) {
+    if (!Lives("Body::SetUserData")) return ErrorCode::foreignHandle;
+    m_state->bodies.info[Row(m_index)].userData = data;
+    return ErrorCode::ok;
+}
 World* Body::GetWorld() { return m_state->world; }
 
 }  // namespace scree

@@ -21,32 +21,20 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 /// Adds a fixture in front of the body's list; the mass is not updated.
 int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
     const int fixture = s.fixtures.Add(&s, body, def);
-    // The default skin is for bodies of the default size; a radius that was chosen stays.
-    const Shape& shape = *s.fixtures.shape[Row(fixture)];
-    if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
-        s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
+    try {
+        // The default skin is for bodies of the default size; a radius that was chosen stays.
+        const Shape& shape = *s.fixtures.shape[Row(fixture)];
+        if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
+            s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
+        if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
+    } catch (...) {
+        s.fixtures.Remove(fixture);  // memory has run out
+        throw;
+    }
     s.fixtures.next[Row(fixture)] = std::exchange(s.bodies.fixtureHead[Row(body)], fixture);
     ++s.bodies.info[Row(body)].fixtureCount;
     AddFixtureFeatures(s, fixture, 1);
-    if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
     return fixture;
-}
-
-/// One edge per segment; returns the first.
-int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape& chain) {
-    const int id = s.fixtures.nextChainId++;
-    FixtureDef edgeDef = def;
-    EdgeShape edge;
-    edgeDef.shape = &edge;
-    int first = -1;
-    for (int i = 0; i < chain.GetChildCount(); ++i) {
-        chain.GetChildEdge(&edge, i);
-        const int fixture = AttachFixture(s, body, edgeDef);
-        s.fixtures.info[Row(fixture)].chainId = id;
-        s.fixtures.info[Row(fixture)].chainIndex = i;
-        if (i == 0) first = fixture;
-    }
-    return first;
 }
 
 /// Unlinks and frees every fixture of the body for which `goes(fixture)` holds. Their contacts are gone already.
@@ -65,6 +53,29 @@ void DetachFixtures(WorldState& s, int body, Predicate goes) {
         AddFixtureFeatures(s, fixture, -1);
         s.fixtures.Remove(fixture);
     }
+}
+
+/// One edge per segment; returns the first.
+int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape& chain) {
+    const int id = s.fixtures.nextChainId;
+    FixtureDef edgeDef = def;
+    EdgeShape edge;
+    edgeDef.shape = &edge;
+    int first = -1;
+    try {
+        for (int i = 0; i < chain.GetChildCount(); ++i) {
+            chain.GetChildEdge(&edge, i);
+            const int fixture = AttachFixture(s, body, edgeDef);
+            s.fixtures.info[Row(fixture)].chainId = id;
+            s.fixtures.info[Row(fixture)].chainIndex = i;
+            if (i == 0) first = fixture;
+        }
+    } catch (...) {
+        DetachFixtures(s, body, [&](int f) { return s.fixtures.info[Row(f)].chainId == id; });
+        throw;
+    }
+    ++s.fixtures.nextChainId;
+    return first;
 }
 
 /// What the body and its fixtures would use if it were of that type.

@@ -33,14 +33,33 @@ void NoteEdit(WorldState& s, int contact) {
 
 }  // namespace
 
-Manifold* Contact::GetManifold() { return &m_state->contacts.manifold[Row(m_row)]; }
-const Manifold* Contact::GetManifold() const { return &m_state->contacts.manifold[Row(m_row)]; }
+bool Contact::Lives(const char* accessor) const { return !CheckContact(*m_state, m_row, accessor).Failed(); }
+
+Manifold Contact::GetManifold() const {
+    return Lives("Contact::GetManifold") ? m_state->contacts.manifold[Row(m_row)] : Manifold{};
+}
+ErrorCode Contact::SetManifold(const Manifold& manifold) {
+    Guard guard = CheckContact(*m_state, m_row, "Contact::SetManifold");
+    guard.Require(manifold.pointCount >= 0 && manifold.pointCount <= maxManifoldPoints, ErrorCode::outOfRange,
+                  "pointCount", "give 0, 1 or 2 points");
+    if (guard.Failed()) return guard.Code();
+    guard.Finite(manifold.localNormal, "localNormal").Finite(manifold.localPoint, "localPoint");
+    for (int i = 0; i < manifold.pointCount; ++i) {
+        const ManifoldPoint& p = manifold.points[i];
+        guard.Finite(p.localPoint, "points").Finite(p.normalImpulse, "points").Finite(p.tangentImpulse, "points");
+    }
+    if (guard.Failed()) return guard.Code();
+    m_state->contacts.manifold[Row(m_row)] = manifold;
+    return ErrorCode::ok;
+}
 
 void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
+    Guard guard = CheckContact(*m_state, m_row, "Contact::GetWorldManifold");
+    if (guard.NotNull(worldManifold != nullptr, "worldManifold", "pass where to write").Failed()) return;
     const ContactPair& p = m_state->contacts.pair[Row(m_row)];
     const BodyTable& bodies = m_state->bodies;
     const Vec2 frame = FrameOf(bodies, p.bodyA, p.bodyB);
-    worldManifold->Initialize(GetManifold(), TransformIn(frame, bodies, p.bodyA),
+    worldManifold->Initialize(&m_state->contacts.manifold[Row(m_row)], TransformIn(frame, bodies, p.bodyA),
                               m_state->fixtures.shape[p.fixtureA]->m_radius, TransformIn(frame, bodies, p.bodyB),
                               m_state->fixtures.shape[p.fixtureB]->m_radius);
     if (bodies.IsFar()) {
@@ -50,7 +69,9 @@ void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
 
 int Contact::GetIndex() const { return m_state->contacts.GetNumber(m_row); }
 
-bool Contact::IsTouching() const { return m_state->contacts.Has(m_row, ContactFlag::touching); }
+bool Contact::IsTouching() const {
+    return Lives("Contact::IsTouching") ? m_state->contacts.Has(m_row, ContactFlag::touching) : false;
+}
 
 void Contact::SetEnabled(bool flag) {
     if (CheckContact(*m_state, m_row, "Contact::SetEnabled").Failed()) return;
@@ -58,9 +79,12 @@ void Contact::SetEnabled(bool flag) {
     uint8_t& flags = m_state->contacts.flags[Row(m_row)];
     flags = static_cast<uint8_t>((flags & ~ContactFlag::enabled) | (flag ? ContactFlag::enabled : 0));
 }
-bool Contact::IsEnabled() const { return m_state->contacts.Has(m_row, ContactFlag::enabled); }
+bool Contact::IsEnabled() const {
+    return Lives("Contact::IsEnabled") ? m_state->contacts.Has(m_row, ContactFlag::enabled) : false;
+}
 
 Contact* Contact::GetNext() {
+    if (!Lives("Contact::GetNext")) return nullptr;
     ContactTable& contacts = m_state->contacts;
     for (int c = std::min(m_row, contacts.Size()); c-- > 0;) {
         if (contacts.IsAlive(c)) return contacts.Handle(m_state, c);
@@ -69,9 +93,15 @@ Contact* Contact::GetNext() {
 }
 const Contact* Contact::GetNext() const { return const_cast<Contact*>(this)->GetNext(); }
 
-Fixture* Contact::GetFixtureA() { return &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureA]; }
+Fixture* Contact::GetFixtureA() {
+    return Lives("Contact::GetFixtureA") ? &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureA]
+                                         : nullptr;
+}
 const Fixture* Contact::GetFixtureA() const { return const_cast<Contact*>(this)->GetFixtureA(); }
-Fixture* Contact::GetFixtureB() { return &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureB]; }
+Fixture* Contact::GetFixtureB() {
+    return Lives("Contact::GetFixtureB") ? &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureB]
+                                         : nullptr;
+}
 const Fixture* Contact::GetFixtureB() const { return const_cast<Contact*>(this)->GetFixtureB(); }
 
 ErrorCode Contact::SetFriction(float friction) {
@@ -83,7 +113,9 @@ ErrorCode Contact::SetFriction(float friction) {
     NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
 }
-float Contact::GetFriction() const { return m_state->contacts.material[Row(m_row)].friction; }
+float Contact::GetFriction() const {
+    return Lives("Contact::GetFriction") ? m_state->contacts.material[Row(m_row)].friction : 0.0f;
+}
 void Contact::ResetFriction() {
     if (CheckContact(*m_state, m_row, "Contact::ResetFriction").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetFriction", m_row);
@@ -101,7 +133,9 @@ ErrorCode Contact::SetRestitution(float restitution) {
     NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
 }
-float Contact::GetRestitution() const { return m_state->contacts.material[Row(m_row)].restitution; }
+float Contact::GetRestitution() const {
+    return Lives("Contact::GetRestitution") ? m_state->contacts.material[Row(m_row)].restitution : 0.0f;
+}
 void Contact::ResetRestitution() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitution").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetRestitution", m_row);
@@ -117,7 +151,10 @@ ErrorCode Contact::SetRestitutionThreshold(float threshold) {
     m_state->contacts.material[Row(m_row)].restitutionThreshold = threshold;
     return ErrorCode::ok;
 }
-float Contact::GetRestitutionThreshold() const { return m_state->contacts.material[Row(m_row)].restitutionThreshold; }
+float Contact::GetRestitutionThreshold() const {
+    return Lives("Contact::GetRestitutionThreshold") ? m_state->contacts.material[Row(m_row)].restitutionThreshold
+                                                     : 0.0f;
+}
 void Contact::ResetRestitutionThreshold() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitutionThreshold").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetRestitutionThreshold", m_row);
@@ -133,6 +170,8 @@ ErrorCode Contact::SetTangentSpeed(float speed) {
     m_state->contacts.material[Row(m_row)].tangentSpeed = speed;
     return ErrorCode::ok;
 }
-float Contact::GetTangentSpeed() const { return m_state->contacts.material[Row(m_row)].tangentSpeed; }
+float Contact::GetTangentSpeed() const {
+    return Lives("Contact::GetTangentSpeed") ? m_state->contacts.material[Row(m_row)].tangentSpeed : 0.0f;
+}
 
 }  // namespace scree

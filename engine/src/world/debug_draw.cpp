@@ -36,9 +36,9 @@ void DrawConvex(const ConvexShape& convex, const Transform& xf, const Color& col
     int count = 0;
     for (int i = 0; i < convex.m_count; ++i) {
         const Vec2 before = convex.m_normals[i > 0 ? i - 1 : convex.m_count - 1];
-        const float cosine = Clamp(Dot(before, convex.m_normals[i]), -1.0f, 1.0f);
+        const float corner = Atan2(Abs(Cross(before, convex.m_normals[i])), Dot(before, convex.m_normals[i]));
         for (int k = 0; k <= arcs; ++k) {
-            const Rot turn(arcs > 0 ? std::acos(cosine) * static_cast<float>(k) / static_cast<float>(arcs) : 0.0f);
+            const Rot turn(arcs > 0 ? corner * static_cast<float>(k) / static_cast<float>(arcs) : 0.0f);
             outline[count++] = Mul(xf, convex.m_vertices[i] + convex.m_solidRadius * Mul(turn, before));
         }
     }

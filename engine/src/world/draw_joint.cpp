@@ -60,7 +60,7 @@ void DrawRevolute(const RevoluteJoint& joint, Draw& draw) {
     draw.DrawPoint(b, endSize, darkGrey);
     constexpr float dialRadius = 0.5f;  // m
     const auto hand = [&](float angle, const Color& color) {
-        draw.DrawSegment(b, b + dialRadius * Vec2{std::cos(angle), std::sin(angle)}, color);
+        draw.DrawSegment(b, b + dialRadius * Rot(angle).GetXAxis(), color);
     };
     hand(joint.GetJointAngle(), grey);
     draw.DrawCircle(b, dialRadius, grey);

@@ -103,21 +103,18 @@ AABB DynamicTree::GetFatAABB(int proxy) const {
     return m_impl->Has(proxy) ? m_impl->BoxOf(static_cast<uint32_t>(proxy)) : AABB{vec2Zero, vec2Zero};
 }
 
-void DynamicTree::Query(const AABB& aabb, const std::function<bool(int)>& visit) const {
+void DynamicTree::Query(const AABB& aabb, FunctionRef<bool(int)> visit) const {
     if (!aabb.IsValid() || visit == nullptr) return;
     uint64_t boxTests = 0;
     m_impl->tree.Query(broadphase::ToBounds(aabb), boxTests,
                        [&](uint32_t leaf) { return visit(static_cast<int>(leaf)); });
 }
 
-void DynamicTree::RayCast(const RayCastInput& input,
-                          const std::function<float(const RayCastInput&, int)>& visit) const {
+void DynamicTree::RayCast(const RayCastInput& input, FunctionRef<float(const RayCastInput&, int)> visit) const {
     const bool usable =
         input.p1.IsValid() && input.p2.IsValid() && std::isfinite(input.maxFraction) && visit != nullptr;
     if (!usable || m_impl->tree.Root() == noNode) return;
-    const std::function<float(const RayCastInput&, uint32_t)> forward = [&](const RayCastInput& rest, uint32_t leaf) {
-        return visit(rest, static_cast<int>(leaf));
-    };
+    const auto forward = [&](const RayCastInput& rest, uint32_t leaf) { return visit(rest, static_cast<int>(leaf)); };
     broadphase::RayProbe ray(input);
     broadphase::SmallStack stack;
     stack.Push(m_impl->tree.Root());

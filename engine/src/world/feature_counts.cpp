@@ -68,9 +68,7 @@ Features FeaturesOf(const FixtureFacts& fixture) {
 
 /// What the world's own settings use.
 Features FeaturesOfSettings(const WorldState& s) {
-    return FeaturesOf(s.def)
-        .Add(Feature::events, s.listener != nullptr)
-        .Add(Feature::filters, s.filter != &s.defaultFilter);
+    return FeaturesOf(s.def).Add(Feature::events, s.listener != nullptr).Add(Feature::filters, s.filter != nullptr);
 }
 
 }  // namespace
@@ -150,7 +148,7 @@ Features UnderSettings(Features features, const WorldDef& def) {
 void AddBodyFeatures(WorldState& s, int body, int sign) {
     const Features features = FeaturesOfBody(s.bodies, body);
     Count(s.featureCounts.users, features, sign);
-    if (sign > 0 && s.locked) NeedKernels(s, features);
+    if (sign > 0 && s.IsLocked()) NeedKernels(s, features);
 }
 
 void AddFixtureFeatures(WorldState& s, int fixture, int sign) {

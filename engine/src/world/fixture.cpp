@@ -29,12 +29,21 @@ Features FeaturesAs(WorldState& s, int fixture, bool sensor) {
 
 }  // namespace
 
-Shape::Type Fixture::GetType() const { return m_state->fixtures.type[Row(m_index)]; }
+bool Fixture::Lives(const char* accessor) const {
+    return IsAlive(*m_state, m_state->fixtures.slots, m_index, accessor);
+}
+
+Shape::Type Fixture::GetType() const {
+    return Lives("Fixture::GetType") ? m_state->fixtures.type[Row(m_index)] : Shape::Type{};
+}
 Shape* Fixture::GetShape() {
+    if (!Lives("Fixture::GetShape")) return nullptr;
     m_state->continuousScratch.nearStatics.Disable();
     return m_state->fixtures.GetOwnShape(m_index);
 }
-const Shape* Fixture::GetShape() const { return m_state->fixtures.shape[Row(m_index)]; }
+const Shape* Fixture::GetShape() const {
+    return Lives("Fixture::GetShape") ? m_state->fixtures.shape[Row(m_index)] : nullptr;
+}
 
 ErrorCode Fixture::SetSensor(bool sensor) {
     Guard guard(*m_state, "Fixture::SetSensor");
@@ -58,7 +67,9 @@ ErrorCode Fixture::SetSensor(bool sensor) {
     m_state->bodies.Wake(body);
     return ErrorCode::ok;
 }
-bool Fixture::IsSensor() const { return m_state->fixtures.isSensor[Row(m_index)] != 0; }
+bool Fixture::IsSensor() const {
+    return Lives("Fixture::IsSensor") ? m_state->fixtures.isSensor[Row(m_index)] != 0 : false;
+}
 
 ErrorCode Fixture::SetFilterData(const Filter& filter) {
     Guard guard(*m_state, "Fixture::SetFilterData");
@@ -70,7 +81,9 @@ ErrorCode Fixture::SetFilterData(const Filter& filter) {
     RefilterFixture(*m_state, m_index);
     return ErrorCode::ok;
 }
-const Filter& Fixture::GetFilterData() const { return m_state->fixtures.filter[Row(m_index)]; }
+Filter Fixture::GetFilterData() const {
+    return Lives("Fixture::GetFilterData") ? m_state->fixtures.filter[Row(m_index)] : Filter{};
+}
 void Fixture::Refilter() {
     Guard guard(*m_state, "Fixture::Refilter");
     guard.Living(m_state->fixtures.slots, m_index).Unlocked("refilter outside of Step and callbacks");
@@ -79,31 +92,49 @@ void Fixture::Refilter() {
     RefilterFixture(*m_state, m_index);
 }
 
-int Fixture::GetChainId() const { return m_state->fixtures.info[Row(m_index)].chainId; }
-int Fixture::GetChainIndex() const { return m_state->fixtures.info[Row(m_index)].chainIndex; }
+int Fixture::GetChainId() const {
+    return Lives("Fixture::GetChainId") ? m_state->fixtures.info[Row(m_index)].chainId : 0;
+}
+int Fixture::GetChainIndex() const {
+    return Lives("Fixture::GetChainIndex") ? m_state->fixtures.info[Row(m_index)].chainIndex : 0;
+}
 
-Body* Fixture::GetBody() { return &m_state->bodies.handles[Row(m_state->fixtures.body[Row(m_index)])]; }
+Body* Fixture::GetBody() {
+    return Lives("Fixture::GetBody") ? &m_state->bodies.handles[Row(m_state->fixtures.body[Row(m_index)])] : nullptr;
+}
 const Body* Fixture::GetBody() const { return const_cast<Fixture*>(this)->GetBody(); }
 Fixture* Fixture::GetNext() {
+    if (!Lives("Fixture::GetNext")) return nullptr;
     const int next = m_state->fixtures.next[Row(m_index)];
     return next < 0 ? nullptr : &m_state->fixtures.handles[Row(next)];
 }
 const Fixture* Fixture::GetNext() const { return const_cast<Fixture*>(this)->GetNext(); }
-FixtureUserData& Fixture::GetUserData() { return m_state->fixtures.info[Row(m_index)].userData; }
+FixtureUserData Fixture::GetUserData() const {
+    return Lives("Fixture::GetUserData") ? m_state->fixtures.info[Row(m_index)].userData : FixtureUserData{};
+}
+ErrorCode Fixture::SetUserData(const FixtureUserData& data) {
+    if (!Lives("Fixture::SetUserData")) return ErrorCode::foreignHandle;
+    m_state->fixtures.info[Row(m_index)].userData = data;
+    return ErrorCode::ok;
+}
 
 bool Fixture::TestPoint(Vec2 p) const {
+    if (!Lives("Fixture::TestPoint")) return false;
     const BodyPlace place(m_state->bodies, GetBody()->GetIndex());
     return GetShape()->TestPoint(place.xf, p - place.frame);
 }
 bool Fixture::RayCast(RayCastOutput* output, const RayCastInput& input) const {
     Guard guard(*m_state, "Fixture::RayCast");
-    guard.NotNull(output != nullptr, "output", "pass where to write").Finite(input.p1, "RayCastInput::p1");
+    guard.Living(m_state->fixtures.slots, m_index).NotNull(output != nullptr, "output", "pass where to write");
+    if (guard.Failed()) return false;
+    guard.Finite(input.p1, "RayCastInput::p1");
     guard.Finite(input.p2, "RayCastInput::p2").Amount(input.maxFraction, "RayCastInput::maxFraction");
     const BodyPlace place(m_state->bodies, GetBody()->GetIndex());
     const RayCastInput ray{input.p1 - place.frame, input.p2 - place.frame, input.maxFraction};
     return !guard.Failed() && GetShape()->RayCast(output, ray, place.xf);
 }
 void Fixture::GetMassData(MassData* massData) const {
+    if (!Lives("Fixture::GetMassData")) return;
     Guard guard(*m_state, "Fixture::GetMassData");
     if (guard.NotNull(massData != nullptr, "massData", "pass where to write").Failed()) return;
     GetShape()->ComputeMass(massData, GetDensity());
@@ -117,7 +148,9 @@ ErrorCode Fixture::SetDensity(float density) {
     m_state->fixtures.info[Row(m_index)].density = density;
     return ErrorCode::ok;
 }
-float Fixture::GetDensity() const { return m_state->fixtures.info[Row(m_index)].density; }
+float Fixture::GetDensity() const {
+    return Lives("Fixture::GetDensity") ? m_state->fixtures.info[Row(m_index)].density : 0.0f;
+}
 
 ErrorCode Fixture::SetFriction(float friction) {
     Guard guard(*m_state, "Fixture::SetFriction");
@@ -129,7 +162,9 @@ ErrorCode Fixture::SetFriction(float friction) {
     m_state->fixtures.material[Row(m_index)].friction = friction;
     return ErrorCode::ok;
 }
-float Fixture::GetFriction() const { return m_state->fixtures.material[Row(m_index)].friction; }
+float Fixture::GetFriction() const {
+    return Lives("Fixture::GetFriction") ? m_state->fixtures.material[Row(m_index)].friction : 0.0f;
+}
 
 ErrorCode Fixture::SetRestitution(float restitution) {
     Guard guard(*m_state, "Fixture::SetRestitution");
@@ -141,7 +176,9 @@ ErrorCode Fixture::SetRestitution(float restitution) {
     m_state->fixtures.material[Row(m_index)].restitution = restitution;
     return ErrorCode::ok;
 }
-float Fixture::GetRestitution() const { return m_state->fixtures.material[Row(m_index)].restitution; }
+float Fixture::GetRestitution() const {
+    return Lives("Fixture::GetRestitution") ? m_state->fixtures.material[Row(m_index)].restitution : 0.0f;
+}
 
 ErrorCode Fixture::SetRestitutionThreshold(float threshold) {
     Guard guard(*m_state, "Fixture::SetRestitutionThreshold");
@@ -151,9 +188,13 @@ ErrorCode Fixture::SetRestitutionThreshold(float threshold) {
     m_state->fixtures.material[Row(m_index)].restitutionThreshold = threshold;
     return ErrorCode::ok;
 }
-float Fixture::GetRestitutionThreshold() const { return m_state->fixtures.material[Row(m_index)].restitutionThreshold; }
+float Fixture::GetRestitutionThreshold() const {
+    return Lives("Fixture::GetRestitutionThreshold") ? m_state->fixtures.material[Row(m_index)].restitutionThreshold
+                                                     : 0.0f;
+}
 
 AABB Fixture::GetAABB() const {
+    if (!Lives("Fixture::GetAABB")) return AABB{};
     if (m_state->fixtures.info[Row(m_index)].inBroadPhase)
         return m_state->broadPhase->GetBox(static_cast<uint32_t>(m_index));
     AABB box;

@@ -24,7 +24,7 @@ public:
     Guard& Living(const Slots& slots, int index) {
         return Require(slots.IsAlive(index), ErrorCode::foreignHandle, "this", "use a handle that was not destroyed");
     }
-    Guard& Unlocked(const char* cure) { return Require(!m_state.locked, ErrorCode::locked, "world", cure); }
+    Guard& Unlocked(const char* cure) { return Require(!m_state.IsLocked(), ErrorCode::locked, "world", cure); }
     Guard& NotNull(bool present, const char* field, const char* cure) {
         return Require(present, ErrorCode::nullArgument, field, cure);
     }
@@ -72,17 +72,23 @@ private:
     ErrorCode m_code = ErrorCode::ok;
 };
 
-/// Holds a world locked while callbacks run, also when one throws; may be nested.
+/// True if the object of an accessor is alive; if not, the error handler hears of it.
+inline bool IsAlive(const WorldState& state, const Slots& slots, int index, const char* accessor) {
+    return !Guard(state, accessor).Living(slots, index).Failed();
+}
+
+/// Holds a world locked while callbacks run, also when one throws; may be nested, and held by several threads at once.
 class WorldLock {
 public:
-    explicit WorldLock(WorldState& state) : m_state(state), m_before(state.locked) { m_state.locked = true; }
-    ~WorldLock() { m_state.locked = m_before; }
+    explicit WorldLock(const WorldState& state) : m_state(state) {
+        m_state.locks.fetch_add(1, std::memory_order_relaxed);
+    }
+    ~WorldLock() { m_state.locks.fetch_sub(1, std::memory_order_relaxed); }
     WorldLock(const WorldLock&) = delete;
     WorldLock& operator=(const WorldLock&) = delete;
 
 private:
-    WorldState& m_state;
-    bool m_before;
+    const WorldState& m_state;
 };
 
 }  // namespace scree

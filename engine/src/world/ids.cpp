@@ -28,6 +28,11 @@ FixtureId World::GetId(const Fixture* fixture) const {
 }
 JointId World::GetId(const Joint* joint) const { return MakeId<JointId>(*m_state, m_state->joints.slots, joint); }
 
+ContactId World::GetId(const Contact* contact) const {
+    if (!Owns(*m_state, contact)) return {};
+    return {contact->GetIndex(), m_state->contacts.GetGeneration(contact->GetIndex())};
+}
+
 Body* World::Find(BodyId id) {
     return Lives(m_state->bodies.slots, id) ? &m_state->bodies.handles[static_cast<size_t>(id.index)] : nullptr;
 }
@@ -36,6 +41,12 @@ Fixture* World::Find(FixtureId id) {
 }
 Joint* World::Find(JointId id) {
     return Lives(m_state->joints.slots, id) ? m_state->joints.handles[static_cast<size_t>(id.index)] : nullptr;
+}
+
+Contact* World::Find(ContactId id) {
+    ContactTable& contacts = m_state->contacts;
+    Contact* contact = contacts.HandleOf(id.index);
+    return contact != nullptr && contacts.GetGeneration(id.index) == id.generation ? contact : nullptr;
 }
 
 }  // namespace scree

@@ -8,6 +8,7 @@
 #include <bit>
 #include <type_traits>
 
+#include "base/bytes.h"
 #include "world/world_state.h"
 
 namespace scree::inspect {
@@ -171,15 +172,17 @@ MemoryUse GetMemoryUse(const World& world) {
                        sizeof(BodyType) + sizeof(int) + sizeof(BodyInfo) + sizeof(Body);
     use.bytesPerFixture = FixtureTable::GetBytesPerRow();
     use.bytesPerContact = ContactTable::GetBytesPerRow();
-    use.bodies = static_cast<size_t>(s.bodies.slots.Size()) * use.bytesPerBody;
+    const BodyTable& b = s.bodies;
+    use.bodies = BytesOf(b.velocity, b.startVelocity, b.position, b.startPosition, b.rest, b.transform, b.mass, b.force,
+                         b.motion, b.demand, b.sleepTime, b.flags, b.type, b.fixtureHead, b.info, b.movers) +
+                 b.handles.size() * sizeof(Body);
     use.fixtures = s.fixtures.GetMemoryBytes();
     use.contacts = s.contacts.GetMemoryBytes();
     use.joints = s.joints.GetMemoryBytes();
-    use.broadPhase = s.broadPhase->GetMemoryBytes() + s.pairs.capacity() * sizeof(Pair);
-    use.solverScratch = s.solverScratch.contacts.velocity.capacity() * sizeof(ContactVelocityRow) +
-                        s.solverScratch.contacts.position.capacity() * sizeof(ContactPositionRow) +
-                        s.solverScratch.joints.GetMemoryBytes() + s.solverScratch.tree.GetMemoryBytes() +
-                        s.islandScratch.GetMemoryBytes();
+    use.broadPhase = s.broadPhase->GetMemoryBytes() + BytesOf(s.pairs);
+    use.solverScratch = s.solverScratch.GetMemoryBytes() + s.islandScratch.GetMemoryBytes() +
+                        s.islands.GetMemoryBytes() + s.active.GetMemoryBytes() + s.substepGroups.GetMemoryBytes() +
+                        BytesOf(s.narrowPhaseScratch.findings) + s.continuousScratch.GetMemoryBytes();
     return use;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// World queries: the broad phase gives candidates by their boxes, the geometry functions decide. Callbacks run locked.
+// World queries: the broad phase gives candidates by their boxes, the geometry functions decide. They only read, so
+// threads may ask at the same time; the forms that call the program hold the world locked meanwhile.
 
 #include "scree/queries.h"
 
@@ -20,6 +21,9 @@ bool Sees(const QueryFilter& filter, const FixtureTable& fixtures, uint32_t fixt
     return filter.maskBits == 0xFFFF || (filter.maskBits & fixtures.filter[fixture].categoryBits) != 0;
 }
 
+/// Programs may change a fixture that a const query gave them.
+Fixture* HandleOf(const WorldState& s, uint32_t fixture) { return const_cast<Fixture*>(&s.fixtures.handles[fixture]); }
+
 BodyPlace PlaceOf(const WorldState& s, uint32_t fixture) { return {s.bodies, s.fixtures.body[fixture]}; }
 
 bool Contains(const WorldState& s, uint32_t fixture, Vec2 point) {
@@ -29,8 +33,7 @@ bool Contains(const WorldState& s, uint32_t fixture, Vec2 point) {
 
 /// Exact ray casts on the broad phase's candidates: visit(input, fixture, hit) answers as in World::RayCast.
 template <typename Visit>
-void CastRay(WorldState& s, Vec2 p1, Vec2 p2, Visit visit) {
-    const WorldLock lock(s);
+void CastRay(const WorldState& s, Vec2 p1, Vec2 p2, Visit visit) {
     s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t f) {
         RayCastOutput hit;
         const BodyPlace place = PlaceOf(s, f);
@@ -59,9 +62,9 @@ Guard& CheckConvex(Guard& guard, const Shape& shape, const Transform& xf) {
 }
 
 /// The shape on its way against one fixture; fraction 0 and no normal if they overlap from the start.
-std::optional<ShapeHit> CastAgainst(WorldState& s, uint32_t f, const Shape& shape, const Transform& xf,
+std::optional<ShapeHit> CastAgainst(const WorldState& s, uint32_t f, const Shape& shape, const Transform& xf,
                                     Vec2 translation) {
-    Fixture* fixture = &s.fixtures.handles[f];
+    Fixture* fixture = HandleOf(s, f);
     ShapeCastInput input;
     input.proxyA.Set(s.fixtures.shape[f], 0);
     input.proxyB.Set(&shape, 0);
@@ -82,8 +85,8 @@ std::optional<ShapeHit> CastAgainst(WorldState& s, uint32_t f, const Shape& shap
 }
 
 /// Everything in the way of the shape, in the order of touch; ties by fixture index, so that no algorithm shows.
-void CastShape(WorldState& s, const Shape& shape, const Transform& xf, Vec2 translation, const QueryFilter& filter,
-               std::vector<ShapeHit>& hits) {
+void CastShape(const WorldState& s, const Shape& shape, const Transform& xf, Vec2 translation,
+               const QueryFilter& filter, std::vector<ShapeHit>& hits) {
     AABB start;
     shape.ComputeAABB(&start, xf);
     const AABB swept = Union(start, {start.lowerBound + translation, start.upperBound + translation});
@@ -99,35 +102,43 @@ void CastShape(WorldState& s, const Shape& shape, const Transform& xf, Vec2 tran
 
 }  // namespace
 
-ErrorCode World::QueryAABB(const AABB& aabb, const std::function<bool(Fixture*)>& visit) {
-    WorldState& s = *m_state;
+ErrorCode World::PrepareQueries() {
+    Guard guard(*m_state, "World::PrepareQueries");
+    if (guard.Unlocked("call it outside of callbacks").Failed()) return guard.Code();
+    m_state->broadPhase->PrepareQueries();
+    return ErrorCode::ok;
+}
+
+ErrorCode World::QueryAABB(const AABB& aabb, FunctionRef<bool(Fixture*)> visit) const {
+    const WorldState& s = *m_state;
     Guard guard(s, "World::QueryAABB");
     guard.NotNull(visit != nullptr, "visit", "pass a function");
     guard.Require(aabb.IsValid(), ErrorCode::outOfRange, "aabb", "give finite bounds with lower ≤ upper");
     if (guard.Failed()) return guard.Code();
     const WorldLock lock(s);
-    s.broadPhase->Query(aabb, [&](uint32_t f) { return visit(&s.fixtures.handles[f]); });
+    s.broadPhase->Query(aabb, [&](uint32_t f) { return visit(HandleOf(s, f)); });
     return ErrorCode::ok;
 }
 
-ErrorCode World::QueryAABB(QueryCallback* callback, const AABB& aabb) {
+ErrorCode World::QueryAABB(QueryCallback* callback, const AABB& aabb) const {
     Guard guard(*m_state, "World::QueryAABB");
     if (guard.NotNull(callback != nullptr, "callback", "pass a QueryCallback").Failed()) return guard.Code();
     return QueryAABB(aabb, [callback](Fixture* fixture) { return callback->ReportFixture(fixture); });
 }
 
-ErrorCode World::RayCast(Vec2 p1, Vec2 p2, const std::function<float(Fixture*, Vec2, Vec2, float)>& visit) {
-    WorldState& s = *m_state;
+ErrorCode World::RayCast(Vec2 p1, Vec2 p2, FunctionRef<float(Fixture*, Vec2, Vec2, float)> visit) const {
+    const WorldState& s = *m_state;
     Guard guard(s, "World::RayCast");
     guard.NotNull(visit != nullptr, "visit", "pass a function");
     if (CheckRay(guard, p1, p2).Failed()) return guard.Code();
+    const WorldLock lock(s);
     CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
-        return visit(&s.fixtures.handles[f], PointOnRay(input, hit.fraction), hit.normal, hit.fraction);
+        return visit(HandleOf(s, f), PointOnRay(input, hit.fraction), hit.normal, hit.fraction);
     });
     return ErrorCode::ok;
 }
 
-ErrorCode World::RayCast(RayCastCallback* callback, Vec2 p1, Vec2 p2) {
+ErrorCode World::RayCast(RayCastCallback* callback, Vec2 p1, Vec2 p2) const {
     Guard guard(*m_state, "World::RayCast");
     if (guard.NotNull(callback != nullptr, "callback", "pass a RayCastCallback").Failed()) return guard.Code();
     return RayCast(p1, p2, [callback](Fixture* fixture, Vec2 point, Vec2 normal, float fraction) {
@@ -135,16 +146,17 @@ ErrorCode World::RayCast(RayCastCallback* callback, Vec2 p1, Vec2 p2) {
     });
 }
 
-std::optional<RayHit> World::RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter& filter) {
-    WorldState& s = *m_state;
+std::optional<RayHit> World::RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter& filter) const {
+    const WorldState& s = *m_state;
     Guard guard(s, "World::RayCastClosest");
     if (CheckRay(guard, p1, p2).Failed()) return std::nullopt;
     std::optional<RayHit> best;
     CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
         if (!Sees(filter, s.fixtures, f)) return -1.0f;
-        Fixture* fixture = &s.fixtures.handles[f];
-        // A later fixture wins a tie by its smaller index, so that no algorithm shows.
-        const bool nearer = !best || hit.fraction < best->fraction || fixture->GetIndex() < best->fixture->GetIndex();
+        Fixture* fixture = HandleOf(s, f);
+        // The smaller index wins a tie, so that no algorithm shows.
+        const bool nearer = !best || hit.fraction < best->fraction ||
+                            (hit.fraction == best->fraction && fixture->GetIndex() < best->fixture->GetIndex());
         if (nearer) best = RayHit{fixture, PointOnRay(input, hit.fraction), hit.normal, hit.fraction};
         // A hit right at the start may not end the cast before ties are settled; −1 leaves the ray as it is.
         return hit.fraction > 0.0f ? hit.fraction : -1.0f;
@@ -152,14 +164,14 @@ std::optional<RayHit> World::RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter&
     return best;
 }
 
-ErrorCode World::RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const QueryFilter& filter) {
-    WorldState& s = *m_state;
+ErrorCode World::RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const QueryFilter& filter) const {
+    const WorldState& s = *m_state;
     Guard guard(s, "World::RayCastAll");
     if (CheckRay(guard, p1, p2).Failed()) return guard.Code();
     hits.clear();
     CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
         if (Sees(filter, s.fixtures, f)) {
-            hits.push_back({&s.fixtures.handles[f], PointOnRay(input, hit.fraction), hit.normal, hit.fraction});
+            hits.push_back({HandleOf(s, f), PointOnRay(input, hit.fraction), hit.normal, hit.fraction});
         }
         return -1.0f;
     });
@@ -169,22 +181,22 @@ ErrorCode World::RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const Q
     return ErrorCode::ok;
 }
 
-ErrorCode World::QueryPoint(Vec2 point, const std::function<bool(Fixture*)>& visit, const QueryFilter& filter) {
-    WorldState& s = *m_state;
+ErrorCode World::QueryPoint(Vec2 point, FunctionRef<bool(Fixture*)> visit, const QueryFilter& filter) const {
+    const WorldState& s = *m_state;
     Guard guard(s, "World::QueryPoint");
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Finite(point, "point").Failed())
         return guard.Code();
     const WorldLock lock(s);
     s.broadPhase->Query({point, point}, [&](uint32_t f) {
         if (!Sees(filter, s.fixtures, f) || !Contains(s, f, point)) return true;
-        return visit(&s.fixtures.handles[f]);
+        return visit(HandleOf(s, f));
     });
     return ErrorCode::ok;
 }
 
-ErrorCode World::OverlapShape(const Shape& shape, const Transform& xf, const std::function<bool(Fixture*)>& visit,
-                              const QueryFilter& filter) {
-    WorldState& s = *m_state;
+ErrorCode World::OverlapShape(const Shape& shape, const Transform& xf, FunctionRef<bool(Fixture*)> visit,
+                              const QueryFilter& filter) const {
+    const WorldState& s = *m_state;
     Guard guard(s, "World::OverlapShape");
     guard.NotNull(visit != nullptr, "visit", "pass a function");
     if (CheckConvex(guard, shape, xf).Failed()) return guard.Code();
@@ -195,13 +207,13 @@ ErrorCode World::OverlapShape(const Shape& shape, const Transform& xf, const std
         if (!Sees(filter, s.fixtures, f)) return true;
         const BodyPlace place = PlaceOf(s, f);
         if (!TestOverlap(s.fixtures.shape[f], 0, &shape, 0, place.xf, place.In(xf))) return true;
-        return visit(&s.fixtures.handles[f]);
+        return visit(HandleOf(s, f));
     });
     return ErrorCode::ok;
 }
 
 ErrorCode World::ShapeCast(const Shape& shape, const Transform& xf, Vec2 translation, std::vector<ShapeHit>& hits,
-                           const QueryFilter& filter) {
+                           const QueryFilter& filter) const {
     Guard guard(*m_state, "World::ShapeCast");
     if (CheckConvex(guard, shape, xf).Finite(translation, "translation").Failed()) return guard.Code();
     hits.clear();
@@ -210,7 +222,7 @@ ErrorCode World::ShapeCast(const Shape& shape, const Transform& xf, Vec2 transla
 }
 
 std::optional<ShapeHit> World::ShapeCastClosest(const Shape& shape, const Transform& xf, Vec2 translation,
-                                                const QueryFilter& filter) {
+                                                const QueryFilter& filter) const {
     Guard guard(*m_state, "World::ShapeCastClosest");
     if (CheckConvex(guard, shape, xf).Finite(translation, "translation").Failed()) return std::nullopt;
     std::vector<ShapeHit> hits;

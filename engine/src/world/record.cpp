@@ -63,7 +63,7 @@ void Recording::Write(ImageWriter& out, const JointDef& def) {
 
 ErrorCode StartRecording(World& world, Recorder& recorder) {
     WorldState& s = world.GetState();
-    if (s.locked)
+    if (s.IsLocked())
         return s.Refuse(ErrorCode::locked, "StartRecording", "world",
                         "start a recording outside of Step and callbacks");
     const std::vector<std::byte> image = SaveWorld(world);

@@ -104,7 +104,7 @@ class Recording {
 public:
     template <typename... Arguments>
     Recording(const WorldState& state, std::string_view call, const Arguments&... arguments)
-        : m_recorder(state.recorder) {
+        : m_state(state), m_recorder(state.recorder) {
         if (m_recorder == nullptr || m_recorder->m_depth++ > 0) return;
         ImageWriter out;
         (Write(out, arguments), ...);
@@ -112,16 +112,18 @@ public:
         ++m_recorder->m_callCount;
     }
     ~Recording() {
-        if (m_recorder != nullptr) --m_recorder->m_depth;
+        if (IsStillOn()) --m_recorder->m_depth;
     }
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
     /// The state that a Step has led to.
     void NoteHash(uint64_t hash) const;
-    [[nodiscard]] bool IsOn() const { return m_recorder != nullptr && m_recorder->m_depth == 1; }
+    [[nodiscard]] bool IsOn() const { return IsStillOn() && m_recorder->m_depth == 1; }
 
 private:
+    /// A callback may have stopped the recording, and its recorder may be gone.
+    [[nodiscard]] bool IsStillOn() const { return m_recorder != nullptr && m_recorder == m_state.recorder; }
     template <typename T>
     static void Write(ImageWriter& out, const T& value) {
         out(value);
@@ -131,6 +133,7 @@ private:
     /// A definition of any type, with bodies and joints as indices.
     static void Write(ImageWriter& out, const JointDef& def);
 
+    const WorldState& m_state;
     Recorder* m_recorder;
 };
 

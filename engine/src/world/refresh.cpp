@@ -67,6 +67,7 @@ void RemoveProxy(WorldState& s, int fixture) {
     if (!info.inBroadPhase) return;
     s.broadPhase->Remove(static_cast<uint32_t>(fixture));
     info.inBroadPhase = false;
+    s.contacts.refused.Forget(static_cast<uint32_t>(fixture));
     ForgetNearStatics(s, s.fixtures.body[static_cast<size_t>(fixture)]);
     s.pairsStale = true;
 }
@@ -88,6 +89,7 @@ void DestroyContactsOfBody(WorldState& s, int body) {
 
 void RefilterFixture(WorldState& s, int fixture) {
     const auto f = static_cast<uint32_t>(fixture);
+    s.contacts.refused.Forget(f);
     RefilterIf(s, s.fixtures.body[f], [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
 }
 

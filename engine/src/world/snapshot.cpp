@@ -152,7 +152,7 @@ std::unique_ptr<World> MakeWorld(std::span<const std::byte> content) {
 
 std::vector<std::byte> SaveWorld(const World& world) {
     const WorldState& s = world.GetState();
-    if (s.locked) {
+    if (s.IsLocked()) {
         s.Refuse(ErrorCode::locked, "SaveWorld", "world", "save outside of Step and callbacks");
         return {};
     }

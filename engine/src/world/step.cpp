@@ -21,24 +21,25 @@ bool HasWorkToShare(const WorldState& s) {
 }
 
 /// Moves the bodies. With sub-stepping a step may end after an event; the next one then only goes on with its rest.
-void Advance(WorldState& s, const SolverSettings& settings, Stopwatch& watch, StepResults& r) {
+void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents& events, Stopwatch& watch,
+             StepResults& r) {
     if (!s.continuousScratch.resuming) {
         GatherLists(settings, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
         r.profile.islands = watch.Lap();
-        r.solved = Solve(settings, s.fixtures, s.Lists(), s.Events(), {*s.pool, s.bodies, s.contacts, s.joints},
-                         s.solverScratch);
+        r.solved =
+            Solve(settings, s.fixtures, s.Lists(), events, {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
         r.profile.solver = watch.Lap();
     }
     if (NeedsContinuous(s)) {
         const std::vector<int>& isolated = SolvedOf(settings, s.Lists()).isolated;
         const auto own = MakeContinuousSettings(settings, r.solved.substeps, isolated, s.def.subStepping);
-        r.continuous = SolveContinuous(own, s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
+        r.continuous = SolveContinuous(own, events, {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
                                        s.continuousScratch);
     }
     r.profile.continuous = watch.Lap();
     if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts);
     FindPairsOfMoved({&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, s.FarDistance(),
-                     s.Events(), s.ForPairs());
+                     events, s.ForPairs());
     s.pairsStale = false;
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
@@ -50,16 +51,18 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     Stopwatch total, watch;
     StepResults r{.solved = {.substeps = request.substeps}};
     const WorldLock lock(s);
+    const ContactEvents events = s.Events(request.substeps == 0);  // Box2D's rule for Box2D's solver
     s.distanceWork = {};
-    if (s.pairsStale) FindPairs(FreshOrder::oldestFirst, s.Events(), s.ForPairs());
+    if (s.pairsStale) FindPairs(FreshOrder::oldestFirst, events, s.ForPairs());
     s.pairsStale = false;
     r.profile.broadPhase = watch.Lap();
     const PoolRegion region(*s.pool, HasWorkToShare(s));
     r.touchingCount =
-        UpdateManifolds(s.Events(), {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
+        UpdateManifolds(events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
     r.profile.narrowPhase = watch.Lap();
     PrepareKernels(s);  // listeners of contacts have had their say
-    if (request.dt >= shortestStep) Advance(s, MakeSettings(s, request), watch, r);
+    if (request.dt >= shortestStep) Advance(s, MakeSettings(s, request), events, watch, r);
+    s.broadPhase->PrepareQueries();
     if (s.autoClearForces) s.world->ClearForces();
     r.profile.step = total.Lap();
     s.report = MakeReport(s, request, r);

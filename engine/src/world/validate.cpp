@@ -195,4 +195,6 @@ bool Owns(const WorldState& state, const Joint* joint) {
     return state.joints.slots.IsAlive(index) && state.joints.handles[static_cast<size_t>(index)] == joint;
 }
 
+bool Owns(const WorldState& state, const Contact* contact) { return state.contacts.Owns(contact); }
+
 }  // namespace scree

@@ -29,5 +29,6 @@ Finding CheckMass(const Shape& shape, float density, const char* field);
 bool Owns(const WorldState& state, const Body* body);
 bool Owns(const WorldState& state, const Fixture* fixture);
 bool Owns(const WorldState& state, const Joint* joint);
+bool Owns(const WorldState& state, const Contact* contact);
 
 }  // namespace scree

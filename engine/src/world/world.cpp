@@ -71,7 +71,7 @@ Body* World::CreateBody(const BodyDef* def) {
     WorldState& s = *m_state;
     const char* name = "World::CreateBody";
     if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a BodyDef"), nullptr;
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create bodies outside of Step"), nullptr;
+    if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "create bodies outside of Step"), nullptr;
     if (const Finding bad = Check(*def)) return s.Refuse(bad.code, name, bad.field, bad.cure), nullptr;
     const bool sleeps = !def->awake && def->type != staticBody;  // whatever the world allows
     const Features used = UnderSettings(FeaturesOf(*def), s.def).Add(Feature::sleeping, sleeps);
@@ -88,7 +88,7 @@ ErrorCode World::DestroyBody(Body* body) {
     const char* name = "World::DestroyBody";
     if (body == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "body", "pass a body");
     if (!Owns(s, body)) return s.Refuse(ErrorCode::foreignHandle, name, "body", "pass a living body of this world");
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy bodies outside of Step");
+    if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "destroy bodies outside of Step");
     const int index = body->GetIndex();
     const Recording recording(s, name, index);
     for (int j = s.joints.OfBody(index).Front(); j >= 0; j = s.joints.OfBody(index).Front()) {
@@ -116,7 +116,7 @@ Joint* World::CreateJoint(const JointDef* def) {
     WorldState& s = *m_state;
     const char* name = "World::CreateJoint";
     if (def == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "def", "pass a joint definition"), nullptr;
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "create joints outside of Step"), nullptr;
+    if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "create joints outside of Step"), nullptr;
     return AddJoint(s, *def);
 }
 
@@ -125,7 +125,7 @@ ErrorCode World::DestroyJoint(Joint* joint) {
     const char* name = "World::DestroyJoint";
     if (joint == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "joint", "pass a joint");
     if (!Owns(s, joint)) return s.Refuse(ErrorCode::foreignHandle, name, "joint", "pass a living joint of this world");
-    if (s.locked) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
+    if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
     const int index = joint->GetIndex();
     const Recording recording(s, name, index);
     for (int gear = FindGearOf(s, index); gear >= 0; gear = FindGearOf(s, index)) {
@@ -150,7 +150,8 @@ ErrorCode World::SetContactListener(ContactListener* listener) {
 ErrorCode World::SetContactFilter(ContactFilter* filter) {
     Guard guard(*m_state, "World::SetContactFilter");
     if (filter != nullptr && guard.Uses({Feature::filters}).Failed()) return guard.Code();
-    m_state->filter = filter != nullptr ? filter : &m_state->defaultFilter;
+    m_state->filter = filter;
+    m_state->contacts.refused.Clear();
     return ErrorCode::ok;
 }
 
@@ -256,8 +257,29 @@ StepErrors World::MeasureErrors() const {
     const float dt = s.lastInverseDt > 0.0f ? 1.0f / s.lastInverseDt : 0.0f;
     return scree::MeasureErrors({s.bodies, s.fixtures, s.contacts, s.joints}, linearSlop * s.def.lengthScale, dt);
 }
+ErrorCode World::TrimMemory() {
+    WorldState& s = *m_state;
+    Guard guard(s, "World::TrimMemory");
+    if (guard.Unlocked("give memory back outside of Step and callbacks").Failed()) return guard.Code();
+    s.solverScratch.Trim();
+    s.islandScratch = {};
+    s.narrowPhaseScratch = {};
+    s.islands = {};
+    s.active = {};
+    s.substepGroups = {};
+    if (!s.continuousScratch.resuming) {
+        NearStatics near = s.continuousScratch.nearStatics;  // remembers whether it may be used
+        near.Trim();
+        s.continuousScratch = {};
+        s.continuousScratch.nearStatics = near;
+    }
+    s.pairs.shrink_to_fit();
+    s.contacts.Trim();
+    return ErrorCode::ok;
+}
+
 bool World::GetExactDrift() const { return m_state->def.exactDrift; }
-bool World::IsLocked() const { return m_state->locked; }
+bool World::IsLocked() const { return m_state->IsLocked(); }
 
 Body* World::GetBodyList() {
     const int head = m_state->bodies.listHead;

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <vector>
 
@@ -50,8 +51,7 @@ struct WorldState {
 
     DestructionListener* destructionListener = nullptr;
     ContactListener* listener = nullptr;
-    ContactFilter defaultFilter;
-    ContactFilter* filter = &defaultFilter;
+    ContactFilter* filter = nullptr;  ///< null: filter data decide
     ErrorHandler errorHandler = nullptr;
     void* errorContext = nullptr;
     Draw* draw = nullptr;
@@ -60,7 +60,8 @@ struct WorldState {
     FeatureCounts featureCounts;
     KernelSet kernels{};  ///< of the last step; a callback may add to it
 
-    bool locked = false;  ///< callbacks are running: nothing may be created, destroyed or moved
+    /// Callbacks that are running: nothing may be created, destroyed or moved. Queries of several threads count too.
+    mutable std::atomic<int> locks{0};
     bool autoClearForces = true;
     float lastInverseDt = 0.0f;
     StepReport report;
@@ -68,13 +69,14 @@ struct WorldState {
     bool measureErrors = false;
     IsolatedPath isolatedPath = IsolatedPath::apart;  ///< changes no bit
 
-    [[nodiscard]] ContactEvents Events() {
-        return {this, listener, filter == &defaultFilter ? nullptr : filter, &distanceWork};
+    [[nodiscard]] ContactEvents Events(bool restartsTimers = true) {
+        return {this, listener, filter, &distanceWork, restartsTimers};
     }
     [[nodiscard]] SolveLists Lists() { return {islands, active, substepGroups}; }
     [[nodiscard]] PairTables ForPairs() { return {*pool, bodies, fixtures, joints, contacts, *broadPhase, pairs}; }
     /// A coordinate beyond it makes positions have rests, m.
     [[nodiscard]] float FarDistance() const { return def.farDistance * def.lengthScale; }
+    [[nodiscard]] bool IsLocked() const { return locks.load(std::memory_order_relaxed) > 0; }
     /// The pool that `def` asks for, in place of the one there was.
     void MakePool();
     /// Tells the error handler and gives the code back.

@@ -25,10 +25,10 @@ void Collide(Manifold& manifold, const Shape& shapeA, const Transform& xfA, cons
     }
 }
 
-void Tell(ContactListener& listener, Contact* contact, bool wasTouching, bool isTouching, const Manifold* old) {
-    if (!wasTouching && isTouching) listener.BeginContact(contact);
-    if (wasTouching && !isTouching) listener.EndContact(contact);
-    if (old != nullptr && isTouching) listener.PreSolve(contact, old);
+void Tell(const ContactEvents& events, Contact* contact, bool wasTouching, bool isTouching, const Manifold* old) {
+    if (!wasTouching && isTouching) events.listener->BeginContact(contact);
+    if (wasTouching && !isTouching) events.listener->EndContact(contact);
+    if (old != nullptr && isTouching && events.listener != nullptr) events.listener->PreSolve(contact, old);
 }
 
 }  // namespace
@@ -57,15 +57,16 @@ bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable&
     return manifold.pointCount > 0;
 }
 
-bool NoteTouching(int contact, bool isTouching, BodyTable& bodies, ContactTable& contacts) {
+bool NoteTouching(int contact, bool isTouching, bool restartsTimers, BodyTable& bodies, ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
     const uint8_t flags = contacts.flags[c];
     const bool wasTouching = (flags & ContactFlag::touching) != 0;
     contacts.flags[c] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |
                                              (isTouching ? ContactFlag::touching : 0));
     if (wasTouching != isTouching && (flags & ContactFlag::sensor) == 0) {
-        bodies.Wake(contacts.pair[c].bodyA);
-        bodies.Wake(contacts.pair[c].bodyB);
+        for (const int body : {contacts.pair[c].bodyA, contacts.pair[c].bodyB}) {
+            if (restartsTimers || !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);
+        }
     }
     return wasTouching != isTouching;
 }
@@ -74,16 +75,15 @@ bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvent
                    ContactTable& contacts) {
     if (events.listener == nullptr) {
         const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
-        NoteTouching(contact, isTouching, bodies, contacts);
+        NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts);
         return isTouching;
     }
     const Manifold old = contacts.manifold[static_cast<size_t>(contact)];
     const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
-    const bool wasTouching = NoteTouching(contact, isTouching, bodies, contacts) != isTouching;
+    const bool wasTouching = NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts) != isTouching;
     if (wasTouching || isTouching) {
         const bool isSensor = contacts.Has(contact, ContactFlag::sensor);
-        Tell(*events.listener, contacts.Handle(events.state, contact), wasTouching, isTouching,
-             isSensor ? nullptr : &old);
+        Tell(events, contacts.Handle(events.state, contact), wasTouching, isTouching, isSensor ? nullptr : &old);
     }
     return isTouching;
 }

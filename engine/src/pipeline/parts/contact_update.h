@@ -45,8 +45,9 @@ private:
 bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
                      ContactTable& contacts);
 
-/// What follows a computed manifold: flags, and the bodies wake if the contact began or ended. True if it did.
-bool NoteTouching(int contact, bool isTouching, BodyTable& bodies, ContactTable& contacts);
+/// What follows a computed manifold: flags, and the bodies wake if the contact began or ended
+/// (ContactEvents::restartsTimers). True if it did.
+bool NoteTouching(int contact, bool isTouching, bool restartsTimers, BodyTable& bodies, ContactTable& contacts);
 
 /// Both, then the listener is told (begin, end, pre-solve). Returns true if the fixtures touch.
 bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,

@@ -7,14 +7,22 @@
 
 namespace scree {
 
-void DestroyContact(int contact, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts) {
-    const ContactPair pair = contacts.pair[static_cast<size_t>(contact)];
-    if (contacts.Has(contact, ContactFlag::touching) && events.listener != nullptr) {
+void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts) {
+    const auto c = static_cast<size_t>(contact);
+    const ContactPair pair = contacts.pair[c];
+    const bool touched = contacts.Has(contact, ContactFlag::touching);
+    const bool pushed = contacts.manifold[c].pointCount > 0 && !contacts.Has(contact, ContactFlag::sensor);
+    if (parted) {
+        contacts.flags[c] = static_cast<uint8_t>(contacts.flags[c] & ~ContactFlag::touching);
+        contacts.manifold[c].pointCount = 0;
+    }
+    if (touched && events.listener != nullptr) {
         events.listener->EndContact(contacts.Handle(events.state, contact));
     }
-    if (contacts.manifold[static_cast<size_t>(contact)].pointCount > 0 && !contacts.Has(contact, ContactFlag::sensor)) {
-        bodies.Wake(pair.bodyA);
-        bodies.Wake(pair.bodyB);
+    if (pushed) {
+        for (const int body : {pair.bodyA, pair.bodyB}) {
+            if (events.restartsTimers || !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);
+        }
     }
     contacts.Remove(contact);
 }

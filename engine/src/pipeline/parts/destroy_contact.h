@@ -12,8 +12,8 @@
 namespace scree {
 
 /// Destroys one contact: EndContact if it was touching, and its bodies wake if it pushed. The row is usable again after
-/// the next Compact.
-void DestroyContact(int contact, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts);
+/// the next Compact. `parted`: its boxes have come apart, so that it has no points when its end is told.
+void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts);
 
 /// Destroys the contacts of a body for which `involves(pair)` holds, newest row first. O(contacts of the body), see
 /// ContactTable::OfBody. The listener must not add contacts.
@@ -22,7 +22,7 @@ void DestroyContactsOfBodyIf(int body, Predicate involves, const ContactEvents& 
                              ContactTable& contacts) {
     for (const int c : contacts.OfBody(body)) {
         if (contacts.IsAlive(c) && involves(contacts.pair[static_cast<size_t>(c)])) {
-            DestroyContact(c, events, bodies, contacts);
+            DestroyContact(c, false, events, bodies, contacts);
         }
     }
 }

@@ -50,6 +50,16 @@ void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTa
     }
 }
 
+/// Whether joints and the program's filter let the pair have a contact. What
+/// the filter refuses is noted.
+bool AskAbout(int a, int b, uint64_t key, const ContactEvents& events, MatchTables t) {
+    if (!t.joints.MayCollide(t.fixtures.body[static_cast<size_t>(a)], t.fixtures.body[static_cast<size_t>(b)]))
+        return false;
+    if (MayHaveContact(a, b, events, t.fixtures, t.joints)) return true;
+    t.contacts.freshRefusals.push_back(key);
+    return false;
+}
+
 }  // namespace
 
 void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactEvents& events, MatchTables t) {
@@ -59,15 +69,18 @@ void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactE
     MarkPairs(pairs, events, t, fresh);
     // By index, so that callbacks and rows do not depend on the broad phase.
     std::sort(fresh.begin(), fresh.end());
+    const bool asks = events.filter != nullptr;
+    if (asks) t.contacts.refused.TakeOut(fresh);
     if (order == FreshOrder::newestFirst) std::reverse(fresh.begin(), fresh.end());
     t.contacts.Reserve(fresh.size());
     for (const uint64_t key : fresh) {
         const int a = static_cast<int>(key & 0xFFFFFFFFu);
         const int b = static_cast<int>(key >> 32);
-        if (events.filter == nullptr || MayHaveContact(a, b, events, t.fixtures, t.joints)) {
-            MakeContact(a, b, t.fixtures, t.contacts);
-        }
+        if (asks && !AskAbout(a, b, key, events, t)) continue;
+        if (MakeContact(a, b, t.fixtures, t.contacts) < 0 && asks) t.contacts.freshRefusals.push_back(key);
     }
+    t.contacts.refused.Add(t.contacts.freshRefusals);
+    t.contacts.freshRefusals.clear();
     t.contacts.RemoveParted();
     t.contacts.Compact();
 }

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
 #include "broad_phase/broad_phase.h"
 #include "state/bodies.h"
 #include "state/fixtures.h"
@@ -34,6 +35,8 @@ public:
     }
     /// From now on nothing is known of any body: a program holds a shape that it may change at any time.
     void Disable() { m_enabled = false; }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_balls); }
+    void Trim() { m_balls = {}; }
 
     /// The static fixtures, in ascending order, that the body can meet on its way from startPosition to position; all
     /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid

@@ -10,6 +10,7 @@ namespace scree {
 void ReportImpulses(const ContactRows& rows, const ContactEvents& events, ContactTable& contacts) {
     if (events.listener == nullptr) return;
     for (const ContactVelocityRow& row : rows.velocity) {
+        if (events.listener == nullptr) return;  // it took itself away
         ContactImpulse impulse{};
         impulse.count = row.pointCount;
         for (int i = 0; i < row.pointCount; ++i) {
@@ -24,7 +25,7 @@ void ReportBlockImpulses(SolverScratch& scratch, bool summed, std::span<const in
                          ContactTable& contacts) {
     if (events.listener == nullptr) return;
     scratch.blocks.GetImpulses(summed, scratch.impulses);
-    for (size_t i = 0; i < list.size(); ++i) {
+    for (size_t i = 0; i < list.size() && events.listener != nullptr; ++i) {
         events.listener->PostSolve(contacts.Handle(events.state, list[i]), &scratch.impulses[i]);
     }
 }

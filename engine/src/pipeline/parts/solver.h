@@ -71,6 +71,24 @@ struct SolverScratch {
     IslandTable wide;                   ///< islands that are solved together, joined; `islands` keeps their own ranges
     std::vector<uint8_t> islandSolved;  ///< per island of `wide`: positions are within tolerance
     std::vector<ContactImpulse> impulses;
+
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, before, islandSolved, impulses) +
+               tree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() + wide.GetMemoryBytes();
+    }
+    /// Gives the room of the last step back; the next one makes it anew.
+    void Trim() {
+        contacts = {};
+        blocks = {};
+        joints = {};
+        delta = {};
+        soft = {};
+        jointed = {};
+        before = {};
+        wide = {};
+        islandSolved = {};
+        impulses = {};
+    }
 };
 
 struct SolverCounts {

@@ -18,6 +18,12 @@ namespace {
 
 size_t Row(int index) { return static_cast<size_t>(index); }
 
+Vec2 MiddleOf(const Shape& shape) {
+    MassData mass;
+    shape.ComputeMass(&mass, 1.0f);
+    return mass.center;
+}
+
 }  // namespace
 
 void ToiPairs::Clear() {
@@ -59,7 +65,7 @@ void ToiPairs::FindAll() {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         if (!IsDynamic(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
-        } else if (m_bodies.IsActive(body) && Moves(body)) {
+        } else if (m_bodies.IsActive(body) && (Moves(body) || IsBullet(body))) {
             CollectFirst(body, nearby);
         }
     }
@@ -139,7 +145,12 @@ void ToiPairs::Collect(int body, bool withDynamic) {
             return true;
         };
         const AABB box = SweptBox(body, f);
-        withDynamic ? m_t.broadPhase.Query(box, visit) : m_t.broadPhase.QueryStatic(box, visit);
+        if (withDynamic) {
+            m_t.broadPhase.PrepareQueries();  // boxes were swept
+            m_t.broadPhase.Query(box, visit);
+        } else {
+            m_t.broadPhase.QueryStatic(box, visit);
+        }
         std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
         if (!m_s.found.empty()) MarkKnown(body, f);
         for (const int other : m_s.found) Add(f, other);
@@ -185,6 +196,8 @@ bool ToiPairs::MayCollide(int fixture, int other) const {
         const int contact = m_t.contacts.Find(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
         if (contact >= 0) return m_t.contacts.Has(contact, ContactFlag::enabled);
     }
+    const uint64_t key = RefusedPairs::KeyOf(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
+    if (m_events.filter != nullptr && m_t.contacts.refused.Has(key)) return false;
     return MayHaveContact(std::min(fixture, other), std::max(fixture, other), m_events, m_t.fixtures, m_t.joints);
 }
 
@@ -238,6 +251,14 @@ float ToiPairs::TimeOf(const ToiPair& pair) const {
     TOIOutput output;
     TimeOfImpact(&output, &input);
     m_events.work->Add(output);
+    if (output.state == TOIOutput::e_overlapped) {
+        // They have gone into each other already. The middle of the one that moves must not pass to the other side.
+        const bool isA = IsDynamic(pair.bodyA) && (!IsDynamic(pair.bodyB) || IsBullet(pair.bodyA));
+        const Vec2 middle = MiddleOf(*m_t.fixtures.shape[Row(isA ? pair.fixtureA : pair.fixtureB)]);
+        (isA ? input.proxyA : input.proxyB).Set(&middle, 1, 0.0f);
+        TimeOfImpact(&output, &input);
+        m_events.work->Add(output);
+    }
     // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
     if (output.state != TOIOutput::e_touching && output.state != TOIOutput::e_failed) return 1.0f;
     return Min(alpha0 + (1.0f - alpha0) * output.t, 1.0f);

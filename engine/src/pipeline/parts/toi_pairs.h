@@ -50,6 +50,11 @@ struct ToiScratch {
     NearStatics nearStatics;
     IndexedHeap events;
     bool resuming = false;  ///< the step goes on
+
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(pairs, firstPair, alpha, touched, found, knownTo) + nearStatics.GetMemoryBytes() +
+               events.GetMemoryBytes();
+    }
 };
 
 class ToiPairs {

@@ -46,29 +46,41 @@ DistanceRow MakeRow(const DistanceJointDef& def, float slop) {
             .limit = {.enabled = true, .lower = lower, .upper = Max(def.maxLength, lower)}};
 }
 
-Vec2 DistanceJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
-Vec2 DistanceJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
+Vec2 DistanceJoint::GetAnchorA() const {
+    return Lives("DistanceJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().localAnchorA) : vec2Zero;
+}
+Vec2 DistanceJoint::GetAnchorB() const {
+    return Lives("DistanceJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
 Vec2 DistanceJoint::GetReactionForce(float inverseDt) const {
+    if (!Lives("DistanceJoint::GetReactionForce")) return vec2Zero;
     const DistanceRow& row = Row();
     return (inverseDt * (row.impulse + row.limit.lowerImpulse - row.limit.upperImpulse)) * row.axis;
 }
-float DistanceJoint::GetReactionTorque(float) const { return 0.0f; }
-Vec2 DistanceJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
-Vec2 DistanceJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
-float DistanceJoint::GetLength() const { return Row().length; }
+float DistanceJoint::GetReactionTorque(float) const {
+    (void)Lives("DistanceJoint::GetReactionTorque");
+    return 0.0f;
+}
+Vec2 DistanceJoint::GetLocalAnchorA() const {
+    return Lives("DistanceJoint::GetLocalAnchorA") ? Row().localAnchorA : vec2Zero;
+}
+Vec2 DistanceJoint::GetLocalAnchorB() const {
+    return Lives("DistanceJoint::GetLocalAnchorB") ? Row().localAnchorB : vec2Zero;
+}
+float DistanceJoint::GetLength() const { return Lives("DistanceJoint::GetLength") ? Row().length : 0.0f; }
 ErrorCode DistanceJoint::SetLength(float length) {
     JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetLength").Amount(length, "length");
     if (!edit.Failed()) Row().impulse = 0.0f;
     return edit.Set(Row().length, Max(length, Row().shortest));
 }
-float DistanceJoint::GetMinLength() const { return Row().limit.lower; }
+float DistanceJoint::GetMinLength() const { return Lives("DistanceJoint::GetMinLength") ? Row().limit.lower : 0.0f; }
 ErrorCode DistanceJoint::SetMinLength(float minLength) {
     JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetMinLength").Amount(minLength, "minLength");
     const ErrorCode code = edit.Set(Row().limit.lower, Clamp(minLength, Row().shortest, Row().limit.upper));
     if (code == ErrorCode::ok) Row().limit.lowerImpulse = 0.0f;
     return code;
 }
-float DistanceJoint::GetMaxLength() const { return Row().limit.upper; }
+float DistanceJoint::GetMaxLength() const { return Lives("DistanceJoint::GetMaxLength") ? Row().limit.upper : 0.0f; }
 ErrorCode DistanceJoint::SetMaxLength(float maxLength) {
     JointEdit edit = JointEdit(m_state, this, "DistanceJoint::SetMaxLength").Amount(maxLength, "maxLength");
     const ErrorCode code = edit.Set(Row().limit.upper, Max(maxLength, Row().limit.lower));
@@ -76,6 +88,7 @@ ErrorCode DistanceJoint::SetMaxLength(float maxLength) {
     return code;
 }
 float DistanceJoint::GetCurrentLength() const {
+    if (!Lives("DistanceJoint::GetCurrentLength")) return 0.0f;
     return GetAnchorGap(*this, Row().localAnchorA, Row().localAnchorB).Length();
 }
 
@@ -84,10 +97,10 @@ ErrorCode DistanceJoint::SetStiffness(float stiffness) {
         .Amount(stiffness, "stiffness")
         .Set(Row().stiffness, stiffness);
 }
-float DistanceJoint::GetStiffness() const { return Row().stiffness; }
+float DistanceJoint::GetStiffness() const { return Lives("DistanceJoint::GetStiffness") ? Row().stiffness : 0.0f; }
 ErrorCode DistanceJoint::SetDamping(float damping) {
     return JointEdit(m_state, this, "DistanceJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);
 }
-float DistanceJoint::GetDamping() const { return Row().damping; }
+float DistanceJoint::GetDamping() const { return Lives("DistanceJoint::GetDamping") ? Row().damping : 0.0f; }
 
 }  // namespace scree

@@ -34,22 +34,34 @@ FrictionRow MakeRow(const FrictionJointDef& def) {
             .maxTorque = def.maxTorque};
 }
 
-Vec2 FrictionJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
-Vec2 FrictionJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
-Vec2 FrictionJoint::GetReactionForce(float inverseDt) const { return inverseDt * Row().impulse; }
-float FrictionJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().turnImpulse; }
-Vec2 FrictionJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
-Vec2 FrictionJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
+Vec2 FrictionJoint::GetAnchorA() const {
+    return Lives("FrictionJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().localAnchorA) : vec2Zero;
+}
+Vec2 FrictionJoint::GetAnchorB() const {
+    return Lives("FrictionJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
+Vec2 FrictionJoint::GetReactionForce(float inverseDt) const {
+    return Lives("FrictionJoint::GetReactionForce") ? inverseDt * Row().impulse : vec2Zero;
+}
+float FrictionJoint::GetReactionTorque(float inverseDt) const {
+    return Lives("FrictionJoint::GetReactionTorque") ? inverseDt * Row().turnImpulse : 0.0f;
+}
+Vec2 FrictionJoint::GetLocalAnchorA() const {
+    return Lives("FrictionJoint::GetLocalAnchorA") ? Row().localAnchorA : vec2Zero;
+}
+Vec2 FrictionJoint::GetLocalAnchorB() const {
+    return Lives("FrictionJoint::GetLocalAnchorB") ? Row().localAnchorB : vec2Zero;
+}
 
 ErrorCode FrictionJoint::SetMaxForce(float force) {
     return JointEdit(m_state, this, "FrictionJoint::SetMaxForce").Amount(force, "force").Set(Row().maxForce, force);
 }
-float FrictionJoint::GetMaxForce() const { return Row().maxForce; }
+float FrictionJoint::GetMaxForce() const { return Lives("FrictionJoint::GetMaxForce") ? Row().maxForce : 0.0f; }
 ErrorCode FrictionJoint::SetMaxTorque(float torque) {
     return JointEdit(m_state, this, "FrictionJoint::SetMaxTorque")
         .Amount(torque, "torque")
         .Set(Row().maxTorque, torque);
 }
-float FrictionJoint::GetMaxTorque() const { return Row().maxTorque; }
+float FrictionJoint::GetMaxTorque() const { return Lives("FrictionJoint::GetMaxTorque") ? Row().maxTorque : 0.0f; }
 
 }  // namespace scree

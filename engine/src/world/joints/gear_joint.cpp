@@ -74,18 +74,30 @@ GearRow MakeGearRow(const GearJointDef& def, const WorldState& state) {
     return row;
 }
 
-Vec2 GearJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().side[0].localAnchor); }
-Vec2 GearJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().side[1].localAnchor); }
-Vec2 GearJoint::GetReactionForce(float inverseDt) const { return (inverseDt * Row().impulse) * Row().side[0].axis; }
-float GearJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().impulse * Row().side[0].arm; }
-Joint* GearJoint::GetJoint1() const { return m_state->joints.handles[static_cast<size_t>(Row().side[0].joint)]; }
-Joint* GearJoint::GetJoint2() const { return m_state->joints.handles[static_cast<size_t>(Row().side[1].joint)]; }
+Vec2 GearJoint::GetAnchorA() const {
+    return Lives("GearJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().side[0].localAnchor) : vec2Zero;
+}
+Vec2 GearJoint::GetAnchorB() const {
+    return Lives("GearJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().side[1].localAnchor) : vec2Zero;
+}
+Vec2 GearJoint::GetReactionForce(float inverseDt) const {
+    return Lives("GearJoint::GetReactionForce") ? (inverseDt * Row().impulse) * Row().side[0].axis : vec2Zero;
+}
+float GearJoint::GetReactionTorque(float inverseDt) const {
+    return Lives("GearJoint::GetReactionTorque") ? inverseDt * Row().impulse * Row().side[0].arm : 0.0f;
+}
+Joint* GearJoint::GetJoint1() const {
+    return Lives("GearJoint::GetJoint1") ? m_state->joints.handles[static_cast<size_t>(Row().side[0].joint)] : nullptr;
+}
+Joint* GearJoint::GetJoint2() const {
+    return Lives("GearJoint::GetJoint2") ? m_state->joints.handles[static_cast<size_t>(Row().side[1].joint)] : nullptr;
+}
 ErrorCode GearJoint::SetRatio(float ratio) {
     return JointEdit(m_state, this, "GearJoint::SetRatio")
         .Finite(ratio, "ratio")
         .Require(ratio != 0.0f, "ratio", "give a ratio other than 0")
         .Set(Row().ratio, ratio);
 }
-float GearJoint::GetRatio() const { return Row().ratio; }
+float GearJoint::GetRatio() const { return Lives("GearJoint::GetRatio") ? Row().ratio : 0.0f; }
 
 }  // namespace scree

@@ -54,15 +54,41 @@ ErrorCode AngularStiffness(float& stiffness, float& damping, float frequencyHert
                              damping);
 }
 
-JointType Joint::GetType() const { return InfoOf(m_state, m_index).type; }
-Body* Joint::GetBodyA() const { return BodyOf(m_state, InfoOf(m_state, m_index).bodyA); }
-Body* Joint::GetBodyB() const { return BodyOf(m_state, InfoOf(m_state, m_index).bodyB); }
-Body* Joint::GetOther(const Body* body) const { return body == GetBodyA() ? GetBodyB() : GetBodyA(); }
-bool Joint::GetCollideConnected() const { return InfoOf(m_state, m_index).collideConnected; }
-JointUserData& Joint::GetUserData() { return InfoOf(m_state, m_index).userData; }
-bool Joint::IsEnabled() const { return GetBodyA()->IsEnabled() && GetBodyB()->IsEnabled(); }
-Joint* Joint::GetNext() const { return JointOf(m_state, InfoOf(m_state, m_index).listNext); }
+bool Joint::Lives(const char* accessor) const {
+    if (Owns(*m_state, this)) return true;
+    m_state->Refuse(ErrorCode::foreignHandle, accessor, "this", "use a joint that was not destroyed");
+    return false;
+}
+
+JointType Joint::GetType() const { return Lives("Joint::GetType") ? InfoOf(m_state, m_index).type : e_unknownJoint; }
+Body* Joint::GetBodyA() const {
+    return Lives("Joint::GetBodyA") ? BodyOf(m_state, InfoOf(m_state, m_index).bodyA) : nullptr;
+}
+Body* Joint::GetBodyB() const {
+    return Lives("Joint::GetBodyB") ? BodyOf(m_state, InfoOf(m_state, m_index).bodyB) : nullptr;
+}
+Body* Joint::GetOther(const Body* body) const {
+    return Lives("Joint::GetOther") ? body == GetBodyA() ? GetBodyB() : GetBodyA() : nullptr;
+}
+bool Joint::GetCollideConnected() const {
+    return Lives("Joint::GetCollideConnected") ? InfoOf(m_state, m_index).collideConnected : false;
+}
+JointUserData Joint::GetUserData() const {
+    return Lives("Joint::GetUserData") ? InfoOf(m_state, m_index).userData : JointUserData{};
+}
+ErrorCode Joint::SetUserData(const JointUserData& data) {
+    if (!Lives("Joint::SetUserData")) return ErrorCode::foreignHandle;
+    InfoOf(m_state, m_index).userData = data;
+    return ErrorCode::ok;
+}
+bool Joint::IsEnabled() const {
+    return Lives("Joint::IsEnabled") ? GetBodyA()->IsEnabled() && GetBodyB()->IsEnabled() : false;
+}
+Joint* Joint::GetNext() const {
+    return Lives("Joint::GetNext") ? JointOf(m_state, InfoOf(m_state, m_index).listNext) : nullptr;
+}
 Joint* Joint::GetNext(const Body* body) const {
+    if (!Lives("Joint::GetNext")) return nullptr;
     if (body != GetBodyA() && body != GetBodyB()) return nullptr;
     return JointOf(m_state, m_state->joints.NextOfBody(m_index, body->GetIndex()));
 }

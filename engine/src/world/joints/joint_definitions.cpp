@@ -74,8 +74,9 @@ Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
     JointInfo head = HeadOf(def);
     head.bodyA = row.side[0].body;
     head.bodyB = row.side[1].body;
+    const int index = s.joints.Add(&s, head, row);
     for (const GearSide& side : row.side) ++InfoOf(s, side.joint).gearCount;
-    return Insert(s, s.joints.Add(&s, head, row));
+    return Insert(s, index);
 }
 
 }  // namespace

@@ -40,37 +40,47 @@ MotorRow MakeRow(const MotorJointDef& def) {
             .correctionFactor = def.correctionFactor};
 }
 
-Vec2 MotorJoint::GetAnchorA() const { return GetBodyA()->GetPosition(); }
-Vec2 MotorJoint::GetAnchorB() const { return GetBodyB()->GetPosition(); }
-Vec2 MotorJoint::GetReactionForce(float inverseDt) const { return inverseDt * Row().impulse; }
-float MotorJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().turnImpulse; }
+Vec2 MotorJoint::GetAnchorA() const { return Lives("MotorJoint::GetAnchorA") ? GetBodyA()->GetPosition() : vec2Zero; }
+Vec2 MotorJoint::GetAnchorB() const { return Lives("MotorJoint::GetAnchorB") ? GetBodyB()->GetPosition() : vec2Zero; }
+Vec2 MotorJoint::GetReactionForce(float inverseDt) const {
+    return Lives("MotorJoint::GetReactionForce") ? inverseDt * Row().impulse : vec2Zero;
+}
+float MotorJoint::GetReactionTorque(float inverseDt) const {
+    return Lives("MotorJoint::GetReactionTorque") ? inverseDt * Row().turnImpulse : 0.0f;
+}
 
 ErrorCode MotorJoint::SetLinearOffset(Vec2 linearOffset) {
     return JointEdit(m_state, this, "MotorJoint::SetLinearOffset")
         .Finite(linearOffset, "linearOffset")
         .SetAndWake(Row().linearOffset, linearOffset);
 }
-Vec2 MotorJoint::GetLinearOffset() const { return Row().linearOffset; }
+Vec2 MotorJoint::GetLinearOffset() const {
+    return Lives("MotorJoint::GetLinearOffset") ? Row().linearOffset : vec2Zero;
+}
 ErrorCode MotorJoint::SetAngularOffset(float angularOffset) {
     return JointEdit(m_state, this, "MotorJoint::SetAngularOffset")
         .Finite(angularOffset, "angularOffset")
         .SetAndWake(Row().angularOffset, angularOffset);
 }
-float MotorJoint::GetAngularOffset() const { return Row().angularOffset; }
+float MotorJoint::GetAngularOffset() const {
+    return Lives("MotorJoint::GetAngularOffset") ? Row().angularOffset : 0.0f;
+}
 ErrorCode MotorJoint::SetMaxForce(float force) {
     return JointEdit(m_state, this, "MotorJoint::SetMaxForce").Amount(force, "force").Set(Row().maxForce, force);
 }
-float MotorJoint::GetMaxForce() const { return Row().maxForce; }
+float MotorJoint::GetMaxForce() const { return Lives("MotorJoint::GetMaxForce") ? Row().maxForce : 0.0f; }
 ErrorCode MotorJoint::SetMaxTorque(float torque) {
     return JointEdit(m_state, this, "MotorJoint::SetMaxTorque").Amount(torque, "torque").Set(Row().maxTorque, torque);
 }
-float MotorJoint::GetMaxTorque() const { return Row().maxTorque; }
+float MotorJoint::GetMaxTorque() const { return Lives("MotorJoint::GetMaxTorque") ? Row().maxTorque : 0.0f; }
 ErrorCode MotorJoint::SetCorrectionFactor(float factor) {
     return JointEdit(m_state, this, "MotorJoint::SetCorrectionFactor")
         .Amount(factor, "factor")
         .Require(factor <= 1.0f, "factor", "give a share from 0 to 1")
         .Set(Row().correctionFactor, factor);
 }
-float MotorJoint::GetCorrectionFactor() const { return Row().correctionFactor; }
+float MotorJoint::GetCorrectionFactor() const {
+    return Lives("MotorJoint::GetCorrectionFactor") ? Row().correctionFactor : 0.0f;
+}
 
 }  // namespace scree

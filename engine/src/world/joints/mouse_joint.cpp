@@ -27,10 +27,17 @@ MouseRow MakeRow(const MouseJointDef& def) {
             .damping = def.damping};
 }
 
-Vec2 MouseJoint::GetAnchorA() const { return Row().target; }
-Vec2 MouseJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
-Vec2 MouseJoint::GetReactionForce(float inverseDt) const { return inverseDt * Row().impulse; }
-float MouseJoint::GetReactionTorque(float) const { return 0.0f; }
+Vec2 MouseJoint::GetAnchorA() const { return Lives("MouseJoint::GetAnchorA") ? Row().target : vec2Zero; }
+Vec2 MouseJoint::GetAnchorB() const {
+    return Lives("MouseJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
+Vec2 MouseJoint::GetReactionForce(float inverseDt) const {
+    return Lives("MouseJoint::GetReactionForce") ? inverseDt * Row().impulse : vec2Zero;
+}
+float MouseJoint::GetReactionTorque(float) const {
+    (void)Lives("MouseJoint::GetReactionTorque");
+    return 0.0f;
+}
 
 ErrorCode MouseJoint::SetTarget(Vec2 target) {
     JointEdit edit = JointEdit(m_state, this, "MouseJoint::SetTarget").Finite(target, "target");
@@ -39,21 +46,21 @@ ErrorCode MouseJoint::SetTarget(Vec2 target) {
     if (!(Row().target == target)) GetBodyB()->SetAwake(true);
     return edit.Set(Row().target, target);
 }
-Vec2 MouseJoint::GetTarget() const { return Row().target; }
+Vec2 MouseJoint::GetTarget() const { return Lives("MouseJoint::GetTarget") ? Row().target : vec2Zero; }
 ErrorCode MouseJoint::SetMaxForce(float force) {
     return JointEdit(m_state, this, "MouseJoint::SetMaxForce").Amount(force, "force").Set(Row().maxForce, force);
 }
-float MouseJoint::GetMaxForce() const { return Row().maxForce; }
+float MouseJoint::GetMaxForce() const { return Lives("MouseJoint::GetMaxForce") ? Row().maxForce : 0.0f; }
 
 ErrorCode MouseJoint::SetStiffness(float stiffness) {
     return JointEdit(m_state, this, "MouseJoint::SetStiffness")
         .Amount(stiffness, "stiffness")
         .Set(Row().stiffness, stiffness);
 }
-float MouseJoint::GetStiffness() const { return Row().stiffness; }
+float MouseJoint::GetStiffness() const { return Lives("MouseJoint::GetStiffness") ? Row().stiffness : 0.0f; }
 ErrorCode MouseJoint::SetDamping(float damping) {
     return JointEdit(m_state, this, "MouseJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);
 }
-float MouseJoint::GetDamping() const { return Row().damping; }
+float MouseJoint::GetDamping() const { return Lives("MouseJoint::GetDamping") ? Row().damping : 0.0f; }
 
 }  // namespace scree

@@ -46,38 +46,63 @@ PrismaticRow MakeRow(const PrismaticJointDef& def) {
             .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorForce}};
 }
 
-Vec2 PrismaticJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
-Vec2 PrismaticJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
+Vec2 PrismaticJoint::GetAnchorA() const {
+    return Lives("PrismaticJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().localAnchorA) : vec2Zero;
+}
+Vec2 PrismaticJoint::GetAnchorB() const {
+    return Lives("PrismaticJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
 Vec2 PrismaticJoint::GetReactionForce(float inverseDt) const {
+    if (!Lives("PrismaticJoint::GetReactionForce")) return vec2Zero;
     const PrismaticRow& row = Row();
     const float along = row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse;
     return inverseDt * (row.impulse.x * row.axis.Skew() + along * row.axis);
 }
-float PrismaticJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().impulse.y; }
-Vec2 PrismaticJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
-Vec2 PrismaticJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
-Vec2 PrismaticJoint::GetLocalAxisA() const { return Row().localAxisA; }
-float PrismaticJoint::GetReferenceAngle() const { return Row().referenceAngle; }
+float PrismaticJoint::GetReactionTorque(float inverseDt) const {
+    return Lives("PrismaticJoint::GetReactionTorque") ? inverseDt * Row().impulse.y : 0.0f;
+}
+Vec2 PrismaticJoint::GetLocalAnchorA() const {
+    return Lives("PrismaticJoint::GetLocalAnchorA") ? Row().localAnchorA : vec2Zero;
+}
+Vec2 PrismaticJoint::GetLocalAnchorB() const {
+    return Lives("PrismaticJoint::GetLocalAnchorB") ? Row().localAnchorB : vec2Zero;
+}
+Vec2 PrismaticJoint::GetLocalAxisA() const {
+    return Lives("PrismaticJoint::GetLocalAxisA") ? Row().localAxisA : vec2Zero;
+}
+float PrismaticJoint::GetReferenceAngle() const {
+    return Lives("PrismaticJoint::GetReferenceAngle") ? Row().referenceAngle : 0.0f;
+}
 float PrismaticJoint::GetJointTranslation() const {
+    if (!Lives("PrismaticJoint::GetJointTranslation")) return 0.0f;
     const PrismaticRow& row = Row();
     return GetSlide(*this, {row.localAnchorA, row.localAnchorB, row.localAxisA});
 }
 float PrismaticJoint::GetJointSpeed() const {
+    if (!Lives("PrismaticJoint::GetJointSpeed")) return 0.0f;
     const PrismaticRow& row = Row();
     return GetSlideSpeed(*this, {row.localAnchorA, row.localAnchorB, row.localAxisA});
 }
 
-bool PrismaticJoint::IsLimitEnabled() const { return Row().limit.enabled; }
+bool PrismaticJoint::IsLimitEnabled() const {
+    return Lives("PrismaticJoint::IsLimitEnabled") ? Row().limit.enabled : false;
+}
 ErrorCode PrismaticJoint::EnableLimit(bool flag) {
     return scree::EnableLimit(JointEdit(m_state, this, "PrismaticJoint::EnableLimit"), Row().limit, flag);
 }
-float PrismaticJoint::GetLowerLimit() const { return Row().limit.lower; }
-float PrismaticJoint::GetUpperLimit() const { return Row().limit.upper; }
+float PrismaticJoint::GetLowerLimit() const {
+    return Lives("PrismaticJoint::GetLowerLimit") ? Row().limit.lower : 0.0f;
+}
+float PrismaticJoint::GetUpperLimit() const {
+    return Lives("PrismaticJoint::GetUpperLimit") ? Row().limit.upper : 0.0f;
+}
 ErrorCode PrismaticJoint::SetLimits(float lower, float upper) {
     return scree::SetLimits(JointEdit(m_state, this, "PrismaticJoint::SetLimits"), Row().limit, lower, upper);
 }
 
-bool PrismaticJoint::IsMotorEnabled() const { return Row().motor.enabled; }
+bool PrismaticJoint::IsMotorEnabled() const {
+    return Lives("PrismaticJoint::IsMotorEnabled") ? Row().motor.enabled : false;
+}
 ErrorCode PrismaticJoint::EnableMotor(bool flag) {
     return JointEdit(m_state, this, "PrismaticJoint::EnableMotor").SetAndWake(Row().motor.enabled, flag);
 }
@@ -86,13 +111,19 @@ ErrorCode PrismaticJoint::SetMotorSpeed(float speed) {
         .Finite(speed, "speed")
         .SetAndWake(Row().motor.speed, speed);
 }
-float PrismaticJoint::GetMotorSpeed() const { return Row().motor.speed; }
+float PrismaticJoint::GetMotorSpeed() const {
+    return Lives("PrismaticJoint::GetMotorSpeed") ? Row().motor.speed : 0.0f;
+}
 ErrorCode PrismaticJoint::SetMaxMotorForce(float force) {
     return JointEdit(m_state, this, "PrismaticJoint::SetMaxMotorForce")
         .Amount(force, "force")
         .SetAndWake(Row().motor.maximum, force);
 }
-float PrismaticJoint::GetMaxMotorForce() const { return Row().motor.maximum; }
-float PrismaticJoint::GetMotorForce(float inverseDt) const { return inverseDt * Row().motor.impulse; }
+float PrismaticJoint::GetMaxMotorForce() const {
+    return Lives("PrismaticJoint::GetMaxMotorForce") ? Row().motor.maximum : 0.0f;
+}
+float PrismaticJoint::GetMotorForce(float inverseDt) const {
+    return Lives("PrismaticJoint::GetMotorForce") ? inverseDt * Row().motor.impulse : 0.0f;
+}
 
 }  // namespace scree

@@ -58,16 +58,35 @@ PulleyRow MakeRow(const PulleyJointDef& def) {
             .constant = def.lengthA + def.ratio * def.lengthB};
 }
 
-Vec2 PulleyJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
-Vec2 PulleyJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
-Vec2 PulleyJoint::GetReactionForce(float inverseDt) const { return (inverseDt * Row().impulse) * Row().axis; }
-float PulleyJoint::GetReactionTorque(float) const { return 0.0f; }
-Vec2 PulleyJoint::GetGroundAnchorA() const { return Row().groundAnchorA; }
-Vec2 PulleyJoint::GetGroundAnchorB() const { return Row().groundAnchorB; }
-float PulleyJoint::GetLengthA() const { return Row().lengthA; }
-float PulleyJoint::GetLengthB() const { return Row().lengthB; }
-float PulleyJoint::GetRatio() const { return Row().ratio; }
-float PulleyJoint::GetCurrentLengthA() const { return RopeLength(GetBodyA(), Row().localAnchorA, Row().groundAnchorA); }
-float PulleyJoint::GetCurrentLengthB() const { return RopeLength(GetBodyB(), Row().localAnchorB, Row().groundAnchorB); }
+Vec2 PulleyJoint::GetAnchorA() const {
+    return Lives("PulleyJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().localAnchorA) : vec2Zero;
+}
+Vec2 PulleyJoint::GetAnchorB() const {
+    return Lives("PulleyJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
+Vec2 PulleyJoint::GetReactionForce(float inverseDt) const {
+    return Lives("PulleyJoint::GetReactionForce") ? (inverseDt * Row().impulse) * Row().axis : vec2Zero;
+}
+float PulleyJoint::GetReactionTorque(float) const {
+    (void)Lives("PulleyJoint::GetReactionTorque");
+    return 0.0f;
+}
+Vec2 PulleyJoint::GetGroundAnchorA() const {
+    return Lives("PulleyJoint::GetGroundAnchorA") ? Row().groundAnchorA : vec2Zero;
+}
+Vec2 PulleyJoint::GetGroundAnchorB() const {
+    return Lives("PulleyJoint::GetGroundAnchorB") ? Row().groundAnchorB : vec2Zero;
+}
+float PulleyJoint::GetLengthA() const { return Lives("PulleyJoint::GetLengthA") ? Row().lengthA : 0.0f; }
+float PulleyJoint::GetLengthB() const { return Lives("PulleyJoint::GetLengthB") ? Row().lengthB : 0.0f; }
+float PulleyJoint::GetRatio() const { return Lives("PulleyJoint::GetRatio") ? Row().ratio : 0.0f; }
+float PulleyJoint::GetCurrentLengthA() const {
+    return Lives("PulleyJoint::GetCurrentLengthA") ? RopeLength(GetBodyA(), Row().localAnchorA, Row().groundAnchorA)
+                                                   : 0.0f;
+}
+float PulleyJoint::GetCurrentLengthB() const {
+    return Lives("PulleyJoint::GetCurrentLengthB") ? RopeLength(GetBodyB(), Row().localAnchorB, Row().groundAnchorB)
+                                                   : 0.0f;
+}
 
 }  // namespace scree

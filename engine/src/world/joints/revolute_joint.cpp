@@ -41,34 +41,53 @@ RevoluteRow MakeRow(const RevoluteJointDef& def) {
             .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorTorque}};
 }
 
-Vec2 RevoluteJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
-Vec2 RevoluteJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
-Vec2 RevoluteJoint::GetReactionForce(float inverseDt) const { return inverseDt * Row().impulse; }
+Vec2 RevoluteJoint::GetAnchorA() const {
+    return Lives("RevoluteJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().localAnchorA) : vec2Zero;
+}
+Vec2 RevoluteJoint::GetAnchorB() const {
+    return Lives("RevoluteJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
+Vec2 RevoluteJoint::GetReactionForce(float inverseDt) const {
+    return Lives("RevoluteJoint::GetReactionForce") ? inverseDt * Row().impulse : vec2Zero;
+}
 float RevoluteJoint::GetReactionTorque(float inverseDt) const {
+    if (!Lives("RevoluteJoint::GetReactionTorque")) return 0.0f;
     const RevoluteRow& row = Row();
     return inverseDt * (row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse);
 }
-Vec2 RevoluteJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
-Vec2 RevoluteJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
-float RevoluteJoint::GetReferenceAngle() const { return Row().referenceAngle; }
+Vec2 RevoluteJoint::GetLocalAnchorA() const {
+    return Lives("RevoluteJoint::GetLocalAnchorA") ? Row().localAnchorA : vec2Zero;
+}
+Vec2 RevoluteJoint::GetLocalAnchorB() const {
+    return Lives("RevoluteJoint::GetLocalAnchorB") ? Row().localAnchorB : vec2Zero;
+}
+float RevoluteJoint::GetReferenceAngle() const {
+    return Lives("RevoluteJoint::GetReferenceAngle") ? Row().referenceAngle : 0.0f;
+}
 float RevoluteJoint::GetJointAngle() const {
+    if (!Lives("RevoluteJoint::GetJointAngle")) return 0.0f;
     return GetBodyB()->GetAngle() - GetBodyA()->GetAngle() - Row().referenceAngle;
 }
 float RevoluteJoint::GetJointSpeed() const {
+    if (!Lives("RevoluteJoint::GetJointSpeed")) return 0.0f;
     return GetBodyB()->GetAngularVelocity() - GetBodyA()->GetAngularVelocity();
 }
 
-bool RevoluteJoint::IsLimitEnabled() const { return Row().limit.enabled; }
+bool RevoluteJoint::IsLimitEnabled() const {
+    return Lives("RevoluteJoint::IsLimitEnabled") ? Row().limit.enabled : false;
+}
 ErrorCode RevoluteJoint::EnableLimit(bool flag) {
     return scree::EnableLimit(JointEdit(m_state, this, "RevoluteJoint::EnableLimit"), Row().limit, flag);
 }
-float RevoluteJoint::GetLowerLimit() const { return Row().limit.lower; }
-float RevoluteJoint::GetUpperLimit() const { return Row().limit.upper; }
+float RevoluteJoint::GetLowerLimit() const { return Lives("RevoluteJoint::GetLowerLimit") ? Row().limit.lower : 0.0f; }
+float RevoluteJoint::GetUpperLimit() const { return Lives("RevoluteJoint::GetUpperLimit") ? Row().limit.upper : 0.0f; }
 ErrorCode RevoluteJoint::SetLimits(float lower, float upper) {
     return scree::SetLimits(JointEdit(m_state, this, "RevoluteJoint::SetLimits"), Row().limit, lower, upper);
 }
 
-bool RevoluteJoint::IsMotorEnabled() const { return Row().motor.enabled; }
+bool RevoluteJoint::IsMotorEnabled() const {
+    return Lives("RevoluteJoint::IsMotorEnabled") ? Row().motor.enabled : false;
+}
 ErrorCode RevoluteJoint::EnableMotor(bool flag) {
     return JointEdit(m_state, this, "RevoluteJoint::EnableMotor").SetAndWake(Row().motor.enabled, flag);
 }
@@ -77,13 +96,17 @@ ErrorCode RevoluteJoint::SetMotorSpeed(float speed) {
         .Finite(speed, "speed")
         .SetAndWake(Row().motor.speed, speed);
 }
-float RevoluteJoint::GetMotorSpeed() const { return Row().motor.speed; }
+float RevoluteJoint::GetMotorSpeed() const { return Lives("RevoluteJoint::GetMotorSpeed") ? Row().motor.speed : 0.0f; }
 ErrorCode RevoluteJoint::SetMaxMotorTorque(float torque) {
     return JointEdit(m_state, this, "RevoluteJoint::SetMaxMotorTorque")
         .Amount(torque, "torque")
         .SetAndWake(Row().motor.maximum, torque);
 }
-float RevoluteJoint::GetMaxMotorTorque() const { return Row().motor.maximum; }
-float RevoluteJoint::GetMotorTorque(float inverseDt) const { return inverseDt * Row().motor.impulse; }
+float RevoluteJoint::GetMaxMotorTorque() const {
+    return Lives("RevoluteJoint::GetMaxMotorTorque") ? Row().motor.maximum : 0.0f;
+}
+float RevoluteJoint::GetMotorTorque(float inverseDt) const {
+    return Lives("RevoluteJoint::GetMotorTorque") ? inverseDt * Row().motor.impulse : 0.0f;
+}
 
 }  // namespace scree

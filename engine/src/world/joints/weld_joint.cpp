@@ -37,23 +37,33 @@ WeldRow MakeRow(const WeldJointDef& def) {
             .damping = def.damping};
 }
 
-Vec2 WeldJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
-Vec2 WeldJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
-Vec2 WeldJoint::GetReactionForce(float inverseDt) const { return inverseDt * Row().impulse; }
-float WeldJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().turnImpulse; }
-Vec2 WeldJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
-Vec2 WeldJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
-float WeldJoint::GetReferenceAngle() const { return Row().referenceAngle; }
+Vec2 WeldJoint::GetAnchorA() const {
+    return Lives("WeldJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().localAnchorA) : vec2Zero;
+}
+Vec2 WeldJoint::GetAnchorB() const {
+    return Lives("WeldJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
+Vec2 WeldJoint::GetReactionForce(float inverseDt) const {
+    return Lives("WeldJoint::GetReactionForce") ? inverseDt * Row().impulse : vec2Zero;
+}
+float WeldJoint::GetReactionTorque(float inverseDt) const {
+    return Lives("WeldJoint::GetReactionTorque") ? inverseDt * Row().turnImpulse : 0.0f;
+}
+Vec2 WeldJoint::GetLocalAnchorA() const { return Lives("WeldJoint::GetLocalAnchorA") ? Row().localAnchorA : vec2Zero; }
+Vec2 WeldJoint::GetLocalAnchorB() const { return Lives("WeldJoint::GetLocalAnchorB") ? Row().localAnchorB : vec2Zero; }
+float WeldJoint::GetReferenceAngle() const {
+    return Lives("WeldJoint::GetReferenceAngle") ? Row().referenceAngle : 0.0f;
+}
 
 ErrorCode WeldJoint::SetStiffness(float stiffness) {
     return JointEdit(m_state, this, "WeldJoint::SetStiffness")
         .Amount(stiffness, "stiffness")
         .Set(Row().stiffness, stiffness);
 }
-float WeldJoint::GetStiffness() const { return Row().stiffness; }
+float WeldJoint::GetStiffness() const { return Lives("WeldJoint::GetStiffness") ? Row().stiffness : 0.0f; }
 ErrorCode WeldJoint::SetDamping(float damping) {
     return JointEdit(m_state, this, "WeldJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);
 }
-float WeldJoint::GetDamping() const { return Row().damping; }
+float WeldJoint::GetDamping() const { return Lives("WeldJoint::GetDamping") ? Row().damping : 0.0f; }
 
 }  // namespace scree

@@ -47,41 +47,57 @@ WheelRow MakeRow(const WheelJointDef& def) {
             .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorTorque}};
 }
 
-Vec2 WheelJoint::GetAnchorA() const { return GetBodyA()->GetWorldPoint(Row().localAnchorA); }
-Vec2 WheelJoint::GetAnchorB() const { return GetBodyB()->GetWorldPoint(Row().localAnchorB); }
+Vec2 WheelJoint::GetAnchorA() const {
+    return Lives("WheelJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().localAnchorA) : vec2Zero;
+}
+Vec2 WheelJoint::GetAnchorB() const {
+    return Lives("WheelJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().localAnchorB) : vec2Zero;
+}
 Vec2 WheelJoint::GetReactionForce(float inverseDt) const {
+    if (!Lives("WheelJoint::GetReactionForce")) return vec2Zero;
     const WheelRow& row = Row();
     const float along = row.springImpulse + row.limit.lowerImpulse - row.limit.upperImpulse;
     return inverseDt * (row.impulse * row.axis.Skew() + along * row.axis);
 }
-float WheelJoint::GetReactionTorque(float inverseDt) const { return inverseDt * Row().motor.impulse; }
-Vec2 WheelJoint::GetLocalAnchorA() const { return Row().localAnchorA; }
-Vec2 WheelJoint::GetLocalAnchorB() const { return Row().localAnchorB; }
-Vec2 WheelJoint::GetLocalAxisA() const { return Row().localAxisA; }
+float WheelJoint::GetReactionTorque(float inverseDt) const {
+    return Lives("WheelJoint::GetReactionTorque") ? inverseDt * Row().motor.impulse : 0.0f;
+}
+Vec2 WheelJoint::GetLocalAnchorA() const {
+    return Lives("WheelJoint::GetLocalAnchorA") ? Row().localAnchorA : vec2Zero;
+}
+Vec2 WheelJoint::GetLocalAnchorB() const {
+    return Lives("WheelJoint::GetLocalAnchorB") ? Row().localAnchorB : vec2Zero;
+}
+Vec2 WheelJoint::GetLocalAxisA() const { return Lives("WheelJoint::GetLocalAxisA") ? Row().localAxisA : vec2Zero; }
 float WheelJoint::GetJointTranslation() const {
+    if (!Lives("WheelJoint::GetJointTranslation")) return 0.0f;
     const WheelRow& row = Row();
     return GetSlide(*this, {row.localAnchorA, row.localAnchorB, row.localAxisA});
 }
 float WheelJoint::GetJointLinearSpeed() const {
+    if (!Lives("WheelJoint::GetJointLinearSpeed")) return 0.0f;
     const WheelRow& row = Row();
     return GetSlideSpeed(*this, {row.localAnchorA, row.localAnchorB, row.localAxisA});
 }
-float WheelJoint::GetJointAngle() const { return GetBodyB()->GetAngle() - GetBodyA()->GetAngle(); }
+float WheelJoint::GetJointAngle() const {
+    return Lives("WheelJoint::GetJointAngle") ? GetBodyB()->GetAngle() - GetBodyA()->GetAngle() : 0.0f;
+}
 float WheelJoint::GetJointAngularSpeed() const {
+    if (!Lives("WheelJoint::GetJointAngularSpeed")) return 0.0f;
     return GetBodyB()->GetAngularVelocity() - GetBodyA()->GetAngularVelocity();
 }
 
-bool WheelJoint::IsLimitEnabled() const { return Row().limit.enabled; }
+bool WheelJoint::IsLimitEnabled() const { return Lives("WheelJoint::IsLimitEnabled") ? Row().limit.enabled : false; }
 ErrorCode WheelJoint::EnableLimit(bool flag) {
     return scree::EnableLimit(JointEdit(m_state, this, "WheelJoint::EnableLimit"), Row().limit, flag);
 }
-float WheelJoint::GetLowerLimit() const { return Row().limit.lower; }
-float WheelJoint::GetUpperLimit() const { return Row().limit.upper; }
+float WheelJoint::GetLowerLimit() const { return Lives("WheelJoint::GetLowerLimit") ? Row().limit.lower : 0.0f; }
+float WheelJoint::GetUpperLimit() const { return Lives("WheelJoint::GetUpperLimit") ? Row().limit.upper : 0.0f; }
 ErrorCode WheelJoint::SetLimits(float lower, float upper) {
     return scree::SetLimits(JointEdit(m_state, this, "WheelJoint::SetLimits"), Row().limit, lower, upper);
 }
 
-bool WheelJoint::IsMotorEnabled() const { return Row().motor.enabled; }
+bool WheelJoint::IsMotorEnabled() const { return Lives("WheelJoint::IsMotorEnabled") ? Row().motor.enabled : false; }
 ErrorCode WheelJoint::EnableMotor(bool flag) {
     return JointEdit(m_state, this, "WheelJoint::EnableMotor").SetAndWake(Row().motor.enabled, flag);
 }
@@ -90,24 +106,28 @@ ErrorCode WheelJoint::SetMotorSpeed(float speed) {
         .Finite(speed, "speed")
         .SetAndWake(Row().motor.speed, speed);
 }
-float WheelJoint::GetMotorSpeed() const { return Row().motor.speed; }
+float WheelJoint::GetMotorSpeed() const { return Lives("WheelJoint::GetMotorSpeed") ? Row().motor.speed : 0.0f; }
 ErrorCode WheelJoint::SetMaxMotorTorque(float torque) {
     return JointEdit(m_state, this, "WheelJoint::SetMaxMotorTorque")
         .Amount(torque, "torque")
         .SetAndWake(Row().motor.maximum, torque);
 }
-float WheelJoint::GetMaxMotorTorque() const { return Row().motor.maximum; }
-float WheelJoint::GetMotorTorque(float inverseDt) const { return inverseDt * Row().motor.impulse; }
+float WheelJoint::GetMaxMotorTorque() const {
+    return Lives("WheelJoint::GetMaxMotorTorque") ? Row().motor.maximum : 0.0f;
+}
+float WheelJoint::GetMotorTorque(float inverseDt) const {
+    return Lives("WheelJoint::GetMotorTorque") ? inverseDt * Row().motor.impulse : 0.0f;
+}
 
 ErrorCode WheelJoint::SetStiffness(float stiffness) {
     return JointEdit(m_state, this, "WheelJoint::SetStiffness")
         .Amount(stiffness, "stiffness")
         .Set(Row().stiffness, stiffness);
 }
-float WheelJoint::GetStiffness() const { return Row().stiffness; }
+float WheelJoint::GetStiffness() const { return Lives("WheelJoint::GetStiffness") ? Row().stiffness : 0.0f; }
 ErrorCode WheelJoint::SetDamping(float damping) {
     return JointEdit(m_state, this, "WheelJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);
 }
-float WheelJoint::GetDamping() const { return Row().damping; }
+float WheelJoint::GetDamping() const { return Lives("WheelJoint::GetDamping") ? Row().damping : 0.0f; }
 
 }  // namespace scree

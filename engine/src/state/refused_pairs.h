@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The pairs of fixtures that the program's filter has refused and whose boxes
+// still overlap. It is asked when a pair begins, not again in every step. Two
+// sorted lists are compared per pair finding; without a filter both are empty.
+
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+namespace scree {
+
+class RefusedPairs {
+public:
+    /// The larger index is in the high half.
+    static uint64_t KeyOf(uint32_t fixture1, uint32_t fixture2) {
+        const auto [low, high] = std::minmax(fixture1, fixture2);
+        return static_cast<uint64_t>(high) << 32 | low;
+    }
+
+    [[nodiscard]] bool Has(uint64_t key) const { return std::binary_search(m_keys.begin(), m_keys.end(), key); }
+    /// The filter is asked again about the pairs of this fixture, or about all,
+    /// in the next pair finding.
+    void Forget(uint32_t fixture) {
+        if (!m_keys.empty()) m_forgotten.push_back(fixture);
+    }
+    void Clear() { m_keys.clear(), m_forgotten.clear(); }
+
+    /// A pair finding begins. `fresh` are its pairs without a contact, sorted:
+    /// those known to be refused are taken out of it, and only they stay known.
+    void TakeOut(std::vector<uint64_t>& fresh) {
+        ApplyForgotten();
+        if (m_keys.empty()) return;
+        m_kept.clear(), m_rest.clear();
+        std::set_intersection(fresh.begin(), fresh.end(), m_keys.begin(), m_keys.end(), std::back_inserter(m_kept));
+        std::set_difference(fresh.begin(), fresh.end(), m_keys.begin(), m_keys.end(), std::back_inserter(m_rest));
+        m_keys.swap(m_kept);
+        fresh.swap(m_rest);
+    }
+    void Add(uint64_t key) { m_keys.insert(std::upper_bound(m_keys.begin(), m_keys.end(), key), key); }
+    /// Many at once, in any order.
+    void Add(const std::vector<uint64_t>& keys) {
+        if (keys.empty()) return;
+        m_keys.insert(m_keys.end(), keys.begin(), keys.end());
+        std::sort(m_keys.begin(), m_keys.end());
+    }
+
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return (m_keys.capacity() + m_kept.capacity() + m_rest.capacity()) * sizeof(uint64_t) +
+               m_forgotten.capacity() * sizeof(uint32_t);
+    }
+
+private:
+    void ApplyForgotten() {
+        if (m_forgotten.empty()) return;
+        std::sort(m_forgotten.begin(), m_forgotten.end());
+        const auto forgotten = [this](uint64_t fixture) {
+            return std::binary_search(m_forgotten.begin(), m_forgotten.end(), static_cast<uint32_t>(fixture));
+        };
+        std::erase_if(m_keys, [&](uint64_t key) { return forgotten(key >> 32) || forgotten(key); });
+        m_forgotten.clear();
+    }
+
+    std::vector<uint64_t> m_keys;  ///< sorted
+    std::vector<uint64_t> m_kept, m_rest;
+    std::vector<uint32_t> m_forgotten;
+};
+
+}  // namespace scree
