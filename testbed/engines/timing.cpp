@@ -54,7 +54,7 @@ std::string WriteTimingCsv(std::span<const TimingSeries> series) {
     for (const TimingSeries& one : series) {
         for (const StepRecord& record : one.steps) {
             const StepTimes& times = record.times;
-            fmt::format_to(std::back_inserter(text), "{},{},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", one.engine, record.step,
+            fmt::format_to(std::back_inserter(text), "{},{},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", one.pane, record.step,
                            times.broadPhase, times.narrowPhase, times.solver, times.step, record.contacts);
         }
     }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <iterator>
 #include <string_view>
+#include <vector>
 
 #include "testbed/page/gnuplot.h"
 
@@ -21,11 +22,13 @@ namespace fs = std::filesystem;
 namespace {
 
 struct SeriesLook {
-    std::string_view engine, title, color;
+    std::string_view color;
     int pointType;  ///< gnuplot's number: 7 filled circle, 5 filled square
 };
 
-constexpr SeriesLook looks[] = {{"box2d", "Box2D", "#0000cc", 7}, {"scree", "Scree", "#cc0000", 5}};
+constexpr SeriesLook boxTwoDLook{"#0000cc", 7};
+/// Of the others, in their order; Okabe and Ito's colours after the first.
+constexpr SeriesLook looks[] = {{"#cc0000", 5}, {"#009e73", 9}, {"#e69f00", 11}, {"#cc79a7", 13}, {"#56b4e9", 15}};
 
 constexpr std::string_view header = R"(set terminal pngcairo size 1100,640 font 'DejaVu Sans,12' background '#ffffff'
 set border 31 linecolor '#000000'
@@ -47,20 +50,27 @@ std::string MakeTimingScript(std::span<const TimingSeries> series, const std::st
     std::string data, plots;
     bool hasBox2d = false;
     int lastStep = 1;
-    for (const SeriesLook& look : looks) {
-        const auto one = std::find_if(series.begin(), series.end(),
-                                      [&](const TimingSeries& candidate) { return candidate.engine == look.engine; });
-        if (one == series.end()) continue;
-        hasBox2d = hasBox2d || look.engine == "box2d";
-        fmt::format_to(std::back_inserter(data), "${} << END\n", look.engine);
+    std::size_t others = 0;
+    // Drawn last lies on top: Box2D below.
+    std::vector<const TimingSeries*> order;
+    for (const TimingSeries& one : series) order.push_back(&one);
+    std::ranges::stable_partition(order, [](const TimingSeries* one) { return one->engine == "box2d"; });
+    for (const TimingSeries* one : order) {
+        const bool isBox2d = one->engine == "box2d";
+        const SeriesLook& look = isBox2d && !hasBox2d ? boxTwoDLook : looks[others++ % std::size(looks)];
+        hasBox2d = hasBox2d || isBox2d;
+        const std::string name = one->pane != one->engine ? one->pane : std::string(isBox2d ? "Box2D" : "Scree");
+        const std::string block = fmt::format("$series_{}", one - series.data());
+        fmt::format_to(std::back_inserter(data), "{} << END\n", block);
         for (const StepRecord& record : one->steps) {
             lastStep = std::max(lastStep, record.step);
             fmt::format_to(std::back_inserter(data), "{} {:.6f}\n", record.step, record.times.broadPhase);
         }
         data += "END\n";
-        fmt::format_to(std::back_inserter(plots),
-                       "{}${} with linespoints linecolor '{}' linewidth 1 pointtype {} pointsize 0.9 title '{}'",
-                       plots.empty() ? "plot " : ", ", look.engine, look.color, look.pointType, look.title);
+        fmt::format_to(
+            std::back_inserter(plots),
+            "{}{} with linespoints linecolor '{}' linewidth 1 pointtype {} pointsize 0.9 title '{}' noenhanced",
+            plots.empty() ? "plot " : ", ", block, look.color, look.pointType, name);
     }
     std::string script(header);
     fmt::format_to(std::back_inserter(script), "set output {}\nset title {} noenhanced\nset xrange [{}:{}]\n",

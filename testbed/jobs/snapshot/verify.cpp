@@ -37,16 +37,16 @@ uint64_t HashImage(const Image& image) {
 
 /// In the child: makes all pictures, a line each. Never returns to the caller's code.
 [[noreturn]] void RunChild(std::span<const SnapshotCase> cases, const VerifyWay& way, ContextOptions options,
-                           const Distortion& distortion, int out) {
+                           const Distortion& distortion, SnapshotMaking making, int out) {
     int code = exitDone;
     std::string text;
     try {
         options.threads = way.threads;
         setenv("LP_NUM_THREADS", fmt::format("{}", way.threads).c_str(), 1);  // also over the user's own
         PictureMaker maker(way.backend, options);
-        const SnapshotRun run{.threads = SupportedThreads(way.threads)};
+        making.spec.threads = SupportedThreads(way.threads);
         for (const std::span<const SnapshotCase> scene : GroupByScene(cases)) {
-            RenderSnapshots(scene, run, maker, [&](const SnapshotCase& snapshotCase, SnapshotPicture picture) {
+            RenderSnapshots(scene, making, maker, [&](const SnapshotCase& snapshotCase, SnapshotPicture picture) {
                 if (distortion) distortion(way, snapshotCase, picture);
                 text += fmt::format("{:016x} {}\n", HashImage(picture.image),
                                     picture.sidecar.at("state_hash").get<std::string>());
@@ -74,7 +74,7 @@ struct Child {
 };
 
 Child StartChild(std::span<const SnapshotCase> cases, const VerifyWay& way, const ContextOptions& options,
-                 const Distortion& distortion) {
+                 const Distortion& distortion, const SnapshotMaking& making) {
     int ends[2] = {-1, -1};
     if (pipe(ends) != 0) throw FileError("cannot open a pipe");
     std::fflush(nullptr);  // what is buffered would be written twice
@@ -82,7 +82,7 @@ Child StartChild(std::span<const SnapshotCase> cases, const VerifyWay& way, cons
     if (process < 0) throw FileError("cannot start a process");
     if (process == 0) {
         close(ends[0]);
-        RunChild(cases, way, options, distortion, ends[1]);
+        RunChild(cases, way, options, distortion, making, ends[1]);
     }
     close(ends[1]);
     return {process, ends[0]};
@@ -128,12 +128,13 @@ std::vector<VerifyWay> GetVerifyWays() {
 }
 
 std::vector<VerifyRun> VerifySnapshots(std::span<const SnapshotCase> cases, std::span<const VerifyWay> ways,
-                                       const ContextOptions& contextOptions, int jobs, const Distortion& distortion) {
+                                       const ContextOptions& contextOptions, int jobs, const Distortion& distortion,
+                                       const SnapshotMaking& making) {
     std::vector<Child> children;
     std::vector<VerifyRun> runs;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         while (children.size() < ways.size() && children.size() < i + static_cast<std::size_t>(std::max(jobs, 1))) {
-            children.push_back(StartChild(cases, ways[children.size()], contextOptions, distortion));
+            children.push_back(StartChild(cases, ways[children.size()], contextOptions, distortion, making));
         }
         Progress progress(ways[i].GetName(), 1);
         runs.push_back(FinishChild(children[i], ways[i], cases.size()));

@@ -87,8 +87,8 @@ PageCell RatioCell(std::optional<double> ratio) {
     return cell;
 }
 
-std::string NameOrNone(const std::optional<EngineSetting>& setting) {
-    return setting ? fmt::format("{} at {} Hz", NameSolver(*setting), setting->rate) : "–";
+std::string NameOrNone(const std::optional<RunSpec>& setting) {
+    return setting ? fmt::format("{} at {} Hz", NameSolver(*setting), GetRate(*setting)) : "–";
 }
 
 PageTable MakeGainTable(std::span<const LawGain> gains) {
@@ -142,7 +142,7 @@ PageTable MakeAllTable(std::span<const TradeCase> cases) {
     for (const TradeCase& one : cases) {
         const Quartiles cost = one.GetCost();
         table.rows.push_back({one.law, one.setting.engine, NameSolver(one.setting),
-                              PageCell::Number(one.setting.rate, 0), PageCell::Number(cost.median, 1),
+                              PageCell::Number(GetRate(one.setting), 0), PageCell::Number(cost.median, 1),
                               fmt::format("{:.1f} … {:.1f}", cost.low, cost.high),
                               ErrorCell(one.errors.front(), std::nullopt)});
     }
@@ -189,7 +189,7 @@ std::string MakeTradeCsv(std::span<const TradeCase> cases) {
         const Quartiles cost = one.GetCost();
         for (std::size_t i = 0; i < one.errors.size(); ++i) {
             fmt::format_to(std::back_inserter(text), "{},{},{},{},\"{}\",{},{:.9g},{:.4f},{:.4f},{:.4f}\n", one.law,
-                           one.setting.engine, NameSolver(one.setting), one.setting.rate, law->errors[i].name,
+                           one.setting.engine, NameSolver(one.setting), GetRate(one.setting), law->errors[i].name,
                            law->errors[i].unit, one.errors[i], cost.median, cost.low, cost.high);
         }
     }

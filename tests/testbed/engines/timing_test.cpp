@@ -25,7 +25,7 @@ namespace testbed {
 namespace {
 
 TimingSeries MakeSeries(const std::vector<int>& times) {
-    TimingSeries series{"scree", {}};
+    TimingSeries series{"scree", "scree", {}};
     for (std::size_t i = 0; i < times.size(); ++i) {
         StepRecord record;
         record.step = static_cast<int>(i) + 1;
@@ -64,7 +64,7 @@ TEST(TimingStats, SumNeedsAllItsSteps) {
 
 TEST(TimingPlot, DrawsAPictureAndLeavesNothingElse) {
     const ScratchFolder folder;
-    const std::vector<TimingSeries> series = {MakeSeries({1, 5, 2}), {"box2d", MakeSeries({9, 8, 7}).steps}};
+    const std::vector<TimingSeries> series = {MakeSeries({1, 5, 2}), {"box2d", "box2d", MakeSeries({9, 8, 7}).steps}};
     DrawTimingPlot(series, "it's a 'title' with $signs", folder.GetPath() / "a plot's.png");
     const Image picture = ReadPng(folder.GetPath() / "a plot's.png");
     EXPECT_EQ(picture.width, 1100);
@@ -78,7 +78,7 @@ TEST(TimingPlot, DrawsAPictureAndLeavesNothingElse) {
 }
 
 TEST(TimingPlot, NamesBox2dsRetestOnlyWhenBox2dIsThere) {
-    const std::vector<TimingSeries> ours = {MakeSeries({1})}, theirs = {{"box2d", MakeSeries({1}).steps}};
+    const std::vector<TimingSeries> ours = {MakeSeries({1})}, theirs = {{"box2d", "box2d", MakeSeries({1}).steps}};
     EXPECT_EQ(MakeTimingScript(ours, "t", "p.png").find("Collide"), std::string::npos);
     EXPECT_NE(MakeTimingScript(theirs, "t", "p.png").find("Collide"), std::string::npos);
 }
