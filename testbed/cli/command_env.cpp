@@ -16,6 +16,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/cli/commands.h"
 #include "testbed/engines/box2d_version.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/page/gnuplot.h"
 
 namespace testbed {
@@ -81,6 +82,9 @@ int RunEnv(const Request& request) {
         PrintLine(fmt::format("backend {}", GetBackendName(report.backend)),
                   report.works ? fmt::format("{} {}", report.renderer, report.version)
                                : fmt::format("missing: {}", report.problem));
+    }
+    for (const EngineInfo& engine : GetEngines()) {
+        PrintLine(fmt::format("engine {}", engine.name), DescribeAbilities(engine.abilities));
     }
     PrintLine("cpu", CpuModel());
     PrintLine("cpu features", CpuFeatures());

@@ -7,11 +7,10 @@
 #pragma once
 
 #include <memory>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "scenes/scene.h"
+#include "testbed/engines/run_spec.h"
 #include "testbed/engines/snapshot.h"
 
 namespace testbed {
@@ -25,21 +24,9 @@ struct CaptureParts {
     bool pairs = true;  ///< Box2D's reported pairs, which take a search; 0 without
 };
 
-inline constexpr int maxThreads = 64;
-
-/// How a scene is to be run.
-struct RunOptions {
-    std::string broadPhase = "auto";  ///< ours only; a name of scree::broadPhaseNames
-    int threads = 1;                  ///< ours, up to maxThreads
-    int substeps = 0;                 ///< ours: of the soft step; 0: sequential impulses with the scene's iterations
-    bool continuous = false;
-    bool boxTwoDCaps = true;  ///< ours: cap speed at 2 m and π/2 per step as Box2D does
-    bool sweptBoxes = false;  ///< keep the boxes before each step, for FixtureState::swept; untimed, O(fixtures)
-    /// Ours, what the world models: "automatic", "full", or a fixed set as names with commas ("" is the empty set).
-    std::string features = "automatic";
-    /// Whose motion the broad phase sees: "own", or the engine ("scree", "box2d") whose run it follows. A following run
-    /// simulates nothing itself: bodies, contacts and hash are its source's; nodes, times, pairs and memory its own.
-    std::string poses = "own";
+/// What a run must keep for captures beyond its world.
+struct RunNeeds {
+    bool sweptBoxes = false;  ///< the boxes before each step, for FixtureState::swept; untimed, O(fixtures)
 };
 
 /// What one step dealt with; the same words for every engine.
@@ -73,26 +60,14 @@ public:
     EngineRun& operator=(const EngineRun&) = delete;
 };
 
-/// What may change while a scene runs. Changes take effect in the next step.
-struct SolverSettings {
-    float timeStep = 1.0f / 60.0f;  ///< s, 0.0001 … 0.1
-    int velocityIterations = 8;     ///< 1 … 200
-    int positionIterations = 3;     ///< 0 … 200
-    int substeps = 0;               ///< ours: of the soft step, 0 … 64; 0: sequential impulses with the iterations
-    Vec2 gravity{0.0f, -10.0f};     ///< m/s²
-    bool sleeping = true;
-    bool warmStarting = true;
-    bool continuous = false;
-
-    friend bool operator==(const SolverSettings&, const SolverSettings&) = default;
-};
-
 /// A run that takes what a user does with the mouse and the keyboard.
 class InteractiveRun : public EngineRun {
 public:
-    [[nodiscard]] virtual SolverSettings GetSettings() const = 0;
-    /// Throws std::invalid_argument for a value outside its range, and changes nothing then.
-    virtual void Apply(const SolverSettings& settings) = 0;
+    /// How it runs, with what the scene decides filled in.
+    [[nodiscard]] virtual const RunSpec& GetSpec() const = 0;
+    /// From the next step on. Throws std::invalid_argument, and changes nothing then, for a value outside its range and
+    /// for another value of a key that cannot change while a scene runs.
+    virtual void Apply(const RunSpec& spec) = 0;
     /// Pulls a point of a dynamic body (in its coordinates) by a spring; a drag that was going on ends. Throws
     /// std::invalid_argument for another body. At first the spring pulls to where the point is.
     virtual void BeginDrag(int body, Vec2 localPoint) = 0;
@@ -107,16 +82,19 @@ public:
 /// Radius of a bullet, m.
 inline constexpr float bulletRadius = 0.25f;
 
-/// Loads a copy of a scene. Throws std::invalid_argument for an unknown broad phase, an option that the engine does not
-/// have, or a scene that it refuses.
-std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options);
-std::unique_ptr<InteractiveRun> MakeBox2dRun(const scenes::Scene& scene, const RunOptions& options);
+/// Loads a copy of a scene. Throws std::invalid_argument for a spec that the engine cannot run, or a scene that it
+/// refuses.
+std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunSpec& spec,
+                                             const RunNeeds& needs = {});
+std::unique_ptr<InteractiveRun> MakeBox2dRun(const scenes::Scene& scene, const RunSpec& spec,
+                                             const RunNeeds& needs = {});
 
-/// By name, "scree" or "box2d", following RunOptions::poses. Throws std::invalid_argument for another name.
-std::unique_ptr<EngineRun> MakeRun(std::string_view engine, const scenes::Scene& scene, const RunOptions& options);
+/// By the spec's engine; UsageError for one that is not in engine_list.h.
+std::unique_ptr<InteractiveRun> MakeRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs = {});
 
-/// The same for a run with a motion of its own; RunOptions::poses is not read.
-std::unique_ptr<InteractiveRun> MakeInteractiveRun(std::string_view engine, const scenes::Scene& scene,
-                                                   const RunOptions& options);
+/// The engine's broad phase alone, following the motion of `source`, which it simulates besides: bodies, contacts and
+/// hash are the source's; nodes, times, pairs and memory its own. The run itself where both are the same.
+std::unique_ptr<EngineRun> MakeFollower(const scenes::Scene& scene, const RunSpec& spec, const RunSpec& source,
+                                        const RunNeeds& needs = {});
 
 }  // namespace testbed

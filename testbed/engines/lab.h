@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "scenes/scene.h"
-#include "testbed/engines/engine_setting.h"
+#include "testbed/engines/run_spec.h"
 
 namespace testbed {
 
@@ -66,15 +66,10 @@ struct StepFacts {
     double milliseconds = 0.0;  ///< wall time
 };
 
-struct LabOptions {
-    bool sleep = false;
-    bool warmStarting = true;
-    bool continuous = true;
-    bool capped = true;                 ///< ours: cap speed at 2 m and π/2 per step as Box2D does
+/// What a laboratory changes of the scene itself.
+struct LabNeeds {
     double restitutionThreshold = 1.0;  ///< of all fixtures, m/s
-    double lengthScale = 1.0;           ///< ours: WorldDef::lengthScale
     Point place{};                      ///< where the scene's origin is put, m: both engines get the sum as they can
-    int workers = 1;                    ///< ours: threads
 };
 
 class LabWorld {
@@ -83,7 +78,7 @@ public:
     LabWorld(const LabWorld&) = delete;
     LabWorld& operator=(const LabWorld&) = delete;
 
-    /// One step of the setting's solver; of `dt` seconds instead of the setting's if given.
+    /// One step of the spec's solver; of `dt` seconds instead of the spec's if given.
     virtual StepFacts Step() = 0;
     virtual StepFacts Step(double dt) = 0;
 
@@ -112,12 +107,13 @@ private:
     scenes::Scene m_scene;
 };
 
-/// Throws std::invalid_argument for an engine or solver that is not there and for a scene that the engine refuses.
-[[nodiscard]] std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const EngineSetting& setting,
-                                                const LabOptions& options = {});
-[[nodiscard]] std::unique_ptr<LabWorld> MakeScreeLab(const scenes::Scene& scene, const EngineSetting& setting,
-                                                     const LabOptions& options);
-[[nodiscard]] std::unique_ptr<LabWorld> MakeBox2dLab(const scenes::Scene& scene, const EngineSetting& setting,
-                                                     const LabOptions& options);
+/// By the spec's engine, UsageError for one that is not in engine_list.h. Throws std::invalid_argument for a spec that
+/// the engine cannot run and for a scene that it refuses.
+[[nodiscard]] std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const RunSpec& spec,
+                                                const LabNeeds& needs = {});
+[[nodiscard]] std::unique_ptr<LabWorld> MakeScreeLab(const scenes::Scene& scene, const RunSpec& spec,
+                                                     const LabNeeds& needs);
+[[nodiscard]] std::unique_ptr<LabWorld> MakeBox2dLab(const scenes::Scene& scene, const RunSpec& spec,
+                                                     const LabNeeds& needs);
 
 }  // namespace testbed

@@ -22,11 +22,11 @@ struct Box2dNames {
     static Point ToPoint(b2Vec2 v) { return {double{v.x}, double{v.y}}; }
     static b2Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-    static std::unique_ptr<World> MakeWorld(const scenes::Scene& scene, const LabOptions& options) {
-        auto world = std::make_unique<World>(ToB2(scene.gravity));
-        world->SetAllowSleeping(options.sleep);
-        world->SetWarmStarting(options.warmStarting);
-        world->SetContinuousPhysics(options.continuous);
+    static std::unique_ptr<World> MakeWorld(const RunSpec& spec) {
+        auto world = std::make_unique<World>(ToB2(*spec.gravity));
+        world->SetAllowSleeping(spec.sleeping);
+        world->SetWarmStarting(spec.warmStarting);
+        world->SetContinuousPhysics(spec.continuous);
         return world;
     }
 
@@ -66,8 +66,9 @@ struct Box2dNames {
         return CreateBox2dJoint(world, joint, bodies, joints);
     }
 
-    static StepFacts Step(World& world, const EngineSetting& setting, float dt) {
-        world.Step(dt, setting.velocityIterations, setting.positionIterations);
+    static StepFacts Step(World& world, const RunSpec& spec, float dt) {
+        const Iterations iterations = *std::get<SequentialImpulses>(spec.solver).iterations;
+        world.Step(dt, iterations.velocity, iterations.position);
         return {};
     }
 
@@ -78,16 +79,8 @@ struct Box2dNames {
 
 }  // namespace
 
-std::unique_ptr<LabWorld> MakeBox2dLab(const scenes::Scene& scene, const EngineSetting& setting,
-                                       const LabOptions& options) {
-    return std::make_unique<LabWorldOf<Box2dNames>>(scene, setting, options);
-}
-
-std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const EngineSetting& setting, const LabOptions& options) {
-    if (!IsAvailable(setting)) throw std::invalid_argument("not in this build: " + NameSetting(setting));
-    if (setting.engine == "box2d") return MakeBox2dLab(scene, setting, options);
-    if (setting.engine == "scree") return MakeScreeLab(scene, setting, options);
-    throw std::invalid_argument("unknown engine '" + setting.engine + "': use scree or box2d");
+std::unique_ptr<LabWorld> MakeBox2dLab(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs) {
+    return std::make_unique<LabWorldOf<Box2dNames>>(scene, spec, needs);
 }
 
 }  // namespace testbed

@@ -10,6 +10,7 @@
 #include "testbed/engines/lab_world.h"
 #include "testbed/engines/scree_joint.h"
 #include "testbed/engines/scree_shape.h"
+#include "testbed/engines/scree_step.h"
 
 namespace testbed {
 namespace {
@@ -29,19 +30,8 @@ struct ScreeNames {
     static Point ToPoint(scree::Vec2 v) { return {double{v.x}, double{v.y}}; }
     static scree::Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
 
-    static std::unique_ptr<World> MakeWorld(const scenes::Scene& scene, const LabOptions& options) {
-        scree::WorldDef def;
-        def.gravity = ToScree(scene.gravity);
-        def.allowSleep = options.sleep;
-        def.warmStarting = options.warmStarting;
-        def.continuousPhysics = options.continuous;
-        def.lengthScale = static_cast<float>(options.lengthScale);
-        def.workerCount = options.workers;
-        if (options.capped) {
-            def.maxTranslation = scree::maxTranslation;
-            def.maxRotation = scree::maxRotation;
-        }
-        auto world = std::make_unique<World>(def);
+    static std::unique_ptr<World> MakeWorld(const RunSpec& spec) {
+        auto world = std::make_unique<World>(MakeScreeWorldDef(spec));
         world->SetErrorHandler(ThrowError, nullptr);
         return world;
     }
@@ -85,10 +75,8 @@ struct ScreeNames {
         return CreateScreeJoint(world, joint, bodies, joints);
     }
 
-    static StepFacts Step(World& world, const EngineSetting& setting, float dt) {
-        const scree::StepReport report = setting.solver == SolverKind::soft
-                                             ? world.Step(dt, setting.substeps)
-                                             : world.Step(dt, setting.velocityIterations, setting.positionIterations);
+    static StepFacts Step(World& world, const RunSpec& spec, float dt) {
+        const scree::StepReport report = StepScree(world, spec.solver, dt);
         StepFacts facts;
         facts.capped = report.cappedCount;
         facts.nonFinite = report.nonFiniteCount;
@@ -103,9 +91,8 @@ struct ScreeNames {
 
 }  // namespace
 
-std::unique_ptr<LabWorld> MakeScreeLab(const scenes::Scene& scene, const EngineSetting& setting,
-                                       const LabOptions& options) {
-    return std::make_unique<LabWorldOf<ScreeNames>>(scene, setting, options);
+std::unique_ptr<LabWorld> MakeScreeLab(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs) {
+    return std::make_unique<LabWorldOf<ScreeNames>>(scene, spec, needs);
 }
 
 }  // namespace testbed

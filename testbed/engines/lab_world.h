@@ -22,20 +22,20 @@ class LabWorldOf final : public LabWorld {
 public:
     using Body = typename E::Body;
 
-    LabWorldOf(const scenes::Scene& scene, const EngineSetting& setting, const LabOptions& options)
-        : LabWorld(scene), m_setting(setting), m_world(E::MakeWorld(scene, options)) {
+    LabWorldOf(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs)
+        : LabWorld(scene), m_spec(Checked(Resolve(spec, scene))), m_world(E::MakeWorld(m_spec)) {
         if (!scene.spawns.empty()) throw std::invalid_argument("a laboratory has no spawns");
-        for (const scenes::Body& body : scene.bodies) AddBody(body, options);
+        for (const scenes::Body& body : scene.bodies) AddBody(body, needs);
         for (const scenes::Joint& joint : scene.joints) {
             m_joints.push_back(E::MakeJoint(*m_world, joint, m_bodies, m_joints));
         }
     }
 
-    StepFacts Step() override { return Step(m_setting.GetTimeStep()); }
+    StepFacts Step() override { return Step(*m_spec.timeStep); }
     StepFacts Step(double dt) override {
         m_lastInverseDt = dt > 0.0 ? 1.0 / dt : 0.0;
         const Stopwatch watch;
-        StepFacts facts = E::Step(*m_world, m_setting, static_cast<float>(dt));
+        StepFacts facts = E::Step(*m_world, m_spec, static_cast<float>(dt));
         facts.milliseconds = watch.GetMilliseconds();
         facts.contacts = static_cast<int>(m_world->GetContactCount());
         return facts;
@@ -120,6 +120,10 @@ private:
         }
     }
 
+    static RunSpec Checked(RunSpec spec) {
+        if (const std::string problem = FindProblem(spec); !problem.empty()) throw std::invalid_argument(problem);
+        return spec;
+    }
     template <class Vec>
     static Point ToPoint(const Vec& v) {
         return {double{v.x}, double{v.y}};
@@ -130,20 +134,20 @@ private:
         return found;
     }
 
-    void AddBody(const scenes::Body& body, const LabOptions& options) {
-        auto def = E::MakeBodyDef(body, options.place + ToPoint(body.position));
+    void AddBody(const scenes::Body& body, const LabNeeds& needs) {
+        auto def = E::MakeBodyDef(body, needs.place + ToPoint(body.position));
         def.userData.pointer = m_bodies.size();
         Body* made = m_world->CreateBody(&def);
         m_bodies.push_back(made);
         for (int i = body.firstFixture; i < body.firstFixture + body.fixtureCount; ++i) {
-            E::AddFixture(*made, GetScene(), i, static_cast<float>(options.restitutionThreshold));
+            E::AddFixture(*made, GetScene(), i, static_cast<float>(needs.restitutionThreshold));
         }
         // A scene gives the velocity of the centre of mass, a definition that of the origin; they differ in a spin.
         if (body.angularVelocity != 0.0f)
             made->SetLinearVelocity(E::ToVec({body.linearVelocity.x, body.linearVelocity.y}));
     }
 
-    EngineSetting m_setting;
+    RunSpec m_spec;
     std::unique_ptr<typename E::World> m_world;
     std::vector<Body*> m_bodies;
     std::vector<typename E::Joint*> m_joints;

@@ -72,8 +72,8 @@ inline void Throw(scenes::Scene& scene, int body, Point velocity, double spin = 
 }
 
 /// Steps for about `seconds`: a whole number of them.
-inline void Run(LabWorld& lab, const EngineSetting& setting, double seconds) {
-    const int steps = static_cast<int>(std::lround(seconds * setting.rate));
+inline void Run(LabWorld& lab, const RunSpec& spec, double seconds) {
+    const int steps = static_cast<int>(std::lround(seconds * GetRate(spec)));
     for (int i = 0; i < steps; ++i) lab.Step();
 }
 

@@ -15,10 +15,11 @@
 namespace testbed {
 
 /// Stand-alone b2BroadPhase following `source`, which must be at step 0 of `scene`.
-std::unique_ptr<EngineRun> MakeBox2dFollower(const scenes::Scene& scene, std::unique_ptr<EngineRun> source);
+std::unique_ptr<EngineRun> MakeBox2dFollower(const scenes::Scene& scene, const RunSpec& spec,
+                                             std::unique_ptr<EngineRun> source);
 
-/// Stand-alone broad phase of ours, of the kind in `options`, following `source`.
-std::unique_ptr<EngineRun> MakeScreeFollower(const scenes::Scene& scene, const RunOptions& options,
+/// Stand-alone broad phase of ours, of the kind in `spec`, following `source`.
+std::unique_ptr<EngineRun> MakeScreeFollower(const scenes::Scene& scene, const RunSpec& spec,
                                              std::unique_ptr<EngineRun> source);
 
 }  // namespace testbed

@@ -120,7 +120,8 @@ void Box2dFollower::CaptureBroadPhase(Snapshot& snapshot, bool nodes) {
 
 }  // namespace
 
-std::unique_ptr<EngineRun> MakeBox2dFollower(const scenes::Scene& scene, std::unique_ptr<EngineRun> source) {
+std::unique_ptr<EngineRun> MakeBox2dFollower(const scenes::Scene& scene, const RunSpec&,
+                                             std::unique_ptr<EngineRun> source) {
     return std::make_unique<Box2dFollower>(scene, std::move(source));
 }
 

@@ -34,9 +34,9 @@ scree::Motion MotionOf(scenes::BodyType type) {
     return scree::Motion::isStatic;
 }
 
-scree::BroadPhaseKind KindOf(const RunOptions& options) {
-    const auto kind = scree::BroadPhaseFromName(options.broadPhase);
-    if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
+scree::BroadPhaseKind KindOf(const RunSpec& spec) {
+    const auto kind = scree::BroadPhaseFromName(spec.broadPhase);
+    if (!kind) throw std::invalid_argument("unknown broad phase '" + spec.broadPhase + "'");
     // CreateBroadPhase resolves `automatic` to `keys` as a World does.
     return *kind == scree::BroadPhaseKind::automatic ? scree::BroadPhaseKind::keys : *kind;
 }
@@ -110,9 +110,9 @@ void ScreeFollower::CaptureBroadPhase(Snapshot& snapshot, bool nodes) {
 
 }  // namespace
 
-std::unique_ptr<EngineRun> MakeScreeFollower(const scenes::Scene& scene, const RunOptions& options,
+std::unique_ptr<EngineRun> MakeScreeFollower(const scenes::Scene& scene, const RunSpec& spec,
                                              std::unique_ptr<EngineRun> source) {
-    return std::make_unique<ScreeFollower>(scene, KindOf(options), std::move(source));
+    return std::make_unique<ScreeFollower>(scene, KindOf(spec), std::move(source));
 }
 
 }  // namespace testbed

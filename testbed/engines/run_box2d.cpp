@@ -71,15 +71,15 @@ bool IsSimulated(const b2Body& body) { return body.GetType() != b2_staticBody &&
 
 class Box2dRun final : public SceneRun {
 public:
-    Box2dRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene, options) {
+    Box2dRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs) : SceneRun(scene, spec, needs) {
         m_bodies.reserve(scene.bodies.size());
         m_proxies.reserve(scene.fixtures.size());
         m_joints.reserve(scene.joints.size());
         Create([&] {
-            m_world = std::make_unique<b2World>(ToB2(scene.gravity));
-            m_world->SetContinuousPhysics(options.continuous);
-            m_world->SetAllowSleeping(true);
-            m_world->SetWarmStarting(true);
+            m_world = std::make_unique<b2World>(ToB2(*GetSpec().gravity));
+            m_world->SetContinuousPhysics(GetSpec().continuous);
+            m_world->SetAllowSleeping(GetSpec().sleeping);
+            m_world->SetWarmStarting(GetSpec().warmStarting);
             if (HasConveyor()) m_world->SetContactListener(&m_conveyor);
             Load();
         });
@@ -94,7 +94,7 @@ protected:
     void CreateJoint(const scenes::Joint& joint) override;
     StepTimes StepEngine(bool newFixtures) override;
     void CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) override;
-    void ApplyToWorld(const SolverSettings& settings) override;
+    void ApplyToWorld(const RunSpec& spec) override;
     void CreateDrag(int body, Vec2 localPoint) override;
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToB2(target)); }
     void DestroyDrag() override;
@@ -162,9 +162,9 @@ void Box2dRun::CreateJoint(const scenes::Joint& joint) {
 }
 
 StepTimes Box2dRun::StepEngine(bool newFixtures) {
-    const SolverSettings s = GetSettings();
+    const Iterations iterations = *std::get<SequentialImpulses>(GetSpec().solver).iterations;
     const Stopwatch watch;
-    m_world->Step(s.timeStep, s.velocityIterations, s.positionIterations);
+    m_world->Step(GetTimeStep(), iterations.velocity, iterations.position);
     StepTimes times;
     times.step = watch.GetMilliseconds();
     const b2Profile& p = m_world->GetProfile();
@@ -191,11 +191,11 @@ StepCounts Box2dRun::CountStep() {
     return counts;
 }
 
-void Box2dRun::ApplyToWorld(const SolverSettings& settings) {
-    m_world->SetGravity(ToB2(settings.gravity));
-    m_world->SetAllowSleeping(settings.sleeping);
-    m_world->SetWarmStarting(settings.warmStarting);
-    m_world->SetContinuousPhysics(settings.continuous);
+void Box2dRun::ApplyToWorld(const RunSpec& spec) {
+    m_world->SetGravity(ToB2(*spec.gravity));
+    m_world->SetAllowSleeping(spec.sleeping);
+    m_world->SetWarmStarting(spec.warmStarting);
+    m_world->SetContinuousPhysics(spec.continuous);
 }
 
 void Box2dRun::CreateDrag(int body, Vec2 localPoint) {
@@ -229,8 +229,8 @@ void Box2dRun::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {
 
 }  // namespace
 
-std::unique_ptr<InteractiveRun> MakeBox2dRun(const scenes::Scene& scene, const RunOptions& options) {
-    return std::make_unique<Box2dRun>(scene, options);
+std::unique_ptr<InteractiveRun> MakeBox2dRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs) {
+    return std::make_unique<Box2dRun>(scene, spec, needs);
 }
 
 }  // namespace testbed

@@ -18,6 +18,7 @@
 #include "testbed/engines/scene_run.h"
 #include "testbed/engines/scree_joint.h"
 #include "testbed/engines/scree_shape.h"
+#include "testbed/engines/scree_step.h"
 
 namespace testbed {
 namespace {
@@ -63,44 +64,6 @@ scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Sh
     return def;
 }
 
-static_assert(maxThreads == scree::maxWorkers);
-
-scree::Features ParseFeatures(std::string_view names) {
-    scree::Features features;
-    while (!names.empty()) {
-        const std::string_view name = names.substr(0, names.find(','));
-        names.remove_prefix(std::min(names.size(), name.size() + 1));
-        const auto feature = scree::FeatureFromName(name);
-        if (!feature) throw std::invalid_argument("unknown feature '" + std::string(name) + "'");
-        features.Add(*feature);
-    }
-    return features;
-}
-
-scree::WorldDef MakeWorldDef(const scenes::Scene& scene, const RunOptions& options) {
-    const auto kind = scree::BroadPhaseFromName(options.broadPhase);
-    if (!kind) throw std::invalid_argument("unknown broad phase '" + options.broadPhase + "'");
-    if (options.threads < 1 || options.threads > maxThreads) {
-        throw std::invalid_argument("give 1 to " + std::to_string(maxThreads) + " threads");
-    }
-    scree::WorldDef def;
-    def.gravity = ToScree(scene.gravity);
-    def.broadPhase = *kind;
-    def.workerCount = options.threads;
-    def.continuousPhysics = options.continuous;
-    if (options.features == "full") {
-        def.featureMode = scree::FeatureMode::full;
-    } else if (options.features != "automatic") {
-        def.featureMode = scree::FeatureMode::fixed;
-        def.features = ParseFeatures(options.features);
-    }
-    if (options.boxTwoDCaps) {
-        def.maxTranslation = scree::maxTranslation;
-        def.maxRotation = scree::maxRotation;
-    }
-    return def;
-}
-
 /// A refused call means a scene that cannot be loaded as described: nothing to go on with.
 void ThrowError(const scree::Error& error, void*) {
     throw std::invalid_argument(std::string(error.function) + ": " + error.field + ": " + scree::GetName(error.code) +
@@ -132,8 +95,9 @@ private:
 
 class ScreeRun final : public SceneRun {
 public:
-    ScreeRun(const scenes::Scene& scene, const RunOptions& options) : SceneRun(scene, options), m_conveyor(GetScene()) {
-        const scree::WorldDef def = MakeWorldDef(scene, options);
+    ScreeRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs)
+        : SceneRun(scene, spec, needs), m_conveyor(GetScene()) {
+        const scree::WorldDef def = MakeScreeWorldDef(GetSpec());
         m_bodies.reserve(scene.bodies.size());
         m_proxies.reserve(scene.fixtures.size());
         m_proxyOf.reserve(scene.fixtures.size());
@@ -158,7 +122,7 @@ protected:
     void CreateJoint(const scenes::Joint& joint) override;
     StepTimes StepEngine(bool newFixtures) override;
     void CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) override;
-    void ApplyToWorld(const SolverSettings& settings) override;
+    void ApplyToWorld(const RunSpec& spec) override;
     void CreateDrag(int body, Vec2 localPoint) override;
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToScree(target)); }
     void DestroyDrag() override;
@@ -226,11 +190,8 @@ void ScreeRun::CreateJoint(const scenes::Joint& joint) {
 }
 
 StepTimes ScreeRun::StepEngine(bool) {
-    const SolverSettings s = GetSettings();
     const Stopwatch watch;
-    const scree::StepReport report = s.substeps > 0
-                                         ? m_world->Step(s.timeStep, s.substeps)
-                                         : m_world->Step(s.timeStep, s.velocityIterations, s.positionIterations);
+    const scree::StepReport report = StepScree(*m_world, GetSpec().solver, GetTimeStep());
     const scree::Profile& p = report.profile;
     return {.broadPhase = double{p.broadPhase},
             .narrowPhase = double{p.narrowPhase},
@@ -240,11 +201,11 @@ StepTimes ScreeRun::StepEngine(bool) {
             .step = watch.GetMilliseconds()};
 }
 
-void ScreeRun::ApplyToWorld(const SolverSettings& settings) {
-    m_world->SetGravity(ToScree(settings.gravity));
-    m_world->SetAllowSleeping(settings.sleeping);
-    m_world->SetWarmStarting(settings.warmStarting);
-    m_world->SetContinuousPhysics(settings.continuous);
+void ScreeRun::ApplyToWorld(const RunSpec& spec) {
+    m_world->SetGravity(ToScree(*spec.gravity));
+    m_world->SetAllowSleeping(spec.sleeping);
+    m_world->SetWarmStarting(spec.warmStarting);
+    m_world->SetContinuousPhysics(spec.continuous);
 }
 
 void ScreeRun::CreateDrag(int body, Vec2 localPoint) {
@@ -274,6 +235,7 @@ void ScreeRun::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {
                                .proxyOf = m_proxyOf,
                                .joints = m_joints};
     testbed::Capture(*m_world, listing, snapshot, parts);
+    snapshot.threads = GetSpec().threads;
 }
 
 }  // namespace
@@ -298,8 +260,8 @@ FeatureFacts GetFeatureFacts(const EngineRun& run) {
     return facts;
 }
 
-std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunOptions& options) {
-    return std::make_unique<ScreeRun>(scene, options);
+std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs) {
+    return std::make_unique<ScreeRun>(scene, spec, needs);
 }
 
 }  // namespace testbed

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace testbed {
 
@@ -15,23 +16,17 @@ namespace {
 
 constexpr float bulletDensity = 20.0f;  // kg/m²: heavy among the scenes' bodies, most of which have 1
 
-bool IsInRange(const SolverSettings& s) {
-    return s.timeStep >= 0.0001f && s.timeStep <= 0.1f && s.velocityIterations >= 1 && s.velocityIterations <= 200 &&
-           s.positionIterations >= 0 && s.positionIterations <= 200 && s.substeps >= 0 && s.substeps <= 64 &&
-           std::isfinite(s.gravity.x) && std::isfinite(s.gravity.y);
+/// The spec with what the scene decides filled in. Throws std::invalid_argument for what an engine cannot run.
+RunSpec CheckedSpec(const RunSpec& spec, const scenes::Scene& scene) {
+    RunSpec resolved = Resolve(spec, scene);
+    if (const std::string problem = FindProblem(resolved); !problem.empty()) throw std::invalid_argument(problem);
+    return resolved;
 }
 
 }  // namespace
 
-SceneRun::SceneRun(const scenes::Scene& scene, const RunOptions& options)
-    : m_scene(scene), m_keepBoxes(options.sweptBoxes) {
-    m_settings.timeStep = scene.timeStep;
-    m_settings.velocityIterations = scene.velocityIterations;
-    m_settings.positionIterations = scene.positionIterations;
-    m_settings.substeps = options.substeps;
-    m_settings.gravity = scene.gravity;
-    m_settings.continuous = options.continuous;
-}
+SceneRun::SceneRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs)
+    : m_scene(scene), m_spec(CheckedSpec(spec, scene)), m_keepBoxes(needs.sweptBoxes) {}
 
 void SceneRun::Load() {
     CreateBodiesUpTo(m_scene.InitialBodyCount());
@@ -83,14 +78,14 @@ void SceneRun::Step() {
     if (due > m_bodyCount) Create([&] { CreateBodiesUpTo(due); });
 }
 
-void SceneRun::Apply(const SolverSettings& settings) {
-    if (!IsInRange(settings)) {
-        throw std::invalid_argument(
-            "solver settings: the time step is legal from 0.0001 to 0.1 s, velocity iterations from 1 to 200, position "
-            "iterations from 0 to 200, substeps from 0 to 64, and gravity must be finite");
+void SceneRun::Apply(const RunSpec& spec) {
+    RunSpec resolved = CheckedSpec(spec, m_scene);
+    for (const SettingKey& key : GetSettingKeys()) {
+        if (key.isLive || key.print(resolved) == key.print(m_spec)) continue;
+        throw std::invalid_argument(std::string(key.name) + " cannot change while a scene runs");
     }
-    m_settings = settings;
-    ApplyToWorld(settings);
+    m_spec = std::move(resolved);
+    ApplyToWorld(m_spec);
 }
 
 void SceneRun::BeginDrag(int body, Vec2 localPoint) {

@@ -21,18 +21,19 @@ public:
     [[nodiscard]] int64_t GetPeakBytes() const final { return m_heap.GetPeakBytes(); }
     void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
 
-    [[nodiscard]] SolverSettings GetSettings() const final { return m_settings; }
-    void Apply(const SolverSettings& settings) final;
+    [[nodiscard]] const RunSpec& GetSpec() const final { return m_spec; }
+    void Apply(const RunSpec& spec) final;
     void BeginDrag(int body, Vec2 localPoint) final;
     void MoveDrag(Vec2 target) final;
     void EndDrag() final;
     int ShootBullet(Vec2 position, Vec2 velocity) final;
 
 protected:
-    SceneRun(const scenes::Scene& scene, const RunOptions& options);
+    SceneRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs);
     /// Creates what exists before the first step; for the constructor of the engine's class, inside Create.
     void Load();
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
+    [[nodiscard]] float GetTimeStep() const { return static_cast<float>(*m_spec.timeStep); }
     /// Whether any surface of the scene moves what touches it.
     [[nodiscard]] bool HasConveyor() const;
     /// Bodies created so far: indices 0 … count − 1.
@@ -54,7 +55,7 @@ protected:
     /// All that the world itself knows, in the order of the scene.
     virtual void CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) = 0;
     /// Gravity, sleeping, warm starting and continuous collision into the world; steps read the rest.
-    virtual void ApplyToWorld(const SolverSettings& settings) = 0;
+    virtual void ApplyToWorld(const RunSpec& spec) = 0;
     /// A mouse joint on the body at `localPoint`; none exists. Its strength is that of the dragSpring… below.
     virtual void CreateDrag(int body, Vec2 localPoint) = 0;
     virtual void MoveDragTo(Vec2 target) = 0;
@@ -78,7 +79,7 @@ private:
     int m_bodyCount = 0;
     size_t m_spawnCount = 0;
     bool m_newFixtures = false;
-    SolverSettings m_settings;
+    RunSpec m_spec;
     bool m_isDragging = false;
     bool m_keepBoxes;
     std::vector<Box> m_boxesBefore;  ///< by index into Snapshot::fixtures, before the last step

@@ -1,34 +1,18 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One scene in one or two engines, stepped in turn.
+// One scene in one or more panes, stepped in turn.
 
 #include "testbed/engines/side_by_side.h"
 
-#include <string_view>
-
-#include "testbed/engines/poses.h"
-
 namespace testbed {
 
-namespace {
-
-std::unique_ptr<EngineRun> MakeEngine(std::string_view engine, const scenes::Scene& scene, const RunSetup& setup) {
-    const bool isScree = engine == "scree";
-    if (setup.poses == Poses::own || isScree == (setup.poses == Poses::scree)) {
-        return MakeRun(engine, scene, setup.options);
-    }
-    // The source is a run of its own, not the one shown: simulation is deterministic, so the motion is the same.
-    if (isScree) return MakeScreeFollower(scene, setup.options, MakeBox2dRun(scene, setup.options));
-    return MakeBox2dFollower(scene, MakeScreeRun(scene, setup.options));
-}
-
-}  // namespace
-
-SideBySide::SideBySide(const scenes::Scene& scene, const RunSetup& setup) {
-    for (const std::string& engine : setup.engines) {
-        m_runs.push_back(MakeEngine(engine, scene, setup));
-        m_timing.push_back({engine, {}});
+SideBySide::SideBySide(const scenes::Scene& scene, const Panes& panes, const RunNeeds& needs) : m_panes(panes) {
+    for (const Pane& pane : panes.panes) {
+        // A source is a run of its own, not the one shown: simulation is deterministic, so the motion is the same.
+        m_runs.push_back(panes.source ? MakeFollower(scene, pane.spec, *panes.source, needs)
+                                      : MakeRun(scene, pane.spec, needs));
+        m_timing.push_back({pane.name, pane.spec.engine, {}});
     }
 }
 
@@ -46,7 +30,11 @@ void SideBySide::Step() {
 
 std::vector<Snapshot> SideBySide::Capture(const CaptureParts& parts) {
     std::vector<Snapshot> snapshots(m_runs.size());
-    for (std::size_t i = 0; i < m_runs.size(); ++i) m_runs[i]->Capture(snapshots[i], parts);
+    for (std::size_t i = 0; i < m_runs.size(); ++i) {
+        m_runs[i]->Capture(snapshots[i], parts);
+        snapshots[i].pane = m_panes.panes[i].name;
+        snapshots[i].settings = PrintSettings(m_panes.panes[i].spec);
+    }
     return snapshots;
 }
 

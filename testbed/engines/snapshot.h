@@ -43,7 +43,7 @@ struct FixtureState {
     scenes::Shape shape;
     bool sensor;
     Box tight;  ///< tight AABB at the snapshot's pose, skin included
-    /// Around `tight` and the tight box before the last step; equals `tight` unless RunOptions::sweptBoxes asks for it.
+    /// Around `tight` and the tight box before the last step; equals `tight` unless RunNeeds::sweptBoxes asks for it.
     Box swept{};
     std::vector<Vec2> outline{};  ///< of the further convex shapes (scenes/outline.h), in body coordinates; else empty
 };
@@ -90,7 +90,9 @@ struct StepTimes {
 };
 
 struct Snapshot {
-    std::string engine;      ///< "scree" or "box2d"
+    std::string engine;      ///< a name of engine_list.h
+    std::string pane;        ///< where one engine runs several times: its pane's name; else empty or the engine's
+    std::string settings;    ///< of the pane, as PrintSettings writes them
     std::string broadPhase;  ///< the algorithm's name
     std::string scene;
     int size = 0;
@@ -111,6 +113,9 @@ struct Snapshot {
     StepTimes times;            ///< of the last step
     uint64_t stateHash = 0;
     int64_t memoryBytes = 0;  ///< heap held by the engine, scene data excluded
+
+    /// What it is called among others.
+    [[nodiscard]] const std::string& GetName() const { return pane.empty() ? engine : pane; }
 };
 
 /// Empties what a capture of a world fills in; scene, size, step, threads, times and memory stay.

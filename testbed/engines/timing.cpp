@@ -55,7 +55,7 @@ std::string WriteTimingCsv(std::span<const TimingSeries> series) {
     for (const TimingSeries& one : series) {
         for (const StepRecord& record : one.steps) {
             const StepTimes& times = record.times;
-            table.AddRow(one.engine, record.step, ms(times.broadPhase), ms(times.narrowPhase), ms(times.solver),
+            table.AddRow(one.pane, record.step, ms(times.broadPhase), ms(times.narrowPhase), ms(times.solver),
                          ms(times.step), record.contacts);
         }
     }

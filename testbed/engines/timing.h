@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Times and contacts of every step of one engine's run, and their statistics.
+// Times and contacts of every step of one pane's run, and their statistics.
 
 #pragma once
 
@@ -20,7 +20,8 @@ struct StepRecord {
 };
 
 struct TimingSeries {
-    std::string engine;
+    std::string pane;               ///< its name
+    std::string engine;             ///< that runs in it
     std::vector<StepRecord> steps;  ///< 1, 2, … in order
 };
 
@@ -39,7 +40,7 @@ struct TimingStats {
 
 [[nodiscard]] int GetPeakContacts(const TimingSeries& series);
 
-/// A header, then a row per engine and step with the column names of metrics.csv.
+/// A header, then a row per pane and step with the column names of metrics.csv.
 [[nodiscard]] std::string WriteTimingCsv(std::span<const TimingSeries> series);
 
 }  // namespace testbed

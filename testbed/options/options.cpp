@@ -12,16 +12,14 @@
 #include <span>
 #include <tuple>
 
-#include "scree/broad_phase_kind.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/text.h"
+#include "testbed/engines/engine_list.h"
 
 namespace testbed {
 
 namespace {
 
-constexpr std::array<std::string_view, 2> engineNames = {"scree", "box2d"};
-constexpr std::array<std::string_view, 3> posesNames = {"own", "scree", "box2d"};
 constexpr std::array<std::string_view, 4> styleNames = {"alpha", "heat", "bands", "log"};
 constexpr std::array<std::string_view, 2> themeNames = {"dark", "light"};
 constexpr std::array<std::string_view, 4> backendNames = {"auto", "osmesa", "egl", "cpu"};
@@ -32,21 +30,14 @@ void CheckKnown(std::string_view what, std::string_view word, std::span<const st
     }
 }
 
-}  // namespace
-
-std::vector<std::string> ParseEngines(std::string_view text) {
-    bool chosen[engineNames.size()] = {};
-    for (const std::string_view name : Split(text, ',')) {
-        CheckKnown("engine", name, engineNames);
-        chosen[static_cast<std::size_t>(std::find(engineNames.begin(), engineNames.end(), name) -
-                                        engineNames.begin())] = true;
-    }
-    std::vector<std::string> engines;
-    for (std::size_t i = 0; i < engineNames.size(); ++i) {
-        if (chosen[i]) engines.emplace_back(engineNames[i]);
-    }
-    return engines;
+/// An engine that is not shown but moves what is.
+RunSpec MakeSource(std::string_view engine, std::span<const TypedSetting> typed) {
+    RunSpec spec = MakeSpec(engine, likeBox2dPreset);
+    for (const TypedSetting& one : typed) (void)ApplySetting(spec, one.setting, one.source);
+    return spec;
 }
+
+}  // namespace
 
 std::vector<int> ParseIntList(std::string_view option, std::string_view text, std::string_view takes) {
     std::vector<int> numbers;
@@ -57,8 +48,6 @@ std::vector<int> ParseIntList(std::string_view option, std::string_view text, st
     }
     return numbers;
 }
-
-void CheckBroadPhase(std::string_view name) { CheckKnown("broad phase", name, scree::broadPhaseNames); }
 
 std::pair<int, int> ParseSize(std::string_view option, std::string_view text) {
     const std::vector<std::string_view> parts = Split(text, 'x');
@@ -113,32 +102,80 @@ int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size) {
                                  info.minSize, info.maxSize));
 }
 
-void AddRunOptions(CLI::App& app, RunArguments& arguments) {
+void AddSetOption(CLI::App& app, SettingArguments& arguments, const std::string& note) {
+    app.add_option("--set", arguments.sets,
+                   "A setting of how scenes are run, in every engine that has it; repeatable, the last one counts. " +
+                       note + (note.empty() ? "" : ". ") + "Keys:\n" + DescribeSettingKeys())
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false);
+}
+
+void AddEnginesOption(CLI::App& app, SettingArguments& arguments, const std::string& note) {
+    CLI::Option* option =
+        app.add_option("--engines", arguments.engines,
+                       "Engines to run, with commas: [NAME=]ENGINE[:KEY=VALUE]..., keys as for --set, for example "
+                       "scree,scree:solver=soft@8:threads=2,box2d. " +
+                           note);
+    option->type_name("LIST");
+    if (!arguments.engines.empty()) option->capture_default_str();
+}
+
+void AddSettingFlags(CLI::App& app, SettingArguments& arguments, std::initializer_list<std::string_view> keys) {
+    for (const std::string_view name : keys) {
+        const SettingKey& key = FindSettingKey(name);
+        const std::string flag(key.flag);
+        const std::string what = fmt::format("The same as --set {}=..: {}; {}", key.name, key.values, key.what);
+        if (key.print(RunSpec{}) == "on" || key.print(RunSpec{}) == "off") {
+            app.add_flag_callback(
+                flag,
+                [&arguments, &key, flag] {
+                    arguments.flags.push_back({fmt::format("{}=on", key.name), flag, true});
+                },
+                fmt::format("The same as --set {}=on: {}", key.name, key.what));
+            continue;
+        }
+        app.add_option_function<std::string>(
+            flag,
+            [&arguments, &key, flag](const std::string& value) {
+                arguments.flags.push_back({fmt::format("{}={}", key.name, value), flag + " " + value, true});
+            },
+            what);
+    }
+}
+
+std::vector<TypedSetting> GetTypedSettings(const SettingArguments& arguments) {
+    std::vector<TypedSetting> settings = arguments.flags;
+    for (const std::string& setting : arguments.sets) settings.push_back({setting, "--set " + setting});
+    return settings;
+}
+
+void AddRunOptions(CLI::App& app, SceneArguments& arguments) {
     app.add_option("--size", arguments.size, "Size of the scene; its own default if not given");
-    app.add_option("--broad-phase", arguments.broadPhase,
-                   fmt::format("Algorithm of the engine scree: {}", fmt::join(scree::broadPhaseNames, ", ")))
-        ->capture_default_str();
-    app.add_option("--engines", arguments.engines, "Engines to run: scree, box2d or both with a comma")
-        ->capture_default_str();
+    AddEnginesOption(app, arguments.settings, "");
+    app.add_option("--baseline", arguments.settings.baseline,
+                   "Name of the pane that the others are compared with; box2d's if not given")
+        ->type_name("NAME");
+    AddSetOption(app, arguments.settings, comparisonNote);
+    AddSettingFlags(app, arguments.settings, {"broadPhase", "threads"});
     app.add_option("--poses", arguments.poses,
                    "Motion that drives the trees: own (every engine simulates for itself), scree or box2d (one motion "
-                   "drives both, so that pictures differ by the tree alone)")
-        ->capture_default_str();
-    app.add_option("--threads", arguments.threads, "Threads of the engine scree")
-        ->check(CLI::Range(1, maxThreads))
+                   "drives all, so that pictures differ by the tree alone)")
         ->capture_default_str();
     app.add_option("-o,--output", arguments.output, "Folder for the files")->capture_default_str()->type_name("DIR");
 }
 
-RunSetup MakeRunSetup(const RunArguments& arguments) {
-    CheckBroadPhase(arguments.broadPhase);
-    CheckKnown("kind of poses", arguments.poses, posesNames);
-    RunSetup setup;
-    setup.engines = ParseEngines(arguments.engines);
-    setup.poses = arguments.poses == "own" ? Poses::own : arguments.poses == "scree" ? Poses::scree : Poses::box2d;
-    setup.options.broadPhase = arguments.broadPhase;
-    setup.options.threads = arguments.threads;
-    return setup;
+Panes MakePanes(const SceneArguments& arguments) {
+    const std::vector<TypedSetting> typed = GetTypedSettings(arguments.settings);
+    Panes panes{.panes = ParsePanes(arguments.settings.engines, typed, comparisonBase)};
+    panes.baseline = FindBaseline(panes.panes, arguments.settings.baseline);
+    std::vector<std::string_view> names{"own"};
+    for (const EngineInfo& engine : GetEngines()) names.push_back(engine.name);
+    CheckKnown("kind of poses", arguments.poses, names);
+    if (arguments.poses == "own") return panes;
+    const auto shown =
+        std::ranges::find_if(panes.panes, [&](const Pane& pane) { return pane.spec.engine == arguments.poses; });
+    panes.source = shown != panes.panes.end() ? shown->spec : MakeSource(arguments.poses, typed);
+    return panes;
 }
 
 void AddCountOptions(CLI::App& app, PictureArguments& arguments) {

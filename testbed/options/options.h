@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,7 @@
 
 #include "scenes/catalog.h"
 #include "testbed/base/errors.h"
+#include "testbed/engines/panes.h"
 #include "testbed/engines/side_by_side.h"
 #include "testbed/view/picture.h"
 
@@ -37,14 +39,8 @@ inline constexpr int maxStep = 1'000'000;
 /// "A:B" or "A:B:S" with 1 ≤ A ≤ B ≤ maxStep and S ≥ 1; when `countAllowed`, also "N" for 1:N. Throws UsageError.
 [[nodiscard]] StepRange ParseSteps(std::string_view text, bool countAllowed);
 
-/// "scree", "box2d" or both with a comma: the names, scree first. Throws UsageError.
-[[nodiscard]] std::vector<std::string> ParseEngines(std::string_view text);
-
 /// Whole numbers with commas. Throws UsageError that names the option and says what it takes.
 [[nodiscard]] std::vector<int> ParseIntList(std::string_view option, std::string_view text, std::string_view takes);
-
-/// Throws UsageError with the nearest name for an unknown algorithm.
-void CheckBroadPhase(std::string_view name);
 
 /// "1920x1080" of an option; UsageError naming the option for anything else.
 [[nodiscard]] std::pair<int, int> ParseSize(std::string_view option, std::string_view text);
@@ -55,17 +51,36 @@ void CheckBroadPhase(std::string_view name);
 /// `size`, or the scene's default; UsageError with the legal range.
 [[nodiscard]] int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size);
 
-/// How to run a scene, as typed.
-struct RunArguments {
-    std::optional<int> size;
-    std::string broadPhase = "auto";
+/// How scenes are run, as typed.
+struct SettingArguments {
     std::string engines = "scree,box2d";
+    std::string baseline{};
+    std::vector<std::string> sets{};    ///< KEY=VALUE of --set
+    std::vector<TypedSetting> flags{};  ///< the same of options that have a key of their own
+};
+/// --set, repeatable; `note` says what is special to the command. DescribeSettingKeys stands in its help.
+void AddSetOption(CLI::App& app, SettingArguments& arguments, const std::string& note = "");
+/// --engines.
+void AddEnginesOption(CLI::App& app, SettingArguments& arguments, const std::string& note);
+/// The option of each of these keys: another spelling of --set.
+void AddSettingFlags(CLI::App& app, SettingArguments& arguments, std::initializer_list<std::string_view> keys);
+/// All of them in the order in which they apply: options, then --set.
+[[nodiscard]] std::vector<TypedSetting> GetTypedSettings(const SettingArguments& arguments);
+
+/// What --help says about comparisonBase.
+inline constexpr const char* comparisonNote =
+    "Runs begin with preset=like-box2d, so that both engines do the same: Box2D's caps of speed, no continuous "
+    "collision; --set preset=own is what a program gets";
+
+/// What scenes are run in, as typed.
+struct SceneArguments {
+    std::optional<int> size;
+    SettingArguments settings;
     std::string poses = "own";
-    int threads = 1;
     std::string output = "out";
 };
-void AddRunOptions(CLI::App& app, RunArguments& arguments);
-[[nodiscard]] RunSetup MakeRunSetup(const RunArguments& arguments);
+void AddRunOptions(CLI::App& app, SceneArguments& arguments);
+[[nodiscard]] Panes MakePanes(const SceneArguments& arguments);
 
 /// How pictures look, as typed.
 struct PictureArguments {

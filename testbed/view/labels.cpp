@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "testbed/picture/composite.h"
@@ -89,7 +90,7 @@ std::string MakeTitle(const Snapshot& snapshot) {
 }
 
 std::string MakeEngineText(const Snapshot& snapshot) {
-    return fmt::format("{}{}{}{}{} bodies", snapshot.engine, gap, snapshot.broadPhase, gap, snapshot.bodies.size());
+    return fmt::format("{}{}{}{}{} bodies", snapshot.GetName(), gap, snapshot.broadPhase, gap, snapshot.bodies.size());
 }
 
 std::string MakeNodesText(const OverlapStats& stats, const PictureOptions& options) {
@@ -156,6 +157,10 @@ void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, const std:
              colors.text);
 }
 
+int GetCompareColumns(std::size_t panes) {
+    return panes <= 3 ? static_cast<int>(panes) : static_cast<int>(std::ceil(std::sqrt(static_cast<double>(panes))));
+}
+
 Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane> panes,
                   std::span<const Image> pictures, uint32_t scaleMax, const PictureOptions& options) {
     const ThemeColors& colors = GetTheme(options.theme);
@@ -163,13 +168,17 @@ Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane
     const int titleHeight = options.labels ? GetStripHeight(1, scale) : 0;
     const int captionHeight = options.labels ? GetStripHeight(2, scale) : 0;
     const int barHeight = options.labels ? GetStripHeight(2, scale) : 0;
-    const int paneBottom = titleHeight + pictures[0].height;
-    Image image(options.width, paneBottom + captionHeight + barHeight, colors.strip);
+    const int columns = GetCompareColumns(pictures.size());
+    const int rows = (static_cast<int>(pictures.size()) + columns - 1) / columns;
+    const int rowHeight = pictures[0].height + captionHeight;
+    Image image(options.width, titleHeight + rows * rowHeight + barHeight, colors.strip);
     for (size_t i = 0; i < pictures.size(); ++i) {
         const Image& picture = pictures[i];
-        const int x = static_cast<int>(i) * (picture.width + compareGap);
+        const int x = static_cast<int>(i) % columns * (picture.width + compareGap);
+        const int top = titleHeight + static_cast<int>(i) / columns * rowHeight;
+        const int paneBottom = top + picture.height;
         for (int y = 0; y < picture.height; ++y) {
-            std::copy_n(&picture.At(0, y), picture.width, &image.At(x, titleHeight + y));
+            std::copy_n(&picture.At(0, y), picture.width, &image.At(x, top + y));
         }
         if (!options.labels) continue;
         const std::string first =
@@ -182,11 +191,11 @@ Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane
     }
     if (!options.labels) return image;
     DrawHeader(image, MakeTitle(*inputs[0].snapshot), "tree nodes over each pixel", options.theme);
-    const int barTop = paneBottom + captionHeight;
+    const int barTop = titleHeight + rows * rowHeight;
     ColorBar bar =
         MakeCountBar({24 * scale, barTop + 3 * scale, options.width - 24 * scale, barTop + (lineHeight - 1) * scale},
                      scaleMax, options);
-    for (const OverlapPane& pane : panes) AddMean(bar, pane.count.stats.mean, pane.engine + " mean", scaleMax, options);
+    for (const OverlapPane& pane : panes) AddMean(bar, pane.count.stats.mean, pane.name + " mean", scaleMax, options);
     DrawColorBar(image, bar, scale, options.theme);
     return image;
 }

@@ -38,11 +38,14 @@ void DrawPaneFooter(Image& image, const OverlapPane& pane, const std::string& no
 void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, const std::string& firstName,
                           const std::string& secondName, Theme theme);
 
-/// Puts two pane pictures of one size side by side under a title, with captions and the common colour bar.
+/// Panes beside each other in a row of a comparison: all up to three, then as many as rows.
+[[nodiscard]] int GetCompareColumns(std::size_t panes);
+
+/// Puts pane pictures of one size beside each other under a title, with captions and the common colour bar.
 [[nodiscard]] Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane> panes,
                                 std::span<const Image> pictures, uint32_t scaleMax, const PictureOptions& options);
 
-/// Pixels between the two panes of a comparison.
+/// Pixels between the panes of a comparison.
 inline constexpr int compareGap = 8;
 
 }  // namespace testbed

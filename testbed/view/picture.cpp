@@ -150,13 +150,17 @@ struct PictureMaker::Implementation {
         return image;
     }
 
-    void AddComparison(std::span<const PaneInput> inputs, const std::vector<Color>& palette,
+    void AddCompare(std::span<const PaneInput> inputs, const std::vector<Color>& palette, const PictureOptions& options,
+                    OverlapResult& result);
+    /// The pane minus the baseline.
+    void AddDifference(std::span<const PaneInput> inputs, std::size_t pane, std::size_t baseline,
                        const PictureOptions& options, OverlapResult& result);
 };
 
-void PictureMaker::Implementation::AddComparison(std::span<const PaneInput> inputs, const std::vector<Color>& palette,
-                                                 const PictureOptions& options, OverlapResult& result) {
-    const int paneWidth = (options.width - compareGap) / 2;
+void PictureMaker::Implementation::AddCompare(std::span<const PaneInput> inputs, const std::vector<Color>& palette,
+                                              const PictureOptions& options, OverlapResult& result) {
+    const int columns = GetCompareColumns(inputs.size());
+    const int paneWidth = std::max(1, (options.width - (columns - 1) * compareGap) / columns);
     const int paneHeight = std::max(1, (options.height * paneWidth + options.width / 2) / options.width);
     const Camera camera = ScaleCamera(result.camera, paneWidth, paneHeight);
     std::vector<Image> pictures;
@@ -166,18 +170,24 @@ void PictureMaker::Implementation::AddComparison(std::span<const PaneInput> inpu
     }
     const Timer timer(times.colours);
     result.compare = MakeCompare(inputs, result.panes, pictures, result.scaleMax, options);
+}
 
-    const CountImage& first = result.panes[0].count.counts;
-    const CountImage& second = result.panes[1].count.counts;
-    result.differenceStats = MeasureDifference(first, second);
-    const DifferenceStats& stats = result.differenceStats;
-    result.difference = ColorDifference(first, second, std::max<int64_t>({-stats.min, stats.max, 1}), options.theme);
+void PictureMaker::Implementation::AddDifference(std::span<const PaneInput> inputs, std::size_t pane,
+                                                 std::size_t baseline, const PictureOptions& options,
+                                                 OverlapResult& result) {
+    const Timer timer(times.colours);
+    const OverlapPane &first = result.panes[pane], &second = result.panes[baseline];
+    OverlapDifference& difference = result.differences.emplace_back();
+    difference.pane = pane;
+    difference.stats = MeasureDifference(first.count.counts, second.count.counts);
+    const DifferenceStats& stats = difference.stats;
+    difference.image = ColorDifference(first.count.counts, second.count.counts,
+                                       std::max<int64_t>({-stats.min, stats.max, 1}), options.theme);
     if (!options.labels) return;
-    DrawHeader(result.difference, MakeTitle(*inputs[0].snapshot),
-               fmt::format("{} minus {}, {} nodes", result.panes[0].engine, result.panes[1].engine,
-                           GetNodeSelectionName(options.nodes)),
+    DrawHeader(difference.image, MakeTitle(*inputs[pane].snapshot),
+               fmt::format("{} minus {}, {} nodes", first.name, second.name, GetNodeSelectionName(options.nodes)),
                options.theme);
-    DrawDifferenceFooter(result.difference, stats, result.panes[0].engine, result.panes[1].engine, options.theme);
+    DrawDifferenceFooter(difference.image, stats, first.name, second.name, options.theme);
 }
 
 PictureMaker::PictureMaker(Backend backend, const ContextOptions& contextOptions)
@@ -195,9 +205,12 @@ std::string PictureMaker::GetVersion() const { return m_implementation->renderer
 const PictureTimes& PictureMaker::GetTimes() const { return m_implementation->times; }
 
 OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options,
-                                        const std::optional<Camera>& camera) {
+                                        const std::optional<Camera>& camera, std::optional<std::size_t> baseline) {
     CheckOptions(options);
-    if (inputs.empty() || inputs.size() > 2) throw std::invalid_argument("an overlap picture shows one or two engines");
+    if (inputs.empty()) throw std::invalid_argument("an overlap picture shows one pane or more");
+    const std::size_t compared = baseline.value_or(inputs.size() - 1);
+    if (compared >= inputs.size())
+        throw std::invalid_argument("the baseline of an overlap picture is one of its panes");
     Implementation& implementation = *m_implementation;
     OverlapResult result;
     std::vector<const Snapshot*> snapshots;
@@ -205,7 +218,7 @@ OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const
     result.camera = camera ? *camera : ChooseCamera(snapshots, options);
     for (const PaneInput& input : inputs) {
         OverlapPane pane;
-        pane.engine = input.snapshot->engine;
+        pane.name = input.snapshot->GetName();
         pane.count.counts = implementation.Count(*input.snapshot, result.camera, options);
         const auto nodes = SelectBoxes(*input.snapshot, options.nodes).size();
         pane.count.stats = MeasureCounts(pane.count.counts, static_cast<int>(nodes));
@@ -222,7 +235,11 @@ OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const
         DrawHeader(pane.image, MakeTitle(snapshot), MakeEngineText(snapshot), options.theme);
         DrawPaneFooter(pane.image, pane, inputs[i].note, result.scaleMax, options);
     }
-    if (inputs.size() == 2) implementation.AddComparison(inputs, palette, options, result);
+    if (inputs.size() == 1) return result;
+    implementation.AddCompare(inputs, palette, options, result);
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        if (i != compared) implementation.AddDifference(inputs, i, compared, options, result);
+    }
     return result;
 }
 

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -74,7 +75,7 @@ struct PaneInput {
 };
 
 struct OverlapPane {
-    std::string engine;
+    std::string name;  ///< Snapshot::GetName
     OverlapCount count;
     Image image;  ///< width × height of the options
 };
@@ -85,13 +86,19 @@ struct DifferenceStats {
     double mean = 0;
 };
 
+/// One pane minus the baseline's: blue negative, red positive.
+struct OverlapDifference {
+    std::size_t pane = 0;
+    Image image;
+    DifferenceStats stats;
+};
+
 struct OverlapResult {
     Camera camera;
     uint32_t scaleMax = 0;           ///< count at the end of the one scale of all panes
     std::vector<OverlapPane> panes;  ///< in the order of the input
-    Image compare;                   ///< panes side by side, as wide as one pane picture; empty with one engine
-    Image difference;                ///< pane 0 minus pane 1, blue negative, red positive; empty with one engine
-    DifferenceStats differenceStats;
+    Image compare;                   ///< panes beside each other, as wide as one pane picture; empty with one pane
+    std::vector<OverlapDifference> differences;  ///< of every pane but the baseline, in their order
 };
 
 /// Wall time of each stage of the calls so far, ms.
@@ -113,11 +120,12 @@ public:
     [[nodiscard]] std::string GetRendererName() const;
     [[nodiscard]] std::string GetVersion() const;
 
-    /// One or two engines at one step. For all pictures: an optional camera overrides the fit (for animations, whose
-    /// frames must share one). The difference is inputs[0] − inputs[1]: pass scree first.
-    /// Throws std::invalid_argument for another number of inputs or bad options.
+    /// One or more panes at one step. For all pictures: an optional camera overrides the fit (for animations, whose
+    /// frames must share one). The others are compared with the pane `baseline`, the last one if not given.
+    /// Throws std::invalid_argument for no pane, for a baseline that is none, or bad options.
     [[nodiscard]] OverlapResult MakeOverlap(std::span<const PaneInput> inputs, const PictureOptions& options,
-                                            const std::optional<Camera>& camera = std::nullopt);
+                                            const std::optional<Camera>& camera = std::nullopt,
+                                            std::optional<std::size_t> baseline = std::nullopt);
 
     /// The scene itself, no counts: `options.layers` over the plain background.
     [[nodiscard]] Image MakeRender(const PaneInput& input, const PictureOptions& options,

@@ -23,7 +23,8 @@ void RegisterQueries();
 
 /// A scene that has run for `steps` steps in our engine.
 inline std::unique_ptr<testbed::EngineRun> RunScene(const scenes::Scene& scene, int steps) {
-    std::unique_ptr<testbed::EngineRun> run = testbed::MakeRun("scree", scene, {});
+    std::unique_ptr<testbed::EngineRun> run =
+        testbed::MakeRun(scene, testbed::MakeSpec("scree", testbed::likeBox2dPreset));
     for (int i = 0; i < steps; ++i) run->Step();
     return run;
 }

@@ -49,8 +49,9 @@ TEST(Features, EverySceneGivesTheSameBitsWithoutWhatItDoesNotUse) {
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
         const scenes::Scene scene = BuildSmall(info);
         for (const int substeps : {0, 4}) {
-            const RequirementPlan plan{.steps = 60, .repeats = 1, .substeps = substeps, .continuous = true};
-            const Requirement r = MeasureRequirement(scene, plan);
+            RequirementTask task{.spec = {}, .steps = 60, .repeats = 1};
+            if (substeps > 0) task.spec.solver = SoftStep{substeps};
+            const Requirement r = MeasureRequirement(scene, task);
             for (const VariantCost& v : r.variants) {
                 EXPECT_TRUE(v.sameHash) << info.name << ", " << v.name << ", sub-steps " << substeps << ", step "
                                         << v.firstDifference;
@@ -65,20 +66,21 @@ TEST(Features, EverySceneGivesTheSameBitsWithoutWhatItDoesNotUse) {
 
 TEST(Features, LeavingOutWhatASceneUsesIsRefused) {
     const scenes::Scene scene = scenes::Build("pyramid", 4);
-    RunOptions options;
-    options.features = "rotation,sleeping,polygons,edges,speedLimit";
-    EXPECT_THROW(MakeScreeRun(scene, options), std::invalid_argument);
-    options.features = "rotation,wings";
-    EXPECT_THROW(MakeScreeRun(scene, options), std::invalid_argument);
-    options.features = "rotation,sleeping,polygons,edges,speedLimit,friction";
-    EXPECT_NO_THROW(MakeScreeRun(scene, options)->Step());
+    RunSpec spec = MakeSpec("scree", likeBox2dPreset);
+    spec.features = "rotation+sleeping+polygons+edges+speedLimit";
+    EXPECT_THROW(MakeRun(scene, spec), std::invalid_argument);
+    spec.features = "rotation+wings";
+    EXPECT_THROW(MakeRun(scene, spec), std::invalid_argument);
+    spec.features = "rotation+sleeping+polygons+edges+speedLimit+friction";
+    EXPECT_NO_THROW(MakeRun(scene, spec)->Step());
 }
 
 TEST(Features, AnAblationHasARowPerFeatureAndLeavesOutOnlyWhatIsNotUsed) {
     const scenes::Scene scene = scenes::Build("slow-explosion", 30);
-    const RequirementPlan plan{.steps = 5, .repeats = 2};
-    const std::vector<AblationRow> rows = MeasureAblation(scene, plan);
-    const std::vector<FeatureUse> uses = FindUses(scene, plan);
+    RequirementTask task{.spec = {}, .steps = 5, .repeats = 2};
+    task.spec.continuous = false;
+    const std::vector<AblationRow> rows = MeasureAblation(scene, task);
+    const std::vector<FeatureUse> uses = FindUses(scene, task);
     ASSERT_EQ(rows.size(), uses.size() + 2);  // and two kernels of several features
     std::map<std::string, AblationRow> byName;
     for (std::size_t i = 0; i < rows.size(); ++i) {

@@ -28,11 +28,11 @@ struct Case {
 uint64_t HashAfter(const char* name, int size, int steps, const std::string& broadPhase = "auto", int substeps = 0,
                    int threads = 1) {
     const scenes::Scene scene = scenes::Build(name, size);
-    testbed::RunOptions options;
-    options.broadPhase = broadPhase;
-    options.substeps = substeps;
-    options.threads = threads;
-    auto run = testbed::MakeScreeRun(scene, options);
+    testbed::RunSpec spec = testbed::MakeSpec("scree", testbed::likeBox2dPreset);
+    spec.broadPhase = broadPhase;
+    spec.threads = threads;
+    if (substeps > 0) spec.solver = testbed::SoftStep{substeps};
+    auto run = testbed::MakeRun(scene, spec);
     for (int i = 0; i < steps; ++i) run->Step();
     testbed::Snapshot snapshot;
     run->Capture(snapshot, {.fixtures = false, .contacts = false, .joints = false, .nodes = false});

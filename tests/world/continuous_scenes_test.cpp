@@ -48,11 +48,11 @@ TEST(ContinuousScenes, OverlapNoDeeperThanBox2d) {
     };
     for (const Case& c : {Case{"mixed", 1500, 200}, Case{"diagonal", 10, 300}, Case{"falling-squares", 50, 350}}) {
         const scenes::Scene scene = scenes::Build(c.scene, c.size);
-        testbed::RunOptions on;
-        on.continuous = true;
-        const Overlap ours = Measure(*testbed::MakeScreeRun(scene, on), c.steps);
-        const Overlap theirs = Measure(*testbed::MakeBox2dRun(scene, on), c.steps);
-        const Overlap off = Measure(*testbed::MakeScreeRun(scene, {}), c.steps);
+        testbed::RunSpec spec = testbed::MakeSpec("scree", testbed::likeBox2dPreset);
+        const Overlap off = Measure(*testbed::MakeRun(scene, spec), c.steps);
+        spec.continuous = true;
+        const Overlap ours = Measure(*testbed::MakeRun(scene, spec), c.steps);
+        const Overlap theirs = Measure(*testbed::MakeRun(scene, testbed::MakeSpec("box2d")), c.steps);
         EXPECT_GT(ours.points, 1000) << c.scene;
         EXPECT_LE(ours.deep, theirs.deep) << c.scene;
         // The two runs part after the first contacts; what remains comparable is the worst case, to a fifth.
@@ -64,9 +64,9 @@ TEST(ContinuousScenes, OverlapNoDeeperThanBox2d) {
 TEST(ContinuousScenes, ABulletBoxHitsTheCloudOfAddPair) {
     scenes::Scene scene = scenes::Build("add-pair", 300);
     scene.bodies.back().bullet = true;
-    testbed::RunOptions on;
-    on.continuous = true;
-    const auto run = testbed::MakeScreeRun(scene, on);
+    testbed::RunSpec spec = testbed::MakeSpec("scree", testbed::likeBox2dPreset);
+    spec.continuous = true;
+    const auto run = testbed::MakeRun(scene, spec);
     testbed::Snapshot s;
     for (int k = 0; k < 20; ++k) run->Step();
     run->Capture(s, {.fixtures = false, .contacts = false, .joints = false, .nodes = false});

@@ -88,7 +88,7 @@ TEST_P(PairSetsOnScenes, EqualBruteForce) {
     const scenes::SceneInfo* info = scenes::Find(GetParam());
     ASSERT_NE(info, nullptr);
     const scenes::Scene scene = scenes::Build(info->name, SmallSize(*info));
-    auto run = testbed::MakeScreeRun(scene, {});
+    auto run = testbed::MakeRun(scene, testbed::MakeSpec("scree", testbed::likeBox2dPreset));
     std::vector<Follower> followers;
     for (size_t kind = 1; kind < scree::broadPhaseNames.size(); ++kind)
         followers.emplace_back(static_cast<BroadPhaseKind>(kind));

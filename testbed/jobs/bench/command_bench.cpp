@@ -18,6 +18,7 @@
 #include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/bench/files.h"
 #include "testbed/jobs/bench/object_bytes.h"
@@ -32,12 +33,11 @@ namespace testbed {
 
 namespace {
 
-BenchResult RunOne(const BenchCase& benchCase, const BenchSettings& settings) {
-    const int steps =
-        settings.maxSteps > 0 ? std::min(settings.maxSteps, benchCase.info->steps) : benchCase.info->steps;
+BenchResult RunOne(const BenchCase& benchCase, const BenchEffort& effort) {
+    const int steps = effort.maxSteps > 0 ? std::min(effort.maxSteps, benchCase.info->steps) : benchCase.info->steps;
     Progress progress(fmt::format("{} {}", benchCase.info->name, benchCase.size),
-                      static_cast<double>(steps) * settings.repeats * static_cast<double>(benchCase.variants.size()));
-    BenchResult result = RunBenchCase(benchCase, settings, [&](int count) { progress.Advance(count); });
+                      static_cast<double>(steps) * effort.repeats * static_cast<double>(benchCase.panes.size()));
+    BenchResult result = RunBenchCase(benchCase, effort, [&](int count) { progress.Advance(count); });
     progress.Finish(fmt::format("{} steps", result.rows.front().steps));
     return result;
 }
@@ -52,17 +52,21 @@ void RunCases(const BenchPlan& plan, BenchFiles& files, CaseLines& lines) {
     Print(FormatBenchHeader());
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
         if (!plan.shard.Contains(i)) continue;
-        const BenchResult result = RunOne(plan.cases[i], plan.settings);
+        const BenchResult result = RunOne(plan.cases[i], plan.effort);
         Print(FormatBenchRows(result.rows));
         for (const BenchRow& row : result.rows) lines.Add(i, MakeBenchJson(row));
         files.Add(result);
     }
 }
 
-std::string DescribeBytes(const std::string& engines) {
+/// Of every engine that runs.
+std::string DescribeBytes(const BenchPlan& plan) {
     std::string text;
-    for (const std::string& engine : ParseEngines(engines))
-        text += FormatObjectBytes(engine, MeasureObjectBytes(engine));
+    for (const EngineInfo& engine : GetEngines()) {
+        const auto& panes = plan.cases.front().panes;
+        const bool runs = std::ranges::any_of(panes, [&](const Pane& pane) { return pane.spec.engine == engine.name; });
+        if (runs) text += FormatObjectBytes(engine.name, MeasureObjectBytes(engine.name));
+    }
     return text;
 }
 
@@ -73,7 +77,7 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
     std::string notes = FormatBenchNotes();
     if (arguments.from.empty()) {
         RunCases(plan, files, lines);
-        if (plan.shard.IsFirst()) notes += DescribeBytes(arguments.engines);
+        if (plan.shard.IsFirst()) notes += DescribeBytes(plan);
     } else {
         const std::vector<BenchRow> rows = ReadBenchRows(
             arguments.from, ReadText(arguments.from, "give one that `scree bench --json` or `scree merge` wrote"));

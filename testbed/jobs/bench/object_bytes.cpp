@@ -58,7 +58,7 @@ scenes::Scene MakeScene(Content content, int count) {
 
 /// Bytes held after two steps, by which time every array has its size.
 double Held(std::string_view engine, Content content, int count) {
-    const std::unique_ptr<EngineRun> run = MakeRun(engine, MakeScene(content, count), {});
+    const std::unique_ptr<EngineRun> run = MakeRun(MakeScene(content, count), MakeSpec(engine, likeBox2dPreset));
     run->Step();
     run->Step();
     return static_cast<double>(run->GetPeakBytes());

@@ -32,27 +32,41 @@ PageTable MakeTable(std::span<const BenchRow> rows) {
                                 {.name = "continuous", .unit = "ms", .numeric = true, .group = "stages"},
                                 {.name = "body and step", .unit = "ns", .numeric = true},
                                 {.name = "contacts", .numeric = true, .hint = "most at the end of a step"},
-                                {.name = "memory", .unit = "MB", .numeric = true, .hint = "heap, most held"}},
+                                {.name = "memory", .unit = "MB", .numeric = true, .hint = "heap, most held"},
+                                {.name = "settings"}},
                     .filter = true};
     for (const BenchRow& row : rows) {
         const bool isVoid = !row.voidReason.empty();
         PageCell total = PageCell::Number(row.totalMs, 1);
         if (!row.complete) total.text = "≥ " + total.text;
         PageCell ratio;
-        if (row.engine != "box2d" && row.ratio > 0) {
+        if (!row.IsBaseline() && row.ratio > 0) {
             const PageTone tone = isVoid ? PageTone::warning : row.ratio >= 1 ? PageTone::good : PageTone::bad;
             ratio = PageCell::Number(row.ratio, 2, tone);
             if (isVoid) ratio.text += " void";
             ratio.hint = row.voidReason;
         }
         const StageTotals& s = row.stages;
-        table.rows.push_back(
-            {row.scene, PageCell::Number(row.size), row.engine + (row.continuous ? ", continuous" : ""), row.solver,
-             PageCell::Number(row.threads), total, ratio, PageCell::Number(row.createMs, 1),
-             PageCell::Number(row.medianMs, 3), PageCell::Number(row.p99Ms, 3), PageCell::Number(row.maxMs, 3),
-             PageCell::Number(s.broadPhase, 1), PageCell::Number(s.narrowPhase, 1), PageCell::Number(s.islands, 1),
-             PageCell::Number(s.solver, 1), PageCell::Number(s.continuous, 1), PageCell::Number(row.nsPerBodyStep),
-             PageCell::Number(row.peakContacts), PageCell::Number(static_cast<double>(row.peakBytes) / 1e6, 2)});
+        table.rows.push_back({row.scene,
+                              PageCell::Number(row.size),
+                              row.GetName() + (row.continuous ? ", continuous" : ""),
+                              row.solver,
+                              PageCell::Number(row.threads),
+                              total,
+                              ratio,
+                              PageCell::Number(row.createMs, 1),
+                              PageCell::Number(row.medianMs, 3),
+                              PageCell::Number(row.p99Ms, 3),
+                              PageCell::Number(row.maxMs, 3),
+                              PageCell::Number(s.broadPhase, 1),
+                              PageCell::Number(s.narrowPhase, 1),
+                              PageCell::Number(s.islands, 1),
+                              PageCell::Number(s.solver, 1),
+                              PageCell::Number(s.continuous, 1),
+                              PageCell::Number(row.nsPerBodyStep),
+                              PageCell::Number(row.peakContacts),
+                              PageCell::Number(static_cast<double>(row.peakBytes) / 1e6, 2),
+                              row.settings});
     }
     return table;
 }
@@ -86,7 +100,7 @@ PageTiles MakeTiles(std::span<const BenchRow> rows) {
     const BenchRow* best = nullptr;
     const BenchRow* worst = nullptr;
     for (const BenchRow& row : rows) {
-        if (row.engine == "box2d" || row.ratio <= 0 || !row.voidReason.empty()) continue;
+        if (row.IsBaseline() || row.ratio <= 0 || !row.voidReason.empty()) continue;
         sum += std::log(row.ratio);
         ++count;
         faster += row.ratio >= 1;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <sstream>
 #include <string_view>
 
 #include "testbed/base/nearest.h"
@@ -19,7 +19,6 @@ namespace testbed {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> solverNames = {"si", "soft", "both"};
 constexpr int maxRepeats = 1000;
 
 /// The sizes to run a scene at.
@@ -50,48 +49,52 @@ std::vector<const scenes::SceneInfo*> ChooseScenes(const std::vector<std::string
     return chosen;
 }
 
-std::vector<std::string> ChooseSolvers(const std::string& text) {
-    if (std::find(solverNames.begin(), solverNames.end(), text) == solverNames.end()) {
-        throw UsageError(DescribeUnknown("solver", text, solverNames));
+/// KEY=VALUE for every value of a list with commas. Throws UsageError that names the option.
+std::vector<std::string> ListSettings(const std::string& key, const std::string& option, const std::string& list) {
+    std::vector<std::string> settings;
+    std::istringstream values(list);
+    for (std::string value; std::getline(values, value, ',');) {
+        RunSpec spec;
+        settings.push_back(key + "=" + value);
+        (void)ApplySetting(spec, settings.back(), option + " " + list);
     }
-    if (text == "both") return {"si", "soft"};
-    return {text};
+    return settings;
 }
 
-std::vector<int> ChooseThreads(const std::string& text) {
-    const std::vector<int> threads = ParseIntList("--threads", text, "numbers with commas, for example 1,2");
-    for (const int count : threads) {
-        if (count < 1 || count > maxThreads) {
-            throw UsageError(fmt::format("--threads {}: legal from 1 to {}", count, maxThreads));
+/// Every pane once for each solver and number of threads that it does not choose itself, as far as its engine has them.
+std::vector<Pane> ChoosePanes(const BenchArguments& arguments) {
+    const std::vector<std::string> solvers =
+        ListSettings("solver", "--solver", arguments.solver == "both" ? "si,soft" : arguments.solver);
+    const std::vector<std::string> threads = ListSettings("threads", "--threads",
+                                                          !arguments.threads.empty() ? arguments.threads
+                                                          : arguments.targets        ? "1,2"
+                                                                                     : "1");
+    std::vector<std::vector<Pane>> choices;
+    for (const std::string& solver : solvers) {
+        for (const std::string& count : threads) {
+            const std::string base = fmt::format("{} {} {}", comparisonBase, solver, count);
+            choices.push_back(ParsePanes(arguments.settings.engines, GetTypedSettings(arguments.settings), base));
         }
     }
-    return threads;
-}
-
-std::vector<BenchVariant> MakeVariants(const BenchArguments& arguments) {
-    std::vector<BenchVariant> variants;
-    const std::vector<std::string> solvers = ChooseSolvers(arguments.solver);
-    const std::vector<int> threads = ChooseThreads(!arguments.threads.empty() ? arguments.threads
-                                                   : arguments.targets        ? "1,2"
-                                                                              : "1");
-    for (const std::string& engine : ParseEngines(arguments.engines)) {
-        if (engine == "box2d") {
-            variants.push_back({engine});
-            continue;
-        }
-        for (const std::string& solver : solvers) {
-            for (const int count : threads) variants.push_back({engine, solver, count});
+    std::vector<Pane> panes;
+    for (std::size_t i = 0; i < choices.front().size(); ++i) {
+        const auto first = panes.end() - panes.begin();
+        for (const std::vector<Pane>& choice : choices) {
+            const auto isSame = [&](const Pane& pane) { return pane.spec == choice[i].spec; };
+            if (std::none_of(panes.begin() + first, panes.end(), isSame)) panes.push_back(choice[i]);
         }
     }
-    return variants;
+    return panes;
 }
 
-std::vector<BenchVariant> OnlyOurs(std::vector<BenchVariant> variants) {
-    std::erase_if(variants, [](const BenchVariant& variant) { return variant.engine == "box2d"; });
-    return variants;
+/// What the cost of continuous collision is judged on: our engine with it on.
+std::vector<Pane> MakeContinuous(std::vector<Pane> panes) {
+    std::erase_if(panes, [](const Pane& pane) { return pane.spec.engine == "box2d"; });
+    for (Pane& pane : panes) pane.spec.continuous = true;
+    return panes;
 }
 
-BenchSettings MakeSettings(const BenchArguments& arguments) {
+BenchEffort MakeEffort(const BenchArguments& arguments) {
     if (arguments.repeats < 1 || arguments.repeats > maxRepeats) {
         throw UsageError(fmt::format("--repeat {}: legal from 1 to {}", arguments.repeats, maxRepeats));
     }
@@ -101,7 +104,7 @@ BenchSettings MakeSettings(const BenchArguments& arguments) {
     if (!(arguments.timeLimitS >= 0)) {
         throw UsageError(fmt::format("--time-limit {}: give seconds, 0 for none", arguments.timeLimitS));
     }
-    return {arguments.repeats, arguments.steps, arguments.timeLimitS, arguments.broadPhase};
+    return {arguments.repeats, arguments.steps, arguments.timeLimitS};
 }
 
 }  // namespace
@@ -110,16 +113,19 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("SCENE", arguments.scenes, "Scenes; the whole published suite if none is given");
     app.add_option("--sizes", arguments.sizes, "default, sweep (the published sizes), or sizes with commas")
         ->capture_default_str();
-    app.add_option("--engines", arguments.engines, "Engines to run: scree, box2d or both with a comma")
-        ->capture_default_str();
+    AddEnginesOption(app, arguments.settings, "");
+    app.add_option("--baseline", arguments.settings.baseline,
+                   "Name of the pane that the others are compared with; box2d's if not given")
+        ->type_name("NAME");
+    AddSetOption(app, arguments.settings, comparisonNote);
     app.add_option("--solver", arguments.solver,
-                   "Solver of the engine scree: si (sequential impulses, 8/3), soft (soft step, 4 sub-steps), or both")
+                   "Solvers to try, as --set solver takes them, with commas: si (sequential impulses, 8/3), soft (soft "
+                   "step, 4 sub-steps), soft@8, or both")
         ->capture_default_str();
     app.add_option("--threads", arguments.threads,
                    "Threads of the engine scree, one or more numbers; 1 if not given, 1,2 with --targets")
         ->capture_default_str();
-    app.add_option("--broad-phase", arguments.broadPhase, "Algorithm of the engine scree")->capture_default_str();
-    app.add_flag("--continuous", arguments.continuous, "Turn continuous collision on");
+    AddSettingFlags(app, arguments.settings, {"broadPhase", "continuous"});
     app.add_option("--repeat", arguments.repeats, "Runs of everything; the median of each step's times stands for them")
         ->capture_default_str();
     app.add_option("--steps", arguments.steps, "Steps at most; the scene's own number if not given");
@@ -141,15 +147,15 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
 }
 
 BenchPlan MakeBenchPlan(const BenchArguments& arguments) {
-    BenchPlan plan{{}, ParseShard(arguments.shard.shard), MakeSettings(arguments)};
-    const std::vector<BenchVariant> variants = MakeVariants(arguments);
-    CheckBroadPhase(arguments.broadPhase);
+    BenchPlan plan{{}, ParseShard(arguments.shard.shard), MakeEffort(arguments)};
+    const std::vector<Pane> panes = ChoosePanes(arguments);
+    const std::string baseline = panes[FindBaseline(panes, arguments.settings.baseline)].name;
+    const bool isContinuous = std::ranges::any_of(panes, [](const Pane& pane) { return pane.spec.continuous; });
     for (const scenes::SceneInfo* info : ChooseScenes(arguments.scenes)) {
         for (const int size : ChooseSizes(*info, arguments.sizes)) {
-            plan.cases.push_back({info, size, arguments.continuous, variants});
-            // The cost of continuous collision is judged on ours alone.
-            if (!arguments.targets || arguments.continuous || !IsContinuousTarget(info->name)) continue;
-            plan.cases.push_back({info, size, true, OnlyOurs(variants)});
+            plan.cases.push_back({info, size, panes, baseline});
+            if (!arguments.targets || isContinuous || !IsContinuousTarget(info->name)) continue;
+            plan.cases.push_back({info, size, MakeContinuous(panes), "box2d"});
         }
     }
     return plan;

@@ -11,6 +11,7 @@
 
 #include "testbed/base/shard.h"
 #include "testbed/jobs/bench/run.h"
+#include "testbed/options/options.h"
 
 namespace testbed {
 
@@ -18,11 +19,9 @@ namespace testbed {
 struct BenchArguments {
     std::vector<std::string> scenes;
     std::string sizes = "default";
-    std::string engines = "scree,box2d";
+    SettingArguments settings;
     std::string solver = "both";
     std::string threads;  ///< empty: 1, with targets 1,2
-    std::string broadPhase = "auto";
-    bool continuous = false;
     int repeats = 1;
     int steps = 0;
     double timeLimitS = 0;
@@ -35,7 +34,7 @@ struct BenchArguments {
 struct BenchPlan {
     std::vector<BenchCase> cases;  ///< of the whole run
     Shard shard;
-    BenchSettings settings;
+    BenchEffort effort;
 };
 
 void AddBenchOptions(CLI::App& app, BenchArguments& arguments);

@@ -21,9 +21,14 @@ constexpr std::string_view assertsNote =
     "Box2D 2.4.1 as Debian builds it, with its asserts (seen to cost up to 1.08 times the time without)";
 
 std::string CurveTitle(const BenchRow& row) {
+    if (row.GetName() != row.engine) return row.pane;
     if (row.engine == "box2d") return "Box2D";
     std::string title = "Scree";
-    if (row.solver == "soft") title += ", soft step";
+    if (row.solver == "soft") {
+        title += ", soft step";
+    } else if (row.solver != "si") {
+        title += ", " + row.solver;
+    }
     if (row.threads > 1) title += fmt::format(", {} threads", row.threads);
     return title;
 }
@@ -36,7 +41,8 @@ PlotCurve& CurveOf(Plot& plot, const BenchRow& row) {
     }
     const auto ours = static_cast<std::size_t>(
         std::ranges::count_if(plot.curves, [](const PlotCurve& curve) { return curve.title != "Box2D"; }));
-    plot.curves.push_back({title, row.engine == "box2d" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)]});
+    const PlotLook look = title == "Box2D" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)];
+    plot.curves.push_back({title, look});
     return plot.curves.back();
 }
 

@@ -69,10 +69,19 @@ void ForEachTime(Row& row, Visit&& visit) {
     visit("cpu_ratio", row.cpuRatio);
 }
 
+/// How it was run. Files of before do not have these.
+template <typename Row, typename Visit>
+void ForEachSetting(Row& row, Visit&& visit) {
+    visit("pane", row.pane);
+    visit("settings", row.settings);
+    visit("baseline", row.baseline);
+}
+
 template <typename Row, typename Visit>
 void ForEachColumn(Row& row, Visit&& visit) {
     ForEachCount(row, visit);
     ForEachTime(row, visit);
+    ForEachSetting(row, visit);
 }
 
 /// A hash as it is written: JSON numbers cannot hold 64 bits.
@@ -94,6 +103,9 @@ BenchRow ReadRow(const nlohmann::ordered_json& object) {
     BenchRow row;
     ForEachCount(row, [&](const char* name, auto& value) { ReadField(object, name, value); });
     ForEachTime(row, [&](const char* name, auto& value) { ReadField(object.at("ms"), name, value); });
+    ForEachSetting(row, [&](const char* name, auto& value) {
+        if (object.contains(name)) ReadField(object, name, value);
+    });
     return row;
 }
 
@@ -102,10 +114,10 @@ double Difference(int64_t ours, int64_t theirs) {
     return std::abs(static_cast<double>(ours - theirs)) / static_cast<double>(std::max<int64_t>(1, theirs));
 }
 
-std::string DescribeDifference(const BenchRow& row, const BenchRow& box2d) {
-    if (row.steps != box2d.steps) return {};  // a run cut by the time limit has no full counts
-    const double awake = Difference(row.awakeBodySteps, box2d.awakeBodySteps);
-    const double touching = Difference(row.touchingSum, box2d.touchingSum);
+std::string DescribeDifference(const BenchRow& row, const BenchRow& baseline) {
+    if (row.steps != baseline.steps) return {};  // a run cut by the time limit has no full counts
+    const double awake = Difference(row.awakeBodySteps, baseline.awakeBodySteps);
+    const double touching = Difference(row.touchingSum, baseline.touchingSum);
     std::string reason;
     if (awake > awakeTolerance) reason = fmt::format("awake body-steps differ by {:.1f} %", 100 * awake);
     if (touching > touchingTolerance) {
@@ -165,20 +177,23 @@ void SetTimes(BenchRow& row, const BenchRun& run) {
     row.nsPerBodyStep = row.awakeBodySteps > 0 ? row.totalMs * 1e6 / static_cast<double>(row.awakeBodySteps) : 0;
 }
 
-const BenchRow* FindBox2d(std::span<const BenchRow> rows, const BenchRow& row) {
-    const auto found = std::find_if(rows.begin(), rows.end(), [&](const BenchRow& other) {
-        return other.engine == "box2d" && other.scene == row.scene && other.size == row.size &&
-               other.continuous == row.continuous;
-    });
-    return found == rows.end() ? nullptr : &*found;
+const BenchRow* FindBaseline(std::span<const BenchRow> rows, const BenchRow& row) {
+    const BenchRow* found = nullptr;
+    for (const BenchRow& other : rows) {
+        if (other.GetName() != row.baseline || other.scene != row.scene || other.size != row.size) continue;
+        if (other.continuous == row.continuous) return &other;
+        // Files of before have no settings: their cases differ in the continuous setting alone.
+        if (found == nullptr && !row.settings.empty()) found = &other;
+    }
+    return found;
 }
 
-void CompareWithBox2d(std::span<BenchRow> rows) {
+void CompareWithBaseline(std::span<BenchRow> rows) {
     for (BenchRow& row : rows) {
-        const BenchRow* box2d = FindBox2d(rows, row);
-        row.ratio = box2d != nullptr && row.totalMs > 0 ? box2d->totalMs / row.totalMs : 0;
-        row.cpuRatio = box2d != nullptr && row.cpuMs > 0 ? box2d->cpuMs / row.cpuMs : 0;
-        row.voidReason = box2d != nullptr ? DescribeDifference(row, *box2d) : std::string();
+        const BenchRow* baseline = FindBaseline(rows, row);
+        row.ratio = baseline != nullptr && row.totalMs > 0 ? baseline->totalMs / row.totalMs : 0;
+        row.cpuRatio = baseline != nullptr && row.cpuMs > 0 ? baseline->cpuMs / row.cpuMs : 0;
+        row.voidReason = baseline != nullptr ? DescribeDifference(row, *baseline) : std::string();
     }
 }
 
@@ -210,6 +225,7 @@ nlohmann::ordered_json MakeBenchJson(const BenchRow& row) {
         }
     });
     ForEachTime(row, [&times](const char* name, const auto& value) { times[name] = value; });
+    ForEachSetting(row, [&object](const char* name, const auto& value) { object[name] = value; });
     object["ms"] = std::move(times);
     return object;
 }

@@ -33,7 +33,7 @@ struct BenchRow {
     int joints = 0;
     int movers = 0;  ///< bodies that are not static
     std::string engine;
-    std::string solver;  ///< "si": sequential impulses 8/3; "soft": soft step of 4 sub-steps
+    std::string solver;  ///< "si": the scene's iterations; "soft": 4 sub-steps; others as settings write them: "soft@8"
     int threads = 1;
     bool continuous = false;
     int repeats = 1;
@@ -52,11 +52,17 @@ struct BenchRow {
     int64_t touchingSum = 0;  ///< touching contacts, summed over the steps
     int64_t contactSum = 0;   ///< contacts kept, summed over the steps
     int peakContacts = 0;
-    int64_t peakBytes = 0;   ///< heap held by the engine
-    uint64_t stateHash = 0;  ///< after the last step; written as 16 hexadecimal digits
-    double ratio = 0;        ///< Box2D's total / this one's; 0: no such run
-    double cpuRatio = 0;     ///< the same of the processor times: steady on a busy machine
-    std::string voidReason;  ///< not empty: the ratio does not compare the same work
+    int64_t peakBytes = 0;           ///< heap held by the engine
+    uint64_t stateHash = 0;          ///< after the last step; written as 16 hexadecimal digits
+    double ratio = 0;                ///< the baseline's total / this one's; 0: no such run
+    double cpuRatio = 0;             ///< the same of the processor times: steady on a busy machine
+    std::string voidReason;          ///< not empty: the ratio does not compare the same work
+    std::string pane;                ///< its name; empty: the engine's
+    std::string settings;            ///< how it was run, as PrintSettings writes it
+    std::string baseline = "box2d";  ///< name of the pane that the ratio compares with; empty: none
+
+    [[nodiscard]] const std::string& GetName() const { return pane.empty() ? engine : pane; }
+    [[nodiscard]] bool IsBaseline() const { return GetName() == baseline; }
 };
 
 /// Debian's libbox2d has its asserts compiled in. Against the same sources built with the same flags and -DNDEBUG it
@@ -78,12 +84,12 @@ struct BenchRun {
 /// Fills in everything that follows from the steps: counts of steps, times, statistics.
 void SetTimes(BenchRow& row, const BenchRun& run);
 
-/// Fills in `ratio` and `voidReason` of every row from the Box2D row of the same scene, size and continuous setting.
-/// A ratio is void where awake body-steps differ by more than 2 % or touching contacts by more than 20 %.
-void CompareWithBox2d(std::span<BenchRow> rows);
+/// Fills in `ratio` and `voidReason` of every row from its baseline's row. A ratio is void where awake body-steps
+/// differ by more than 2 % or touching contacts by more than 20 %.
+void CompareWithBaseline(std::span<BenchRow> rows);
 
-/// The Box2D row of the same scene, size and continuous setting; null: none.
-[[nodiscard]] const BenchRow* FindBox2d(std::span<const BenchRow> rows, const BenchRow& row);
+/// The baseline's row of the same scene and size, of the same continuous setting if there is one; null: none.
+[[nodiscard]] const BenchRow* FindBaseline(std::span<const BenchRow> rows, const BenchRow& row);
 
 /// A line of column names, then a line per row; numbers read back to the same values.
 [[nodiscard]] std::string WriteBenchCsv(std::span<const BenchRow> rows);

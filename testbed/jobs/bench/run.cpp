@@ -16,10 +16,7 @@ namespace {
 /// Slices of a run: few enough that the cold first step of each stays below the 99th percentile of a run of 1000 steps.
 constexpr int slices = 8;
 
-/// Of the soft step at its default setting.
-constexpr int softSubsteps = 4;
-
-/// One variant under way.
+/// One pane under way.
 struct Runner {
     std::unique_ptr<EngineRun> engine;
     BenchRun run;
@@ -27,16 +24,6 @@ struct Runner {
     int64_t awake = 0, touching = 0, contacts = 0;
     int peakContacts = 0;
 };
-
-Runner MakeRunner(const BenchVariant& variant, const BenchCase& benchCase, const BenchSettings& settings,
-                  const scenes::Scene& scene) {
-    RunOptions options;
-    options.broadPhase = settings.broadPhase;
-    options.threads = variant.threads;
-    options.substeps = variant.solver == "soft" ? softSubsteps : 0;
-    options.continuous = benchCase.continuous;
-    return {.engine = MakeRun(variant.engine, scene, options), .run = {}};
-}
 
 void StepOnce(Runner& runner) {
     runner.engine->Step();
@@ -63,7 +50,16 @@ void RunSlice(Runner& runner, int last, double timeLimitMs, const std::function<
     }
 }
 
-BenchRow MakeRow(const BenchCase& benchCase, const BenchVariant& variant, const BenchSettings& settings,
+/// The solver's setting; what the rows of files of before have is as it was there.
+std::string NameForRow(const RunSpec& spec) {
+    if (spec.solver == Solver(SoftStep{})) return "soft";
+    const SettingKey& solver = FindSettingKey("solver");
+    if (const std::string value = solver.print(spec); !value.empty()) return value;
+    RunSpec alone{.solver = spec.solver};
+    return PrintSettings(alone);
+}
+
+BenchRow MakeRow(const BenchCase& benchCase, const Pane& pane, const BenchEffort& effort,
                  const scenes::SceneCounts& counts) {
     BenchRow row;
     row.scene = benchCase.info->name;
@@ -71,11 +67,16 @@ BenchRow MakeRow(const BenchCase& benchCase, const BenchVariant& variant, const 
     row.fixtures = counts.Fixtures();
     row.joints = counts.joints;
     row.movers = counts.kinematicBodies + counts.dynamicBodies;
-    row.engine = variant.engine;
-    row.solver = variant.solver;
-    row.threads = variant.threads;
-    row.continuous = benchCase.continuous;
-    row.repeats = settings.repeats;
+    row.engine = pane.spec.engine;
+    row.solver = NameForRow(pane.spec);
+    row.threads = pane.spec.threads;
+    row.continuous = pane.spec.continuous;
+    row.repeats = effort.repeats;
+    row.pane = pane.name;
+    row.settings = PrintSettings(pane.spec);
+    const bool hasBaseline =
+        std::ranges::find(benchCase.panes, benchCase.baseline, &Pane::name) != benchCase.panes.end();
+    row.baseline = hasBaseline ? benchCase.baseline : "";
     return row;
 }
 
@@ -93,23 +94,23 @@ void SetCounts(BenchRow& row, Runner& runner) {
 
 }  // namespace
 
-BenchResult RunBenchCase(const BenchCase& benchCase, const BenchSettings& settings,
+BenchResult RunBenchCase(const BenchCase& benchCase, const BenchEffort& effort,
                          const std::function<void(int)>& advance) {
     const scenes::Scene scene = scenes::Build(benchCase.info->name, benchCase.size);
-    const int steps = settings.maxSteps > 0 ? std::min(settings.maxSteps, scene.steps) : scene.steps;
+    const int steps = effort.maxSteps > 0 ? std::min(effort.maxSteps, scene.steps) : scene.steps;
     const int slice = (steps + slices - 1) / slices;
     BenchResult result;
-    for (const BenchVariant& variant : benchCase.variants) {
-        result.rows.push_back(MakeRow(benchCase, variant, settings, scenes::Count(scene)));
+    for (const Pane& pane : benchCase.panes) {
+        result.rows.push_back(MakeRow(benchCase, pane, effort, scenes::Count(scene)));
     }
-    std::vector<std::vector<BenchRun>> repeats(benchCase.variants.size());
-    for (int repeat = 0; repeat < settings.repeats; ++repeat) {
+    std::vector<std::vector<BenchRun>> repeats(benchCase.panes.size());
+    for (int repeat = 0; repeat < effort.repeats; ++repeat) {
         std::vector<Runner> runners;
-        for (const BenchVariant& variant : benchCase.variants) {
-            runners.push_back(MakeRunner(variant, benchCase, settings, scene));
+        for (const Pane& pane : benchCase.panes) {
+            runners.push_back({.engine = MakeRun(scene, pane.spec), .run = {}});
         }
         for (int last = slice; last < steps + slice; last += slice) {
-            for (Runner& runner : runners) RunSlice(runner, std::min(last, steps), settings.timeLimitS * 1000, advance);
+            for (Runner& runner : runners) RunSlice(runner, std::min(last, steps), effort.timeLimitS * 1000, advance);
         }
         for (std::size_t i = 0; i < runners.size(); ++i) {
             SetCounts(result.rows[i], runners[i]);
@@ -120,9 +121,10 @@ BenchResult RunBenchCase(const BenchCase& benchCase, const BenchSettings& settin
     for (std::size_t i = 0; i < repeats.size(); ++i) {
         BenchRun merged = MergeRepeats(repeats[i]);
         SetTimes(result.rows[i], merged);
-        result.timing.push_back({benchCase.variants[i].engine, std::move(merged.steps)});
+        const Pane& pane = benchCase.panes[i];
+        result.timing.push_back({pane.name, pane.spec.engine, std::move(merged.steps)});
     }
-    CompareWithBox2d(result.rows);
+    CompareWithBaseline(result.rows);
     return result;
 }
 

@@ -3,7 +3,7 @@
 //
 // Runs one scene at one size in several engines and settings within one process, in slices of steps taken in turn, so
 // that a disturbance of the machine hits all alike while each engine's data stays in the caches for a slice. A case in,
-// one row per variant out. What is counted is counted between the timed steps.
+// one row per pane out. What is counted is counted between the timed steps.
 
 #pragma once
 
@@ -12,40 +12,34 @@
 #include <vector>
 
 #include "scenes/catalog.h"
+#include "testbed/engines/panes.h"
 #include "testbed/jobs/bench/row.h"
 
 namespace testbed {
 
-/// An engine and its setting.
-struct BenchVariant {
-    std::string engine;
-    std::string solver = "si";
-    int threads = 1;
-};
-
-/// A scene at a size, to be run in all of the variants.
+/// A scene at a size, to be run in all of the panes.
 struct BenchCase {
     const scenes::SceneInfo* info = nullptr;
     int size = 0;
-    bool continuous = false;
-    std::vector<BenchVariant> variants;
+    std::vector<Pane> panes;
+    std::string baseline = "box2d";  ///< name of the pane that the others are compared with
 };
 
-struct BenchSettings {
+/// How long a case is measured.
+struct BenchEffort {
     int repeats = 1;
     int maxSteps = 0;       ///< 0: the scene's own number
-    double timeLimitS = 0;  ///< of one variant's steps in one repeat; 0: none
-    std::string broadPhase = "auto";
+    double timeLimitS = 0;  ///< of one pane's steps in one repeat; 0: none
 };
 
-/// The rows of a case and the merged times of every step, one per variant, in the order of the variants.
+/// The rows of a case and the merged times of every step, one per pane, in their order.
 struct BenchResult {
     std::vector<BenchRow> rows;
     std::vector<TimingSeries> timing;
 };
 
-/// Runs a case; calls advance(n) after every n steps of a variant. Rows are compared with the case's own Box2D row.
-[[nodiscard]] BenchResult RunBenchCase(const BenchCase& benchCase, const BenchSettings& settings,
+/// Runs a case; calls advance(n) after every n steps of a pane. Rows are compared with the case's own baseline.
+[[nodiscard]] BenchResult RunBenchCase(const BenchCase& benchCase, const BenchEffort& effort,
                                        const std::function<void(int)>& advance);
 
 }  // namespace testbed

@@ -14,17 +14,18 @@ namespace {
 
 constexpr double megabyte = 1e6;
 
-/// "×3.1", "≥×3.1" when Box2D was stopped, "≤×3.1" when only this run was, "void" in front when the work differs.
-std::string FormatRatio(const BenchRow& row, const BenchRow* box2d) {
-    if (row.engine == "box2d" || box2d == nullptr || row.ratio == 0) return "";
-    if (!row.complete && !box2d->complete) return "?";
-    const char* bound = !box2d->complete ? "≥" : !row.complete ? "≤" : "";
+/// "×3.1", "≥×3.1" when the baseline was stopped, "≤×3.1" when only this run was, "void" in front when the work
+/// differs.
+std::string FormatRatio(const BenchRow& row, const BenchRow* baseline) {
+    if (row.IsBaseline() || baseline == nullptr || row.ratio == 0) return "";
+    if (!row.complete && !baseline->complete) return "?";
+    const char* bound = !baseline->complete ? "≥" : !row.complete ? "≤" : "";
     return fmt::format("{}×{:.{}f}{}", bound, row.ratio, row.ratio < 100 ? 2 : 0,
                        row.voidReason.empty() ? "" : " void");
 }
 
 std::string FormatCpuRatio(const BenchRow& row) {
-    if (row.engine == "box2d" || row.cpuRatio == 0) return "";
+    if (row.IsBaseline() || row.cpuRatio == 0) return "";
     return fmt::format("×{:.{}f} ({:.{}f})", row.cpuRatio, row.cpuRatio < 100 ? 2 : 0, row.cpuRatio / assertsFactor,
                        row.cpuRatio < 100 ? 2 : 0);
 }
@@ -46,14 +47,14 @@ std::string FormatBenchHeader() {
 std::string FormatBenchRows(std::span<const BenchRow> rows) {
     std::string text, voids;
     for (const BenchRow& row : rows) {
-        const BenchRow* box2d = FindBox2d(rows, row);
+        const BenchRow* baseline = FindBaseline(rows, row);
         const StageTotals& s = row.stages;
         text += fmt::format(
             "{:<21} {:>7} {:<6} {:<10} {:>9.1f} {:>11} {:>12} {:>10.1f} {:>16} {:>9.3f} {:>9.3f} {:>9.3f} | {:>9.1f} "
             "{:>9.1f} {:>8.1f} "
             "{:>9.1f} {:>9.1f} | {:>7.0f} {:>8} {:>8.2f} {}\n",
-            row.scene, row.size, row.engine, FormatSetting(row), row.createMs,
-            fmt::format("{}{:.1f}", row.complete ? "" : "≥", row.totalMs), FormatRatio(row, box2d), row.cpuMs,
+            row.scene, row.size, row.GetName(), FormatSetting(row), row.createMs,
+            fmt::format("{}{:.1f}", row.complete ? "" : "≥", row.totalMs), FormatRatio(row, baseline), row.cpuMs,
             FormatCpuRatio(row), row.medianMs, row.p99Ms, row.maxMs, s.broadPhase, s.narrowPhase, s.islands, s.solver,
             s.continuous, row.nsPerBodyStep, row.peakContacts, static_cast<double>(row.peakBytes) / megabyte,
             FormatHash(row.stateHash));
@@ -72,7 +73,9 @@ std::string FormatBenchNotes() {
         "divided by {},\nthe most that the asserts in Debian's libbox2d were seen to cost. Box2D's solver includes "
         "finding "
         "islands; its broad phase\nincludes the pair search after new fixtures, not its retest in Collide. void: awake "
-        "body-steps differ by over 2 % or touching\ncontacts by over 20 %.\n",
+        "body-steps differ by over 2 % or touching\ncontacts by over 20 %. Settings: preset=like-box2d (Box2D's caps "
+        "of "
+        "speed, no continuous collision), unless --set says otherwise.\n",
         assertsFactor);
 }
 

@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "testbed/engines/engine_setting.h"
+#include "testbed/engines/run_spec.h"
 
 namespace testbed {
 
@@ -43,7 +43,7 @@ struct AbuseResult {
 };
 
 /// Throws std::invalid_argument for an unknown engine.
-[[nodiscard]] AbuseResult RunAbuse(const EngineSetting& setting, Abuse abuse);
+[[nodiscard]] AbuseResult RunAbuse(const RunSpec& setting, Abuse abuse);
 [[nodiscard]] AbuseResult AbuseScree(bool soft, Abuse abuse);
 [[nodiscard]] AbuseResult AbuseBox2d(Abuse abuse);
 

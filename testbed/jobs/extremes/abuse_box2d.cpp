@@ -55,9 +55,9 @@ struct Box2dAbuse {
 
 AbuseResult AbuseBox2d(Abuse abuse) { return Abuser<Box2dAbuse>(false).Run(abuse); }
 
-AbuseResult RunAbuse(const EngineSetting& setting, Abuse abuse) {
+AbuseResult RunAbuse(const RunSpec& setting, Abuse abuse) {
     if (setting.engine == "box2d") return AbuseBox2d(abuse);
-    if (setting.engine == "scree") return AbuseScree(setting.solver == SolverKind::soft, abuse);
+    if (setting.engine == "scree") return AbuseScree(!IsSequential(setting), abuse);
     throw std::invalid_argument("unknown engine '" + setting.engine + "': use scree or box2d");
 }
 

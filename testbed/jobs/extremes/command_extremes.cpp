@@ -21,6 +21,7 @@
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/shard.h"
+#include "testbed/engines/panes.h"
 #include "testbed/jobs/extremes/child.h"
 #include "testbed/jobs/extremes/commands.h"
 #include "testbed/jobs/extremes/report.h"
@@ -38,18 +39,19 @@ struct ExtremesArguments {
     std::string output = "out/extremes";
     double limit = 0.0;  ///< 0: by quick and full
     int jobs = 2;
+    SettingArguments settings{.engines = ""};
     ShardArguments shard;
     std::string runCase, setting;  ///< internal: run this one here
 };
 
-struct NamedSetting {
-    std::string name;
-    EngineSetting setting;
-};
-std::vector<NamedSetting> GetSettings() {
-    std::vector<NamedSetting> settings;
-    for (const EngineSetting& setting : {GetSequential("box2d"), GetSequential("scree"), GetDial(Dial::game)}) {
-        if (IsAvailable(setting)) settings.push_back({setting.engine + " " + NameSolver(setting), setting});
+/// The settings that every case runs under. A name begins with its engine's.
+std::vector<Pane> ChooseSettings(const SettingArguments& arguments) {
+    const bool isOwnList = arguments.engines.empty();
+    std::vector<Pane> settings = ParsePanes(isOwnList ? "box2d,scree,soft=scree:solver=soft@4" : arguments.engines,
+                                            GetTypedSettings(arguments), "solver=si@8/3");
+    for (Pane& pane : settings) {
+        const bool isPlain = isOwnList || pane.name == pane.spec.engine;
+        pane.name = pane.spec.engine + " " + (isPlain ? NameSolver(pane.spec) : pane.name);
     }
     return settings;
 }
@@ -86,8 +88,8 @@ double FindLimit(const ExtremesArguments& arguments) {
 /// In the child: runs the case and tells the outcome and the picture on stdout.
 int RunOneHere(const ExtremesArguments& arguments) {
     const auto one = std::ranges::find(GetExtremeCases(), arguments.runCase, &ExtremeCase::name);
-    const std::vector<NamedSetting> settings = GetSettings();
-    const auto setting = std::ranges::find(settings, arguments.setting, &NamedSetting::name);
+    const std::vector<Pane> settings = ChooseSettings(arguments.settings);
+    const auto setting = std::ranges::find(settings, arguments.setting, &Pane::name);
     if (one == GetExtremeCases().end() || setting == settings.end()) {
         throw UsageError(fmt::format("no such case and setting: '{}', '{}'", arguments.runCase, arguments.setting));
     }
@@ -95,7 +97,7 @@ int RunOneHere(const ExtremesArguments& arguments) {
     LimitThisProcess(limit);
     // A long case cuts itself short, so that only one that hangs in a step meets the limit.
     const CaseBudget budget{.quick = arguments.quick, .cpuSeconds = (arguments.quick ? 0.2 : 0.7) * limit};
-    const CaseRun run = RunCase(*one, setting->setting, budget);
+    const CaseRun run = RunCase(*one, setting->spec, budget);
     nlohmann::ordered_json told;
     told["outcome"] = ToJson(run.outcome);
     told["picture"] = run.picture;
@@ -133,6 +135,12 @@ std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<
                        // Waiting counts here, and a busy machine makes everything wait.
                        .wallSeconds = 10.0 * limit};
         if (arguments.quick) child.arguments.emplace_back("--quick");
+        for (const std::string& setting : arguments.settings.sets) {
+            child.arguments.insert(child.arguments.end(), {"--set", setting});
+        }
+        if (!arguments.settings.engines.empty()) {
+            child.arguments.insert(child.arguments.end(), {"--engines", arguments.settings.engines});
+        }
         children.push_back(child);
     }
     std::vector<ExtremeResult> results(jobs.size());
@@ -165,12 +173,12 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
         PrintCases(cases);
         return exitDone;
     }
-    const std::vector<NamedSetting> settings = GetSettings();
+    const std::vector<Pane> settings = ChooseSettings(arguments.settings);
     const Shard shard = ParseShard(arguments.shard.shard);
     std::vector<Job> jobs;
     std::size_t number = 0;
     for (const ExtremeCase* one : cases) {
-        for (const NamedSetting& setting : settings) {
+        for (const Pane& setting : settings) {
             if (shard.Contains(number)) jobs.push_back({one, setting.name, number});
             ++number;
         }
@@ -218,6 +226,8 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
+    AddSetOption(*command, arguments->settings, "Applied in all engines. A case keeps the settings that it is about");
+    AddEnginesOption(*command, arguments->settings, "Instead of box2d 8/3, scree 8/3 and scree soft 4");
     AddShardOptions(*command, arguments->shard);
     command->footer("Exits with 1 when our engine aborts, hangs or goes non-finite in a case.");
     command->add_option("--run-case", arguments->runCase)->group("");

@@ -41,10 +41,10 @@ struct ExtremeCase {
     double seconds = 5.0;
     double quickSeconds = 1.0;  ///< at most this with --quick
     double scale = 1.0;         ///< size of the bodies, m: what pictures and energies are measured by
-    int rate = 60;              ///< steps per second
-    LabOptions options{.sleep = true, .capped = false};
+    std::string settings{};     ///< what the case changes of a run, as PrintSettings writes it
+    Point place{};              ///< where the scene's origin is put, m
     Demands demands{};
-    std::function<double(int step)> stepLength{};        ///< s; instead of 1/rate
+    std::function<double(int step)> stepLength{};        ///< s; instead of the spec's
     std::function<void()> prepare{};                     ///< of the process, before the world is made
     std::function<void(LabWorld&, int step)> disturb{};  ///< before each step
     /// An error of the end state, compared with Demands::accuracy.

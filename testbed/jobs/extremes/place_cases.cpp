@@ -98,22 +98,20 @@ void AddFar(std::vector<ExtremeCase>& cases, int power) {
     const double x = power == 0 ? 0.0 : std::pow(10.0, power);
     const std::string place = power == 0 ? "at the origin" : fmt::format("1e{} m from the origin", power);
     const std::string suffix = fmt::format("-far-{}", power == 0 ? "0" : fmt::format("1e{}", power));
-    const LabOptions options{.sleep = true, .capped = false, .place = {x, 0.0}};
-    LabOptions awake = options;  // 1 cm/s is slow enough to fall asleep
-    awake.sleep = false;
     cases.push_back({.name = "settle" + suffix,
                      .group = "far away",
                      .what = "a pyramid of base 5 " + place,
                      .make = [] { return MakeSized(1.0); },
                      .quickSeconds = 5.0,
-                     .options = options,
+                     .place = {x, 0.0},
                      .demands = {.bounds = Around(x, 15.0), .overlap = 0.02, .restSpeed = 0.05}});
     cases.push_back({.name = "slide" + suffix,
                      .group = "far away",
                      .what = "a box slides with 1 cm/s without friction " + place + ": its way",
                      .make = MakeSlider,
                      .quickSeconds = 5.0,
-                     .options = awake,
+                     .settings = "sleeping=off",  // 1 cm/s is slow enough to fall asleep
+                     .place = {x, 0.0},
                      .demands = {.bounds = Around(x, 15.0), .accuracy = 0.02},
                      .measure = [x](const LabWorld& lab, double seconds) {
                          return RelativeError(lab.Read(1).centre.x - x, 0.01 * seconds);
@@ -123,14 +121,14 @@ void AddFar(std::vector<ExtremeCase>& cases, int power) {
                      .what = "five hinged links swing " + place,
                      .make = MakeSwing,
                      .quickSeconds = 3.0,
-                     .options = options,
+                     .place = {x, 0.0},
                      .demands = {.bounds = Around(x, 15.0), .jointGap = 0.01}});
     cases.push_back({.name = "figure" + suffix,
                      .group = "far away",
                      .what = "a figure of five limbs falls " + place,
                      .make = MakeFigure,
                      .quickSeconds = 5.0,
-                     .options = options,
+                     .place = {x, 0.0},
                      .demands = {.bounds = Around(x, 15.0), .jointGap = 0.05, .restSpeed = 0.1}});
 }
 
@@ -148,7 +146,7 @@ std::vector<ExtremeCase> MakePlaceCases() {
              .make = [=] { return MakeSized(s, s * gravity); },
              .quickSeconds = 5.0,
              .scale = s,
-             .options = {.sleep = true, .capped = false, .lengthScale = s},
+             .settings = fmt::format("lengthScale={:g}", s),
              .demands = {.bounds = Bounds{{-10.0 * s, 0.0}, {10.0 * s, 10.0 * s + 0.2}},
                          .overlap = 0.02 * s,
                          .restSpeed = 0.05 * s}});
@@ -162,7 +160,7 @@ std::vector<ExtremeCase> MakePlaceCases() {
              .make = [=] { return MakeSized(s); },
              .quickSeconds = 5.0,
              .scale = s,
-             .options = {.sleep = true, .capped = false, .lengthScale = s},
+             .settings = fmt::format("lengthScale={:g}", s),
              .demands = {.bounds = Bounds{{-10.0 * s, 0.0}, {10.0 * s, 10.0 * s + 0.2}},
                          .overlap = 0.02 * s,
                          .restSpeed = 0.05 * std::max(1.0, std::sqrt(s))}});
@@ -174,7 +172,7 @@ std::vector<ExtremeCase> MakePlaceCases() {
          .make = MakeCrumbs,
          .quickSeconds = 5.0,
          .scale = 0.01,
-         .options = {.sleep = true, .capped = false, .lengthScale = 0.01},
+         .settings = "lengthScale=0.01",
          .demands = {.bounds = Bounds{{-1.0, 0.0}, {1.0, 0.2}}, .overlap = 0.02 * 0.01, .restSpeed = 0.05}});
     cases.push_back(
         {.name = "offset-shape",

@@ -28,16 +28,14 @@ double ReadProcessClock() {
     return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-LabOptions WithWorkers(LabOptions options, int workers) {
-    options.workers = workers;
-    return options;
-}
-
 /// One run of a case.
 class Watcher {
 public:
-    Watcher(const ExtremeCase& one, const EngineSetting& setting, double seconds, int workers)
-        : m_case(one), m_seconds(seconds), m_lab(MakeLab(one.make(), setting, WithWorkers(one.options, workers))) {
+    Watcher(const ExtremeCase& one, const RunSpec& spec, double seconds)
+        : m_case(one),
+          m_seconds(seconds),
+          m_timeStep(GetTimeStep(spec)),
+          m_lab(MakeLab(one.make(), spec, {.place = one.place})) {
         const scenes::Scene& scene = m_lab->GetScene();
         m_gravity = {double{scene.gravity.x}, double{scene.gravity.y}};
         for (int i = 0; i < m_lab->GetBodyCount(); ++i) m_extents.push_back(SmallestExtent(scene, i));
@@ -93,7 +91,7 @@ private:
 
     void StepOnce() {
         if (m_case.disturb) m_case.disturb(*m_lab, m_outcome.steps);
-        const double dt = m_case.stepLength ? m_case.stepLength(m_outcome.steps) : 1.0 / m_case.rate;
+        const double dt = m_case.stepLength ? m_case.stepLength(m_outcome.steps) : m_timeStep;
         const StepFacts facts = m_lab->Step(dt);
         ++m_outcome.steps;
         // A step of no length counts as a 60th, so that a case of such steps ends.
@@ -184,7 +182,7 @@ private:
     }
 
     const ExtremeCase& m_case;
-    double m_seconds;
+    double m_seconds, m_timeStep;
     std::unique_ptr<LabWorld> m_lab;
     Point m_gravity;
     std::vector<double> m_extents;  ///< by body
@@ -195,7 +193,7 @@ private:
     Outcome m_outcome;
 };
 
-CaseRun RunAbuseCase(const ExtremeCase& one, const EngineSetting& setting) {
+CaseRun RunAbuseCase(const ExtremeCase& one, const RunSpec& setting) {
     const AbuseResult result = RunAbuse(setting, *one.abuse);
     Outcome o;
     o.finite = result.finite;
@@ -250,20 +248,23 @@ double SumEnergy(const scenes::Scene& scene, std::span<const BodyReading> bodies
     return sum;
 }
 
-CaseRun RunCase(const ExtremeCase& one, const EngineSetting& setting, const CaseBudget& budget) {
+CaseRun RunCase(const ExtremeCase& one, const RunSpec& setting, const CaseBudget& budget) {
     if (one.prepare) one.prepare();
     if (one.abuse) return RunAbuseCase(one, setting);
     const double start = ReadProcessClock();
     const double seconds = budget.quick ? std::min(one.seconds, one.quickSeconds) : one.seconds;
     CaseRun run;
     try {
-        Watcher first(one, setting, seconds, 1);
+        RunSpec spec = setting;
+        ApplySettings(spec, one.settings);
+        Watcher first(one, spec, seconds);
         first.Run(start + budget.cpuSeconds);
         run.outcome = first.GetOutcome();
         run.picture = first.DrawWorst();
         const double used = ReadProcessClock() - start;
         if (run.outcome.finite && !run.outcome.shortened && used < 0.4 * budget.cpuSeconds) {
-            Watcher second(one, setting, seconds, 2);  // on two threads, where the engine has them
+            spec.threads = spec.threads == 2 ? 1 : 2;  // where the engine has them
+            Watcher second(one, spec, seconds);
             second.Run(start + budget.cpuSeconds);
             if (!second.GetOutcome().shortened) run.outcome.repeated = first.GetHash() == second.GetHash();
         }

@@ -20,7 +20,8 @@ struct CaseRun {
     Outcome outcome;
     std::string picture;  ///< SVG of the worst moment; empty: there is none
 };
-[[nodiscard]] CaseRun RunCase(const ExtremeCase& one, const EngineSetting& setting, const CaseBudget& budget);
+/// A case keeps what it is about: its own settings apply after those of `setting`.
+[[nodiscard]] CaseRun RunCase(const ExtremeCase& one, const RunSpec& setting, const CaseBudget& budget);
 
 /// Smallest extent of a body's fixtures, m; infinity without any.
 [[nodiscard]] double SmallestExtent(const scenes::Scene& scene, int body);

@@ -25,7 +25,7 @@ namespace {
 struct MetricsArguments {
     std::string scene;
     std::string steps;
-    RunArguments run;
+    SceneArguments run;
     PictureArguments picture;
 };
 
@@ -35,14 +35,14 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
     SceneJob job = MakeJobs(names, arguments.run, {}).front();
     job.selection.range =
         arguments.steps.empty() ? StepRange{1, job.info->steps, 1} : ParseSteps(arguments.steps, true);
-    const RunSetup setup = MakeRunSetup(arguments.run);
+    const Panes panes = MakePanes(arguments.run);
     const PictureOptions options = MakePictureOptions(arguments.picture);
     OutputFolder output(arguments.run.output);
 
     const std::string name(job.info->name);
     Progress progress(name, job.selection.range.last + workPerPicture * job.selection.Count());
-    SideBySide engines(scenes::Build(name, job.size), setup);
-    RunSummary summary{name, job.size, {}, {}};
+    SideBySide engines(scenes::Build(name, job.size), panes);
+    RunSummary summary{name, job.size, {}, {}, panes.baseline};
     ShowSteps(engines, job.selection, 1, progress, [&](std::span<const Snapshot> snapshots) {
         std::vector<const Snapshot*> pointers;
         for (const Snapshot& snapshot : snapshots) pointers.push_back(&snapshot);
@@ -54,7 +54,7 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
     summary.timing = engines.GetTiming();
     SaveMetrics(output, name, {name, job.size, DescribeCommand(request.arguments)}, summary.rows);
     progress.Finish(fmt::format("{} steps, {} measured", engines.GetStep(), job.selection.Count()));
-    fmt::print("{}\n{}", FormatSummary(summary), FormatFiles(output.GetFiles()));
+    fmt::print("{}{}\n{}", FormatSummary(summary), FormatSettings(panes), FormatFiles(output.GetFiles()));
     return exitDone;
 }
 

@@ -30,7 +30,7 @@ namespace {
 
 struct OverlapArguments {
     std::vector<std::string> scenes;
-    RunArguments run;
+    SceneArguments run;
     PictureArguments picture;
     StepArguments steps;
     SequenceArguments sequence;
@@ -39,8 +39,9 @@ struct OverlapArguments {
 /// The plot shows at least the steps that the dissertation's figures show.
 constexpr int plotSteps = 100;
 
-/// Draws, counts and saves the pictures of one step; returns a row of numbers per engine.
-std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Snapshot> snapshots) {
+/// Draws, counts and saves the pictures of one step; returns a row of numbers per pane.
+std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Snapshot> snapshots,
+                                    std::size_t baseline) {
     std::vector<PaneInput> inputs;
     PictureRecord all{.kind = "compare", .snapshots = {}, .rows = {}, .stats = {}, .camera = {}};
     for (const Snapshot& snapshot : snapshots) {
@@ -49,7 +50,8 @@ std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Sna
         all.rows.push_back(MeasureSnapshot(snapshot, {}));
         inputs.push_back({&snapshot, fmt::format("sibling overlap {:.3f}", all.rows.back().siblingOverlap)});
     }
-    OverlapResult result = session.maker.MakeOverlap(inputs, session.options, session.ChooseCamera(all.snapshots));
+    OverlapResult result =
+        session.maker.MakeOverlap(inputs, session.options, session.ChooseCamera(all.snapshots), baseline);
     all.camera = result.camera;
     all.scaleMax = result.scaleMax;
     for (std::size_t i = 0; i < result.panes.size(); ++i) {
@@ -66,14 +68,15 @@ std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Sna
         one.snapshots = {all.snapshots[i]};
         one.rows = {all.rows[i]};
         one.stats = {all.stats[i]};
-        session.Save(result.panes[i].engine, std::move(result.panes[i].image), one);
+        session.Save(result.panes[i].name, std::move(result.panes[i].image), one);
     }
-    if (result.panes.size() == 2) {
-        session.Save("compare", std::move(result.compare), all);
+    if (result.panes.size() > 1) session.Save("compare", std::move(result.compare), all);
+    for (OverlapDifference& one : result.differences) {
         PictureRecord difference = all;
         difference.kind = "difference";
-        difference.difference = &result.differenceStats;
-        session.Save("difference", std::move(result.difference), difference);
+        difference.difference = &one.stats;
+        const std::string name = result.differences.size() == 1 ? "" : "-" + result.panes[one.pane].name;
+        session.Save("difference" + name, std::move(one.image), difference);
     }
     return all.rows;
 }
@@ -88,15 +91,15 @@ void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<
     session.output.Adopt(temporary, folder / "timing.png");
 }
 
-void RunScene(PictureSession& session, const SceneJob& job, const RunSetup& setup) {
+void RunScene(PictureSession& session, const SceneJob& job, const Panes& panes) {
     Progress progress(std::string(job.info->name),
                       std::max(plotSteps, job.selection.range.last) + workPerPicture * job.selection.Count());
     session.Begin(job.selection.Count());
-    SideBySide engines(scenes::Build(job.info->name, job.size), setup);
-    RunSummary summary{std::string(job.info->name), job.size, {}, {}};
+    SideBySide engines(scenes::Build(job.info->name, job.size), panes);
+    RunSummary summary{std::string(job.info->name), job.size, {}, {}, panes.baseline};
     ShowSteps(engines, job.selection, plotSteps, progress, [&](std::span<const Snapshot> snapshots) {
         session.Make([&] {
-            const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots);
+            const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots, panes.baseline);
             summary.rows.insert(summary.rows.end(), rows.begin(), rows.end());
         });
     });
@@ -105,13 +108,13 @@ void RunScene(PictureSession& session, const SceneJob& job, const RunSetup& setu
     SaveMetrics(session.output, job.info->name, {summary.scene, job.size, session.origin.command}, summary.rows);
     SaveTiming(session, job, summary.timing);
     progress.Finish(session.Describe(engines.GetStep(), job.selection.Count()));
-    fmt::print("{}\n", FormatSummary(summary));
+    fmt::print("{}{}\n", FormatSummary(summary), FormatSettings(panes));
     std::fflush(stdout);
 }
 
 int RunOverlap(const OverlapArguments& arguments, const Request& request) {
     const std::vector<SceneJob> jobs = MakeJobs(arguments.scenes, arguments.run, arguments.steps);
-    const RunSetup setup = MakeRunSetup(arguments.run);
+    const Panes panes = MakePanes(arguments.run);
     const PictureOptions options = MakePictureOptions(arguments.picture);
     const SequenceOptions sequence = MakeSequenceOptions(arguments.sequence, options.width, options.theme);
     for (const SceneJob& job : jobs) CheckSheet(sequence, job.selection.Count());
@@ -119,7 +122,7 @@ int RunOverlap(const OverlapArguments& arguments, const Request& request) {
     PictureSession session = MakePictureSession(
         {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
         request.contextOptions);
-    for (const SceneJob& job : jobs) RunScene(session, job, setup);
+    for (const SceneJob& job : jobs) RunScene(session, job, panes);
     fmt::print("{}", FormatFiles(session.output.GetFiles()));
     return exitDone;
 }

@@ -26,13 +26,13 @@ struct RenderArguments {
     std::string scene;
     std::string layers = "bodies,contacts,normals,joints";
     bool noLegend = false;
-    RunArguments run;
+    SceneArguments run;
     PictureArguments picture;
     StepArguments steps;
     SequenceArguments sequence;
 };
 
-/// render-<engine>.png, so that both commands can share a folder.
+/// render-<pane>.png, so that both commands can share a folder.
 void SaveRender(PictureSession& session, std::span<const Snapshot> snapshots) {
     std::vector<const Snapshot*> pointers;
     for (const Snapshot& snapshot : snapshots) pointers.push_back(&snapshot);
@@ -41,7 +41,7 @@ void SaveRender(PictureSession& session, std::span<const Snapshot> snapshots) {
         const PaneInput input{snapshot, fmt::format("{} contacts", snapshot->contactCount)};
         const PictureRecord record{
             .kind = "render", .snapshots = {snapshot}, .rows = {}, .stats = {}, .camera = camera};
-        session.Save("render-" + snapshot->engine, session.maker.MakeRender(input, session.options, camera), record);
+        session.Save("render-" + snapshot->GetName(), session.maker.MakeRender(input, session.options, camera), record);
     }
 }
 
@@ -49,11 +49,10 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
     std::vector<std::string> names;
     if (!arguments.scene.empty()) names.push_back(arguments.scene);
     const SceneJob job = MakeJobs(names, arguments.run, arguments.steps).front();
-    RunSetup setup = MakeRunSetup(arguments.run);
+    const Panes panes = MakePanes(arguments.run);
     PictureOptions options = MakePictureOptions(arguments.picture);
     options.layers = ParseLayers(arguments.layers);
     options.legend = !arguments.noLegend;
-    setup.options.sweptBoxes = options.layers.Has(Layer::swept);
     CheckSheet(MakeSequenceOptions(arguments.sequence, options.width, options.theme), job.selection.Count());
     PictureSession session = MakePictureSession(
         {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
@@ -61,7 +60,8 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
 
     session.Begin(job.selection.Count());
     Progress progress(std::string(job.info->name), job.selection.range.last + workPerPicture * job.selection.Count());
-    SideBySide engines(scenes::Build(job.info->name, job.size), setup);
+    SideBySide engines(scenes::Build(job.info->name, job.size), panes,
+                       {.sweptBoxes = options.layers.Has(Layer::swept)});
     ShowSteps(engines, job.selection, 1, progress,
               [&](std::span<const Snapshot> snapshots) { session.Make([&] { SaveRender(session, snapshots); }); });
     session.Finish();

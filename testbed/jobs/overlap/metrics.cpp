@@ -48,6 +48,8 @@ void ForEachColumn(const MetricsRow& row, Visit&& visit) {
     visit("step_ms", row.stepMs);
     visit("memory_bytes", row.memoryBytes);
     visit("state_hash", FormatHash(row.stateHash));
+    visit("pane", row.pane);
+    visit("settings", row.settings);
 }
 
 }  // namespace
@@ -85,6 +87,8 @@ MetricsRow MeasureSnapshot(const Snapshot& snapshot, const OverlapStats& overlap
     row.stepMs = snapshot.times.step;
     row.memoryBytes = snapshot.memoryBytes;
     row.stateHash = snapshot.stateHash;
+    row.pane = snapshot.GetName();
+    row.settings = snapshot.settings;
     return row;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The numbers of one engine at one step, as a row: Snapshot (with all parts) and overlap counts in, metrics.csv and
+// The numbers of one pane at one step, as a row: Snapshot (with all parts) and overlap counts in, metrics.csv and
 // metrics.json out. Both files hold the same columns in the same order.
 
 #pragma once
@@ -47,6 +47,8 @@ struct MetricsRow {
     double stepMs = 0;
     int64_t memoryBytes = 0;
     uint64_t stateHash = 0;  ///< written as 16 hexadecimal digits
+    std::string pane;        ///< its name; the engine's where that runs once
+    std::string settings;    ///< how it was run, as PrintSettings writes it
 };
 
 /// What stands above the rows in metrics.json.

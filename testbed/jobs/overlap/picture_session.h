@@ -53,7 +53,7 @@ struct PictureSession {
 
 struct SessionRequest {
     const PictureArguments& picture;
-    const RunArguments& run;
+    const SceneArguments& run;
     const SequenceArguments& sequence;
     const PictureOptions& options;
     std::string command;

@@ -87,7 +87,7 @@ StepSelection SelectSteps(const StepArguments& arguments, const scenes::SceneInf
     return selection;
 }
 
-std::vector<SceneJob> MakeJobs(const std::vector<std::string>& names, const RunArguments& run,
+std::vector<SceneJob> MakeJobs(const std::vector<std::string>& names, const SceneArguments& run,
                                const StepArguments& steps) {
     if (names.empty()) throw UsageError("which scene? Give its name; `scree list` shows all");
     std::vector<SceneJob> jobs;

@@ -44,7 +44,7 @@ struct SceneJob {
 };
 
 /// One job per name, each scene once. Throws UsageError for no name, an unknown name, or an illegal size or step.
-[[nodiscard]] std::vector<SceneJob> MakeJobs(const std::vector<std::string>& names, const RunArguments& run,
+[[nodiscard]] std::vector<SceneJob> MakeJobs(const std::vector<std::string>& names, const SceneArguments& run,
                                              const StepArguments& steps);
 
 /// The folder of a step's pictures: <scene>/step-<NNNN>.

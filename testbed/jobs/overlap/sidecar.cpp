@@ -34,6 +34,8 @@ Json DescribeRow(const MetricsRow& row) { return Json::parse(WriteMetricsJson({}
 Json DescribeEngine(const PictureRecord& record, std::size_t index) {
     const Snapshot& snapshot = *record.snapshots[index];
     Json engine = {{"engine", snapshot.engine},
+                   {"pane", snapshot.GetName()},
+                   {"settings", snapshot.settings},
                    {"broad_phase", snapshot.broadPhase},
                    {"leaf_size", snapshot.leafSize},
                    {"bodies", snapshot.bodies.size()},
@@ -53,7 +55,7 @@ Json DescribeEngine(const PictureRecord& record, std::size_t index) {
 
 std::string JoinEngines(const PictureRecord& record) {
     std::string text;
-    for (const Snapshot* snapshot : record.snapshots) text += (text.empty() ? "" : ", ") + snapshot->engine;
+    for (const Snapshot* snapshot : record.snapshots) text += (text.empty() ? "" : ", ") + snapshot->GetName();
     return text;
 }
 

@@ -19,19 +19,45 @@ namespace {
 
 constexpr int labelWidth = 34, cellWidth = 15;
 
-/// One line: a value per engine and, when there are two, how many times the first goes into the second.
-void AppendLine(std::string& text, std::string_view label, std::span<const double> values,
-                const std::function<std::string(double, std::size_t)>& format) {
-    fmt::format_to(std::back_inserter(text), "{:<{}}", label, labelWidth);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        fmt::format_to(std::back_inserter(text), "{:>{}}", format(values[i], i), cellWidth);
+/// Lays lines out: a value per pane, then how many times each pane's goes into the baseline's.
+class Table {
+public:
+    explicit Table(const RunSummary& summary) : m_baseline(summary.baseline) {
+        for (const TimingSeries& series : summary.timing) m_names.push_back(series.pane);
+        m_text = fmt::format("{:<{}}", fmt::format("{}, size {}", summary.scene, summary.size), labelWidth);
+        for (const std::string& name : m_names) AddCell(name);
+        for (std::size_t i = 0; i < m_names.size(); ++i) {
+            if (i != m_baseline) AddCell(GetRatioName(i));
+        }
+        m_text += '\n';
     }
-    if (values.size() == 2) {
-        const std::string ratio = values[0] > 0 ? fmt::format("{:.2f}", values[1] / values[0]) : std::string("-");
-        fmt::format_to(std::back_inserter(text), "{:>{}}", ratio, cellWidth);
+
+    void AddLine(std::string_view label, std::span<const double> values,
+                 const std::function<std::string(double, std::size_t)>& format) {
+        fmt::format_to(std::back_inserter(m_text), "{:<{}}", label, labelWidth);
+        for (std::size_t i = 0; i < values.size(); ++i) AddCell(format(values[i], i), m_names[i].size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (i == m_baseline) continue;
+            AddCell(values[i] > 0 ? fmt::format("{:.2f}", values[m_baseline] / values[i]) : std::string("-"),
+                    GetRatioName(i).size());
+        }
+        m_text += '\n';
     }
-    text += '\n';
-}
+
+    [[nodiscard]] const std::string& GetText() const { return m_text; }
+
+private:
+    [[nodiscard]] std::string GetRatioName(std::size_t i) const { return m_names[m_baseline] + "/" + m_names[i]; }
+    /// Below a heading of so many characters; a wide one makes its column wide.
+    void AddCell(const std::string& text, std::size_t heading = 0) {
+        const std::size_t width = std::max<std::size_t>(cellWidth, std::max(heading, text.size()) + 2);
+        fmt::format_to(std::back_inserter(m_text), "{:>{}}", text, width);
+    }
+
+    std::size_t m_baseline;
+    std::vector<std::string> m_names;
+    std::string m_text;
+};
 
 std::string Whole(double value, std::size_t) { return fmt::format("{:.0f}", value); }
 std::string Fine(double value, std::size_t) { return fmt::format("{:.3f}", value); }
@@ -45,14 +71,14 @@ std::string DescribeSteps(const RunSummary& summary) {
     return steps.size() == 1 ? fmt::format("step {}", steps.front()) : fmt::format("max of {} steps", steps.size());
 }
 
-/// The largest value of each engine's rows.
+/// The largest value of each pane's rows.
 template <typename Get>
 std::vector<double> Largest(const RunSummary& summary, Get get) {
     std::vector<double> values;
     for (const TimingSeries& series : summary.timing) {
         double largest = 0;
         for (const MetricsRow& row : summary.rows) {
-            if (row.engine == series.engine) largest = std::max(largest, static_cast<double>(get(row)));
+            if (row.pane == series.pane) largest = std::max(largest, static_cast<double>(get(row)));
         }
         values.push_back(largest);
     }
@@ -66,30 +92,30 @@ std::vector<double> ForEachSeries(const RunSummary& summary, Get get) {
     return values;
 }
 
-void AppendTreeLines(std::string& text, const RunSummary& summary) {
+void AppendTreeLines(Table& table, const RunSummary& summary) {
     const std::string steps = DescribeSteps(summary);
-    AppendLine(text, fmt::format("sibling overlap, {}", steps),
-               Largest(summary, [](const MetricsRow& row) { return row.siblingOverlap; }), Fine);
-    AppendLine(text, fmt::format("overlap count max, {}", steps),
-               Largest(summary, [](const MetricsRow& row) { return row.overlapMax; }), Whole);
-    AppendLine(text, fmt::format("overlap count mean, {}", steps),
-               Largest(summary, [](const MetricsRow& row) { return row.overlapMean; }), Fine);
+    table.AddLine(fmt::format("sibling overlap, {}", steps),
+                  Largest(summary, [](const MetricsRow& row) { return row.siblingOverlap; }), Fine);
+    table.AddLine(fmt::format("overlap count max, {}", steps),
+                  Largest(summary, [](const MetricsRow& row) { return row.overlapMax; }), Whole);
+    table.AddLine(fmt::format("overlap count mean, {}", steps),
+                  Largest(summary, [](const MetricsRow& row) { return row.overlapMean; }), Fine);
 }
 
-void AppendTimeLines(std::string& text, const RunSummary& summary) {
+void AppendTimeLines(Table& table, const RunSummary& summary) {
     const int steps = static_cast<int>(summary.timing.front().steps.size());
-    AppendLine(text, fmt::format("peak contacts, steps 1-{}", steps), ForEachSeries(summary, GetPeakContacts), Whole);
+    table.AddLine(fmt::format("peak contacts, steps 1-{}", steps), ForEachSeries(summary, GetPeakContacts), Whole);
     const auto stat = [&](double TimingStats::*member) {
         return ForEachSeries(summary, [=](const TimingSeries& series) { return GetBroadPhaseStats(series).*member; });
     };
-    AppendLine(text, "broad phase median, ms", stat(&TimingStats::median), Fine);
-    AppendLine(text, "broad phase p99, ms", stat(&TimingStats::p99), Fine);
-    AppendLine(text, "broad phase max, ms (step)", stat(&TimingStats::max), [&](double value, std::size_t index) {
+    table.AddLine("broad phase median, ms", stat(&TimingStats::median), Fine);
+    table.AddLine("broad phase p99, ms", stat(&TimingStats::p99), Fine);
+    table.AddLine("broad phase max, ms (step)", stat(&TimingStats::max), [&](double value, std::size_t index) {
         return fmt::format("{:.3f} ({})", value, GetBroadPhaseStats(summary.timing[index]).maxStep);
     });
     const auto addSum = [&](int first, int last) {
-        AppendLine(
-            text, fmt::format("broad phase sum {}-{}, ms", first, last),
+        table.AddLine(
+            fmt::format("broad phase sum {}-{}, ms", first, last),
             ForEachSeries(summary, [=](const TimingSeries& series) { return SumBroadPhase(series, first, last); }),
             Fine);
     };
@@ -101,18 +127,20 @@ void AppendTimeLines(std::string& text, const RunSummary& summary) {
 
 std::string FormatSummary(const RunSummary& summary) {
     if (summary.timing.empty() || summary.timing.front().steps.empty()) return {};
-    std::string text = fmt::format("{:<{}}", fmt::format("{}, size {}", summary.scene, summary.size), labelWidth);
-    for (const TimingSeries& series : summary.timing) {
-        fmt::format_to(std::back_inserter(text), "{:>{}}", series.engine, cellWidth);
+    Table table(summary);
+    if (!summary.rows.empty()) AppendTreeLines(table, summary);
+    AppendTimeLines(table, summary);
+    return table.GetText();
+}
+
+std::string FormatSettings(const Panes& panes) {
+    std::string text;
+    for (const Pane& pane : panes.panes) {
+        const std::string settings = PrintSettings(pane.spec);
+        fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "settings: " : "; ", pane.name,
+                       settings.empty() ? "preset=own" : settings);
     }
-    if (summary.timing.size() == 2) {
-        fmt::format_to(std::back_inserter(text), "{:>{}}",
-                       fmt::format("{}/{}", summary.timing[1].engine, summary.timing[0].engine), cellWidth);
-    }
-    text += '\n';
-    if (!summary.rows.empty()) AppendTreeLines(text, summary);
-    AppendTimeLines(text, summary);
-    return text;
+    return text + "\n";
 }
 
 }  // namespace testbed

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The short table printed at the end of a run: tree, contacts and broad-phase times of both engines and their ratio.
+// The short table printed at the end of a run: tree, contacts and broad-phase times of all panes, and the ratios of the
+// baseline to the others.
 
 #pragma once
 
@@ -9,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "testbed/engines/panes.h"
 #include "testbed/engines/timing.h"
 #include "testbed/jobs/overlap/metrics.h"
 
@@ -17,8 +19,9 @@ namespace testbed {
 struct RunSummary {
     std::string scene;
     int size = 0;
-    std::vector<TimingSeries> timing;  ///< one per engine
-    std::vector<MetricsRow> rows;      ///< of the shown steps, all engines; may be empty
+    std::vector<TimingSeries> timing;  ///< one per pane
+    std::vector<MetricsRow> rows;      ///< of the shown steps, all panes; may be empty
+    std::size_t baseline = 0;          ///< index of the series that the others are compared with
 };
 
 /// The steps over which the claim of the dissertation (section 3.8, Tiles) is summed.
@@ -26,5 +29,8 @@ inline constexpr int claimFirstStep = 70, claimLastStep = 100;
 
 /// Lines of text, each ended by a newline. Where several steps were shown, tree figures are the largest of them.
 [[nodiscard]] std::string FormatSummary(const RunSummary& summary);
+
+/// "settings: scree preset=like-box2d; box2d preset=like-box2d", a line.
+[[nodiscard]] std::string FormatSettings(const Panes& panes);
 
 }  // namespace testbed

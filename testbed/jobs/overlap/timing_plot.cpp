@@ -7,16 +7,12 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace testbed {
 
 namespace {
-
-struct EngineLook {
-    std::string_view engine, title;
-    PlotLook look;
-};
-constexpr EngineLook looks[] = {{"box2d", "Box2D", boxTwoDLook}, {"scree", "Scree", ourLooks[0]}};
 
 constexpr std::string_view boxTwoDNote =
     "Box2D: pair finding and tree update. Its retest of kept contacts runs inside Collide, cannot be separated,"
@@ -29,16 +25,24 @@ Plot MakeTimingPlot(std::span<const TimingSeries> series, const std::string& tit
     plot.legend = PlotLegend::topRight;
     plot.roomAbove = 0.14;
     plot.roomBeside = 0.04;
-    for (const EngineLook& look : looks) {
-        const auto one = std::ranges::find(series, look.engine, &TimingSeries::engine);
-        if (one == series.end()) continue;
-        if (look.engine == "box2d") plot.note = boxTwoDNote;
-        PlotCurve curve{.title = std::string(look.title), .look = look.look, .pointSize = 0.9};
+    // Drawn last lies on top: Box2D below.
+    std::vector<const TimingSeries*> order;
+    for (const TimingSeries& one : series) order.push_back(&one);
+    std::ranges::stable_partition(order, [](const TimingSeries* one) { return one->engine == "box2d"; });
+    bool hasBox2d = false;
+    std::size_t others = 0;
+    for (const TimingSeries* one : order) {
+        const bool isBox2d = one->engine == "box2d";
+        PlotCurve curve{.title = one->pane != one->engine ? one->pane : std::string(isBox2d ? "Box2D" : "Scree"),
+                        .look = isBox2d && !hasBox2d ? boxTwoDLook : ourLooks[others++ % std::size(ourLooks)],
+                        .pointSize = 0.9};
+        hasBox2d = hasBox2d || isBox2d;
         for (const StepRecord& record : one->steps) {
             curve.points.push_back({static_cast<double>(record.step), record.times.broadPhase});
         }
         plot.curves.push_back(std::move(curve));
     }
+    if (hasBox2d) plot.note = boxTwoDNote;
     return plot;
 }
 

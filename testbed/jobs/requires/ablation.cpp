@@ -53,13 +53,13 @@ int UsersOf(const std::vector<FeatureUse>& uses, const Names& names) {
     return users;
 }
 
-/// All features but these, as RunOptions::features takes them.
+/// All features but these, as RunSpec::features takes them.
 std::string AllBut(const std::vector<FeatureUse>& uses, const Names& out) {
     Names rest;
     for (const FeatureUse& use : uses) {
         if (std::ranges::find(out, use.name) == out.end()) rest.push_back(use.name);
     }
-    return JoinNames(rest, ",");
+    return rest.empty() ? "none" : JoinNames(rest, "+");
 }
 
 /// What is left out for each row.
@@ -213,9 +213,9 @@ int CountAblationRuns() {
     return static_cast<int>((most + runsAtOnce - 1) / runsAtOnce);
 }
 
-std::vector<AblationRow> MeasureAblation(const scenes::Scene& scene, const RequirementPlan& plan,
+std::vector<AblationRow> MeasureAblation(const scenes::Scene& scene, const RequirementTask& task,
                                          const std::function<void()>& onRepeat) {
-    const std::vector<FeatureUse> uses = FindUses(scene, plan);
+    const std::vector<FeatureUse> uses = FindUses(scene, task);
     std::vector<AblationRow> rows;
     std::vector<Variant> variants;
     std::vector<std::size_t> rowOf;  // per variant
@@ -230,7 +230,7 @@ std::vector<AblationRow> MeasureAblation(const scenes::Scene& scene, const Requi
         const std::size_t end = std::min(begin + runsAtOnce, variants.size());
         std::vector<Variant> lockstep = {{"full", "full"}};
         for (std::size_t i = begin; i < end; ++i) lockstep.push_back(variants[i]);
-        const std::vector<VariantCost> costs = RunVariants(scene, plan, lockstep, onRepeat);
+        const std::vector<VariantCost> costs = RunVariants(scene, task, lockstep, onRepeat);
         for (std::size_t i = begin; i < end; ++i) {
             rows[rowOf[i]].full = costs[0];
             rows[rowOf[i]].without = costs[1 + i - begin];

@@ -36,9 +36,9 @@ struct AblationRow {
 };
 
 /// Rows of all features in the engine's order, then of the shared kernels.
-[[nodiscard]] std::vector<AblationRow> MeasureAblation(const scenes::Scene& scene, const RequirementPlan& plan,
+[[nodiscard]] std::vector<AblationRow> MeasureAblation(const scenes::Scene& scene, const RequirementTask& task,
                                                        const std::function<void()>& onRepeat = {});
-/// Lockstep runs that MeasureAblation makes of a scene, at most, times the plan's repeats.
+/// Lockstep runs that MeasureAblation makes of a scene, at most, times the task's repeats.
 [[nodiscard]] int CountAblationRuns();
 
 [[nodiscard]] std::string MakeAblationCsv(std::span<const AblationRow> rows);

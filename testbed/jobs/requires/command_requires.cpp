@@ -17,6 +17,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
+#include "testbed/engines/panes.h"
 #include "testbed/jobs/requires/ablation.h"
 #include "testbed/jobs/requires/break_even.h"
 #include "testbed/jobs/requires/commands.h"
@@ -33,9 +34,7 @@ struct RequiresArguments {
     std::string scene;
     int size = 0;
     int steps = 0;
-    int substeps = 0;
-    bool continuous = false;
-    bool caps = false;
+    SettingArguments settings;
     bool quick = false;
     bool ablation = false;
     bool breakEven = false;
@@ -45,15 +44,20 @@ struct RequiresArguments {
 
 constexpr int mostSteps = 200, quickSteps = 60;
 
-RequirementPlan MakePlan(const RequiresArguments& arguments, const scenes::Scene& scene) {
-    RequirementPlan plan;
-    plan.steps =
+/// Caps on speed and continuous collision are what few scenes ask for: only those that --set asks for are required.
+constexpr std::string_view requirementBase = "continuous=off";
+
+RequirementTask MakeTask(const RequiresArguments& arguments, const scenes::Scene& scene) {
+    const std::vector<TypedSetting> typed = GetTypedSettings(arguments.settings);
+    for (const TypedSetting& one : typed) {
+        if (!one.setting.starts_with("features=")) continue;
+        throw UsageError(one.source + ": features are what `scree requires` finds out");
+    }
+    RequirementTask task{.spec = ParseSpec("scree", typed, requirementBase)};
+    task.steps =
         arguments.steps > 0 ? arguments.steps : std::min(scene.steps, arguments.quick ? quickSteps : mostSteps);
-    plan.repeats = arguments.quick ? 3 : 9;
-    plan.substeps = arguments.substeps;
-    plan.continuous = arguments.continuous;
-    plan.caps = arguments.caps;
-    return plan;
+    task.repeats = arguments.quick ? 3 : 9;
+    return task;
 }
 
 bool AreHashesEqual(const Requirement& requirement) {
@@ -62,7 +66,7 @@ bool AreHashesEqual(const Requirement& requirement) {
 
 struct SceneRequest {
     scenes::Scene scene;
-    RequirementPlan plan;
+    RequirementTask task;
 };
 
 /// Scenes of an ablation without SCENE: one of each theme, small enough that all of them take minutes; size 0: default.
@@ -76,8 +80,8 @@ std::vector<SceneRequest> ChooseScenes(const RequiresArguments& arguments) {
     std::vector<SceneRequest> chosen;
     const auto add = [&](const std::string& name, int size) {
         scenes::Scene scene = size > 0 ? scenes::Build(name, size) : scenes::Build(name);
-        const RequirementPlan plan = MakePlan(arguments, scene);
-        chosen.push_back({std::move(scene), plan});
+        RequirementTask task = MakeTask(arguments, scene);
+        chosen.push_back({std::move(scene), std::move(task)});
     };
     if (!arguments.scene.empty()) {
         add(arguments.scene, arguments.size);
@@ -101,7 +105,8 @@ struct Report {
                    "Every feature of the engine has a neutral value at which leaving it out changes no bit. A "
                    "world leaves out what nobody in it uses; here is what that saves, and where parts of the "
                    "engine begin to pay.",
-               .facts = {{"command", DescribeCommand(request.arguments)}}} {}
+               .facts = {{"command", DescribeCommand(request.arguments)},
+                         {"settings", PrintSettings(MakeTask(arguments, scenes::Scene{}).spec)}}} {}
 
     int Finish() {
         std::ranges::move(details, std::back_inserter(page.sections));
@@ -115,10 +120,10 @@ void AddAblation(const RequiresArguments& arguments, Report& report) {
     std::vector<Requirement> requirements;
     std::vector<AblationRow> rows;
     for (const SceneRequest& one : ChooseScenes(arguments)) {
-        Progress progress(one.scene.name, one.plan.repeats * (1 + CountAblationRuns()));
+        Progress progress(one.scene.name, one.task.repeats * (1 + CountAblationRuns()));
         const auto advance = [&] { progress.Advance(1.0); };
-        requirements.push_back(MeasureRequirement(one.scene, one.plan, advance));
-        const std::vector<AblationRow> more = MeasureAblation(one.scene, one.plan, advance);
+        requirements.push_back(MeasureRequirement(one.scene, one.task, advance));
+        const std::vector<AblationRow> more = MeasureAblation(one.scene, one.task, advance);
         rows.insert(rows.end(), more.begin(), more.end());
         progress.Finish(FormatChange(requirements.back()));
     }
@@ -213,10 +218,10 @@ int RunRequires(const RequiresArguments& arguments, const Request& request) {
     if (arguments.scene.empty() || arguments.ablation || arguments.breakEven) return RunReport(arguments, request);
     const SceneRequest chosen = ChooseScenes(arguments).front();
     const scenes::Scene& scene = chosen.scene;
-    const RequirementPlan& plan = chosen.plan;
-    Progress progress(scene.name, plan.repeats);
-    const Requirement requirement = MeasureRequirement(scene, plan, [&] { progress.Advance(1.0); });
-    progress.Finish(fmt::format("{} repeats", plan.repeats));
+    const RequirementTask& task = chosen.task;
+    Progress progress(scene.name, task.repeats);
+    const Requirement requirement = MeasureRequirement(scene, task, [&] { progress.Advance(1.0); });
+    progress.Finish(fmt::format("{} repeats", task.repeats));
     fmt::print("{}", FormatRequirement(requirement));
     if (!arguments.header.empty()) {
         WriteTextFile(arguments.header, MakeFeatureHeader(requirement, DescribeCommand(request.arguments)));
@@ -235,10 +240,10 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     command->add_option("SIZE", arguments->size, "Its size; the scene's default if not given");
     command->add_option("--steps", arguments->steps, "Steps to run; at most 200 of the scene's if not given")
         ->check(CLI::Range(1, maxStep));
-    command->add_option("--substeps", arguments->substeps, "Soft step with so many sub-steps")
-        ->check(CLI::Range(1, 64));
-    command->add_flag("--continuous", arguments->continuous, "With continuous collision");
-    command->add_flag("--caps", arguments->caps, "With Box2D's caps on speed");
+    AddSetOption(*command, arguments->settings,
+                 "Runs begin with continuous=off; features are for this command to find, and the plots of --break-even "
+                 "have worlds of their own");
+    AddSettingFlags(*command, arguments->settings, {"substeps", "continuous", "caps"});
     command->add_flag("--quick", arguments->quick, "Fewer steps and repeats");
     command->add_flag("--ablation", arguments->ablation,
                       "Only the part of the report about what each feature costs; of SCENE or of a choice");

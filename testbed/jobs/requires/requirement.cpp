@@ -17,14 +17,11 @@
 namespace testbed {
 namespace {
 
-std::unique_ptr<InteractiveRun> Start(const scenes::Scene& scene, const RequirementPlan& plan,
+std::unique_ptr<InteractiveRun> Start(const scenes::Scene& scene, const RequirementTask& task,
                                       const std::string& features) {
-    RunOptions options;
-    options.substeps = plan.substeps;
-    options.continuous = plan.continuous;
-    options.boxTwoDCaps = plan.caps;
-    options.features = features;
-    return MakeScreeRun(scene, options);
+    RunSpec spec = task.spec;
+    spec.features = features;
+    return MakeScreeRun(scene, spec);
 }
 
 /// One variant over all repeats.
@@ -43,12 +40,12 @@ void Describe(const FeatureFacts& facts, VariantCost& cost) {
 }
 
 /// One repeat; the first one also reads hashes, untimed.
-void RunOnce(const scenes::Scene& scene, const RequirementPlan& plan, std::span<const Variant> variants, bool isFirst,
+void RunOnce(const scenes::Scene& scene, const RequirementTask& task, std::span<const Variant> variants, bool isFirst,
              std::span<Track> tracks, std::span<VariantCost> costs) {
     std::vector<std::unique_ptr<InteractiveRun>> runs;
-    for (const Variant& variant : variants) runs.push_back(Start(scene, plan, variant.features));
+    for (const Variant& variant : variants) runs.push_back(Start(scene, task, variant.features));
     const std::size_t count = runs.size();
-    for (int step = 0; step < plan.steps; ++step) {
+    for (int step = 0; step < task.steps; ++step) {
         const auto at = static_cast<std::size_t>(step);
         for (std::size_t turn = 0; turn < count; ++turn) {
             const std::size_t i = (turn + at) % count;  // nobody is always the first
@@ -60,7 +57,7 @@ void RunOnce(const scenes::Scene& scene, const RequirementPlan& plan, std::span<
             const FeatureFacts facts = GetFeatureFacts(*runs[i]);
             tracks[i].hashes.push_back(facts.stateHash);
             tracks[i].bodySteps += facts.bodies;
-            if (step + 1 == plan.steps) Describe(facts, costs[i]);
+            if (step + 1 == task.steps) Describe(facts, costs[i]);
         }
     }
 }
@@ -79,12 +76,15 @@ std::vector<std::string> NamesOf(const std::vector<FeatureUse>& uses, bool used)
 
 }  // namespace
 
-std::string Requirement::GetMinimalSet() const { return Join(NamesOf(uses, true), ","); }
+std::string Requirement::GetMinimalSet() const {
+    const std::vector<std::string> names = NamesOf(uses, true);
+    return names.empty() ? "none" : Join(names, "+");
+}
 
-std::vector<FeatureUse> FindUses(const scenes::Scene& scene, const RequirementPlan& plan) {
-    const auto run = Start(scene, plan, "automatic");
+std::vector<FeatureUse> FindUses(const scenes::Scene& scene, const RequirementTask& task) {
+    const auto run = Start(scene, task, "automatic");
     std::vector<FeatureUse> most = GetFeatureFacts(*run).uses;
-    for (int step = 0; step < plan.steps; ++step) {
+    for (int step = 0; step < task.steps; ++step) {
         run->Step();
         const FeatureFacts now = GetFeatureFacts(*run);
         for (std::size_t i = 0; i < most.size(); ++i) most[i].users = std::max(most[i].users, now.uses[i].users);
@@ -92,15 +92,15 @@ std::vector<FeatureUse> FindUses(const scenes::Scene& scene, const RequirementPl
     return most;
 }
 
-std::vector<VariantCost> RunVariants(const scenes::Scene& scene, const RequirementPlan& plan,
+std::vector<VariantCost> RunVariants(const scenes::Scene& scene, const RequirementTask& task,
                                      std::span<const Variant> variants, const std::function<void()>& onRepeat) {
     std::vector<Track> tracks(variants.size());
     for (Track& track : tracks) {
-        track.best.assign(static_cast<std::size_t>(plan.steps), std::numeric_limits<double>::infinity());
+        track.best.assign(static_cast<std::size_t>(task.steps), std::numeric_limits<double>::infinity());
     }
     std::vector<VariantCost> costs(variants.size());
-    for (int repeat = 0; repeat < plan.repeats; ++repeat) {
-        RunOnce(scene, plan, variants, repeat == 0, tracks, costs);
+    for (int repeat = 0; repeat < task.repeats; ++repeat) {
+        RunOnce(scene, task, variants, repeat == 0, tracks, costs);
         if (onRepeat) onRepeat();
     }
     for (std::size_t i = 0; i < variants.size(); ++i) {
@@ -114,11 +114,11 @@ std::vector<VariantCost> RunVariants(const scenes::Scene& scene, const Requireme
     return costs;
 }
 
-Requirement MeasureRequirement(const scenes::Scene& scene, const RequirementPlan& plan,
+Requirement MeasureRequirement(const scenes::Scene& scene, const RequirementTask& task,
                                const std::function<void()>& onRepeat) {
-    Requirement requirement{scene.name, scene.size, plan.steps, FindUses(scene, plan), {}};
+    Requirement requirement{scene.name, scene.size, task.steps, FindUses(scene, task), {}};
     const Variant variants[] = {{"full", "full"}, {"automatic", "automatic"}, {"minimal", requirement.GetMinimalSet()}};
-    requirement.variants = RunVariants(scene, plan, variants, onRepeat);
+    requirement.variants = RunVariants(scene, task, variants, onRepeat);
     return requirement;
 }
 

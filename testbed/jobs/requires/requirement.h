@@ -19,12 +19,11 @@
 
 namespace testbed {
 
-struct RequirementPlan {
+/// What is measured of a scene, and how it is run; the features of the spec are the variants' to choose.
+struct RequirementTask {
+    RunSpec spec;
     int steps = 100;
     int repeats = 9;
-    int substeps = 0;  ///< of the soft step; 0: sequential impulses with the scene's iterations
-    bool continuous = false;
-    bool caps = false;  ///< Box2D's caps on speed, which no scene asks for
 };
 
 /// One way to run the scene, and what came of it.
@@ -44,24 +43,24 @@ struct Requirement {
     std::vector<FeatureUse> uses;  ///< of every feature, the most at any step
     std::vector<VariantCost> variants;
 
-    /// The features that have users, with commas, as RunOptions::features takes them.
+    /// The features that have users, joined by +, as RunSpec::features takes them.
     [[nodiscard]] std::string GetMinimalSet() const;
 };
 
 /// The most users of each feature in a run.
-[[nodiscard]] std::vector<FeatureUse> FindUses(const scenes::Scene& scene, const RequirementPlan& plan);
+[[nodiscard]] std::vector<FeatureUse> FindUses(const scenes::Scene& scene, const RequirementTask& task);
 
 struct Variant {
     std::string name;
-    std::string features;  ///< RunOptions::features
+    std::string features;  ///< RunSpec::features
 };
 /// Runs the variants in lockstep. `onRepeat` is called after each repeat.
-[[nodiscard]] std::vector<VariantCost> RunVariants(const scenes::Scene& scene, const RequirementPlan& plan,
+[[nodiscard]] std::vector<VariantCost> RunVariants(const scenes::Scene& scene, const RequirementTask& task,
                                                    std::span<const Variant> variants,
                                                    const std::function<void()>& onRepeat = {});
 
 /// Uses, and the three variants full, automatic and minimal.
-[[nodiscard]] Requirement MeasureRequirement(const scenes::Scene& scene, const RequirementPlan& plan,
+[[nodiscard]] Requirement MeasureRequirement(const scenes::Scene& scene, const RequirementTask& task,
                                              const std::function<void()>& onRepeat = {});
 
 /// "automatic −3.1 %, minimal −3.0 % against full".

@@ -180,7 +180,7 @@ void Checker::CheckScene(std::span<const SnapshotCase> cases, std::size_t firstN
         progress.Advance(1);
     };
     try {
-        RenderSnapshots(cases, m_job.run, m_maker, take);
+        RenderSnapshots(cases, m_job.making, m_maker, take);
     } catch (const std::invalid_argument& error) {  // a scene that cannot be loaded: the others still can
         for (; number < firstNumber + cases.size(); ++number) {
             SnapshotResult result = MakeResult(cases[number - firstNumber]);

@@ -33,7 +33,7 @@ struct SnapshotJob {
     std::filesystem::path report;  ///< created with the first difference
     bool alwaysReport = false;     ///< also without one
     std::string command;
-    SnapshotRun run;
+    SnapshotMaking making;
 };
 
 /// What was found, and what was done about it.

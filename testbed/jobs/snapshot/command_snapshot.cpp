@@ -21,6 +21,7 @@
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/shard.h"
+#include "testbed/engines/panes.h"
 #include "testbed/jobs/snapshot/check.h"
 #include "testbed/jobs/snapshot/commands.h"
 #include "testbed/jobs/snapshot/reference_folder.h"
@@ -48,6 +49,7 @@ struct SnapshotArguments {
     std::string junit;
     bool annotations = false;
     ShardArguments shard;
+    SettingArguments settings;
     PictureArguments picture;  ///< of these only the backend
 };
 
@@ -91,6 +93,10 @@ void PrintOutcome(const SnapshotOutcome& outcome, const SnapshotJob& job) {
     if (!outcome.page.empty()) fmt::print("report: {}\n", outcome.page.string());
 }
 
+SnapshotMaking MakeMaking(const SnapshotArguments& arguments) {
+    return {.spec = ParseSpec("scree", GetTypedSettings(arguments.settings), comparisonBase)};
+}
+
 int RunCheck(const SnapshotArguments& arguments, const Request& request) {
     SnapshotJob job;
     job.references = arguments.references;
@@ -100,6 +106,11 @@ int RunCheck(const SnapshotArguments& arguments, const Request& request) {
     job.alwaysReport = !arguments.report.empty();
     job.report = job.alwaysReport ? arguments.report : defaultReport;
     job.command = "scree snapshot " + arguments.action;
+    for (const std::string& setting : arguments.settings.sets) job.command += " --set " + setting;
+    job.making = MakeMaking(arguments);
+    if (job.update != UpdateMode::none && job.making.spec != SnapshotMaking{}.spec) {
+        throw UsageError("--set: references are made with preset=like-box2d alone");
+    }
     const Backend backend = CheckedBackend(arguments.picture);
     CheckWritable(arguments.junit);
     CheckWritable(arguments.shard.json);
@@ -154,7 +165,8 @@ int RunVerify(const SnapshotArguments& arguments, const Request& request) {
     CheckWritable(arguments.shard.json);
     const std::vector<VerifyWay> ways = GetVerifyWays();
     const int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    const std::vector<VerifyRun> runs = VerifySnapshots(chosen.cases, ways, request.contextOptions, jobs);
+    const std::vector<VerifyRun> runs =
+        VerifySnapshots(chosen.cases, ways, request.contextOptions, jobs, {}, MakeMaking(arguments));
     std::string missing;
     for (const VerifyRun& run : runs) {
         if (run.isBackendMissing) {
@@ -249,6 +261,9 @@ void AddSnapshotCommand(CLI::App& app, Request& request) {
         ->type_name("DIR");
     command->add_option("--junit", arguments->junit, "Write the results as JUnit XML")->type_name("FILE");
     command->add_flag("--annotations", arguments->annotations, "Print a line `::error file=…` per difference, for CI");
+    AddSetOption(*command, arguments->settings,
+                 "References are made with preset=like-box2d, and these begin with it; a check tells what a setting "
+                 "changes, verify takes 1 and 2 threads");
     AddShardOptions(*command, arguments->shard);
     command
         ->add_option("--backend", arguments->picture.backend,

@@ -86,6 +86,8 @@ SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& sn
     } else {
         picture.image = maker.MakeRender(input, options);
     }
+    // References have none: theirs are the catalogue's.
+    if (!snapshot.settings.empty()) picture.sidecar["settings"] = snapshot.settings;
     picture.sidecar["structure"] = DescribeStructure(snapshot);
     picture.renderMs = MillisecondsSince(start);
     return picture;
@@ -93,22 +95,22 @@ SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& sn
 
 }  // namespace
 
-void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotRun& run, PictureMaker& maker,
+void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotMaking& making, PictureMaker& maker,
                      const std::function<void(const SnapshotCase&, SnapshotPicture)>& take) {
     if (cases.empty()) return;
     scenes::Scene scene = scenes::Build(cases.front().scene, cases.front().size);
-    if (run.perturb) run.perturb(scene);
-    RunOptions options;
-    options.threads = run.threads;
-    options.sweptBoxes = std::ranges::any_of(
+    if (making.perturb) making.perturb(scene);
+    const bool hasSwept = std::ranges::any_of(
         cases, [](const SnapshotCase& c) { return c.kind == "render" && ParseLayers(c.layers).Has(Layer::swept); });
-    const std::unique_ptr<EngineRun> engine = MakeScreeRun(scene, options);
+    const std::unique_ptr<EngineRun> engine = MakeRun(scene, making.spec, {.sweptBoxes = hasSwept});
     Snapshot snapshot;
+    const std::string settings = making.spec == SnapshotMaking{}.spec ? "" : PrintSettings(making.spec);
     for (const SnapshotCase& snapshotCase : cases) {
         const Clock::time_point start = Clock::now();
         const bool isNew = engine->GetStep() < snapshotCase.step || snapshot.step != snapshotCase.step;
         while (engine->GetStep() < snapshotCase.step) engine->Step();
         if (isNew) engine->Capture(snapshot);
+        snapshot.settings = settings;
         const double simulateMs = MillisecondsSince(start);
         SnapshotPicture picture = MakePicture(snapshotCase, snapshot, maker);
         picture.simulateMs = simulateMs;
@@ -118,10 +120,10 @@ void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotRun& run
 
 int SupportedThreads(int wanted) {
     const scenes::Scene empty;
-    for (RunOptions options{.threads = wanted}; options.threads > 1; --options.threads) {
+    for (RunSpec spec{.threads = wanted}; spec.threads > 1; --spec.threads) {
         try {
-            (void)MakeScreeRun(empty, options);
-            return options.threads;
+            (void)MakeScreeRun(empty, spec);
+            return spec.threads;
         } catch (const std::invalid_argument&) {  // the engine's way to refuse a number of threads
         }
     }

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "scenes/scene.h"
+#include "testbed/engines/run_spec.h"
 #include "testbed/jobs/snapshot/catalog.h"
 #include "testbed/view/picture.h"
 
@@ -24,14 +25,14 @@ struct SnapshotPicture {
     double renderMs = 0;
 };
 
-/// What a test may change on the way.
-struct SnapshotRun {
-    int threads = 1;                                   ///< of the engine
-    std::function<void(scenes::Scene&)> perturb = {};  ///< applied to every scene before it is loaded
+/// How the pictures are made.
+struct SnapshotMaking {
+    RunSpec spec = MakeSpec("scree", likeBox2dPreset);  ///< references have this one
+    std::function<void(scenes::Scene&)> perturb = {};   ///< applied to every scene before it is loaded
 };
 
 /// Calls `take` for every case in order; the cases are of one scene, sorted by step.
-void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotRun& run, PictureMaker& maker,
+void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotMaking& making, PictureMaker& maker,
                      const std::function<void(const SnapshotCase&, SnapshotPicture)>& take);
 
 /// The largest number of threads up to `wanted` that the engine takes.

@@ -39,16 +39,16 @@ uint64_t HashImage(const Image& image) {
 
 /// In the child: makes all pictures, a line each; its exit code.
 int RunChild(std::span<const SnapshotCase> cases, const VerifyWay& way, ContextOptions options,
-             const Distortion& distortion, int out) {
+             const Distortion& distortion, SnapshotMaking making, int out) {
     int code = exitDone;
     std::string text;
     try {
         options.threads = way.threads;
         setenv("LP_NUM_THREADS", fmt::format("{}", way.threads).c_str(), 1);  // also over the user's own
         PictureMaker maker(way.backend, options);
-        const SnapshotRun run{.threads = SupportedThreads(way.threads)};
+        making.spec.threads = SupportedThreads(way.threads);
         for (const std::span<const SnapshotCase> scene : GroupByScene(cases)) {
-            RenderSnapshots(scene, run, maker, [&](const SnapshotCase& snapshotCase, SnapshotPicture picture) {
+            RenderSnapshots(scene, making, maker, [&](const SnapshotCase& snapshotCase, SnapshotPicture picture) {
                 if (distortion) distortion(way, snapshotCase, picture);
                 text += fmt::format("{} {}\n", FormatHash(HashImage(picture.image)),
                                     picture.sidecar.at("state_hash").get<std::string>());
@@ -71,14 +71,14 @@ struct Child {
 };
 
 Child StartChild(std::span<const SnapshotCase> cases, const VerifyWay& way, const ContextOptions& options,
-                 const Distortion& distortion) {
+                 const Distortion& distortion, const SnapshotMaking& making) {
     int ends[2] = {-1, -1};
     if (pipe2(ends, O_CLOEXEC) != 0) throw FileError("cannot open a pipe");
     Child child{Descriptor(ends[0]), {}};
     const Descriptor out(ends[1]);
     const std::error_code error = child.process.Fork([&] {
         child.pipe.Close();
-        return RunChild(cases, way, options, distortion, out.Get());
+        return RunChild(cases, way, options, distortion, making, out.Get());
     });
     if (error) throw FileError("cannot start a process: " + error.message());
     return child;
@@ -114,12 +114,13 @@ std::vector<VerifyWay> GetVerifyWays() {
 }
 
 std::vector<VerifyRun> VerifySnapshots(std::span<const SnapshotCase> cases, std::span<const VerifyWay> ways,
-                                       const ContextOptions& contextOptions, int jobs, const Distortion& distortion) {
+                                       const ContextOptions& contextOptions, int jobs, const Distortion& distortion,
+                                       const SnapshotMaking& making) {
     std::vector<Child> children;
     std::vector<VerifyRun> runs;
     for (std::size_t i = 0; i < ways.size(); ++i) {
         while (children.size() < ways.size() && children.size() < i + static_cast<std::size_t>(std::max(jobs, 1))) {
-            children.push_back(StartChild(cases, ways[children.size()], contextOptions, distortion));
+            children.push_back(StartChild(cases, ways[children.size()], contextOptions, distortion, making));
         }
         Progress progress(ways[i].GetName(), 1);
         runs.push_back(FinishChild(children[i], ways[i], cases.size()));

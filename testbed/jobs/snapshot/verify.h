@@ -40,11 +40,13 @@ struct VerifyRun {
 /// What a test may do to the pictures of one way, to see that it is found out.
 using Distortion = std::function<void(const VerifyWay&, const SnapshotCase&, SnapshotPicture&)>;
 
-/// Runs every way over the cases, `jobs` processes at a time. Call it before any context is open.
+/// Runs every way over the cases, with its number of threads, `jobs` processes at a time. Call it before any context is
+/// open.
 [[nodiscard]] std::vector<VerifyRun> VerifySnapshots(std::span<const SnapshotCase> cases,
                                                      std::span<const VerifyWay> ways,
                                                      const ContextOptions& contextOptions, int jobs,
-                                                     const Distortion& distortion = {});
+                                                     const Distortion& distortion = {},
+                                                     const SnapshotMaking& making = {});
 
 /// Names of the ways whose picture or state of a case is another than the first way's.
 [[nodiscard]] std::vector<std::string> FindDeviants(std::span<const VerifyRun> runs, std::size_t caseIndex);

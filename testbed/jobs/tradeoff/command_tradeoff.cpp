@@ -35,6 +35,7 @@ struct TradeArguments {
     std::string filter;
     std::string from;
     std::string output = "out/tradeoff";
+    SettingArguments settings{.engines = ""};
     ShardArguments shard;
 };
 
@@ -55,18 +56,23 @@ std::vector<const Law*> ChooseLaws(const std::string& filter) {
     throw UsageError(fmt::format("-g '{}' finds no law; there are: {}", filter, names));
 }
 
+Effort GetEffort(const TradeArguments& arguments) { return arguments.quick ? Effort::quick : Effort::full; }
+
+std::vector<RunSpec> ChooseGrid(const TradeArguments& arguments) {
+    return ChooseGrid(GetEffort(arguments), arguments.settings.engines, GetTypedSettings(arguments.settings));
+}
+
 /// Runs the shard's cases and notes each as a line.
 std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& lines) {
-    const Effort effort = arguments.quick ? Effort::quick : Effort::full;
-    const TradePlan plan{.effort = effort, .repeats = arguments.quick ? 3 : 9};
-    const std::vector<EngineSetting> grid = MakeGrid(effort);
+    const TradePlan plan{.effort = GetEffort(arguments), .repeats = arguments.quick ? 3 : 9};
+    const std::vector<RunSpec> grid = ChooseGrid(arguments);
     const Shard shard = ParseShard(arguments.shard.shard);
     std::vector<TradeCase> all;
     std::size_t number = 0;
     for (const Law* law : ChooseLaws(arguments.filter)) {
-        std::vector<EngineSetting> settings;
+        std::vector<RunSpec> settings;
         std::vector<std::size_t> numbers;
-        for (const EngineSetting& setting : grid) {
+        for (const RunSpec& setting : grid) {
             if (shard.Contains(number)) {
                 settings.push_back(setting);
                 numbers.push_back(number);
@@ -106,12 +112,11 @@ void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, const s
 }
 
 int RunTradeoff(const TradeArguments& arguments, const Request& request) {
-    const Effort effort = arguments.quick ? Effort::quick : Effort::full;
-    const std::size_t count = ChooseLaws(arguments.filter).size() * MakeGrid(effort).size();
+    const std::size_t settings = ChooseGrid(arguments).size();
+    const std::size_t count = ChooseLaws(arguments.filter).size() * settings;
     const Shard shard = ParseShard(arguments.shard.shard);
     if (arguments.from.empty()) {
-        fmt::print("{} cases: {} laws, {} settings\n", count, ChooseLaws(arguments.filter).size(),
-                   MakeGrid(effort).size());
+        fmt::print("{} cases: {} laws, {} settings\n", count, ChooseLaws(arguments.filter).size(), settings);
         std::fflush(stdout);
     }
     if (arguments.count) return exitDone;
@@ -149,6 +154,10 @@ void AddTradeoffCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
+    AddSetOption(*command, arguments->settings,
+                 "Applied to all settings but Box2D's default, which they are compared with. A law about speed or "
+                 "continuous collision keeps the caps it needs");
+    AddEnginesOption(*command, arguments->settings, "Instead of the grid of settings, beside Box2D's default");
     AddShardOptions(*command, arguments->shard);
     command->callback(
         [&request, arguments] { request.action = [&request, arguments] { return RunTradeoff(*arguments, request); }; });

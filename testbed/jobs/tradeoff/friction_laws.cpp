@@ -30,7 +30,7 @@ scenes::Scene MakeIncline(double alpha, double mu, Point half) {
 struct Slide {
     double way = 0.0, acceleration = 0.0;
 };
-Slide MeasureSlide(const EngineSetting& setting, double factor, double seconds) {
+Slide MeasureSlide(const RunSpec& setting, double factor, double seconds) {
     const auto lab = MakeLab(MakeIncline(inclineAngle, 0.5 * factor, {0.5, 0.5}), setting);
     Run(*lab, setting, 0.5);
     const BodyReading start = lab->Read(1);
@@ -39,7 +39,7 @@ Slide MeasureSlide(const EngineSetting& setting, double factor, double seconds) 
     return {Length(end.centre - start.centre), (Length(end.velocity) - Length(start.velocity)) / seconds};
 }
 
-std::vector<double> MeasureIncline(const EngineSetting& setting, Effort effort) {
+std::vector<double> MeasureIncline(const RunSpec& setting, Effort effort) {
     // 1 cm in 2 s is a = 5 mm/s², a thousandth of the threshold, and ten halvings end at 4e-4.
     const double threshold = Bisect(0.8, 1.2, effort == Effort::quick ? 7 : 10,
                                     [&](double factor) { return MeasureSlide(setting, factor, 2.0).way < 0.01; });
@@ -74,7 +74,7 @@ scenes::Scene MakeStopCost() {
     return scene;
 }
 
-double MeasureStop(const EngineSetting& setting) {
+double MeasureStop(const RunSpec& setting) {
     const auto lab = MakeLab(MakeStop(), setting);
     Run(*lab, setting, 0.5);
     const double start = lab->Read(1).centre.x;
@@ -86,13 +86,13 @@ double MeasureStop(const EngineSetting& setting) {
 struct Roll {
     double speed = 0.0, time = 0.0;  ///< relative errors
 };
-Roll MeasureRoll(const EngineSetting& setting) {
+Roll MeasureRoll(const RunSpec& setting) {
     const auto lab = MakeLab(MakeRoll(), setting);
     Run(*lab, setting, 0.5);
     lab->SetVelocity(1, {rollSpeed, 0.0}, 0.0);
-    const double h = setting.GetTimeStep();
+    const double h = GetTimeStep(setting);
     double slip = rollSpeed, time = 0.0;
-    for (int i = 0; i < 3 * setting.rate; ++i) {
+    for (int i = 0; i < 3 * GetRate(setting); ++i) {
         lab->Step();
         const BodyReading disk = lab->Read(1);
         const double now = disk.velocity.x + diskRadius * disk.spin;
@@ -105,7 +105,7 @@ Roll MeasureRoll(const EngineSetting& setting) {
             RelativeError(time, rollSpeed / (3.0 * rollFriction * gravity))};
 }
 
-std::vector<double> MeasureBraking(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureBraking(const RunSpec& setting, Effort) {
     const Roll roll = MeasureRoll(setting);
     return {MeasureStop(setting), roll.speed, roll.time};
 }
@@ -125,11 +125,11 @@ scenes::Scene MakePull() {
     return scene;
 }
 
-std::vector<double> MeasurePull(const EngineSetting& setting, Effort) {
+std::vector<double> MeasurePull(const RunSpec& setting, Effort) {
     const auto lab = MakeLab(MakePull(), setting);
     Run(*lab, setting, 1.0);
-    const int steps = 3 * setting.rate / 2;
-    const double before = lab->Read(1).velocity.x, time = steps * setting.GetTimeStep();
+    const int steps = 3 * GetRate(setting) / 2;
+    const double before = lab->Read(1).velocity.x, time = steps * GetTimeStep(setting);
     for (int i = 0; i < steps; ++i) {
         lab->ApplyForce(1, {pullForce, 0.0});
         lab->Step();
@@ -145,7 +145,7 @@ std::vector<double> MeasurePull(const EngineSetting& setting, Effort) {
 
 // --- A box tips where its centre leaves its foot: tan α = w/h.
 
-std::vector<double> MeasureTipping(const EngineSetting& setting, Effort effort) {
+std::vector<double> MeasureTipping(const RunSpec& setting, Effort effort) {
     double worst = 0.0;
     for (const double width : {0.3, 0.6}) {  // of a box 1 m high
         const double slope = Bisect(0.8 * width, 1.2 * width, effort == Effort::quick ? 7 : 10, [&](double tangent) {

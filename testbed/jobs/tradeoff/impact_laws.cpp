@@ -24,10 +24,10 @@ scenes::Scene MakeDrop(double e, double drop) {
 }
 
 /// Height of apex number `bounces` over the drop; 0 if it never comes.
-double MeasureApex(const EngineSetting& setting, double e, double drop, size_t bounces) {
+double MeasureApex(const RunSpec& setting, double e, double drop, size_t bounces) {
     const auto lab = MakeLab(MakeDrop(e, drop), setting);
     ApexFinder finder;
-    const int steps = static_cast<int>((3.0 + 2.5 * static_cast<double>(bounces)) * setting.rate);
+    const int steps = static_cast<int>((3.0 + 2.5 * static_cast<double>(bounces)) * GetRate(setting));
     for (int i = 0; i < steps && finder.GetApexes().size() < bounces; ++i) {
         lab->Step();
         const BodyReading ball = lab->Read(1);
@@ -37,7 +37,7 @@ double MeasureApex(const EngineSetting& setting, double e, double drop, size_t b
 }
 
 /// The worst over drops that meet the floor in eight phases of a step of 1/60 s (which falls 17 cm).
-double WorstRebound(const EngineSetting& setting, double e, size_t bounces, int phases) {
+double WorstRebound(const RunSpec& setting, double e, size_t bounces, int phases) {
     double worst = 0.0;
     for (int phase = 0; phase < phases; ++phase) {
         const double apex = MeasureApex(setting, e, dropHeight + 0.17 * phase / phases, bounces);
@@ -46,7 +46,7 @@ double WorstRebound(const EngineSetting& setting, double e, size_t bounces, int 
     return worst;
 }
 
-std::vector<double> MeasureRestitution(const EngineSetting& setting, Effort effort) {
+std::vector<double> MeasureRestitution(const RunSpec& setting, Effort effort) {
     const int phases = effort == Effort::quick ? 4 : 8;
     double worst = 0.0;
     for (const double e : {0.0, 0.25, 0.5, 0.75, 1.0}) worst = std::max(worst, WorstRebound(setting, e, 1, phases));
@@ -72,7 +72,7 @@ scenes::Scene MakeCollision(const Collision& c) {
 struct Kept {
     double momentum = 0.0, angular = 0.0, velocity = 0.0;  ///< relative errors
 };
-Kept Collide(const EngineSetting& setting, const Collision& c) {
+Kept Collide(const RunSpec& setting, const Collision& c) {
     const auto lab = MakeLab(MakeCollision(c), setting, {.restitutionThreshold = 0.0});
     const Invariants start = SumInvariants(ReadAll(*lab));
     Run(*lab, setting, 1.0);
@@ -87,7 +87,7 @@ Kept Collide(const EngineSetting& setting, const Collision& c) {
     return kept;
 }
 
-std::vector<double> MeasureCollisions(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureCollisions(const RunSpec& setting, Effort) {
     Kept worst;
     double velocity = 0.0;
     int count = 0;
@@ -148,12 +148,14 @@ scenes::Scene MakeShot(const Shot& shot, double h) {
 }
 
 /// Whether the shot is found behind the wall; capped steps are failures too, for they hide the speed.
-bool Crosses(const EngineSetting& setting, const Shot& shot) {
-    const scenes::Scene scene = MakeShot(shot, setting.GetTimeStep());
-    const auto lab = MakeLab(scene, setting, {.capped = false});
+bool Crosses(const RunSpec& setting, const Shot& shot) {
+    const scenes::Scene scene = MakeShot(shot, GetTimeStep(setting));
+    RunSpec free = setting;
+    free.caps = false;
+    const auto lab = MakeLab(scene, free);
     // Box2D caps 2 m per step: as many steps as it needs to arrive, and some to come out.
-    const double way = 1.0 + 1.5 * shot.speed * setting.GetTimeStep();
-    const int steps = std::min(600, 12 + static_cast<int>(way / std::min(2.0, shot.speed * setting.GetTimeStep())));
+    const double way = 1.0 + 1.5 * shot.speed * GetTimeStep(setting);
+    const int steps = std::min(600, 12 + static_cast<int>(way / std::min(2.0, shot.speed * GetTimeStep(setting))));
     for (int i = 0; i < steps; ++i) {
         if (lab->Step().capped > 0) return true;
         if (lab->Read(1).centre.x > lab->Read(0).centre.x + 0.5 * shot.thickness) return true;
@@ -161,7 +163,7 @@ bool Crosses(const EngineSetting& setting, const Shot& shot) {
     return false;
 }
 
-std::vector<double> MeasureTunnelling(const EngineSetting& setting, Effort effort) {
+std::vector<double> MeasureTunnelling(const RunSpec& setting, Effort effort) {
     const int phases = effort == Effort::quick ? 5 : 33;
     double statics = 0.0, bullets = 0.0;
     for (const double thickness : {1e-3, 1e-2, 0.1, 1.0}) {

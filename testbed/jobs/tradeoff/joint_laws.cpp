@@ -22,7 +22,7 @@ scenes::Scene MakePendulum() {
     return scene;
 }
 
-std::vector<double> MeasurePendulum(const EngineSetting& setting, Effort) {
+std::vector<double> MeasurePendulum(const RunSpec& setting, Effort) {
     const auto lab = MakeLab(MakePendulum(), setting);
     const BodyReading rod = lab->Read(1);
     const double pinInertia = rod.inertia + rod.mass * 0.25;
@@ -31,9 +31,9 @@ std::vector<double> MeasurePendulum(const EngineSetting& setting, Effort) {
     const double exactPull = rod.mass * gravity * (1.0 + 2.0 * 0.25 * rod.mass / pinInertia);
     FallingPasses passes;
     double pull = 0.0, gap = 0.0;
-    for (int i = 0; passes.GetTimes().size() < 2 && i < 10 * setting.rate; ++i) {
+    for (int i = 0; passes.GetTimes().size() < 2 && i < 10 * GetRate(setting); ++i) {
         lab->Step();
-        passes.Add((i + 1) * setting.GetTimeStep(), lab->Read(1).angle + 0.5 * scenes::pi);
+        passes.Add((i + 1) * GetTimeStep(setting), lab->Read(1).angle + 0.5 * scenes::pi);
         pull = std::max(pull, Length(lab->GetJointForce(0)));
         gap = std::max(gap, JointGap(*lab, 0));
     }
@@ -56,7 +56,7 @@ scenes::Scene MakeSpringScene() {
     return scene;
 }
 
-std::vector<double> MeasureSpring(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureSpring(const RunSpec& setting, Effort) {
     const auto lab = MakeLab(MakeSpringScene(), setting);
     Run(*lab, setting, 1.0 / springHertz);
     const BodyReading mass = lab->Read(1);
@@ -85,7 +85,7 @@ scenes::Scene MakeBridge() {
     return scene;
 }
 
-std::vector<double> MeasureBridge(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureBridge(const RunSpec& setting, Effort) {
     const Catenary exact = SolveCatenary(bridgeLinks, bridgeSpan);
     const auto lab = MakeLab(MakeBridge(), setting);
     const auto damp = [&lab](double damping) {
@@ -96,7 +96,7 @@ std::vector<double> MeasureBridge(const EngineSetting& setting, Effort) {
     damp(0.0);  // … and then without: implicit damping takes its share of each step's gravity
     Run(*lab, setting, 2.0);
     const double weight = lab->Read(1).mass * gravity;
-    const int steps = setting.rate / 2;
+    const int steps = GetRate(setting) / 2;
     double pull = 0.0, sag = 0.0;
     for (int i = 0; i < steps; ++i) {
         lab->Step();
@@ -126,12 +126,12 @@ scenes::Scene MakeChain(int links, double load, bool swung) {
 }
 
 /// Worst relative error of the joints' pulls and worst gap over the last second.
-std::vector<double> MeasureHanging(const EngineSetting& setting, int links, double load, double seconds) {
+std::vector<double> MeasureHanging(const RunSpec& setting, int links, double load, double seconds) {
     const auto lab = MakeLab(MakeChain(links, load, false), setting);
     Run(*lab, setting, seconds - 1.0);
     const double weight = lab->Read(1).mass * gravity;
     double pull = 0.0, gap = 0.0;
-    for (int i = 0; i < setting.rate; ++i) {
+    for (int i = 0; i < GetRate(setting); ++i) {
         lab->Step();
         gap = std::max(gap, WorstJointGap(*lab));
         for (int j = 0; j <= links; ++j) {  // joint j carries the links below it and the load
@@ -141,22 +141,22 @@ std::vector<double> MeasureHanging(const EngineSetting& setting, int links, doub
     return {gap, pull};
 }
 
-double MeasureSwung(const EngineSetting& setting, int links, double load) {
+double MeasureSwung(const RunSpec& setting, int links, double load) {
     const auto lab = MakeLab(MakeChain(links, load, true), setting);
     double gap = 0.0;
-    for (int i = 0; i < 3 * setting.rate; ++i) {
+    for (int i = 0; i < 3 * GetRate(setting); ++i) {
         lab->Step();
         gap = std::max(gap, WorstJointGap(*lab));
     }
     return gap;
 }
 
-std::vector<double> MeasureChain100(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureChain100(const RunSpec& setting, Effort) {
     const std::vector<double> hanging = MeasureHanging(setting, 10, 100.0, 10.0);
     return {MeasureSwung(setting, 10, 100.0), hanging[0], hanging[1]};
 }
 
-std::vector<double> MeasureChain1000(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureChain1000(const RunSpec& setting, Effort) {
     const std::vector<double> hanging = MeasureHanging(setting, 20, 1000.0, 10.0);
     return {MeasureSwung(setting, 20, 1000.0), hanging[0], hanging[1]};
 }

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "scenes/scene.h"
-#include "testbed/engines/engine_setting.h"
 #include "testbed/engines/lab.h"
+#include "testbed/engines/run_spec.h"
 
 namespace testbed {
 
@@ -40,7 +40,7 @@ struct Law {
     std::string exact{};             ///< the exact result in words
     std::vector<LawError> errors{};  ///< the first one is plotted
     /// One value per entry of `errors`.
-    std::vector<double> (*measure)(const EngineSetting& setting, Effort effort) = nullptr;
+    std::vector<double> (*measure)(const RunSpec& setting, Effort effort) = nullptr;
     /// What is timed: a scene of about the same work, tiled to about a thousand bodies.
     scenes::Scene (*costScene)() = nullptr;
     double costSeconds = 0.5;  ///< simulated time that is timed

@@ -19,7 +19,7 @@ scenes::Scene MakeProjectile() {
     return scene;
 }
 
-std::vector<double> MeasureProjectile(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureProjectile(const RunSpec& setting, Effort) {
     const auto lab = MakeLab(MakeProjectile(), setting);
     Run(*lab, setting, 4.0);
     const BodyReading ball = lab->Read(0);
@@ -35,7 +35,7 @@ scenes::Scene MakeSpin(double rate) {
     return scene;
 }
 
-std::vector<double> MeasureSpin(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureSpin(const RunSpec& setting, Effort) {
     double relative = 0.0, absolute = 0.0;
     for (const double rate : {5.0, 20.0, 40.0}) {
         const auto lab = MakeLab(MakeSpin(rate), setting);
@@ -63,12 +63,12 @@ scenes::Scene MakeFreeChain() {
     return scene;
 }
 
-std::vector<double> MeasureFreeChain(const EngineSetting& setting, Effort) {
+std::vector<double> MeasureFreeChain(const RunSpec& setting, Effort) {
     const auto lab = MakeLab(MakeFreeChain(), setting);
     const Invariants start = SumInvariants(ReadMoving(*lab));
     DriftWatch drift(start, Length(start.momentum), std::abs(start.angular));
     double gap = 0.0;
-    for (int i = 0; i < 10 * setting.rate; ++i) {
+    for (int i = 0; i < 10 * GetRate(setting); ++i) {
         lab->Step();
         drift.Add(SumInvariants(ReadMoving(*lab)));
         gap = std::max(gap, WorstJointGap(*lab));
@@ -93,7 +93,7 @@ scenes::Scene MakeGas(unsigned seed) {
 }
 scenes::Scene MakeGasCost() { return MakeGas(1); }
 
-std::vector<double> MeasureGas(const EngineSetting& setting, Effort effort) {
+std::vector<double> MeasureGas(const RunSpec& setting, Effort effort) {
     const int runs = effort == Effort::quick ? 2 : 8;
     double change = 0.0, gain = 0.0, momentum = 0.0, angular = 0.0;
     for (int seed = 1; seed <= runs; ++seed) {
@@ -105,7 +105,7 @@ std::vector<double> MeasureGas(const EngineSetting& setting, Effort effort) {
             angularScale += b.mass * std::abs(Cross(b.centre, b.velocity));
         }
         DriftWatch drift(SumInvariants(bodies), momentumScale, angularScale);
-        for (int i = 0; i < 5 * setting.rate; ++i) {
+        for (int i = 0; i < 5 * GetRate(setting); ++i) {
             lab->Step();
             drift.Add(SumInvariants(ReadMoving(*lab)));
         }
@@ -145,10 +145,10 @@ void TakeOver(scenes::Scene& scene, const LabWorld& lab) {
 }
 
 /// Steps a window of 0.1 s.
-std::unique_ptr<LabWorld> RunWindow(const scenes::Scene& scene, const EngineSetting& setting, int finer) {
+std::unique_ptr<LabWorld> RunWindow(const scenes::Scene& scene, const RunSpec& setting, int finer) {
     auto lab = MakeLab(scene, setting);
-    const int steps = static_cast<int>(std::lround(0.1 * setting.rate)) * finer;
-    for (int i = 0; i < steps; ++i) lab->Step(setting.GetTimeStep() / finer);
+    const int steps = static_cast<int>(std::lround(0.1 * GetRate(setting))) * finer;
+    for (int i = 0; i < steps; ++i) lab->Step(GetTimeStep(setting) / finer);
     return lab;
 }
 
@@ -167,7 +167,7 @@ double Shortfall(double coarse, double fine, double uncertainty) {
     return coarse < resolved * uncertainty ? 0.0 : std::max(0.0, 1.0 - GetOrder(coarse, fine));
 }
 
-std::vector<double> MeasureOrder(const EngineSetting& setting, Effort effort) {
+std::vector<double> MeasureOrder(const RunSpec& setting, Effort effort) {
     scenes::Scene scene = MakeTriplePendulum();
     double coarse = 0.0, fine = 0.0, uncertainty = 0.0;
     const int windows = effort == Effort::quick ? 5 : 15;

@@ -17,11 +17,11 @@ constexpr double restDistance = side + boxGap;       ///< of two centres at rest
 constexpr double touchDistance = side + 2.0 * skin;  ///< of two centres whose skins just touch, m
 
 /// Mean force in N that each level carries, over half a second: the impulses of the contacts whose upper body is there.
-std::vector<double> MeanForces(LabWorld& lab, const EngineSetting& setting, int levels) {
+std::vector<double> MeanForces(LabWorld& lab, const RunSpec& setting, int levels) {
     std::vector<double> force(static_cast<size_t>(levels), 0.0);
     std::vector<ContactReading> contacts;
-    const int steps = setting.rate / 2;
-    const double time = steps * setting.GetTimeStep();
+    const int steps = GetRate(setting) / 2;
+    const double time = steps * GetTimeStep(setting);
     for (int i = 0; i < steps; ++i) {
         lab.Step();
         lab.GetContacts(contacts);
@@ -36,14 +36,14 @@ std::vector<double> MeanForces(LabWorld& lab, const EngineSetting& setting, int 
 }
 
 /// Root mean square speed of the moving bodies over a second.
-double Unrest(LabWorld& lab, const EngineSetting& setting) {
+double Unrest(LabWorld& lab, const RunSpec& setting) {
     double sum = 0.0;
-    for (int i = 0; i < setting.rate; ++i) {
+    for (int i = 0; i < GetRate(setting); ++i) {
         lab.Step();
         const double speed = RmsSpeed(ReadMoving(lab));
         sum += speed * speed;
     }
-    return std::sqrt(sum / setting.rate);
+    return std::sqrt(sum / GetRate(setting));
 }
 
 // --- Column: body 0 is the floor, body 1 the lowest box.
@@ -58,7 +58,7 @@ scenes::Scene MakeColumn(int count) {
 }
 
 /// Worst relative error of an interface's force, worst overlap, rms speed after `seconds`.
-std::vector<double> MeasureColumn(const EngineSetting& setting, int count, double seconds) {
+std::vector<double> MeasureColumn(const RunSpec& setting, int count, double seconds) {
     const auto lab = MakeLab(MakeColumn(count), setting);
     Run(*lab, setting, seconds);
     const std::vector<double> forces = MeanForces(*lab, setting, count);
@@ -92,7 +92,7 @@ scenes::Scene MakePyramid() {
 /// Index of box i of row r.
 int PyramidBody(int r, int i) { return 1 + r * pyramidBase - r * (r - 1) / 2 + i; }
 
-std::vector<double> MeasurePyramid(const EngineSetting& setting, Effort) {
+std::vector<double> MeasurePyramid(const RunSpec& setting, Effort) {
     const auto lab = MakeLab(MakePyramid(), setting);
     Run(*lab, setting, 10.0);
     const std::vector<double> forces = MeanForces(*lab, setting, pyramidBase);
@@ -122,7 +122,7 @@ std::vector<Law> MakePileLaws() {
          .errors = {{.name = "worst force, relative", .game = 2e-2, .precise = 1e-2, .rounding = 1e-4},
                     {.name = "worst overlap of skins", .unit = "m", .game = 1e-2, .precise = 1e-2, .rounding = 1e-5},
                     {.name = "rms speed", .unit = "m/s", .game = 1e-2, .precise = 1e-4, .rounding = 1e-5}},
-         .measure = [](const EngineSetting& setting, Effort) { return MeasureColumn(setting, 10, 2.0); },
+         .measure = [](const RunSpec& setting, Effort) { return MeasureColumn(setting, 10, 2.0); },
          .costScene = [] { return MakeColumn(10); },
          .pitch = {12.0, 15.0}},
         {.name = "column-50",
@@ -131,7 +131,7 @@ std::vector<Law> MakePileLaws() {
          .errors = {{.name = "worst force, relative", .precise = 1e-2, .rounding = 1e-4},
                     {.name = "worst overlap of skins", .unit = "m", .rounding = 1e-5},
                     {.name = "rms speed", .unit = "m/s", .rounding = 1e-5}},
-         .measure = [](const EngineSetting& setting, Effort) { return MeasureColumn(setting, 50, 10.0); },
+         .measure = [](const RunSpec& setting, Effort) { return MeasureColumn(setting, 50, 10.0); },
          .costScene = [] { return MakeColumn(50); },
          .pitch = {12.0, 60.0}},
         {.name = "pyramid",

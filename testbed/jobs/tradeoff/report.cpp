@@ -84,8 +84,8 @@ PageCell RatioCell(std::optional<double> ratio) {
     return cell;
 }
 
-std::string NameOrNone(const std::optional<EngineSetting>& setting) {
-    return setting ? fmt::format("{} at {} Hz", NameSolver(*setting), setting->rate) : "–";
+std::string NameOrNone(const std::optional<RunSpec>& setting) {
+    return setting ? fmt::format("{} at {} Hz", NameSolver(*setting), GetRate(*setting)) : "–";
 }
 
 PageTable MakeGainTable(std::span<const LawGain> gains) {
@@ -139,7 +139,7 @@ PageTable MakeAllTable(std::span<const TradeCase> cases) {
     for (const TradeCase& one : cases) {
         const Quartiles cost = one.GetCost();
         table.rows.push_back({one.law, one.setting.engine, NameSolver(one.setting),
-                              PageCell::Number(one.setting.rate, 0), PageCell::Number(cost.median, 1),
+                              PageCell::Number(GetRate(one.setting), 0), PageCell::Number(cost.median, 1),
                               fmt::format("{:.1f} … {:.1f}", cost.low, cost.high),
                               ErrorCell(one.errors.front(), std::nullopt)});
     }
@@ -187,9 +187,9 @@ std::string MakeTradeCsv(std::span<const TradeCase> cases) {
         const auto law = std::ranges::find(GetLaws(), one.law, &Law::name);
         const Quartiles cost = one.GetCost();
         for (std::size_t i = 0; i < one.errors.size(); ++i) {
-            table.AddRow(one.law, one.setting.engine, NameSolver(one.setting), one.setting.rate, law->errors[i].name,
-                         law->errors[i].unit, fmt::format("{:.9g}", one.errors[i]), ns(cost.median), ns(cost.low),
-                         ns(cost.high));
+            table.AddRow(one.law, one.setting.engine, NameSolver(one.setting), GetRate(one.setting),
+                         law->errors[i].name, law->errors[i].unit, fmt::format("{:.9g}", one.errors[i]),
+                         ns(cost.median), ns(cost.low), ns(cost.high));
         }
     }
     return table.GetText();

@@ -16,9 +16,8 @@ namespace testbed {
 
 namespace {
 
-struct Iterations {
-    int velocity, position;
-};
+/// What every setting of the grid begins with.
+constexpr std::string_view laboratory = "solver=si@8/3 timeStep=1/60 caps=on sleeping=off";
 
 /// Processor time of this thread, ms: other programs on the machine do not count.
 double ReadThreadClock() {
@@ -28,11 +27,13 @@ double ReadThreadClock() {
 }
 
 /// A timed run: a fresh world, two steps to make its contacts, then the steps that count.
-double TimeRun(const scenes::Scene& scene, const Law& law, const EngineSetting& setting) {
-    const auto lab = MakeLab(scene, setting, {.capped = law.capped, .restitutionThreshold = 0.0});
+double TimeRun(const scenes::Scene& scene, const Law& law, const RunSpec& setting) {
+    RunSpec spec = setting;
+    spec.caps = spec.caps && law.capped;
+    const auto lab = MakeLab(scene, spec, {.restitutionThreshold = 0.0});
     lab->Step();
     lab->Step();
-    const int steps = std::max(1, static_cast<int>(std::lround(law.costSeconds * setting.rate)));
+    const int steps = std::max(1, static_cast<int>(std::lround(law.costSeconds * GetRate(setting))));
     const double start = ReadThreadClock();
     for (int i = 0; i < steps; ++i) lab->Step();
     return ReadThreadClock() - start;
@@ -40,18 +41,46 @@ double TimeRun(const scenes::Scene& scene, const Law& law, const EngineSetting& 
 
 }  // namespace
 
-EngineSetting GetBaseline() { return GetSequential("box2d"); }
+RunSpec GetSequential(std::string_view engine, int velocityIterations, int positionIterations, int rate) {
+    RunSpec spec = MakeSpec(engine);
+    ApplySettings(spec, laboratory);
+    spec.solver = SequentialImpulses{Iterations{velocityIterations, positionIterations}};
+    spec.timeStep = 1.0 / rate;
+    return spec;
+}
 
-std::vector<EngineSetting> MakeGrid(Effort effort) {
+RunSpec GetSoft(int substeps, int rate) {
+    RunSpec spec = GetSequential("scree", 8, 3, rate);
+    spec.solver = SoftStep{substeps};
+    return spec;
+}
+
+RunSpec GetDial(Accuracy mark, int rate) {
+    switch (mark) {
+        case Accuracy::draft:
+            return GetSequential("scree", 4, 2, rate);
+        case Accuracy::game:
+            return GetSoft(4, rate);
+        case Accuracy::fine:
+            return GetSoft(8, rate);
+        case Accuracy::precise:
+            return GetSoft(16, rate);
+    }
+    return GetSoft(4, rate);
+}
+
+RunSpec GetBaseline() { return GetSequential("box2d"); }
+
+std::vector<RunSpec> MakeGrid(Effort effort) {
     const bool quick = effort == Effort::quick;
     const std::vector<Iterations> iterations =
         quick ? std::vector<Iterations>{{4, 2}, {8, 3}, {32, 12}}
               : std::vector<Iterations>{{1, 1}, {2, 1}, {4, 2}, {8, 3}, {16, 6}, {32, 12}, {64, 24}};
     const std::vector<int> substeps = quick ? std::vector<int>{4, 8, 16} : std::vector<int>{4, 8, 16, 32};
     const std::vector<int> rates = quick ? std::vector<int>{60, 120} : std::vector<int>{30, 60, 120, 240};
-    std::vector<EngineSetting> grid{GetBaseline()};
-    const auto add = [&grid](const EngineSetting& setting) {
-        if (IsAvailable(setting) && setting != GetBaseline()) grid.push_back(setting);
+    std::vector<RunSpec> grid{GetBaseline()};
+    const auto add = [&grid](const RunSpec& setting) {
+        if (setting != GetBaseline()) grid.push_back(setting);
     };
     for (const char* engine : {"box2d", "scree"}) {
         for (const int rate : rates) {
@@ -64,9 +93,27 @@ std::vector<EngineSetting> MakeGrid(Effort effort) {
     return grid;
 }
 
-bool IsDefault(const EngineSetting& setting) {
-    return setting == GetBaseline() || setting == GetSequential("scree") || setting == GetDial(Dial::draft) ||
-           setting == GetDial(Dial::game) || setting == GetDial(Dial::fine) || setting == GetDial(Dial::precise);
+std::vector<RunSpec> ChooseGrid(Effort effort, std::string_view engines, std::span<const TypedSetting> common) {
+    std::vector<RunSpec> chosen{GetBaseline()};
+    const auto add = [&chosen](const RunSpec& spec) {
+        if (std::ranges::find(chosen, spec) == chosen.end()) chosen.push_back(spec);
+    };
+    if (!engines.empty()) {
+        for (const Pane& pane : ParsePanes(engines, common, laboratory)) add(pane.spec);
+        return chosen;
+    }
+    for (RunSpec& spec : MakeGrid(effort)) {
+        if (spec == GetBaseline()) continue;
+        for (const TypedSetting& one : common) (void)ApplySetting(spec, one.setting, one.source);
+        add(spec);
+    }
+    return chosen;
+}
+
+bool IsDefault(const RunSpec& setting) {
+    return setting == GetBaseline() || setting == GetSequential("scree") || setting == GetDial(Accuracy::draft) ||
+           setting == GetDial(Accuracy::game) || setting == GetDial(Accuracy::fine) ||
+           setting == GetDial(Accuracy::precise);
 }
 
 Quartiles TradeCase::GetCost() const {
@@ -74,12 +121,12 @@ Quartiles TradeCase::GetCost() const {
     return {milliseconds.low * scale, milliseconds.median * scale, milliseconds.high * scale};
 }
 
-std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const EngineSetting> settings, const TradePlan& plan,
+std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const RunSpec> settings, const TradePlan& plan,
                                     const std::function<void()>& advance) {
     const scenes::Scene scene = MakeCostScene(law, plan.bodies);
     const int bodies = scenes::Count(scene).dynamicBodies;
     std::vector<TradeCase> cases;
-    for (const EngineSetting& setting : settings) {
+    for (const RunSpec& setting : settings) {
         TradeCase one;
         one.law = law.name;
         one.setting = setting;
@@ -87,8 +134,8 @@ std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const EngineSettin
         for (double& error : one.errors) {
             if (!std::isfinite(error)) error = std::numeric_limits<double>::infinity();
         }
-        const int steps = std::max(1, static_cast<int>(std::lround(law.costSeconds * setting.rate)));
-        one.bodyFrames = bodies * 60.0 * steps * setting.GetTimeStep();
+        const int steps = std::max(1, static_cast<int>(std::lround(law.costSeconds * GetRate(setting))));
+        one.bodyFrames = bodies * 60.0 * steps * GetTimeStep(setting);
         cases.push_back(one);
         advance();
     }
@@ -118,15 +165,19 @@ nlohmann::ordered_json ToJson(const TradeCase& one) {
         else
             errors.push_back(nullptr);  // JSON has no infinity
     }
-    const EngineSetting& s = one.setting;
+    const RunSpec& s = one.setting;
+    const auto* si = std::get_if<SequentialImpulses>(&s.solver);
+    const auto* soft = std::get_if<SoftStep>(&s.solver);
+    const Iterations iterations = si != nullptr ? si->iterations.value_or(Iterations{}) : Iterations{};
     nlohmann::ordered_json fields;
     fields["law"] = one.law;
     fields["engine"] = s.engine;
-    fields["solver"] = s.solver == SolverKind::soft ? "soft" : "sequential";
-    fields["velocityIterations"] = s.velocityIterations;
-    fields["positionIterations"] = s.positionIterations;
-    fields["substeps"] = s.substeps;
-    fields["rate"] = s.rate;
+    fields["solver"] = IsSequential(s) ? "sequential" : "soft";
+    fields["velocityIterations"] = iterations.velocity;
+    fields["positionIterations"] = iterations.position;
+    fields["substeps"] = soft != nullptr ? soft->substeps : SoftStep{}.substeps;
+    fields["rate"] = GetRate(s);
+    fields["settings"] = PrintSettings(s);
     fields["errors"] = errors;
     fields["bodyFrames"] = one.bodyFrames;
     fields["ms"] = {one.milliseconds.low, one.milliseconds.median, one.milliseconds.high};
@@ -137,12 +188,16 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
     try {
         TradeCase one;
         one.law = fields.at("law").get<std::string>();
-        one.setting.engine = fields.at("engine").get<std::string>();
-        one.setting.solver = fields.at("solver") == "soft" ? SolverKind::soft : SolverKind::sequential;
-        one.setting.velocityIterations = fields.at("velocityIterations").get<int>();
-        one.setting.positionIterations = fields.at("positionIterations").get<int>();
-        one.setting.substeps = fields.at("substeps").get<int>();
-        one.setting.rate = fields.at("rate").get<int>();
+        const auto engine = fields.at("engine").get<std::string>();
+        const int rate = fields.at("rate").get<int>();
+        one.setting = fields.at("solver") == "soft" ? GetSoft(fields.at("substeps").get<int>(), rate)
+                                                    : GetSequential(engine, fields.at("velocityIterations").get<int>(),
+                                                                    fields.at("positionIterations").get<int>(), rate);
+        // Files of before have no settings: theirs are the grid's.
+        if (fields.contains("settings")) {
+            one.setting = MakeSpec(engine);
+            ApplySettings(one.setting, fields.at("settings").get<std::string>());
+        }
         for (const auto& error : fields.at("errors")) {
             one.errors.push_back(error.is_null() ? std::numeric_limits<double>::infinity() : error.get<double>());
         }
@@ -150,6 +205,8 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         const auto& ms = fields.at("ms");
         one.milliseconds = {ms.at(0).get<double>(), ms.at(1).get<double>(), ms.at(2).get<double>()};
         return one;
+    } catch (const UsageError& error) {  // an engine or setting that is none
+        throw FileError(std::string("not a line of `scree tradeoff --json`: ") + error.what());
     } catch (const nlohmann::json::exception& error) {
         throw FileError(std::string("a field is missing or of another kind: ") + error.what());
     }

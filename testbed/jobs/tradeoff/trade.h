@@ -10,28 +10,42 @@
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "testbed/base/statistics.h"
+#include "testbed/engines/panes.h"
 #include "testbed/jobs/tradeoff/law.h"
 #include "testbed/jobs/tradeoff/pareto.h"
 
 namespace testbed {
 
+// The settings of the grid, in a laboratory: nothing falls asleep, and our engine keeps Box2D's caps of speed.
+[[nodiscard]] RunSpec GetSequential(std::string_view engine, int velocityIterations = 8, int positionIterations = 3,
+                                    int rate = 60);
+[[nodiscard]] RunSpec GetSoft(int substeps, int rate = 60);
+/// What a mark of our accuracy dial stands for.
+[[nodiscard]] RunSpec GetDial(Accuracy mark, int rate = 60);
+
 /// All settings to try, Box2D's default first: Box2D's and our sequential impulses over iterations and steps, our soft
-/// steps over sub-steps and steps, as far as this build has them.
-[[nodiscard]] std::vector<EngineSetting> MakeGrid(Effort effort);
+/// steps over sub-steps and steps.
+[[nodiscard]] std::vector<RunSpec> MakeGrid(Effort effort);
+/// The grid with `common` applied to all but Box2D's default, which everything is compared with; points that become the
+/// same count once. Where `engines` is given, as ParsePanes takes it, these settings instead of the grid's. Throws
+/// UsageError.
+[[nodiscard]] std::vector<RunSpec> ChooseGrid(Effort effort, std::string_view engines,
+                                              std::span<const TypedSetting> common);
 
 /// What everything is compared with: Box2D 2.4.1 with 8 velocity and 3 position iterations at 60 Hz.
-[[nodiscard]] EngineSetting GetBaseline();
+[[nodiscard]] RunSpec GetBaseline();
 
 /// Box2D's default, our own 8/3 and the marks of our dial at 60 Hz: marked in plots.
-[[nodiscard]] bool IsDefault(const EngineSetting& setting);
+[[nodiscard]] bool IsDefault(const RunSpec& setting);
 
 /// One law under one setting.
 struct TradeCase {
     std::string law;
-    EngineSetting setting;
+    RunSpec setting;
     std::vector<double> errors;  ///< as Law::errors; infinity: the run failed
     Quartiles milliseconds;      ///< processor time of the timed steps
     double bodyFrames = 0.0;     ///< moving bodies × simulated time in 1/60 s
@@ -47,7 +61,7 @@ struct TradePlan {
 };
 
 /// The law under the given settings. `advance` is called after each measured setting and each timed run.
-[[nodiscard]] std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const EngineSetting> settings,
+[[nodiscard]] std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const RunSpec> settings,
                                                   const TradePlan& plan, const std::function<void()>& advance);
 
 /// Error of quantity `index`, floored at its rounding; what is not finite is infinity.

@@ -11,7 +11,7 @@ namespace testbed {
 
 namespace {
 
-const TradeCase* Find(std::span<const TradeCase> cases, const std::string& law, const EngineSetting& setting) {
+const TradeCase* Find(std::span<const TradeCase> cases, const std::string& law, const RunSpec& setting) {
     const auto found =
         std::ranges::find_if(cases, [&](const TradeCase& one) { return one.law == law && one.setting == setting; });
     return found == cases.end() ? nullptr : &*found;
@@ -26,9 +26,9 @@ std::optional<bool> Meets(std::optional<double> error, double bound) {
 
 }  // namespace
 
-Family FamilyOf(const EngineSetting& setting) {
+Family FamilyOf(const RunSpec& setting) {
     if (setting.engine == "box2d") return Family::box2d;
-    return setting.solver == SolverKind::soft ? Family::soft : Family::sequential;
+    return IsSequential(setting) ? Family::sequential : Family::soft;
 }
 
 std::string NameFamily(Family family) {
@@ -49,7 +49,7 @@ std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases, std::
         const TradeCase* baseline = Find(cases, law.name, GetBaseline());
         if (!baseline) continue;
         std::vector<TradePoint> points;
-        std::vector<EngineSetting> settings;
+        std::vector<RunSpec> settings;
         for (const TradeCase& one : cases) {
             if (one.law != law.name || std::ranges::find(families, FamilyOf(one.setting)) == families.end()) continue;
             points.push_back(PointOf(law, one));
@@ -79,13 +79,13 @@ std::optional<bool> BoundRow::MeetsPrecise() const { return Meets(precise, error
 std::vector<BoundRow> CheckBounds(std::span<const TradeCase> cases) {
     std::vector<BoundRow> rows;
     for (const Law& law : GetLaws()) {
-        const auto at = [&](const EngineSetting& setting, std::size_t index) -> std::optional<double> {
+        const auto at = [&](const RunSpec& setting, std::size_t index) -> std::optional<double> {
             const TradeCase* one = Find(cases, law.name, setting);
             return one ? std::optional(one->errors.at(index)) : std::nullopt;
         };
         for (std::size_t i = 0; i < law.errors.size(); ++i) {
             if (!at(GetBaseline(), i)) continue;
-            rows.push_back({&law, &law.errors[i], at(GetDial(Dial::game), i), at(GetDial(Dial::precise), i),
+            rows.push_back({&law, &law.errors[i], at(GetDial(Accuracy::game), i), at(GetDial(Accuracy::precise), i),
                             at(GetSequential("scree"), i), at(GetBaseline(), i)});
         }
     }

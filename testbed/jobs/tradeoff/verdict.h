@@ -16,7 +16,7 @@ namespace testbed {
 
 /// A family of settings that is compared as a whole.
 enum class Family { box2d, sequential, soft };
-[[nodiscard]] Family FamilyOf(const EngineSetting& setting);
+[[nodiscard]] Family FamilyOf(const RunSpec& setting);
 /// "Box2D 2.4.1", "Scree, sequential impulses", "Scree, soft step".
 [[nodiscard]] std::string NameFamily(Family family);
 
@@ -24,7 +24,7 @@ enum class Family { box2d, sequential, soft };
 struct LawGain {
     const Law* law = nullptr;
     Gain gain;
-    std::optional<EngineSetting> cheapest, closest;  ///< what Gain's indices stand for
+    std::optional<RunSpec> cheapest, closest;  ///< what Gain's indices stand for
 };
 /// One per law whose baseline is among the cases, in the order of GetLaws. `families` are those to choose from.
 [[nodiscard]] std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases,

@@ -14,7 +14,6 @@
 #include <optional>
 #include <string>
 
-#include "scree/broad_phase_kind.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/output.h"
@@ -33,8 +32,7 @@ namespace {
 struct ViewArguments {
     std::string scene = "tumbler";
     std::optional<int> size;
-    std::string engines = "scree,box2d";
-    std::string broadPhase = "auto";
+    SettingArguments settings;
     std::string layers = "bodies,joints";
     std::string nodes = "internal";
     std::string style = "alpha";
@@ -91,13 +89,9 @@ private:
 };
 
 Viewer MakeViewer(const ViewArguments& arguments) {
-    CheckBroadPhase(arguments.broadPhase);
-    const std::vector<std::string> engines = ParseEngines(arguments.engines);
     Viewer viewer;
-    for (size_t i = 0; i < viewerEngines.size(); ++i) {
-        viewer.engines[i] = std::ranges::find(engines, viewerEngines[i]) != engines.end();
-    }
-    viewer.broadPhase = arguments.broadPhase;
+    viewer.choices =
+        MakeChoices(ParsePanes(arguments.settings.engines, GetTypedSettings(arguments.settings), comparisonBase));
     viewer.isPaused = arguments.isPaused;
     viewer.showTimes = !arguments.noTimes;
     viewer.look.layers = ParseLayers(arguments.layers);
@@ -185,11 +179,9 @@ int RunView(const ViewArguments& arguments, const Request& request) {
 void AddOptions(CLI::App& app, ViewArguments& arguments) {
     app.add_option("SCENE", arguments.scene, "A scene; `scree list` shows them")->capture_default_str();
     app.add_option("--size", arguments.size, "Size of the scene; its own default if not given");
-    app.add_option("--engines", arguments.engines, "Engines to run: scree, box2d or both with a comma")
-        ->capture_default_str();
-    app.add_option("--broad-phase", arguments.broadPhase,
-                   fmt::format("Algorithm of the engine scree: {}", fmt::join(scree::broadPhaseNames, ", ")))
-        ->capture_default_str();
+    AddEnginesOption(app, arguments.settings, "");
+    AddSetOption(app, arguments.settings, comparisonNote);
+    AddSettingFlags(app, arguments.settings, {"broadPhase"});
     std::string names;
     for (const LayerInfo& layer : layerTable) names += (names.empty() ? "" : ", ") + std::string(layer.name);
     app.add_option("--layers", arguments.layers, "What to draw, with commas: " + names)->capture_default_str();

@@ -7,9 +7,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "testbed/base/text.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/jobs/window/panels.h"
 #include "testbed/jobs/window/scene_view.h"
 #include "testbed/jobs/window/window_colors.h"
@@ -26,6 +28,8 @@ ordered_json ToJson(const Box& box) { return {box.lower.x, box.lower.y, box.uppe
 ordered_json DescribePane(const Viewer& viewer, const EnginePane& pane) {
     const Snapshot& s = pane.snapshot;
     ordered_json json{{"engine", s.engine},
+                      {"pane", pane.name},
+                      {"settings", PrintSettings(viewer.choices[pane.choice].now)},
                       {"broad_phase", s.broadPhase},
                       {"step", s.step},
                       {"bodies", s.bodies.size()},
@@ -81,7 +85,13 @@ void DrawFrame(Viewer& viewer, Gui& gui, Items& items, WindowRenderer& renderer,
 }
 
 std::string WriteState(const Viewer& viewer) {
-    const SolverSettings& s = viewer.settings;
+    const RunSpec& s = GetShownSpec(viewer);
+    const auto* si = std::get_if<SequentialImpulses>(&s.solver);
+    const auto* soft = std::get_if<SoftStep>(&s.solver);
+    const Iterations iterations = si != nullptr ? *si->iterations : viewer.iterations;
+    const auto ours = std::ranges::find_if(viewer.choices, [](const PaneChoice& choice) {
+        return FindEngine(choice.pane.spec.engine).abilities.Has(Ability::broadPhases);
+    });
     ordered_json layers = ordered_json::array();
     for (const LayerInfo& layer : layerTable) {
         if (viewer.look.layers.Has(layer.layer)) layers.push_back(layer.name);
@@ -89,13 +99,13 @@ std::string WriteState(const Viewer& viewer) {
     ordered_json json{{"scene", viewer.info->name},
                       {"size", viewer.size},
                       {"paused", viewer.isPaused},
-                      {"broad_phase", viewer.broadPhase},
+                      {"broad_phase", ours == viewer.choices.end() ? "" : ours->now.broadPhase},
                       {"settings",
-                       {{"time_step", s.timeStep},
-                        {"velocity_iterations", s.velocityIterations},
-                        {"position_iterations", s.positionIterations},
-                        {"substeps", s.substeps},
-                        {"gravity", ToJson(s.gravity)},
+                       {{"time_step", static_cast<float>(*s.timeStep)},
+                        {"velocity_iterations", iterations.velocity},
+                        {"position_iterations", iterations.position},
+                        {"substeps", soft != nullptr ? soft->substeps : 0},
+                        {"gravity", ToJson(*s.gravity)},
                         {"sleeping", s.sleeping},
                         {"warm_starting", s.warmStarting},
                         {"continuous", s.continuous}}},

@@ -93,7 +93,7 @@ void DrawStage(const Viewer& viewer, const Stage& stage, ImVec2 lower, ImVec2 up
             const auto share = static_cast<float>(pane.history[i].*stage.time / top);
             points.emplace_back(x, upper.y - 2 - share * (upper.y - plotTop - 3));
         }
-        list.AddPolyline(points.data(), static_cast<int>(points.size()), colors.GetEngine(pane.engine), 0, 1);
+        list.AddPolyline(points.data(), static_cast<int>(points.size()), GetPaneColor(viewer, pane.choice), 0, 1);
     }
     list.AddLine({lower.x, plotTop}, {upper.x, plotTop}, colors.plotLine);
     list.AddText({lower.x + 4, lower.y + 2}, colors.plotText, stage.name);
@@ -105,7 +105,7 @@ void WriteNode(const EnginePane& pane) {
     const NodeState& node = pane.snapshot.nodes[static_cast<size_t>(pane.hoveredNode)];
     const bool isLeaf = node.child1 < 0;
     const Box& box = node.box;
-    ImGui::TextWrapped("%s node %d, level %d, %s", pane.engine.c_str(), pane.hoveredNode, node.level,
+    ImGui::TextWrapped("%s node %d, level %d, %s", pane.name.c_str(), pane.hoveredNode, node.level,
                        isLeaf ? fmt::format("leaf of fixture {}", node.fixture).c_str()
                               : fmt::format("{} leaves", CountLeaves(pane.snapshot.nodes, pane.hoveredNode)).c_str());
     ImGui::TextWrapped("%s", DescribePath(pane.snapshot.nodes, pane.hoveredNode).c_str());
@@ -117,7 +117,7 @@ void WriteBody(const Viewer& viewer) {
     for (const EnginePane& pane : viewer.panes) {
         if (viewer.pickedBody >= static_cast<int>(pane.snapshot.bodies.size())) continue;
         const BodyState& body = pane.snapshot.bodies[static_cast<size_t>(viewer.pickedBody)];
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetWindowColors(viewer.look.theme).GetEngine(pane.engine)),
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetPaneColor(viewer, pane.choice)),
                            "body %d  x %.2f  y %.2f%s", viewer.pickedBody, static_cast<double>(body.position.x),
                            static_cast<double>(body.position.y), body.awake ? "" : "  asleep");
     }
@@ -173,10 +173,10 @@ void DrawFindings(const Viewer& viewer) {
     if (viewer.pickedBody >= 0) WriteBody(viewer);
     for (const EnginePane& pane : viewer.panes) {
         if (pane.trace) {
-            ImGui::TextColored(
-                ImGui::ColorConvertU32ToFloat4(GetWindowColors(viewer.look.theme).GetEngine(pane.engine)),
-                "query: %d visited, %d tested,\n%d of %d leaves", static_cast<int>(pane.trace->visited.size()),
-                pane.trace->tested, pane.trace->leaves, static_cast<int>(pane.snapshot.fixtures.size()));
+            ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetPaneColor(viewer, pane.choice)),
+                               "query: %d visited, %d tested,\n%d of %d leaves",
+                               static_cast<int>(pane.trace->visited.size()), pane.trace->tested, pane.trace->leaves,
+                               static_cast<int>(pane.snapshot.fixtures.size()));
         }
     }
     bool hasNode = false;

@@ -12,6 +12,7 @@
 #include <exception>
 
 #include "scree/broad_phase_kind.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/jobs/window/window_colors.h"
 
 namespace testbed {
@@ -63,13 +64,14 @@ void DrawBar(Viewer& viewer, Items& items) {
     if (Button(items, "Fit F", "fit")) viewer.mustFit = true;
     ImGui::SameLine();
     if (Button(items, "Screenshot F12", "screenshot")) viewer.wantsScreenshot = true;
-    for (size_t i = 0; i < viewerEngines.size(); ++i) {
+    for (size_t i = 0; i < viewer.choices.size(); ++i) {
         ImGui::SameLine(0, i == 0 ? 18.0f : -1.0f);
-        bool isOn = viewer.engines[i];
-        ImGui::PushStyleColor(ImGuiCol_Text, GetWindowColors(viewer.look.theme).GetEngine(viewerEngines[i]));
-        if (ImGui::Checkbox(viewerEngines[i], &isOn)) Try(viewer, [&] { ToggleEngine(viewer, i); });
+        bool isOn = viewer.choices[i].isOn;
+        const std::string name = viewer.choices[i].pane.name;
+        ImGui::PushStyleColor(ImGuiCol_Text, GetPaneColor(viewer, i));
+        if (ImGui::Checkbox(name.c_str(), &isOn)) Try(viewer, [&] { TogglePane(viewer, i); });
         ImGui::PopStyleColor();
-        MarkItem(items, fmt::format("engine.{}", viewerEngines[i]));
+        MarkItem(items, fmt::format("engine.{}", name));
     }
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
@@ -84,24 +86,63 @@ void DrawBar(Viewer& viewer, Items& items) {
     }
 }
 
+/// Of the edited pane of our engine, else of the first.
+std::string GetBroadPhase(const Viewer& viewer) {
+    std::string found;
+    for (size_t i = 0; i < viewer.choices.size(); ++i) {
+        const RunSpec& spec = viewer.choices[i].now;
+        if (!FindEngine(spec.engine).abilities.Has(Ability::broadPhases)) continue;
+        if (found.empty() || viewer.edited == i) found = spec.broadPhase;
+    }
+    return found;
+}
+
+/// Which pane the settings are of, where one engine runs in several.
+void DrawEdited(Viewer& viewer, Items& items) {
+    const bool isSeveral = viewer.choices.size() > GetEngines().size();
+    if (!isSeveral) return;
+    const auto name = [&](std::optional<size_t> choice) {
+        return choice ? viewer.choices[*choice].pane.name : std::string("all panes");
+    };
+    ImGui::SetNextItemWidth(-1);
+    const bool isOpen = ImGui::BeginCombo("##edited", name(viewer.edited).c_str());
+    MarkItem(items, "solver.pane");
+    if (!isOpen) return;
+    const auto offer = [&](std::optional<size_t> choice) {
+        if (ImGui::Selectable(name(choice).c_str(), choice == viewer.edited)) viewer.edited = choice;
+        MarkItem(items, fmt::format("pane.{}", choice ? name(choice) : "all"));
+    };
+    offer(std::nullopt);
+    for (size_t i = 0; i < viewer.choices.size(); ++i) offer(i);
+    ImGui::EndCombo();
+}
+
 void DrawSolver(Viewer& viewer, Items& items) {
-    SolverSettings s = viewer.settings;
+    DrawEdited(viewer, items);
+    const RunSpec before = GetShownSpec(viewer);
+    RunSpec s = before;
+    const auto* si = std::get_if<SequentialImpulses>(&s.solver);
+    const auto* soft = std::get_if<SoftStep>(&s.solver);
+    const Iterations shownIterations = si != nullptr ? *si->iterations : viewer.iterations;
+    const int shownSubsteps = soft != nullptr ? soft->substeps : 0;
+    Iterations iterations = shownIterations;
+    int substeps = shownSubsteps;
     ImGui::PushItemWidth(112);
-    ImGui::SliderInt("velocity its", &s.velocityIterations, 1, 50);
+    ImGui::SliderInt("velocity its", &iterations.velocity, 1, 50);
     MarkSlider(items, "solver.velocity");
-    ImGui::SliderInt("position its", &s.positionIterations, 0, 20);
+    ImGui::SliderInt("position its", &iterations.position, 0, 20);
     MarkSlider(items, "solver.position");
-    ImGui::SliderInt("soft steps", &s.substeps, 0, 16, s.substeps == 0 ? "off" : "%d");
+    ImGui::SliderInt("soft steps", &substeps, 0, 16, substeps == 0 ? "off" : "%d");
     MarkSlider(items, "solver.substeps");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("scree only; off: sequential impulses with the iterations");
-    float hertz = 1 / s.timeStep;
+    float hertz = static_cast<float>(1 / *s.timeStep);
     if (ImGui::SliderFloat("steps per s", &hertz, 15, 480, "%.0f", ImGuiSliderFlags_Logarithmic)) {
-        s.timeStep = 1 / std::clamp(hertz, 10.0f, 10000.0f);
+        s.timeStep = double{1 / std::clamp(hertz, 10.0f, 10000.0f)};
     }
     MarkSlider(items, "solver.hertz");
-    ImGui::SliderFloat("gravity x", &s.gravity.x, -30, 30, "%.1f");
+    ImGui::SliderFloat("gravity x", &s.gravity->x, -30, 30, "%.1f");
     MarkSlider(items, "solver.gravity-x");
-    ImGui::SliderFloat("gravity y", &s.gravity.y, -30, 30, "%.1f");
+    ImGui::SliderFloat("gravity y", &s.gravity->y, -30, 30, "%.1f");
     MarkSlider(items, "solver.gravity-y");
     ImGui::Checkbox("sleeping", &s.sleeping);
     MarkItem(items, "solver.sleeping");
@@ -109,19 +150,31 @@ void DrawSolver(Viewer& viewer, Items& items) {
     MarkItem(items, "solver.warm-starting");
     ImGui::Checkbox("continuous", &s.continuous);
     MarkItem(items, "solver.continuous");
-    s.velocityIterations = std::clamp(s.velocityIterations, 1, 200);
-    s.positionIterations = std::clamp(s.positionIterations, 0, 200);
-    s.substeps = std::clamp(s.substeps, 0, 64);
-    if (!(s == viewer.settings)) Try(viewer, [&] { ApplySettings(viewer, s); });
+    iterations.velocity = std::clamp(iterations.velocity, 1, 200);
+    iterations.position = std::clamp(iterations.position, 0, 200);
+    substeps = std::clamp(substeps, 0, 64);
+    if (iterations != shownIterations) Try(viewer, [&] { SetIterations(viewer, iterations); });
+    if (substeps != shownSubsteps) Try(viewer, [&] { SetSubsteps(viewer, substeps); });
+    // Only what was changed: other panes may have other settings.
+    const auto put = [&](auto member) {
+        if (s.*member == before.*member) return;
+        Try(viewer, [&] { ChangeSettings(viewer, [&](RunSpec& spec) { spec.*member = s.*member; }); });
+    };
+    put(&RunSpec::timeStep);
+    put(&RunSpec::gravity);
+    put(&RunSpec::sleeping);
+    put(&RunSpec::warmStarting);
+    put(&RunSpec::continuous);
 
     ImGui::PopItemWidth();
     ImGui::TextUnformatted("broad phase of scree");
+    const std::string broadPhase = GetBroadPhase(viewer);
     ImGui::SetNextItemWidth(-1);
-    const bool isOpen = ImGui::BeginCombo("##broad-phase", viewer.broadPhase.c_str(), ImGuiComboFlags_HeightLarge);
+    const bool isOpen = ImGui::BeginCombo("##broad-phase", broadPhase.c_str(), ImGuiComboFlags_HeightLarge);
     MarkItem(items, "solver.broad-phase");
     if (!isOpen) return;
     for (const std::string_view name : scree::broadPhaseNames) {
-        if (ImGui::Selectable(std::string(name).c_str(), name == viewer.broadPhase)) {
+        if (ImGui::Selectable(std::string(name).c_str(), name == broadPhase)) {
             Try(viewer, [&] { SetBroadPhase(viewer, name); });
         }
         MarkItem(items, fmt::format("broad-phase.{}", name));

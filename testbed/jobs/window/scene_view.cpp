@@ -214,13 +214,13 @@ void PaneOverlay::DrawDrag() {
 
 void PaneOverlay::DrawTitle() {
     const Snapshot& s = m_pane.snapshot;
-    std::string title = fmt::format("{}  {}", s.engine, s.broadPhase);
+    std::string title = fmt::format("{}  {}", m_pane.name, s.broadPhase);
     const std::string numbers =
         fmt::format("{} bodies  {} contacts  {} nodes", s.bodies.size(), s.contactCount, s.nodes.size());
     const auto x = static_cast<float>(m_pane.area.x0), y = static_cast<float>(m_pane.area.y0);
     const float width = ImGui::CalcTextSize((title + "   " + numbers).c_str()).x + 16;
     m_list.AddRectFilled({x, y}, {x + width, y + 20}, m_colors.titleStrip);
-    m_list.AddText({x + 6, y + 3}, m_colors.GetEngine(s.engine), title.c_str());
+    m_list.AddText({x + 6, y + 3}, GetPaneColor(m_viewer, m_pane.choice), title.c_str());
     m_list.AddText({x + 6 + ImGui::CalcTextSize((title + "   ").c_str()).x, y + 3}, m_colors.titleText,
                    numbers.c_str());
 }

@@ -84,11 +84,11 @@ InputEvent MakeButton(int button, bool isDown) { return {InputEvent::Kind::butto
 InputEvent MakeKey(int code, bool isDown) { return {InputEvent::Kind::key, 0, 0, code, isDown}; }
 
 const EnginePane& GetPane(const ScriptLine& line, const Viewer& viewer) {
-    if (line.words.size() < 2) Refuse(line, "name an engine");
+    if (line.words.size() < 2) Refuse(line, "name a pane");
     for (const EnginePane& pane : viewer.panes) {
-        if (pane.engine == line.words[1]) return pane;
+        if (pane.name == line.words[1]) return pane;
     }
-    Refuse(line, fmt::format("engine '{}' is not shown", line.words[1]));
+    Refuse(line, fmt::format("pane '{}' is not shown", line.words[1]));
 }
 
 InputEvent MoveToWorld(const Viewer& viewer, const EnginePane& pane, double x, double y) {
@@ -97,7 +97,7 @@ InputEvent MoveToWorld(const Viewer& viewer, const EnginePane& pane, double x, d
                     static_cast<float>(camera.ToPixelY(y) + pane.area.y0));
 }
 
-/// "X Y", "item NAME [SHARE OF ITS WIDTH]", "world ENGINE X Y", "body ENGINE INDEX [DX DY]".
+/// "X Y", "item NAME [SHARE OF ITS WIDTH]", "world PANE X Y", "body PANE INDEX [DX DY]".
 InputEvent ResolveMove(const ScriptLine& line, const Viewer& viewer, const Items& items) {
     if (line.words.empty()) Refuse(line, "'move' needs a place");
     const std::string& kind = line.words[0];

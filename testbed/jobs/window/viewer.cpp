@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
+
+#include "testbed/engines/engine_list.h"
 
 namespace testbed {
 
@@ -21,26 +24,23 @@ constexpr double minScale = 1e-3, maxScale = 1e5;  // pixels per metre
 
 void Capture(Viewer& viewer, EnginePane& pane) {
     pane.run->Capture(pane.snapshot, {.pairs = false});
+    pane.snapshot.pane = pane.name;
     if (!viewer.showTimes) pane.snapshot.times = {};
 }
 
 /// New runs at step 0; the viewer changes only when all of them could be made.
-void MakePanes(Viewer& viewer, const scenes::Scene& scene, const std::array<bool, 2>& engines,
-               const std::string& broadPhase) {
-    RunOptions options;
-    options.broadPhase = broadPhase;
-    options.continuous = viewer.settings.continuous;
+void MakePanes(Viewer& viewer, const scenes::Scene& scene, std::vector<PaneChoice> choices) {
     std::vector<EnginePane> panes;
-    for (size_t i = 0; i < viewerEngines.size(); ++i) {
-        if (!engines[i]) continue;
+    for (size_t i = 0; i < choices.size(); ++i) {
+        if (!choices[i].isOn) continue;
         EnginePane& pane = panes.emplace_back();
-        pane.engine = viewerEngines[i];
-        pane.run = MakeInteractiveRun(pane.engine, scene, options);
+        pane.name = choices[i].pane.name;
+        pane.choice = i;
+        pane.run = MakeRun(scene, choices[i].now);
     }
     for (EnginePane& pane : panes) Capture(viewer, pane);
     viewer.panes = std::move(panes);
-    viewer.engines = engines;
-    viewer.broadPhase = broadPhase;
+    viewer.choices = std::move(choices);
     viewer.press.reset();
     viewer.drag.reset();
     viewer.query.reset();
@@ -48,26 +48,44 @@ void MakePanes(Viewer& viewer, const scenes::Scene& scene, const std::array<bool
     viewer.bulletCount = 0;
 }
 
-/// From the beginning with other engines or another broad phase, keeping the settings that the user chose.
-void Rebuild(Viewer& viewer, const std::array<bool, 2>& engines, const std::string& broadPhase) {
-    const SolverSettings settings = viewer.settings;
-    MakePanes(viewer, scenes::Build(viewer.info->name, viewer.size), engines, broadPhase);
-    ApplySettings(viewer, settings);
+void Rebuild(Viewer& viewer, std::vector<PaneChoice> choices) {
+    MakePanes(viewer, scenes::Build(viewer.info->name, viewer.size), std::move(choices));
 }
+
+bool IsEdited(const Viewer& viewer, size_t choice) { return !viewer.edited || *viewer.edited == choice; }
 
 }  // namespace
 
+std::vector<PaneChoice> MakeChoices(const std::vector<Pane>& panes) {
+    std::vector<PaneChoice> choices;
+    for (const Pane& pane : panes) choices.push_back({.pane = pane, .isOn = true, .now = pane.spec});
+    for (const EngineInfo& engine : GetEngines()) {
+        if (std::ranges::any_of(panes, [&](const Pane& pane) { return pane.spec.engine == engine.name; })) continue;
+        const RunSpec spec = MakeSpec(engine.name, likeBox2dPreset);
+        choices.push_back({.pane = {std::string(engine.name), spec}, .isOn = false, .now = spec});
+    }
+    return choices;
+}
+
 void LoadScene(Viewer& viewer, const scenes::SceneInfo& info, int size) {
-    MakePanes(viewer, scenes::Build(info.name, size), viewer.engines, viewer.broadPhase);
+    std::vector<PaneChoice> choices = viewer.choices;
+    for (PaneChoice& choice : choices) {
+        RunSpec spec = choice.pane.spec;
+        spec.continuous = choice.now.continuous;
+        spec.broadPhase = choice.now.broadPhase;
+        choice.now = std::move(spec);
+    }
+    MakePanes(viewer, scenes::Build(info.name, size), std::move(choices));
     viewer.info = &info;
     viewer.size = size;
-    viewer.settings = viewer.panes.front().run->GetSettings();
+    const auto* si = std::get_if<SequentialImpulses>(&GetShownSpec(viewer).solver);
+    viewer.iterations = si != nullptr ? *si->iterations : Iterations{};
     viewer.mustFit = true;
     viewer.message = fmt::format("{} loaded, {} bodies", info.name, viewer.panes.front().snapshot.bodies.size());
 }
 
 void Restart(Viewer& viewer) {
-    Rebuild(viewer, viewer.engines, viewer.broadPhase);
+    Rebuild(viewer, viewer.choices);
     viewer.message = "restarted";
 }
 
@@ -79,27 +97,60 @@ void LoadNeighbour(Viewer& viewer, int offset) {
     LoadScene(viewer, info, info.defaultSize);
 }
 
-void ToggleEngine(Viewer& viewer, size_t engine) {
-    std::array<bool, 2> engines = viewer.engines;
-    engines[engine] = !engines[engine];
-    if (!engines[0] && !engines[1]) return;
-    Rebuild(viewer, engines, viewer.broadPhase);
+void TogglePane(Viewer& viewer, size_t choice) {
+    std::vector<PaneChoice> choices = viewer.choices;
+    choices[choice].isOn = !choices[choice].isOn;
+    if (std::ranges::none_of(choices, &PaneChoice::isOn)) return;
+    Rebuild(viewer, std::move(choices));
     viewer.message = "engines changed: restarted";
 }
 
 void SetBroadPhase(Viewer& viewer, std::string_view name) {
-    Rebuild(viewer, viewer.engines, std::string(name));
+    std::vector<PaneChoice> choices = viewer.choices;
+    for (size_t i = 0; i < choices.size(); ++i) {
+        if (IsEdited(viewer, i)) (void)ApplySetting(choices[i].now, fmt::format("broadPhase={}", name));
+    }
+    Rebuild(viewer, std::move(choices));
     viewer.message = fmt::format("broad phase {}: restarted", name);
 }
 
-void ApplySettings(Viewer& viewer, const SolverSettings& settings) {
-    for (EnginePane& pane : viewer.panes) pane.run->Apply(settings);
-    viewer.settings = settings;
+const RunSpec& GetShownSpec(const Viewer& viewer) {
+    for (const EnginePane& pane : viewer.panes) {
+        if (viewer.edited && pane.choice == *viewer.edited) return pane.run->GetSpec();
+    }
+    return viewer.panes.front().run->GetSpec();
+}
+
+void ChangeSettings(Viewer& viewer, const std::function<void(RunSpec&)>& change) {
+    std::vector<PaneChoice> choices = viewer.choices;
+    for (size_t i = 0; i < choices.size(); ++i) {
+        if (!IsEdited(viewer, i)) continue;
+        change(choices[i].now);
+        if (const std::string problem = FindProblem(choices[i].now); !problem.empty()) {
+            throw std::invalid_argument(problem);
+        }
+    }
+    for (EnginePane& pane : viewer.panes) pane.run->Apply(choices[pane.choice].now);
+    viewer.choices = std::move(choices);
+}
+
+void SetIterations(Viewer& viewer, Iterations iterations) {
+    ChangeSettings(viewer, [&](RunSpec& spec) {
+        if (std::holds_alternative<SequentialImpulses>(spec.solver)) spec.solver = SequentialImpulses{iterations};
+    });
+    viewer.iterations = iterations;
+}
+
+void SetSubsteps(Viewer& viewer, int substeps) {
+    ChangeSettings(viewer, [&](RunSpec& spec) {
+        if (!FindEngine(spec.engine).abilities.Has(Ability::softSteps)) return;
+        spec.solver = substeps > 0 ? Solver(SoftStep{substeps}) : Solver(SequentialImpulses{viewer.iterations});
+    });
 }
 
 void StepAll(Viewer& viewer) {
     const bool isOdd = !viewer.panes.empty() && viewer.panes.front().run->GetStep() % 2 != 0;
-    // In turn first, so that noise of the machine hits both alike.
+    // In turn first, so that noise of the machine hits all alike.
     for (size_t i = 0; i < viewer.panes.size(); ++i) {
         EnginePane& pane = viewer.panes[isOdd ? viewer.panes.size() - 1 - i : i];
         pane.run->Step();

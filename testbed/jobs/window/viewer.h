@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What the window shows and what its user may change: the scene, one run per engine with the same input to all, one
+// What the window shows and what its user may change: the scene, one run per pane with the same input to all, one
 // camera, layers, tree nodes, and what the pointer found. Data and the actions on it; drawing is in panels.h and
 // scene_view.h.
 
 #pragma once
 
-#include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -16,6 +16,7 @@
 
 #include "scenes/catalog.h"
 #include "testbed/engines/engine_run.h"
+#include "testbed/engines/panes.h"
 #include "testbed/picture/image.h"
 #include "testbed/picture/palette.h"
 #include "testbed/picture/theme.h"
@@ -26,12 +27,19 @@
 
 namespace testbed {
 
-inline constexpr std::array<const char*, 2> viewerEngines = {"scree", "box2d"};
 inline constexpr size_t historyLength = 240;  ///< steps that the timing plots show
 
-/// One engine: its run, what it looks like now, its times, and where on the picture it is.
+/// A pane that may be shown.
+struct PaneChoice {
+    Pane pane;  ///< as it begins with every scene
+    bool isOn = true;
+    RunSpec now;  ///< with what the user changed since
+};
+
+/// One pane that is shown: its run, what it looks like now, its times, and where on the picture it is.
 struct EnginePane {
-    std::string engine;
+    std::string name;
+    size_t choice = 0;  ///< index into Viewer::choices
     std::unique_ptr<InteractiveRun> run;
     Snapshot snapshot;
     std::vector<StepTimes> history;  ///< of the last steps, the newest last
@@ -71,13 +79,16 @@ struct Press {
     bool hasMoved = false;  ///< too far to be a click
 };
 
+/// These panes turned on, and the engines that none of them runs turned off.
+[[nodiscard]] std::vector<PaneChoice> MakeChoices(const std::vector<Pane>& panes);
+
 struct Viewer {
     const scenes::SceneInfo* info = nullptr;
     int size = 0;
-    std::array<bool, 2> engines{true, true};  ///< which of viewerEngines run
-    std::string broadPhase = "auto";
-    SolverSettings settings;
+    std::vector<PaneChoice> choices = MakeChoices(ParsePanes("scree,box2d", {}, comparisonBase));
     std::vector<EnginePane> panes;
+    std::optional<size_t> edited;  ///< the choice whose settings are changed; none: all
+    Iterations iterations;         ///< last seen, for when sequential impulses are turned on again
 
     bool isPaused = false;
     int bulletCount = 0;
@@ -103,18 +114,24 @@ struct Viewer {
 /// Builds the scene and its runs. Throws std::out_of_range for an illegal size, std::invalid_argument as the runs do;
 /// the viewer keeps what it had then.
 void LoadScene(Viewer& viewer, const scenes::SceneInfo& info, int size);
-/// The same scene from its beginning, with the engines and the broad phase that are chosen now; settings stay.
+/// The same scene from its beginning, with the panes and the settings that are chosen now.
 void Restart(Viewer& viewer);
 /// The neighbour in the catalogue's order, at its default size; the ends meet.
 void LoadNeighbour(Viewer& viewer, int offset);
-/// Turns an engine on or off and restarts; the last one stays on.
-void ToggleEngine(Viewer& viewer, size_t engine);
-/// Chooses the algorithm of our engine and restarts.
+/// Turns a pane on or off and restarts; the last one stays on.
+void TogglePane(Viewer& viewer, size_t choice);
+/// Chooses the algorithm of the edited panes, as far as their engines have a choice, and restarts.
 void SetBroadPhase(Viewer& viewer, std::string_view name);
-/// In all engines, at once. Throws std::invalid_argument for illegal values.
-void ApplySettings(Viewer& viewer, const SolverSettings& settings);
+/// The spec that the panel shows: of the edited pane if it is shown, else of the first one.
+[[nodiscard]] const RunSpec& GetShownSpec(const Viewer& viewer);
+/// Changes the specs of the edited panes, all or none. Throws std::invalid_argument for illegal values.
+void ChangeSettings(Viewer& viewer, const std::function<void(RunSpec&)>& change);
+/// Of the edited panes that use sequential impulses.
+void SetIterations(Viewer& viewer, Iterations iterations);
+/// Of the edited panes whose engine has soft steps; 0: sequential impulses.
+void SetSubsteps(Viewer& viewer, int substeps);
 
-/// One step in every engine, and what they look like after it.
+/// One step in every pane, and what they look like after it.
 void StepAll(Viewer& viewer);
 
 void BeginDrag(Viewer& viewer, const EnginePane& pane, int body, Vec2 point);

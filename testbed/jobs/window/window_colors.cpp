@@ -29,6 +29,7 @@ constexpr WindowColors darkColors{
     .plotEnd = Pack(150, 152, 160),
     .scree = Pack(104, 190, 240),
     .box2d = Pack(240, 176, 40),
+    .more = {Pack(120, 220, 170), Pack(224, 150, 200), Pack(200, 210, 90)},
 };
 
 constexpr WindowColors lightColors{
@@ -47,10 +48,26 @@ constexpr WindowColors lightColors{
     .plotEnd = Pack(96, 98, 104),
     .scree = Pack(0, 92, 160),
     .box2d = Pack(160, 84, 0),
+    .more = {Pack(0, 112, 80), Pack(150, 50, 110), Pack(95, 95, 0)},
 };
 
 }  // namespace
 
 const WindowColors& GetWindowColors(Theme theme) { return theme == Theme::dark ? darkColors : lightColors; }
+
+PackedColor GetPaneColor(const Viewer& viewer, size_t choice) {
+    const WindowColors& colors = GetWindowColors(viewer.look.theme);
+    size_t further = 0;
+    for (size_t i = 0; i <= choice; ++i) {
+        const auto isSame = [&](size_t j) {
+            return viewer.choices[j].pane.spec.engine == viewer.choices[i].pane.spec.engine;
+        };
+        bool isFirst = true;
+        for (size_t j = 0; j < i; ++j) isFirst = isFirst && !isSame(j);
+        if (i == choice && isFirst) return viewer.choices[i].pane.spec.engine == "box2d" ? colors.box2d : colors.scree;
+        further += isFirst ? 0 : 1;
+    }
+    return colors.more[(further - 1) % colors.more.size()];
+}
 
 }  // namespace testbed

@@ -29,7 +29,7 @@ Snapshot CaptureAfter(EngineRun& run, int steps) {
 }
 
 Snapshot RunFor(const char* engine, const scenes::Scene& scene, int steps) {
-    return CaptureAfter(*MakeRun(engine, scene, {}), steps);
+    return CaptureAfter(*MakeRun(scene, MakeSpec(engine, likeBox2dPreset)), steps);
 }
 
 double Distance(Vec2 a, Vec2 b) { return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y); }
@@ -77,7 +77,7 @@ TEST(Classics, NoBodyFallsOutOfTheWorld) {
         const scenes::Scene scene = scenes::Build(info.name, checks::SmallSize(info));
         for (const char* engine : engines) {
             SCOPED_TRACE(std::string(info.name) + " in " + engine);
-            const auto run = MakeRun(engine, scene, {});
+            const auto run = MakeRun(scene, MakeSpec(engine, likeBox2dPreset));
             const Snapshot start = CaptureAfter(*run, 0), shown = CaptureAfter(*run, scene.showStep);
             float lowest = 0.0f;
             for (const FixtureState& f : start.fixtures) lowest = std::min(lowest, f.tight.lower.y);
@@ -138,7 +138,7 @@ TEST(Classics, BoxesOnRampsSlideByCoulombsLaw) {
 TEST(Classics, BallsBounceToTheSquareOfTheirRestitution) {
     const scenes::Scene scene = scenes::Build("restitution-row");
     for (const char* engine : engines) {
-        const auto run = MakeRun(engine, scene, {});
+        const auto run = MakeRun(scene, MakeSpec(engine, likeBox2dPreset));
         std::vector<double> top(7, 0.0);
         Snapshot s = CaptureAfter(*run, 95);  // 11 m take 89 steps
         for (int step = 0; step < 120; ++step, s = CaptureAfter(*run, 1)) {
@@ -172,7 +172,7 @@ TEST(Classics, RopesOfPulleysKeepTheirLength) {
     for (const char* name : {"pulley", "joint-pulley"}) {
         const scenes::Scene scene = scenes::Build(name);
         for (const char* engine : engines) {
-            const auto run = MakeRun(engine, scene, {});
+            const auto run = MakeRun(scene, MakeSpec(engine, likeBox2dPreset));
             for (int shown = 0; shown < 3; ++shown) {
                 const Snapshot s = CaptureAfter(*run, 30);
                 for (size_t i = 0; i < scene.joints.size(); ++i) {

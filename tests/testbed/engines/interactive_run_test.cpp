@@ -20,7 +20,7 @@ namespace {
 class InteractiveRunOf : public testing::TestWithParam<const char*> {
 protected:
     static std::unique_ptr<InteractiveRun> Make(const scenes::Scene& scene) {
-        return MakeInteractiveRun(GetParam(), scene, {});
+        return MakeRun(scene, MakeSpec(GetParam(), likeBox2dPreset));
     }
     static Snapshot CaptureOf(InteractiveRun& run) {
         Snapshot snapshot;
@@ -86,23 +86,23 @@ TEST_P(InteractiveRunOf, ABulletFliesAndLaterSpawnsStillCome) {
 
 TEST_P(InteractiveRunOf, SettingsActFromTheNextStep) {
     const auto run = Make(checks::FreeFlight());
-    SolverSettings settings = run->GetSettings();
-    settings.gravity = {3, 0};
-    settings.timeStep = 1.0f / 120;
+    RunSpec settings = run->GetSpec();
+    settings.gravity = Vec2{3, 0};
+    settings.timeStep = 1.0 / 120;
     run->Apply(settings);
     const BodyState before = CaptureOf(*run).bodies[2];  // neither damped nor of another gravity scale
     run->Step();
     const BodyState after = CaptureOf(*run).bodies[2];
     EXPECT_NEAR(after.linearVelocity.x - before.linearVelocity.x, 3.0 / 120, 1e-5);
     EXPECT_NEAR(after.linearVelocity.y - before.linearVelocity.y, 0, 1e-6);
-    EXPECT_EQ(run->GetSettings(), settings);
+    EXPECT_EQ(run->GetSpec(), settings);
 }
 
 TEST_P(InteractiveRunOf, TurningSleepOffWakesABox) {
     const auto run = Make(checks::RestingBox());
     Step(*run, 120);  // two seconds at rest: four times what sleeping takes
     ASSERT_FALSE(CaptureOf(*run).bodies[1].awake);
-    SolverSettings settings = run->GetSettings();
+    RunSpec settings = run->GetSpec();
     settings.sleeping = false;
     run->Apply(settings);
     Step(*run, 120);
@@ -112,7 +112,7 @@ TEST_P(InteractiveRunOf, TurningSleepOffWakesABox) {
 TEST_P(InteractiveRunOf, TheSettingsItHasChangeNothing) {
     const scenes::Scene scene = scenes::Build("box-stack");
     const auto plain = Make(scene), applied = Make(scene);
-    applied->Apply(applied->GetSettings());
+    applied->Apply(applied->GetSpec());
     Step(*plain, 40);
     Step(*applied, 40);
     EXPECT_EQ(CaptureOf(*plain).stateHash, CaptureOf(*applied).stateHash);
@@ -120,16 +120,20 @@ TEST_P(InteractiveRunOf, TheSettingsItHasChangeNothing) {
 
 TEST_P(InteractiveRunOf, IllegalSettingsAreRefusedWhole) {
     const auto run = Make(checks::RestingBox());
-    const SolverSettings before = run->GetSettings();
-    for (const auto& spoil :
-         {+[](SolverSettings& s) { s.timeStep = 0; }, +[](SolverSettings& s) { s.timeStep = 1; },
-          +[](SolverSettings& s) { s.velocityIterations = 0; }, +[](SolverSettings& s) { s.positionIterations = -1; },
-          +[](SolverSettings& s) { s.gravity.y = NAN; }}) {
-        SolverSettings bad = before;
+    const RunSpec before = run->GetSpec();
+    for (const auto& spoil : {+[](RunSpec& s) { s.timeStep = 0; }, +[](RunSpec& s) { s.timeStep = 1; },
+                              +[](RunSpec& s) {
+                                  s.solver = SequentialImpulses{Iterations{0, 3}};
+                              },
+                              +[](RunSpec& s) {
+                                  s.solver = SequentialImpulses{Iterations{8, -1}};
+                              },
+                              +[](RunSpec& s) { s.gravity->y = NAN; }}) {
+        RunSpec bad = before;
         bad.sleeping = false;
         spoil(bad);
         EXPECT_THROW(run->Apply(bad), std::invalid_argument);
-        EXPECT_EQ(run->GetSettings(), before);
+        EXPECT_EQ(run->GetSpec(), before);
     }
 }
 

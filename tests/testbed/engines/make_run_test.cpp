@@ -7,6 +7,7 @@
 
 #include <stdexcept>
 
+#include "testbed/base/errors.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/engines/pair_count.h"
 #include "tests/testbed/engines/run_checks.h"
@@ -14,12 +15,6 @@
 using namespace testbed;
 
 namespace {
-
-RunOptions Follow(const char* poses) {
-    RunOptions options;
-    options.poses = poses;
-    return options;
-}
 
 Snapshot CaptureAfter(EngineRun& run, int steps) {
     for (int i = 0; i < steps; ++i) run.Step();
@@ -32,13 +27,11 @@ Snapshot CaptureAfter(EngineRun& run, int steps) {
 
 TEST(MakeRun, RefusesUnknownNames) {
     const scenes::Scene scene = scenes::Build("n2", 25);
-    EXPECT_THROW(MakeRun("bullet", scene, {}), std::invalid_argument);
-    EXPECT_THROW(MakeRun("scree", scene, Follow("bullet")), std::invalid_argument);
-    EXPECT_THROW(MakeRun("bullet", scene, Follow("scree")), std::invalid_argument);
-    EXPECT_THROW(MakeRun("bullet", scene, Follow("bullet")), std::invalid_argument);
-    RunOptions broadPhase;
-    broadPhase.broadPhase = "no-such-algorithm";
-    EXPECT_THROW(MakeRun("scree", scene, broadPhase), std::invalid_argument);
+    EXPECT_THROW(MakeRun(scene, {.engine = "bullet"}), UsageError);
+    EXPECT_THROW(MakeFollower(scene, {}, {.engine = "bullet"}), UsageError);
+    EXPECT_THROW(MakeFollower(scene, {.engine = "bullet"}, {}), UsageError);
+    EXPECT_THROW(MakeRun(scene, {.broadPhase = "no-such-algorithm"}), std::invalid_argument);
+    EXPECT_THROW(MakeRun(scene, {.engine = "box2d", .solver = SoftStep{}}), std::invalid_argument);
 }
 
 TEST(MakeRun, BothEnginesShowOneMotion) {
@@ -48,8 +41,9 @@ TEST(MakeRun, BothEnginesShowOneMotion) {
         const scenes::Scene scene = scenes::Build(name, checks::SmallSize(*scenes::Find(name)));
         for (const char* poses : {"scree", "box2d"}) {
             SCOPED_TRACE(poses);
-            const Snapshot ours = CaptureAfter(*MakeRun("scree", scene, Follow(poses)), 30);
-            const Snapshot theirs = CaptureAfter(*MakeRun("box2d", scene, Follow(poses)), 30);
+            const RunSpec source = MakeSpec(poses, likeBox2dPreset);
+            const Snapshot ours = CaptureAfter(*MakeFollower(scene, MakeSpec("scree", likeBox2dPreset), source), 30);
+            const Snapshot theirs = CaptureAfter(*MakeFollower(scene, MakeSpec("box2d", likeBox2dPreset), source), 30);
             EXPECT_EQ(ours.engine, "scree");
             EXPECT_EQ(theirs.engine, "box2d");
             EXPECT_EQ(ours.stateHash, theirs.stateHash);

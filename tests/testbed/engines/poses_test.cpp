@@ -32,8 +32,9 @@ void ExpectSameTree(const Snapshot& world, const Snapshot& follower, float toler
 /// Runs the scene and a follower of an equal run side by side, comparing the trees every `every` steps.
 void ExpectFollows(const scenes::Scene& scene, int steps, int every) {
     SCOPED_TRACE(scene.name);
-    const auto world = MakeBox2dRun(scene, {});
-    const auto follower = MakeBox2dFollower(scene, MakeBox2dRun(scene, {}));
+    const auto world = MakeRun(scene, MakeSpec("box2d", likeBox2dPreset));
+    const auto follower =
+        MakeBox2dFollower(scene, MakeSpec("box2d"), MakeRun(scene, MakeSpec("box2d", likeBox2dPreset)));
     Snapshot a, b;
     for (int step = 0; step <= steps; ++step) {
         if (step % every == 0) {
@@ -73,7 +74,7 @@ TEST(Poses, Box2dFollowerHasTheWorldsTreeWhileBodiesFallAsleep) {
         checks::AddBody(scene, body, checks::MakeCircleShape(0.5f), 1.0f);
     }
     ExpectFollows(scene, 200, 1);
-    const auto run = MakeBox2dRun(scene, {});
+    const auto run = MakeRun(scene, MakeSpec("box2d", likeBox2dPreset));
     for (int i = 0; i < 200; ++i) run->Step();
     Snapshot s;
     run->Capture(s);
@@ -86,8 +87,9 @@ TEST(Poses, Box2dFollowerHasTheWorldsTreeOfASettlingPile) {
 
 TEST(Poses, FollowerShowsItsSourcesBodiesAndContacts) {
     const scenes::Scene scene = scenes::Build("tiles", 20);
-    const auto source = MakeBox2dRun(scene, {});
-    const auto follower = MakeBox2dFollower(scene, MakeBox2dRun(scene, {}));
+    const auto source = MakeRun(scene, MakeSpec("box2d", likeBox2dPreset));
+    const auto follower =
+        MakeBox2dFollower(scene, MakeSpec("box2d"), MakeRun(scene, MakeSpec("box2d", likeBox2dPreset)));
     for (int i = 0; i < 10; ++i) {
         source->Step();
         follower->Step();

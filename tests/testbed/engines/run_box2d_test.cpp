@@ -14,7 +14,9 @@ using namespace testbed;
 
 namespace {
 
-std::unique_ptr<EngineRun> Make(const scenes::Scene& scene) { return MakeBox2dRun(scene, {}); }
+std::unique_ptr<EngineRun> Make(const scenes::Scene& scene) {
+    return MakeRun(scene, MakeSpec("box2d", likeBox2dPreset));
+}
 
 }  // namespace
 
@@ -68,9 +70,9 @@ TEST(Box2dRun, ReportedPairsAreASupersetOfTheTrueOnes) {
 TEST(Box2dRun, ContinuousCollisionFollowsTheOption) {
     const scenes::Scene scene = checks::BulletAndWall();
     for (const bool continuous : {false, true}) {
-        RunOptions options;
-        options.continuous = continuous;
-        const auto run = MakeBox2dRun(scene, options);
+        RunSpec spec = MakeSpec("box2d");
+        spec.continuous = continuous;
+        const auto run = MakeRun(scene, spec);
         for (int i = 0; i < 20; ++i) run->Step();
         Snapshot s;
         run->Capture(s);

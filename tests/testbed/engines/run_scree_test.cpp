@@ -17,7 +17,9 @@ using namespace testbed;
 
 namespace {
 
-std::unique_ptr<EngineRun> Make(const scenes::Scene& scene) { return MakeScreeRun(scene, {}); }
+std::unique_ptr<EngineRun> Make(const scenes::Scene& scene) {
+    return MakeRun(scene, MakeSpec("scree", likeBox2dPreset));
+}
 
 Snapshot CaptureAfter(EngineRun& run, int steps) {
     for (int i = 0; i < steps; ++i) run.Step();
@@ -52,9 +54,9 @@ TEST(ScreeRun, EveryBroadPhaseRunsToTheSameTruePairs) {
     std::vector<int64_t> truePairs;
     for (const std::string_view name : scree::broadPhaseNames) {
         SCOPED_TRACE(std::string(name));
-        RunOptions options;
-        options.broadPhase = name;
-        const Snapshot s = CaptureAfter(*MakeScreeRun(scene, options), 30);
+        RunSpec spec = MakeSpec("scree", likeBox2dPreset);
+        spec.broadPhase = name;
+        const Snapshot s = CaptureAfter(*MakeRun(scene, spec), 30);
         if (name != "auto") {
             EXPECT_EQ(s.broadPhase, name);
         }
@@ -76,9 +78,9 @@ TEST(ScreeRun, EveryBroadPhaseRunsToTheSameTruePairs) {
 TEST(ScreeRun, ContinuousCollisionFollowsTheOption) {
     const scenes::Scene scene = checks::BulletAndWall();
     for (const bool continuous : {false, true}) {
-        RunOptions options;
-        options.continuous = continuous;
-        const auto run = MakeScreeRun(scene, options);
+        RunSpec spec = MakeSpec("scree");
+        spec.continuous = continuous;
+        const auto run = MakeRun(scene, spec);
         for (int i = 0; i < 20; ++i) run->Step();
         Snapshot s;
         run->Capture(s);
@@ -88,12 +90,8 @@ TEST(ScreeRun, ContinuousCollisionFollowsTheOption) {
 
 TEST(ScreeRun, RefusesWhatItDoesNotHave) {
     const scenes::Scene scene = checks::RestingBox();
-    RunOptions unknown;
-    unknown.broadPhase = "no-such-algorithm";
-    EXPECT_THROW(MakeScreeRun(scene, unknown), std::invalid_argument);
-    RunOptions threads;
-    threads.threads = 0;
-    EXPECT_THROW(MakeScreeRun(scene, threads), std::invalid_argument);
+    EXPECT_THROW(MakeScreeRun(scene, {.broadPhase = "no-such-algorithm"}), std::invalid_argument);
+    EXPECT_THROW(MakeScreeRun(scene, {.threads = 0}), std::invalid_argument);
     scenes::Scene bad = scene;
     bad.bodies[1].position.x = std::numeric_limits<float>::quiet_NaN();
     EXPECT_THROW(Make(bad), std::invalid_argument);
@@ -110,16 +108,17 @@ TEST(ScreeRun, SpeedCapFollowsTheOption) {
     scenes::Body fast = checks::MakeDynamic(0.0f, 0.0f);
     fast.linearVelocity = {300.0f, 0.0f};
     checks::AddBody(scene, fast, checks::MakeCircleShape(0.5f), 1.0f);
-    RunOptions options;
-    EXPECT_NEAR(CaptureAfter(*MakeScreeRun(scene, options), 1).bodies[0].position.x, 2.0f, 1e-5f);
-    EXPECT_NEAR(CaptureAfter(*MakeBox2dRun(scene, options), 1).bodies[0].position.x, 2.0f, 1e-5f);
-    options.boxTwoDCaps = false;
-    EXPECT_NEAR(CaptureAfter(*MakeScreeRun(scene, options), 1).bodies[0].position.x, 5.0f, 1e-5f);
+    RunSpec spec = MakeSpec("scree", likeBox2dPreset);
+    EXPECT_NEAR(CaptureAfter(*MakeRun(scene, spec), 1).bodies[0].position.x, 2.0f, 1e-5f);
+    EXPECT_NEAR(CaptureAfter(*MakeRun(scene, MakeSpec("box2d")), 1).bodies[0].position.x, 2.0f, 1e-5f);
+    spec.caps = false;
+    EXPECT_NEAR(CaptureAfter(*MakeRun(scene, spec), 1).bodies[0].position.x, 5.0f, 1e-5f);
 }
 
 TEST(EnginesAgree, FreeFlightToFloatRounding) {
     const scenes::Scene scene = checks::FreeFlight();
-    const Snapshot ours = CaptureAfter(*Make(scene), 1), theirs = CaptureAfter(*MakeBox2dRun(scene, {}), 1);
+    const Snapshot ours = CaptureAfter(*Make(scene), 1),
+                   theirs = CaptureAfter(*MakeRun(scene, MakeSpec("box2d", likeBox2dPreset)), 1);
     ASSERT_EQ(ours.bodies.size(), theirs.bodies.size());
     for (size_t i = 0; i < ours.bodies.size(); ++i) {
         SCOPED_TRACE(i);
@@ -141,7 +140,8 @@ TEST(EnginesAgree, FreeFlightToFloatRounding) {
 
 TEST(EnginesAgree, RestingBoxToAMillimetreAndBothSleep) {
     const scenes::Scene scene = checks::RestingBox();
-    const Snapshot ours = CaptureAfter(*Make(scene), 200), theirs = CaptureAfter(*MakeBox2dRun(scene, {}), 200);
+    const Snapshot ours = CaptureAfter(*Make(scene), 200),
+                   theirs = CaptureAfter(*MakeRun(scene, MakeSpec("box2d", likeBox2dPreset)), 200);
     EXPECT_NEAR(ours.bodies[1].position.x, theirs.bodies[1].position.x, 1e-3f);
     EXPECT_NEAR(ours.bodies[1].position.y, theirs.bodies[1].position.y, 1e-3f);
     EXPECT_FALSE(ours.bodies[1].awake);
@@ -155,10 +155,8 @@ TEST(EnginesAgree, RestingBoxToAMillimetreAndBothSleep) {
 TEST(EnginesAgree, SweptBoxesHoldTheBoxesBeforeAndAfterTheStep) {
     const scenes::Scene scene = scenes::Build("tiles", 5);
     for (const bool isTracked : {true, false}) {
-        RunOptions options;
-        options.sweptBoxes = isTracked;
         for (const char* engine : {"scree", "box2d"}) {
-            const auto run = MakeRun(engine, scene, options);
+            const auto run = MakeRun(scene, MakeSpec(engine, likeBox2dPreset), {.sweptBoxes = isTracked});
             for (int i = 0; i < 10; ++i) run->Step();
             Snapshot before, after;
             run->Capture(before);
@@ -184,7 +182,7 @@ TEST(EnginesAgree, JointAnchorsStayTogetherInBoth) {
     const scenes::Scene scene = scenes::Build("big-mobile", 3);
     for (const char* engine : {"scree", "box2d"}) {
         SCOPED_TRACE(engine);
-        const Snapshot s = CaptureAfter(*MakeRun(engine, scene, {}), 20);
+        const Snapshot s = CaptureAfter(*MakeRun(scene, MakeSpec(engine, likeBox2dPreset)), 20);
         ASSERT_FALSE(s.joints.empty());
         for (const JointState& j : s.joints) {
             // The position solver leaves at most a few times its slop of 5 mm.

@@ -16,7 +16,7 @@ namespace testbed {
 namespace {
 
 TimingSeries MakeSeries(const std::vector<int>& times) {
-    TimingSeries series{"scree", {}};
+    TimingSeries series{"scree", "scree", {}};
     for (std::size_t i = 0; i < times.size(); ++i) {
         StepRecord record;
         record.step = static_cast<int>(i) + 1;

@@ -30,7 +30,7 @@ constexpr int width = 480, height = 300;
 Snapshot RunSample(float gravity) {
     scenes::Scene scene = scenes::Build("tumbler", 200);
     scene.gravity.y = gravity;
-    const std::unique_ptr<EngineRun> run = MakeScreeRun(scene, {});
+    const std::unique_ptr<EngineRun> run = MakeRun(scene, MakeSpec("scree", likeBox2dPreset));
     while (run->GetStep() < 120) run->Step();
     Snapshot snapshot;
     run->Capture(snapshot);

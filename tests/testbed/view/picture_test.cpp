@@ -48,7 +48,7 @@ TEST(Picture, EveryBackendMakesTheSamePixels) {
             EXPECT_TRUE(actual.panes[0].image.pixels == expected.panes[0].image.pixels);
             EXPECT_TRUE(actual.panes[1].image.pixels == expected.panes[1].image.pixels);
             EXPECT_TRUE(actual.compare.pixels == expected.compare.pixels);
-            EXPECT_TRUE(actual.difference.pixels == expected.difference.pixels);
+            EXPECT_TRUE(actual.differences[0].image.pixels == expected.differences[0].image.pixels);
         }
         PictureOptions options = SmallOptions();
         options.legend = true;
@@ -68,7 +68,7 @@ TEST(Picture, SizesAreAsPromised) {
         options.height = height;
         const OverlapResult result = maker.MakeOverlap(inputs, options);
         ASSERT_EQ(result.panes.size(), 2u);
-        for (const Image* image : {&result.panes[0].image, &result.panes[1].image, &result.difference}) {
+        for (const Image* image : {&result.panes[0].image, &result.panes[1].image, &result.differences[0].image}) {
             EXPECT_EQ(image->width, width);
             EXPECT_EQ(image->height, height);
         }
@@ -77,7 +77,7 @@ TEST(Picture, SizesAreAsPromised) {
     }
     const OverlapResult alone = maker.MakeOverlap(std::span(inputs, 1), SmallOptions());
     EXPECT_EQ(alone.compare.width, 0);
-    EXPECT_EQ(alone.difference.width, 0);
+    EXPECT_TRUE(alone.differences.empty());
 }
 
 TEST(Picture, NumbersBelongToThePixels) {
@@ -122,11 +122,12 @@ TEST(Picture, DifferenceIsFirstMinusSecond) {
     PictureOptions options = SmallOptions();
     options.labels = false;
     const OverlapResult result = PictureMaker(Backend::cpu).MakeOverlap(inputs, options);
-    EXPECT_EQ(result.differenceStats.max, 0);
-    EXPECT_LT(result.differenceStats.min, 0);
-    EXPECT_NEAR(result.differenceStats.mean, result.panes[0].count.stats.mean - result.panes[1].count.stats.mean, 1e-12)
+    EXPECT_EQ(result.differences[0].stats.max, 0);
+    EXPECT_LT(result.differences[0].stats.min, 0);
+    EXPECT_NEAR(result.differences[0].stats.mean, result.panes[0].count.stats.mean - result.panes[1].count.stats.mean,
+                1e-12)
         << "sums of whole numbers, two divisions";
-    for (const Color& color : result.difference.pixels) {
+    for (const Color& color : result.differences[0].image.pixels) {
         ASSERT_TRUE(color == backgroundColor || color.b > color.r) << "the second counts more: blue";
     }
 }
@@ -159,7 +160,7 @@ TEST(Picture, ASnapshotWithNothingInItIsBackground) {
     const PaneInput inputs[]{{&empty, ""}, {&empty, ""}};
     const OverlapResult result = PictureMaker(Backend::cpu).MakeOverlap(inputs, options);
     for (const Color& color : result.panes[0].image.pixels) ASSERT_EQ(color, backgroundColor);
-    for (const Color& color : result.difference.pixels) ASSERT_EQ(color, backgroundColor);
+    for (const Color& color : result.differences[0].image.pixels) ASSERT_EQ(color, backgroundColor);
 }
 
 TEST(Picture, BadOptionsAreNamed) {

@@ -18,7 +18,7 @@ namespace testbed {
 namespace {
 
 Snapshot CapturePyramid(const char* engine) {
-    const auto run = MakeInteractiveRun(engine, scenes::Build("pyramid", 8), {});
+    const auto run = MakeRun(scenes::Build("pyramid", 8), MakeSpec(engine, likeBox2dPreset));
     for (int i = 0; i < 20; ++i) run->Step();
     Snapshot snapshot;
     run->Capture(snapshot);

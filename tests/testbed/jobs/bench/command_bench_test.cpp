@@ -19,15 +19,15 @@
 namespace testbed {
 namespace {
 
-BenchResult RunSmall(const std::string& scene, int size, const BenchSettings& settings) {
-    return RunBenchCase({scenes::Find(scene), size, false, {{"scree"}, {"box2d"}}}, settings, [](int) {});
+BenchResult RunSmall(const std::string& scene, int size, const BenchEffort& effort) {
+    return RunBenchCase({scenes::Find(scene), size, ParsePanes("scree,box2d", {}, comparisonBase)}, effort, [](int) {});
 }
 
 TEST(Bench, CountsTheSameWorkInBothEnginesWhileNothingCollides) {
     // 20 tiles a side: 210 boxes above a ground of 2000, which they do not reach within 9 steps; neighbours do not
     // touch.
     int advanced = 0;
-    const BenchResult result = RunBenchCase({scenes::Find("tiles"), 20, false, {{"scree"}, {"box2d"}}},
+    const BenchResult result = RunBenchCase({scenes::Find("tiles"), 20, ParsePanes("scree,box2d", {}, comparisonBase)},
                                             {.repeats = 2, .maxSteps = 9}, [&](int count) { advanced += count; });
     EXPECT_EQ(advanced, 2 * 2 * 9);
     ASSERT_EQ(result.rows.size(), 2u);
@@ -72,7 +72,7 @@ TEST(Bench, RepeatsAndSlicesDoNotChangeTheState) {
     const BenchResult once = RunSmall("n2", 25, {.maxSteps = 20});
     const BenchResult thrice = RunSmall("n2", 25, {.repeats = 3, .maxSteps = 20});
     const scenes::Scene scene = scenes::Build("n2", 25);
-    const std::unique_ptr<EngineRun> alone = MakeRun("scree", scene, {});
+    const std::unique_ptr<EngineRun> alone = MakeRun(scene, MakeSpec("scree", likeBox2dPreset));
     for (int i = 0; i < 20; ++i) alone->Step();
     Snapshot snapshot;
     alone->Capture(snapshot);
@@ -114,10 +114,9 @@ TEST(BenchPlan, TheSuiteIsTheDefaultAndSizesAreChecked) {
     EXPECT_EQ(MakeBenchPlan(arguments).cases.size(), 14u);
     arguments.targets = true;
     EXPECT_EQ(MakeBenchPlan(arguments).cases.size(), 17u) << "three scenes with continuous collision on";
-    EXPECT_EQ(MakeBenchPlan(arguments).cases.front().variants.size(), 5u)
-        << "two solvers at one and two threads, Box2D";
+    EXPECT_EQ(MakeBenchPlan(arguments).cases.front().panes.size(), 5u) << "two solvers at one and two threads, Box2D";
     arguments.targets = false;
-    EXPECT_EQ(MakeBenchPlan(arguments).cases.front().variants.size(), 3u);
+    EXPECT_EQ(MakeBenchPlan(arguments).cases.front().panes.size(), 3u);
     arguments.scenes = {"n2", "big-mobile", "n2"};
     arguments.sizes = "sweep";
     const BenchPlan plan = MakeBenchPlan(arguments);

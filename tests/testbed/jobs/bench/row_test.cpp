@@ -92,13 +92,13 @@ TEST(BenchComparison, RatiosAreBox2dsTimeOverOurs) {
     std::vector<BenchRow> rows = {MakeRow("scree", 10), MakeRow("box2d", 55), MakeRow("scree", 5)};
     rows[2].size = 100;  // no Box2D run of that size
     rows[0].cpuMs = 11;
-    CompareWithBox2d(rows);
+    CompareWithBaseline(rows);
     EXPECT_EQ(rows[0].ratio, 5.5);
     EXPECT_EQ(rows[0].cpuRatio, 10.0);
     EXPECT_EQ(rows[1].ratio, 1.0);
     EXPECT_EQ(rows[2].ratio, 0.0);
-    EXPECT_EQ(FindBox2d(rows, rows[0]), &rows[1]);
-    EXPECT_EQ(FindBox2d(rows, rows[2]), nullptr);
+    EXPECT_EQ(FindBaseline(rows, rows[0]), &rows[1]);
+    EXPECT_EQ(FindBaseline(rows, rows[2]), nullptr);
 }
 
 TEST(BenchComparison, IsVoidBeyondTheTolerances) {
@@ -107,7 +107,7 @@ TEST(BenchComparison, IsVoidBeyondTheTolerances) {
         rows[0].awakeBodySteps = awake;
         rows[0].touchingSum = touching;
         rows[0].steps = steps;
-        CompareWithBox2d(rows);
+        CompareWithBaseline(rows);
         return rows[0].voidReason;
     };
     EXPECT_EQ(reason(10200, 1200), "");

@@ -37,7 +37,7 @@ TEST(RunCase, MeasuresAFreeFlightInBothEngines) {
         ExtremeCase one = MakeCase(0.0);
         one.demands.bounds = Bounds{{-1.0, -1.0}, {2.9, 1.0}};  // left after 58 of 60 steps
         one.measure = [](const LabWorld& lab, double seconds) { return lab.Read(0).centre.x / seconds; };
-        const CaseRun run = RunCase(one, GetSequential(engine), {});
+        const CaseRun run = RunCase(one, MakeSpec(engine), {});
         EXPECT_EQ(run.outcome.steps, 60) << engine;
         EXPECT_EQ(run.outcome.escapes, 1) << engine;
         EXPECT_GE(run.outcome.worstStep, 58) << engine;
@@ -56,7 +56,7 @@ TEST(RunCase, SeesEnergyThatIsPutIn) {
         if (step == 10) lab.SetVelocity(0, {6.0, 0.0}, 0.0);  // four times the energy
     };
     // The scale is the energy of the start and, without gravity, only that of a motion of 1 cm/s besides.
-    EXPECT_NEAR(RunCase(one, GetSequential("scree"), {}).outcome.gain, 3.0 * 9.0 / (9.0 + 1e-4), 1e-6);
+    EXPECT_NEAR(RunCase(one, MakeSpec("scree"), {}).outcome.gain, 3.0 * 9.0 / (9.0 + 1e-4), 1e-6);
 }
 
 TEST(RunCase, SeesAStateThatIsNotFinite) {
@@ -65,8 +65,8 @@ TEST(RunCase, SeesAStateThatIsNotFinite) {
         if (step == 5) lab.SetVelocity(0, {9e17, 9e17}, 0.0);  // its square is finite, its way is soon out of bounds
         if (step > 5) lab.ApplyForce(0, {3e38, 0.0});
     };
-    const Outcome box2d = RunCase(one, GetSequential("box2d"), {}).outcome;
-    const Outcome ours = RunCase(one, GetSequential("scree"), {}).outcome;
+    const Outcome box2d = RunCase(one, MakeSpec("box2d"), {}).outcome;
+    const Outcome ours = RunCase(one, MakeSpec("scree"), {}).outcome;
     // Either engine ends in one of the two ways that are seen; ours reports the bodies it stops.
     EXPECT_TRUE(!box2d.finite || box2d.maxSpeed > 1.0);
     EXPECT_TRUE(ours.finite);
@@ -76,7 +76,7 @@ TEST(RunCase, SeesAStateThatIsNotFinite) {
 TEST(RunCase, StopsWhereTheBudgetEnds) {
     ExtremeCase one = MakeCase(10.0);
     one.seconds = 1e9;
-    const Outcome outcome = RunCase(one, GetSequential("scree"), {.cpuSeconds = 0.02}).outcome;
+    const Outcome outcome = RunCase(one, MakeSpec("scree"), {.cpuSeconds = 0.02}).outcome;
     EXPECT_TRUE(outcome.shortened);
     EXPECT_EQ(outcome.repeated, -1);
 }
@@ -88,7 +88,7 @@ TEST(RunCase, RefusedScenesAreAnOutcome) {
         scene.fixtures[0].density = -1.0f;
         return scene;
     };
-    const Outcome outcome = RunCase(one, GetSequential("scree"), {}).outcome;
+    const Outcome outcome = RunCase(one, MakeSpec("scree"), {}).outcome;
     EXPECT_NE(outcome.refusal.find("density"), std::string::npos) << outcome.refusal;
 }
 

@@ -19,7 +19,7 @@ namespace testbed {
 namespace {
 
 TimingSeries MakeSeries(const char* engine, const std::vector<int>& times) {
-    TimingSeries series{engine, {}};
+    TimingSeries series{engine, engine, {}};
     for (const int time : times) {
         StepRecord record;
         record.step = static_cast<int>(series.steps.size()) + 1;

@@ -166,7 +166,7 @@ TEST_F(SnapshotCheck, ABadRuleFailsInsteadOfBeingIgnored) {
 
 // The whole pipeline: a constant of the world off by half a per cent must reach the pixels.
 TEST_F(SnapshotCheck, AGravityThatIsSlightlyOffIsCaught) {
-    m_job.run.perturb = [](scenes::Scene& scene) { scene.gravity.y *= 1.005f; };
+    m_job.making.perturb = [](scenes::Scene& scene) { scene.gravity.y *= 1.005f; };
     const SnapshotOutcome outcome = Check();
     EXPECT_EQ(outcome.results.back().status, SnapshotStatus::changed) << outcome.results.back().message;
     const Json structure = Json::parse(outcome.results.back().structure);
@@ -177,14 +177,14 @@ TEST_F(SnapshotCheck, AGravityThatIsSlightlyOffIsCaught) {
 }
 
 TEST_F(SnapshotCheck, AFrictionThatIsSlightlyOffIsCaught) {
-    m_job.run.perturb = [](scenes::Scene& scene) {
+    m_job.making.perturb = [](scenes::Scene& scene) {
         for (scenes::Fixture& fixture : scene.fixtures) fixture.friction *= 0.98f;
     };
     EXPECT_FALSE(IsClean(Check().results));
 }
 
 TEST_F(SnapshotCheck, FewerSolverIterationsAreCaught) {
-    m_job.run.perturb = [](scenes::Scene& scene) { scene.velocityIterations = 1; };
+    m_job.making.perturb = [](scenes::Scene& scene) { scene.velocityIterations = 1; };
     const SnapshotOutcome outcome = Check();
     EXPECT_TRUE(!IsClean(outcome.results) || outcome.structureOnly > 0);
 }

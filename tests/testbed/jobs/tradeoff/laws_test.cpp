@@ -43,7 +43,7 @@ TEST(Laws, AreComplete) {
 TEST(Laws, TilesOfAScenePassTheSameTrajectory) {
     const Law& law = FindLaw("pendulum");
     const scenes::Scene one = law.costScene(), four = Tile(one, 4, {8.0, 16.0});
-    for (const EngineSetting& setting : {GetBaseline(), GetSequential("scree")}) {
+    for (const RunSpec& setting : {GetBaseline(), GetSequential("scree")}) {
         const auto alone = MakeLab(one, setting), together = MakeLab(four, setting);
         for (int i = 0; i < 30; ++i) {
             alone->Step();
@@ -91,23 +91,41 @@ TEST(Laws, AColumnHasItsErrorWhereItIsToldTo) {
 
 TEST(Laws, TheGridHasBothEnginesDefaultsAndNothingTwice) {
     for (const Effort effort : {Effort::quick, Effort::full}) {
-        const std::vector<EngineSetting> grid = MakeGrid(effort);
+        const std::vector<RunSpec> grid = MakeGrid(effort);
         EXPECT_EQ(grid.front(), GetBaseline());
         EXPECT_TRUE(std::ranges::find(grid, GetSequential("scree")) != grid.end());
         std::set<std::string> names;
         int soft = 0;
-        for (const EngineSetting& setting : grid) {
-            EXPECT_TRUE(names.insert(NameSetting(setting)).second) << NameSetting(setting);
-            soft += setting.solver == SolverKind::soft;
+        for (const RunSpec& setting : grid) {
+            EXPECT_TRUE(names.insert(PrintSpec(setting)).second) << PrintSpec(setting);
+            soft += !IsSequential(setting);
         }
         const std::size_t sequential = effort == Effort::quick ? 2 * 3 * 2 : 2 * 7 * 4;
         EXPECT_EQ(grid.size() - static_cast<std::size_t>(soft), sequential);
         const int softSettings = effort == Effort::quick ? 6 : 16;
-        EXPECT_EQ(soft, IsAvailable(GetSoft(4)) ? softSettings : 0);
+        EXPECT_EQ(soft, softSettings);
     }
 }
 
-TradeCase MakeCase(const std::string& law, const EngineSetting& setting, double error, double cost) {
+TEST(Laws, SettingsGoToAllOfTheGridButWhatItIsComparedWith) {
+    const std::vector<RunSpec> plain = MakeGrid(Effort::quick);
+    EXPECT_EQ(ChooseGrid(Effort::quick, "", {}), plain);
+    const TypedSetting sleepy{"sleeping=on", "--set sleeping=on"}, soft{"solver=soft@8", "--set solver=soft@8"};
+    const std::vector<RunSpec> sleeping = ChooseGrid(Effort::quick, "", std::span(&sleepy, 1));
+    EXPECT_EQ(sleeping.size(), plain.size());
+    EXPECT_EQ(sleeping.front(), GetBaseline());
+    for (std::size_t i = 1; i < sleeping.size(); ++i) EXPECT_TRUE(sleeping[i].sleeping);
+    const std::vector<RunSpec> narrowed = ChooseGrid(Effort::quick, "", std::span(&soft, 1));
+    EXPECT_EQ(std::ranges::count_if(narrowed, [](const RunSpec& s) { return s.engine == "scree"; }), 2) << "two rates";
+    const std::vector<RunSpec> chosen = ChooseGrid(Effort::full, "scree:accuracy=fine,box2d:iterations=1/1", {});
+    ASSERT_EQ(chosen.size(), 3u);
+    EXPECT_EQ(chosen[0], GetBaseline());
+    EXPECT_EQ(chosen[1].solver, Solver(Accuracy::fine));
+    EXPECT_FALSE(chosen[1].sleeping);
+    EXPECT_EQ(chosen[2], GetSequential("box2d", 1, 1));
+}
+
+TradeCase MakeCase(const std::string& law, const RunSpec& setting, double error, double cost) {
     TradeCase one;
     one.law = law;
     one.setting = setting;
@@ -141,8 +159,8 @@ TEST(Verdict, ComparesWithBox2dsDefaultLawByLaw) {
 
 TEST(Verdict, BoundsAreMetAtTheDialsMarks) {
     const std::vector<TradeCase> cases = {MakeCase("spring", GetBaseline(), 0.6, 1.0),
-                                          MakeCase("spring", GetDial(Dial::game), 0.4, 1.0),
-                                          MakeCase("spring", GetDial(Dial::precise), 0.4, 1.0)};
+                                          MakeCase("spring", GetDial(Accuracy::game), 0.4, 1.0),
+                                          MakeCase("spring", GetDial(Accuracy::precise), 0.4, 1.0)};
     const std::vector<BoundRow> rows = CheckBounds(cases);
     ASSERT_EQ(rows.size(), 1u);
     EXPECT_EQ(rows[0].MeetsGame(), true);      // 0.5
@@ -159,6 +177,12 @@ TEST(Trade, LinesComeBackAsTheyWent) {
     EXPECT_EQ(back.setting, one.setting);
     EXPECT_EQ(back.errors, one.errors);
     EXPECT_EQ(back.GetCost().median, one.GetCost().median);
+    one.setting.solver = Tolerance{0.02f};
+    one.setting.warmStarting = false;
+    EXPECT_EQ(TradeCaseFromJson(ToJson(one)).setting, one.setting) << "what the columns do not tell";
+    nlohmann::ordered_json old = ToJson(MakeCase("bridge", GetSequential("box2d", 16, 6, 30), 0.25, 3.0));
+    old.erase("settings");
+    EXPECT_EQ(TradeCaseFromJson(old).setting, GetSequential("box2d", 16, 6, 30)) << "a file of before";
     EXPECT_EQ(FlooredError(FindLaw("bridge"), back, 1), std::numeric_limits<double>::infinity());
     EXPECT_EQ(FlooredError(FindLaw("bridge"), MakeCase("bridge", GetSoft(8), 0.0, 1.0)), 1e-6);
 }

@@ -85,7 +85,7 @@ TEST(Frame, EqualStatesGiveEqualPixels) {
 TEST(Frame, AValueChangesTheWidgetThatShowsIt) {
     Screen screen;
     const Image before = DrawSettled(screen);
-    screen.viewer.settings.velocityIterations = 30;
+    SetIterations(screen.viewer, {30, screen.viewer.iterations.position});
     const PixelBox changed = FindDifference(before, screen.Draw());
     ASSERT_FALSE(IsEmpty(changed));
     const ItemBox item = screen.items.at("solver.velocity");

@@ -83,7 +83,7 @@ TEST(Script, SaysWhichLineIsWrongAndWhy) {
     EXPECT_NE(ProblemOfPlaying("0 press thumb").find("use left, right or middle"), std::string::npos);
     EXPECT_NE(ProblemOfPlaying("0 move 1 up").find("needs a number as word 2"), std::string::npos);
     EXPECT_NE(ProblemOfPlaying("0 move item nothing").find("no item 'nothing'"), std::string::npos);
-    EXPECT_NE(ProblemOfPlaying("0 move world scree 1 2").find("engine 'scree' is not shown"), std::string::npos);
+    EXPECT_NE(ProblemOfPlaying("0 move world scree 1 2").find("pane 'scree' is not shown"), std::string::npos);
     EXPECT_NE(ProblemOfPlaying("0 dump").find("the name of one file"), std::string::npos);
 }
 

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The engines: name, how a run of each is made, and what it can do. To add one, add a row in engine_list.cpp.
+
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "testbed/engines/engine_run.h"
+#include "testbed/engines/lab.h"
+#include "testbed/engines/run_spec.h"
+
+namespace testbed {
+
+/// "soft steps, threads", for readers.
+[[nodiscard]] std::string DescribeAbilities(Abilities abilities);
+
+struct EngineInfo {
+    std::string_view name;   ///< as --engines takes it
+    std::string_view title;  ///< for readers
+    Abilities abilities;
+    std::unique_ptr<InteractiveRun> (*makeRun)(const scenes::Scene&, const RunSpec&, const RunNeeds&);
+    /// Its broad phase alone, moved by another run.
+    std::unique_ptr<EngineRun> (*makeFollower)(const scenes::Scene&, const RunSpec&, std::unique_ptr<EngineRun> source);
+    std::unique_ptr<LabWorld> (*makeLab)(const scenes::Scene&, const RunSpec&, const LabNeeds&);
+};
+[[nodiscard]] std::span<const EngineInfo> GetEngines();
+
+/// UsageError with the nearest name for an unknown one.
+[[nodiscard]] const EngineInfo& FindEngine(std::string_view name);
+
+}  // namespace testbed
