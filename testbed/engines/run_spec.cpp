@@ -16,6 +16,7 @@
 
 #include "scree/broad_phase_kind.h"
 #include "scree/features.h"
+#include "scree/settings.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/nearest.h"
 #include "testbed/engines/engine_list.h"
@@ -273,7 +274,7 @@ constexpr SettingKey settingKeys[] = {
      .read = ReadAccuracy,
      .print = PrintAccuracy},
     {.name = "tolerance",
-     .values = "OVERLAP, OVERLAP/GAP or OVERLAP/GAP/LEAST/MOST, above 0, sub-steps from 1 to 64",
+     .values = "OVERLAP, OVERLAP/GAP or OVERLAP/GAP/LEAST/MOST, above 0.005 and 0, sub-steps from 1 to 64",
      .unit = "m",
      .what = "instead of a solver: errors that each island's number of sub-steps is to stay below; 0.01/0.001/4/32 are "
              "the engine's own",
@@ -422,6 +423,24 @@ std::string FindSolverProblem(const RunSpec& spec) {
     return {};
 }
 
+/// Of each value by itself: settings are read one after the other.
+std::string FindValueProblem(const RunSpec& spec) {
+    if (const std::string problem = FindSolverProblem(spec); !problem.empty()) return problem;
+    if (spec.timeStep && !(*spec.timeStep >= minTimeStep && *spec.timeStep <= maxTimeStep)) {
+        return "the time step is legal from 0.0001 to 0.1 s";
+    }
+    if (spec.gravity && !(std::isfinite(spec.gravity->x) && std::isfinite(spec.gravity->y))) {
+        return "gravity must be finite";
+    }
+    if (!(spec.lengthScale >= minLengthScale && spec.lengthScale <= maxLengthScale)) {
+        return "the length scale is legal from 1e-6 to 1e6 m";
+    }
+    if (spec.threads < 1 || spec.threads > maxThreads) return fmt::format("threads are legal from 1 to {}", maxThreads);
+    RunSpec read = spec;
+    if (const std::string problem = ReadBroadPhase(spec.broadPhase, read); !problem.empty()) return problem;
+    return ReadFeatures(spec.features, read);
+}
+
 }  // namespace
 
 bool IsSequential(const RunSpec& spec) {
@@ -459,7 +478,7 @@ bool ApplySetting(RunSpec& spec, std::string_view setting, std::string_view sour
         throw UsageError(fmt::format("{}: {} takes {}", source, key.name, key.values));
     }
     if (!problem.empty()) throw UsageError(fmt::format("{}: {}", source, problem));
-    if (const std::string illegal = FindProblem(changed); !illegal.empty()) {
+    if (const std::string illegal = FindValueProblem(changed); !illegal.empty()) {
         throw UsageError(fmt::format("{}: {}; {} takes {}", source, illegal, key.name, key.values));
     }
     if (!HasSetting(spec.engine, key)) return false;
@@ -496,20 +515,10 @@ std::string PrintSpec(const RunSpec& spec) {
 }
 
 std::string FindProblem(const RunSpec& spec) {
-    if (const std::string problem = FindSolverProblem(spec); !problem.empty()) return problem;
-    if (spec.timeStep && !(*spec.timeStep >= minTimeStep && *spec.timeStep <= maxTimeStep)) {
-        return "the time step is legal from 0.0001 to 0.1 s";
-    }
-    if (spec.gravity && !(std::isfinite(spec.gravity->x) && std::isfinite(spec.gravity->y))) {
-        return "gravity must be finite";
-    }
-    if (!(spec.lengthScale >= minLengthScale && spec.lengthScale <= maxLengthScale)) {
-        return "the length scale is legal from 1e-6 to 1e6 m";
-    }
-    if (spec.threads < 1 || spec.threads > maxThreads) return fmt::format("threads are legal from 1 to {}", maxThreads);
-    RunSpec read = spec;
-    if (const std::string problem = ReadBroadPhase(spec.broadPhase, read); !problem.empty()) return problem;
-    return ReadFeatures(spec.features, read);
+    if (const std::string problem = FindValueProblem(spec); !problem.empty()) return problem;
+    const auto* tolerance = std::get_if<Tolerance>(&spec.solver);
+    if (tolerance == nullptr || tolerance->overlap > scree::linearSlop * spec.lengthScale) return {};
+    return fmt::format("a tolerance of overlap is legal above {} m times the length scale", scree::linearSlop);
 }
 
 RunSpec Resolve(const RunSpec& spec, const scenes::Scene& scene) {

@@ -21,6 +21,8 @@
 #include "scree/features.h"
 #include "testbed/base/errors.h"
 #include "testbed/engines/engine_list.h"
+#include "tests/testbed/engines/run_checks.h"
+#include "tests/testbed/engines/scene_builder.h"
 
 namespace testbed {
 namespace {
@@ -30,7 +32,7 @@ Number Between(Number low, Number high) {
     return low + (high - low) * static_cast<Number>(*rc::gen::inRange(0, 1'000'001)) / Number{1'000'000};
 }
 
-Solver RandomSolver(bool hasSoftSteps) {
+Solver RandomSolver(bool hasSoftSteps, float lengthScale) {
     switch (*rc::gen::inRange(0, hasSoftSteps ? 5 : 2)) {
         case 0:
             return SequentialImpulses{};
@@ -43,7 +45,7 @@ Solver RandomSolver(bool hasSoftSteps) {
         default:
             break;
     }
-    Tolerance tolerance{Between(1e-6f, 1.0f), *rc::gen::element(0.001f, 0.25f)};
+    Tolerance tolerance{Between(0.006f, 1.0f) * lengthScale, *rc::gen::element(0.001f, 0.25f)};
     if (*rc::gen::arbitrary<bool>()) {
         tolerance.leastSubsteps = *rc::gen::inRange(1, 65);
         tolerance.mostSubsteps = *rc::gen::inRange(tolerance.leastSubsteps, 65);
@@ -63,7 +65,8 @@ std::string RandomFeatures() {
 RunSpec RandomSpec() {
     const EngineInfo& engine = *rc::gen::elementOf(std::vector(GetEngines().begin(), GetEngines().end()));
     RunSpec spec{.engine = std::string(engine.name)};
-    spec.solver = RandomSolver(engine.abilities.Has(Ability::softSteps));
+    if (engine.abilities.Has(Ability::lengthScales)) spec.lengthScale = *rc::gen::element(1.0f, Between(1e-6f, 1e6f));
+    spec.solver = RandomSolver(engine.abilities.Has(Ability::softSteps), spec.lengthScale);
     if (*rc::gen::arbitrary<bool>()) {
         spec.timeStep = *rc::gen::arbitrary<bool>() ? 1.0 / *rc::gen::inRange(10, 10001) : Between(1e-4, 0.1);
     }
@@ -72,7 +75,6 @@ RunSpec RandomSpec() {
     spec.sleeping = *rc::gen::arbitrary<bool>();
     spec.warmStarting = *rc::gen::arbitrary<bool>();
     if (engine.abilities.Has(Ability::freeSpeed)) spec.caps = *rc::gen::arbitrary<bool>();
-    if (engine.abilities.Has(Ability::lengthScales)) spec.lengthScale = *rc::gen::element(1.0f, Between(1e-6f, 1e6f));
     if (engine.abilities.Has(Ability::threads)) spec.threads = *rc::gen::inRange(1, maxThreads + 1);
     if (engine.abilities.Has(Ability::features)) spec.features = RandomFeatures();
     if (engine.abilities.Has(Ability::broadPhases)) {
@@ -256,7 +258,7 @@ TEST(RunSpec, EverySettingReachesTheEngine) {
     EXPECT_EQ(hash("scree", {"accuracy=game"}), hash("scree", {"solver=soft"}));
     EXPECT_EQ(hash("scree", {"accuracy=precise"}), hash("scree", {"substeps=16"}));
     EXPECT_NE(hash("scree", {"solver=soft"}), plain);
-    EXPECT_NE(hash("scree", {"tolerance=0.001/0.001/1/64"}), hash("scree", {"tolerance=0.1/0.1/1/1"}));
+    EXPECT_NE(hash("scree", {"tolerance=0.006/0.001/1/64"}), hash("scree", {"tolerance=0.1/0.1/1/1"}));
     EXPECT_NE(hash("scree", {"lengthScale=0.1"}), plain);
     for (const char* same : {"threads=2", "features=full", "broadPhase=unified"}) {
         EXPECT_EQ(hash("scree", {same}), plain) << same;
@@ -289,15 +291,24 @@ TEST(RunSpec, SleepCapsAndContinuousCollisionAreSwitches) {
     EXPECT_NEAR(way({"caps=off"}), 5.0f, 1e-5f);
     EXPECT_NEAR(way({"caps=on"}), 2.0f, 1e-5f);
     for (const EngineInfo& engine : GetEngines()) {
-        const scenes::Scene stack = scenes::Build("box-stack");
+        const scenes::Scene box = checks::RestingBox();
         const auto awake = [&](const char* setting) {
-            const auto run = MakeRun(stack, Read(std::string(engine.name), {setting}));
-            for (int i = 0; i < 240; ++i) run->Step();
+            const auto run = MakeRun(box, Read(std::string(engine.name), {setting}));
+            for (int i = 0; i < 120; ++i) run->Step();
             return run->CountStep().awake;
         };
         EXPECT_EQ(awake("sleeping=on"), 0) << engine.name;
         EXPECT_GT(awake("sleeping=off"), 0) << engine.name;
     }
+}
+
+TEST(RunSpec, ATolerancesLeastDependsOnTheLengthScaleInAnyOrder) {
+    for (const char* small : {"tolerance=0.0006 lengthScale=0.1", "lengthScale=0.1 tolerance=0.0006"}) {
+        EXPECT_EQ(FindProblem(Read("scree", Words(small))), "") << small;
+    }
+    const RunSpec below = Read("scree", {"tolerance=0.004"});
+    EXPECT_NE(FindProblem(below), "");
+    EXPECT_THROW((void)MakeRun(scenes::Build("pyramid", 3), below), std::invalid_argument);
 }
 
 TEST(RunSpec, OnlyLiveKeysChangeWhileASceneRuns) {
