@@ -1,41 +1,22 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Broad-phase time by step as a picture. The data stand in the script itself, so that one file is all that passes to
-// gnuplot.
+// Implementation of timing_plot.h.
 
 #include "testbed/jobs/overlap/timing_plot.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
 #include <string_view>
-
-#include "testbed/page/gnuplot.h"
 
 namespace testbed {
 
-namespace fs = std::filesystem;
-
 namespace {
 
-struct SeriesLook {
-    std::string_view engine, title, color;
-    int pointType;  ///< gnuplot's number: 7 filled circle, 5 filled square
+struct EngineLook {
+    std::string_view engine, title;
+    PlotLook look;
 };
-
-constexpr SeriesLook looks[] = {{"box2d", "Box2D", "#0000cc", 7}, {"scree", "Scree", "#cc0000", 5}};
-
-constexpr std::string_view header = R"(set terminal pngcairo size 1100,640 font 'DejaVu Sans,12' background '#ffffff'
-set border 31 linecolor '#000000'
-set grid linecolor '#cccccc' linetype 1
-set key top right opaque box width 1
-set xlabel 'step'
-set ylabel 'broad phase [ms]'
-set offsets 0, 0, graph 0.14, 0
-set yrange [0:*]
-)";
+constexpr EngineLook looks[] = {{"box2d", "Box2D", boxTwoDLook}, {"scree", "Scree", ourLooks[0]}};
 
 constexpr std::string_view boxTwoDNote =
     "Box2D: pair finding and tree update. Its retest of kept contacts runs inside Collide, cannot be separated,"
@@ -43,39 +24,22 @@ constexpr std::string_view boxTwoDNote =
 
 }  // namespace
 
-std::string MakeTimingScript(std::span<const TimingSeries> series, const std::string& title, const fs::path& picture) {
-    std::string data, plots;
-    bool hasBox2d = false;
-    int lastStep = 1;
-    for (const SeriesLook& look : looks) {
-        const auto one = std::find_if(series.begin(), series.end(),
-                                      [&](const TimingSeries& candidate) { return candidate.engine == look.engine; });
+Plot MakeTimingPlot(std::span<const TimingSeries> series, const std::string& title) {
+    Plot plot{.title = title, .xLabel = "step", .yLabel = "broad phase [ms]"};
+    plot.legend = PlotLegend::topRight;
+    plot.roomAbove = 0.14;
+    plot.roomBeside = 0.04;
+    for (const EngineLook& look : looks) {
+        const auto one = std::ranges::find(series, look.engine, &TimingSeries::engine);
         if (one == series.end()) continue;
-        hasBox2d = hasBox2d || look.engine == "box2d";
-        fmt::format_to(std::back_inserter(data), "${} << END\n", look.engine);
+        if (look.engine == "box2d") plot.note = boxTwoDNote;
+        PlotCurve curve{.title = std::string(look.title), .look = look.look, .pointSize = 0.9};
         for (const StepRecord& record : one->steps) {
-            lastStep = std::max(lastStep, record.step);
-            fmt::format_to(std::back_inserter(data), "{} {:.6f}\n", record.step, record.times.broadPhase);
+            curve.points.push_back({static_cast<double>(record.step), record.times.broadPhase});
         }
-        data += "END\n";
-        fmt::format_to(std::back_inserter(plots),
-                       "{}${} with linespoints linecolor '{}' linewidth 1 pointtype {} pointsize 0.9 title '{}'",
-                       plots.empty() ? "plot " : ", ", look.engine, look.color, look.pointType, look.title);
+        plot.curves.push_back(std::move(curve));
     }
-    std::string script(header);
-    fmt::format_to(std::back_inserter(script), "set output {}\nset title {} noenhanced\nset xrange [{}:{}]\n",
-                   QuoteForGnuplot(fs::absolute(picture).string()), QuoteForGnuplot(title), -0.04 * lastStep,
-                   1.04 * lastStep);
-    if (hasBox2d) {
-        fmt::format_to(std::back_inserter(script),
-                       "set bmargin 5.5\nset label {} at screen 0.5,0.03 center font ',9' noenhanced\n",
-                       QuoteForGnuplot(boxTwoDNote));
-    }
-    return script + data + plots + "\n";
-}
-
-void DrawTimingPlot(std::span<const TimingSeries> series, const std::string& title, const fs::path& picture) {
-    RunGnuplot(MakeTimingScript(series, title, picture), picture);
+    return plot;
 }
 
 }  // namespace testbed

@@ -151,7 +151,7 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         one.milliseconds = {ms.at(0).get<double>(), ms.at(1).get<double>(), ms.at(2).get<double>()};
         return one;
     } catch (const nlohmann::json::exception& error) {
-        throw FileError(std::string("not a line of `scree tradeoff --json`: ") + error.what());
+        throw FileError(std::string("a field is missing or of another kind: ") + error.what());
     }
 }
 

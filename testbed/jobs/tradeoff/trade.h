@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "testbed/base/statistics.h"
 #include "testbed/jobs/tradeoff/law.h"
 #include "testbed/jobs/tradeoff/pareto.h"
 
