@@ -133,8 +133,8 @@ TEST(ExtremeCases, AreComplete) {
         if (!one.demands.bounds) continue;
         for (const scenes::Body& body : scene.bodies) {  // nobody has escaped before the start
             if (body.type != scenes::BodyType::dynamic || one.name == "offset-shape") continue;
-            const double x = one.options.place.x + static_cast<double>(body.position.x);
-            const double y = one.options.place.y + static_cast<double>(body.position.y);
+            const double x = one.place.x + static_cast<double>(body.position.x);
+            const double y = one.place.y + static_cast<double>(body.position.y);
             const Bounds& bounds = *one.demands.bounds;
             EXPECT_TRUE(x >= bounds.lower.x && x <= bounds.upper.x && y >= bounds.lower.y && y <= bounds.upper.y)
                 << one.name;

@@ -24,7 +24,7 @@ namespace testbed {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// Pictures of one small scene in a folder of its own; the CPU draws them.
 class SnapshotCheck : public testing::Test {

@@ -17,7 +17,7 @@
 namespace testbed {
 namespace {
 
-using Json = nlohmann::json;
+using Json = nlohmann::ordered_json;
 
 /// The lines without their wall times.
 std::string WithoutTimes(const std::string& text) {
