@@ -27,7 +27,7 @@ struct alignas(32) ContactBlock {
     Row armA[2], armB[2];                  ///< per point: arm × normal
     Row tangentArmA, tangentArmB;          ///< arm of the middle of the points × tangent
     Row normalMass[2], tangentMass;        ///< effective, kg
-    Row separation[2];                     ///< at the start of the step, + the slop, m
+    Row separation[2];                     ///< at the start of the step, + the overlap to leave, m
     Row normalImpulse[2], tangentImpulse;  ///< accumulated, N·s
     Row friction, tangentSpeed;
     Row restitution, restitutionThreshold;  ///< the latter in m/s
@@ -51,7 +51,7 @@ struct FillSource {
     const float* manifold;   ///< by contact: Manifold
     const float* material;   ///< by contact: friction, restitution, restitution threshold, tangent speed
     float impulseScale;      ///< of warm starting
-    float slop;              ///< m
+    float slop;              ///< overlap to leave, m
     bool restitution;        ///< some contact may bounce
     bool onMoverSurface;     ///< where friction with the unmovable acts (BlockInput)
 };
@@ -82,12 +82,17 @@ struct BlockRange {
     BlockKind kind;
 };
 
-/// Constants of the soft contact rows over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
-struct SoftConstants {
-    float inverseH;  ///< 1/s
+/// A contact as an implicit spring over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
+struct SoftSpring {
     float biasRate;  ///< 1/s
     float massScale, impulseScale;
-    float pushSpeed;  ///< largest speed of pushing apart, m/s
+};
+
+/// Constants of the soft contact rows.
+struct SoftConstants {
+    float inverseH;             ///< of a sub-step, 1/s
+    float pushSpeed;            ///< largest speed of pushing apart, m/s
+    SoftSpring between, fixed;  ///< two movers; a mover and what cannot be pushed
 };
 
 /// What the kernels work on. `velocity` and `delta` hold four floats a body: v and w, or the motion since the start of

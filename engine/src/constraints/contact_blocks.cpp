@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "base/compiler.h"
+#include "geometry/outline.h"
 #include "scree/settings.h"
 #include "state/frames.h"
 
@@ -45,7 +46,7 @@ FillSource SourceOf(const BlockInput& input) {
             &input.contacts.manifold.data()->points[0].localPoint.x,
             &input.contacts.material.data()->friction,
             input.impulseScale,
-            input.slop,
+            input.atOutlines ? 0.0f : linearSlop * input.lengthScale,
             input.restitution,
             input.onMoverSurface};
 }
@@ -74,8 +75,11 @@ SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInp
     const Manifold& manifold = input.contacts.manifold[c];
     const bool movesA = input.bodies.type[static_cast<size_t>(pair.bodyA)] == dynamicBody;
     const bool movesB = input.bodies.type[static_cast<size_t>(pair.bodyB)] == dynamicBody;
-    const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
-    const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
+    const auto radiusOf = [&](uint32_t fixture) {
+        const Shape& shape = *input.fixtures.shape[fixture];
+        return input.atOutlines ? OutlineRadius(shape, input.lengthScale) : shape.m_radius;
+    };
+    const float radiusA = radiusOf(pair.fixtureA), radiusB = radiusOf(pair.fixtureB);
     const bool isSwapped = !movesB, isReferenceB = manifold.type == Manifold::e_faceB;
     return {.contact = contact,
             .a = isSwapped ? pair.bodyB : pair.bodyA,

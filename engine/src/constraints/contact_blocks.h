@@ -29,7 +29,10 @@ struct BlockInput {
     std::span<const int> list;  ///< contacts, in order; every one has a mover
     float impulseScale;         ///< of warm starting: the kernels' step / last dt, 0 without
     bool restitution = true;    ///< some contact may bounce
-    float slop = linearSlop;    ///< overlap to leave, m
+    float lengthScale = 1.0f;   ///< factor on slop and skins
+    /// Bodies rest where their outlines touch, and skins only tell how far ahead contacts are known; else skins rest
+    /// in each other by the slop.
+    bool atOutlines = false;
     /// Friction with the unmovable acts on the mover's own surface, so that disks roll by their radius, instead of
     /// halfway between both surfaces.
     bool onMoverSurface = false;

@@ -136,7 +136,7 @@ public:
         m_s.before.resize(m_s.jointed.size());
         m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints});
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
-                          m_settings.kernels.restitution, m_settings.Slop(), true});
+                          m_settings.kernels.restitution, m_settings.lengthScale, true, true});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
@@ -221,17 +221,22 @@ private:
         return m_settings.impulseScale / static_cast<float>(m_settings.substeps);
     }
 
+    /// The same frequency whatever the number of sub-steps, so that bodies rest at the same depth; where sub-steps are
+    /// too long for it, the stiffest spring that they carry. What cannot be pushed holds twice as stiffly: piles are
+    /// not to sink into the ground.
     [[nodiscard]] SoftConstants MakeConstants() const {
-        const float omega = 2.0f * pi * m_settings.contactHertzRatio;  // per sub-step
-        const float a = omega * (2.0f * m_settings.contactDampingRatio + omega);
-        // Share of a steady load under which the spring gives way. At 1 stacks sink by W/(m·ω²); at 0.6 they sink by
-        // 0.6 of it and columns of twice the height stand.
-        constexpr float yielding = 0.6f;
+        constexpr float mostTurns = 0.25f;  // of a spring in a sub-step
+        const float hertz = Min(m_settings.contactHertz, mostTurns / m_h);
         return {.inverseH = 1.0f / m_h,
-                .biasRate = omega / (2.0f * m_settings.contactDampingRatio + omega) / m_h,
-                .massScale = a / (1.0f + a),
-                .impulseScale = yielding / (1.0f + a),
-                .pushSpeed = m_settings.contactPushSpeed};
+                .pushSpeed = m_settings.contactPushSpeed,
+                .between = MakeSoftSpring(hertz),
+                .fixed = MakeSoftSpring(2.0f * hertz)};
+    }
+    [[nodiscard]] SoftSpring MakeSoftSpring(float hertz) const {
+        const float turn = 2.0f * pi * hertz * m_h;
+        const float damping = 2.0f * m_settings.contactDampingRatio + turn;
+        const float share = 1.0f / (1.0f + turn * damping);
+        return {.biasRate = turn / (damping * m_h), .massScale = turn * damping * share, .impulseScale = share};
     }
 
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }

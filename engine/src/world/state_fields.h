@@ -42,7 +42,7 @@ template <Is<WorldDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
     visit(def.gravity), visit(def.broadPhase), visit(def.staticShareThreshold), visit(def.allowSleep);
     visit(def.warmStarting), visit(def.maxTranslation), visit(def.maxRotation), visit(def.continuousPhysics);
-    visit(def.subStepping), visit(def.exactDrift), visit(def.solver), visit(def.softStep.contactHertzRatio);
+    visit(def.subStepping), visit(def.exactDrift), visit(def.solver), visit(def.softStep.contactHertz);
     visit(def.softStep.contactDampingRatio), visit(def.softStep.contactPushSpeed);
     visit(def.lengthScale), visit(def.farDistance);
 }

@@ -67,7 +67,7 @@ SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
             .kernels = s.kernels,
             .allowSleep = s.def.allowSleep,
             .exactDrift = s.def.exactDrift,
-            .contactHertzRatio = s.def.softStep.contactHertzRatio,
+            .contactHertz = s.def.softStep.contactHertz,
             .contactDampingRatio = s.def.softStep.contactDampingRatio,
             .contactPushSpeed = s.def.softStep.contactPushSpeed * s.def.lengthScale,
             .lengthScale = s.def.lengthScale,

@@ -32,7 +32,7 @@ struct SolverSettings {
     const KernelSet& kernels;           ///< what to leave out; a listener may add to it between two islands
     bool allowSleep;
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
-    float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
+    float contactHertz, contactDampingRatio, contactPushSpeed;  ///< soft step
     float lengthScale = 1.0f;                                        ///< factor on tolerances
     const Tolerance* tolerance = nullptr;  ///< soft step: islands may take more than `substeps` to keep it
 
