@@ -42,6 +42,10 @@ struct alignas(32) ContactBlock {
 // local point, and one with its type and number of points (scree/collision.h).
 inline constexpr int manifoldFloats = 15, manifoldPointFloats = 5, manifoldNormalAt = 10;
 
+// A steady contact (state/contacts.h) as floats: turns of A and B, way between the centres; normal, whether it is kept,
+// reach; arms of both points; separations, whether its sides are swapped, and one unused.
+inline constexpr int steadyFloats = 16;
+
 /// Where filling finds what it needs: columns of the tables of bodies and contacts, rows of floats.
 struct FillSource {
     const float* transform;  ///< by body: x, y, sine, cosine of the origin
@@ -54,6 +58,7 @@ struct FillSource {
     float slop;              ///< overlap to leave, m
     bool restitution;        ///< some contact may bounce
     bool onMoverSurface;     ///< where friction with the unmovable acts (BlockInput)
+    float* steady = nullptr; ///< by contact: SteadyContact; null: every contact is as its manifold says
 };
 
 /// What filling is told of the contacts of one block; its bodies and slots are set.
@@ -62,6 +67,7 @@ struct alignas(32) FillLanes {
     int32_t contact[blockLanes];
     Row referenceIsB;      ///< 1: the manifold's face, or its first circle, is on side B; else 0
     Row isCircles;         ///< 1 or 0
+    Row isSwapped;         ///< 1: side A is the contact's B; else 0
     Row radiusA, radiusB;  ///< of the shapes of side A and B, m
     int32_t count;         ///< lanes in use; the others repeat the first
     bool anyCircles;

@@ -25,6 +25,7 @@ constexpr int kindCount = 2;       ///< of points within a colour
 constexpr size_t blocksAhead = 4;  ///< that filling looks
 
 static_assert(sizeof(Manifold) == manifoldFloats * sizeof(float));
+static_assert(sizeof(SteadyContact) == steadyFloats * sizeof(float));
 static_assert(offsetof(Manifold, localNormal) == manifoldNormalAt * sizeof(float));
 static_assert(sizeof(ManifoldPoint) == manifoldPointFloats * sizeof(float));
 
@@ -48,7 +49,8 @@ FillSource SourceOf(const BlockInput& input) {
             input.impulseScale,
             input.atOutlines ? 0.0f : linearSlop * input.lengthScale,
             input.restitution,
-            input.onMoverSurface};
+            input.onMoverSurface,
+            input.steady != nullptr ? &input.steady->data()->turnA : nullptr};
 }
 
 /// Where the bodies of a block are, far from the origin.
@@ -58,6 +60,7 @@ void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& l
         transform[0] = xf.p.x, transform[1] = xf.p.y, transform[2] = xf.q.s, transform[3] = xf.q.c;
         const Vec2 centre = CentreIn(frame, bodies, body);
         position[0] = centre.x, position[1] = centre.y;
+        position[2] = bodies.position[static_cast<size_t>(body)].a;
     };
     for (int l = 0; l < blockLanes; ++l) {
         const Vec2 frame = FrameOf(bodies, block.bodyA[l], block.bodyB[l]);
@@ -89,7 +92,8 @@ SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInp
             .isReferenceB = isReferenceB != isSwapped,
             .isCircles = manifold.type == Manifold::e_circles,
             .hasTwoPoints = manifold.pointCount == 2,
-            .isFixedA = !movesA || !movesB};
+            .isFixedA = !movesA || !movesB,
+            .isSwapped = isSwapped};
 }
 
 void ContactBlocks::Sort(const BlockInput& input) {
@@ -214,7 +218,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
             // Lanes to spare come last and repeat the first.
             lanes.contact[l] = lanes.contact[0];
             block.bodyA[l] = block.bodyA[0], block.bodyB[l] = block.bodyB[0];
-            for (FillLanes::Row* row : {&lanes.referenceIsB, &lanes.isCircles, &lanes.radiusA, &lanes.radiusB})
+            for (FillLanes::Row* row : {&lanes.referenceIsB, &lanes.isCircles, &lanes.isSwapped, &lanes.radiusA, &lanes.radiusB})
                 (*row)[l] = (*row)[0];
             continue;
         }
@@ -224,6 +228,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
         block.bodyA[l] = contact.a, block.bodyB[l] = contact.b;
         lanes.referenceIsB[l] = contact.isReferenceB ? 1.0f : 0.0f;
         lanes.isCircles[l] = contact.isCircles ? 1.0f : 0.0f;
+        lanes.isSwapped[l] = contact.isSwapped ? 1.0f : 0.0f;
         lanes.anyCircles |= contact.isCircles;
         lanes.radiusA[l] = contact.radiusA;
         lanes.radiusB[l] = contact.radiusB;

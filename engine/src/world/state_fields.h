@@ -174,6 +174,13 @@ template <Is<ContactMaterial> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
     visit(row.friction), visit(row.restitution), visit(row.restitutionThreshold), visit(row.tangentSpeed);
 }
+template <Is<SteadyContact> Self, typename Visit>
+void Fields(Self& row, Visit& visit) {
+    visit(row.isKept);
+    if (row.isKept == 0.0f) return;
+    visit(row.turnA), visit(row.turnB), visit(row.between), visit(row.normal), visit(row.reach), visit(row.isSwapped);
+    for (int i = 0; i < maxManifoldPoints; ++i) visit(row.arm[i]), visit(row.separation[i]);
+}
 /// Beyond its points a manifold holds left-overs.
 template <Is<Manifold> Self, typename Visit>
 void Fields(Self& m, Visit& visit) {

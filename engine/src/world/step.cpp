@@ -54,6 +54,8 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     if (s.pairsStale) FindPairs(FreshOrder::oldestFirst, s.Events(), s.ForPairs());
     s.pairsStale = false;
     r.profile.broadPhase = watch.Lap();
+    s.contacts.keepsSteady = request.substeps > 0;
+    s.contacts.steadyReach = 8.0f * linearSlop * s.def.lengthScale;
     const PoolRegion region(*s.pool, HasWorkToShare(s));
     r.touchingCount =
         UpdateManifolds(s.Events(), {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
