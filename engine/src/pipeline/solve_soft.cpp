@@ -65,9 +65,31 @@ inline void Kick(SoftBody& soft, Velocity& v) {
     v.w = soft.unaided.w + 0.5f * soft.byContacts.w;
 }
 
+/// The kicks of both halves at once: contacts are to see what the whole sub-step brings, or they would hold half of a
+/// load before the move and drop it after it. What the body moves by is still the velocity between the halves.
+template <bool forces>
+inline void KickWhole(SoftBody& soft, Velocity& v) {
+    Twist first;
+    if constexpr (forces) {
+        first = {soft.linearDamp * (v.v + soft.kick.v), soft.angularDamp * (v.w + soft.kick.w)};
+        soft.unaided = {soft.linearDamp * (first.v + soft.kick.v), soft.angularDamp * (first.w + soft.kick.w)};
+    } else {
+        first = {v.v + soft.kick.v, v.w + 0.0f};
+        soft.unaided = {first.v + soft.kick.v, first.w + 0.0f};
+    }
+    soft.gained = {first.v + 0.5f * soft.byContacts.v, first.w + 0.5f * soft.byContacts.w};
+    v.v = soft.unaided.v + soft.byContacts.v;
+    v.w = soft.unaided.w + soft.byContacts.w;
+}
+
 inline void Drift(const Velocity& v, float h, Velocity& delta) {
     delta.v += h * v.v;
     delta.w += h * v.w;
+}
+/// After KickWhole and what constraints did.
+inline void DriftWhole(const SoftBody& soft, const Velocity& v, float h, Velocity& delta) {
+    delta.v += h * (soft.gained.v + (v.v - (soft.unaided.v + soft.byContacts.v)));
+    delta.w += h * (soft.gained.w + (v.w - (soft.unaided.w + soft.byContacts.w)));
 }
 
 /// The end pose from the start pose and the motion, under the caps. Returns true if a cap acted.
@@ -255,7 +277,9 @@ private:
     }
     void KickAll() {
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            ForEachSoft([&](SoftBody& soft) { Kick<forces>(soft, VelocityOf(soft)); });
+            ForEachSoft([&](SoftBody& soft) {
+                soft.jointed ? Kick<forces>(soft, VelocityOf(soft)) : KickWhole<forces>(soft, VelocityOf(soft));
+            });
         });
     }
     /// Joints are solved twice in a sub-step, with half of its forces each time.
@@ -297,8 +321,9 @@ private:
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             ForEachSoft([&](SoftBody& soft) {
                 Velocity& v = VelocityOf(soft);
-                if (!soft.jointed) soft.gained = {v.v - soft.unaided.v, v.w - soft.unaided.w};
-                Drift(v, m_h, m_s.delta[static_cast<size_t>(soft.body)]);
+                Velocity& delta = m_s.delta[static_cast<size_t>(soft.body)];
+                if (!soft.jointed) return DriftWhole(soft, v, m_h, delta);
+                Drift(v, m_h, delta);
                 Kick<forces>(soft, v);
             });
         });
@@ -370,8 +395,7 @@ private:
             return;
         }
         const Velocity& v = VelocityOf(soft);
-        soft.byContacts.v = soft.gained.v + (v.v - soft.unaided.v);
-        soft.byContacts.w = soft.gained.w + (v.w - soft.unaided.w);
+        soft.byContacts = {v.v - soft.unaided.v, v.w - soft.unaided.w};
     }
     [[nodiscard]] Velocity& VelocityOf(const SoftBody& soft) {
         return m_bodies.velocity[static_cast<size_t>(soft.body)];
