@@ -156,7 +156,7 @@ public:
         m_s.jointed.clear();
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.before.resize(m_s.jointed.size());
-        m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints});
+        m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
                           m_settings.kernels.restitution, m_settings.lengthScale, true,
@@ -290,7 +290,7 @@ private:
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
-        if (isFirst) m_s.tree.Factorize(Poses());
+        if (isFirst) m_s.tree.Factorize(Poses(), m_h);
         if (m_plan.hasContacts || m_plan.hasRows) m_s.tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
@@ -336,7 +336,7 @@ private:
     /// No speed is left along the trees' joints.
     void StopTrees() {
         if (!m_plan.hasTrees) return;
-        m_s.tree.Factorize(Poses());
+        m_s.tree.Factorize(Poses(), m_h);
         m_s.tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
