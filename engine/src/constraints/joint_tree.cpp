@@ -95,6 +95,10 @@ void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& ve
     constexpr int iterations = 2;
     const double step = double{h}, inverse = 1.0 / step;
     LoadVelocities(m->bodies, velocity);
+    // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
+    for (TreeBody& b : m->bodies) {
+        if (b.steadyInvI < b.invI) b.v[2] *= b.steadyInvI / b.invI;
+    }
     for (int iteration = 0; iteration < iterations; ++iteration) {
         for (TreeBody& b : m->bodies) {
             b.next.x = b.pose.x + step * b.v[0];
