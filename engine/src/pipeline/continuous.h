@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,12 @@
 #include "pipeline/parts/toi_pairs.h"
 
 namespace scree {
+
+/// Bodies that joints hold together, from an event on: they stand where it found them.
+struct JointedRest {
+    std::span<const int> bodies, contacts, joints;
+    float dt;  ///< what is left of the step, s
+};
 
 struct ContinuousSettings {
     float dt;  ///< of the whole step, s
@@ -34,6 +41,13 @@ struct ContinuousSettings {
     /// Bodies that moved under gravity and forces alone, exactly: at an impact they have the speed of that moment, and
     /// forces act for the rest of the step after it. Without exact drift: none.
     std::span<const int> ballistic;
+    /// Soft step: bodies rest where their outlines touch.
+    bool atOutlines = false;
+    /// Soft step: solves and moves jointed bodies for the rest of a step. One limb that is stopped alone tears its
+    /// joints.
+    std::function<void(const JointedRest&)> solveRest;
+    /// Velocities of jointed bodies where the motion of the step began, by body.
+    const std::vector<Velocity>* startVelocity = nullptr;
 };
 
 /// After a step that the solver has done, or begun to do, with these settings. `substeps` are those that it took,
@@ -55,7 +69,8 @@ struct ContinuousScratch : ToiScratch {
     std::vector<uint8_t> ballistic;  ///< per body; only written once something meets
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
-    std::vector<int> islandContacts, islandBodies;
+    std::vector<int> islandContacts, islandBodies, islandJoints;
+    std::vector<uint8_t> isMember;  ///< per body: of islandBodies, while jointed bodies are gathered
 };
 
 /// Runs all events of the step. Transforms are those of the end positions afterwards; boxes are not updated.

@@ -154,6 +154,7 @@ public:
         m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
         m_s.soft.clear();
         m_s.jointed.clear();
+        if (HasJoints()) EnsureRows(m_s.startVelocity, m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.before.resize(m_s.jointed.size());
         m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
@@ -232,6 +233,7 @@ private:
             m_s.soft.push_back(MakeSoftBody<forces>(m_settings, m_bodies, body));
             if (!HasJoints() || m_bodies.info[b].jointCount == 0) continue;
             m_s.soft.back().jointed = true;
+            m_s.startVelocity[b] = m_bodies.velocity[b];
             m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
         }
     }

@@ -31,7 +31,20 @@ void Advance(WorldState& s, const SolverSettings& settings, Stopwatch& watch, St
     }
     if (NeedsContinuous(s)) {
         const std::vector<int>& isolated = SolvedOf(settings, s.Lists()).isolated;
-        const auto own = MakeContinuousSettings(settings, r.solved.substeps, isolated, s.def.subStepping);
+        auto own = MakeContinuousSettings(settings, r.solved.substeps, isolated, s.def.subStepping);
+        SolverSettings ofRest = settings;
+        IslandTable& rest = s.solverScratch.rest;
+        if (settings.substeps > 0 && s.joints.slots.Count() > 0) {
+            ofRest.substeps = r.solved.substeps;
+            own.startVelocity = &s.solverScratch.startVelocity;
+            own.solveRest = [&](const JointedRest& jointed) {
+                rest.bodies.assign(jointed.bodies.begin(), jointed.bodies.end());
+                rest.contacts.assign(jointed.contacts.begin(), jointed.contacts.end());
+                rest.joints.assign(jointed.joints.begin(), jointed.joints.end());
+                SolveRest(ofRest, jointed.dt, s.fixtures, rest, s.Events(), {*s.pool, s.bodies, s.contacts, s.joints},
+                          s.solverScratch);
+            };
+        }
         r.continuous = SolveContinuous(own, s.Events(), {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
                                        s.continuousScratch);
     }

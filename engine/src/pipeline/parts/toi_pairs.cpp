@@ -238,9 +238,25 @@ float ToiPairs::TimeOf(const ToiPair& pair) const {
     TOIOutput output;
     TimeOfImpact(&output, &input);
     m_events.work->Add(output);
+    // What begins as near as it may come is held by its contact; only its centre must not get through.
+    const bool beginsNear = output.state == TOIOutput::e_overlapped || output.t <= 0.0f;
+    if (m_atOutlines && beginsNear) {
+        if (!UseCentre(pair, input)) return 1.0f;
+        TimeOfImpact(&output, &input);
+        m_events.work->Add(output);
+    }
     // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
     if (output.state != TOIOutput::e_touching && output.state != TOIOutput::e_failed) return 1.0f;
     return Min(alpha0 + (1.0f - alpha0) * output.t, 1.0f);
+}
+
+/// The mover's centre of mass instead of its shape; false if there is no mover against a static shape.
+bool ToiPairs::UseCentre(const ToiPair& pair, TOIInput& input) const {
+    const bool isStaticA = m_bodies.type[Row(pair.bodyA)] == staticBody;
+    if (!isStaticA && m_bodies.type[Row(pair.bodyB)] != staticBody) return false;
+    DistanceProxy& mover = isStaticA ? input.proxyB : input.proxyA;
+    mover.Set(isStaticA ? &input.sweepB.localCenter : &input.sweepA.localCenter, 1, 0.0f);
+    return true;
 }
 
 void ToiPairs::UpdateTimes(int body) {
