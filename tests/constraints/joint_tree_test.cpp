@@ -290,7 +290,7 @@ RevoluteJointDef Pin(Body* a, Body* b, Vec2 place) {
     return def;
 }
 
-TEST(JointTree, LeavesLoopsToTheRowsAndTakesTheOtherTrees) {
+TEST(JointTree, TakesTreesAndLoopsAlike) {
     World world({0.0f, 0.0f});
     Body* ground = AddBody(world, staticBody, {0.0f, 0.0f});
     std::vector<Body*> bodies;
@@ -313,11 +313,11 @@ TEST(JointTree, LeavesLoopsToTheRowsAndTakesTheOtherTrees) {
     JointTree tree;
     tree.Build({s.bodies, s.joints, all, 0.0f});
     EXPECT_FALSE(tree.IsEmpty());
-    EXPECT_EQ(std::vector<int>(tree.GetOthers().begin(), tree.GetOthers().end()), loop);
+    EXPECT_TRUE(tree.GetOthers().empty());
     EXPECT_TRUE(tree.GetBounded().empty());
     tree.Build({s.bodies, s.joints, loop, 0.0f});
-    EXPECT_TRUE(tree.IsEmpty());
-    EXPECT_EQ(tree.GetOthers().size(), loop.size());
+    EXPECT_FALSE(tree.IsEmpty());
+    EXPECT_TRUE(tree.GetOthers().empty());
 }
 
 TEST(JointTree, HoldsABodyThatIsWeldedTwice) {

@@ -48,17 +48,17 @@ inline constexpr int steadyFloats = 16;
 
 /// Where filling finds what it needs: columns of the tables of bodies and contacts, rows of floats.
 struct FillSource {
-    const float* transform;  ///< by body: x, y, sine, cosine of the origin
-    const float* position;   ///< by body: x, y of the centre of mass, and two more
-    const float* velocity;   ///< by body: x, y, angular, and one more
-    const float* mass;       ///< by body: inverse mass, inverse inertia, and two more
-    const float* manifold;   ///< by contact: Manifold
-    const float* material;   ///< by contact: friction, restitution, restitution threshold, tangent speed
-    float impulseScale;      ///< of warm starting
-    float slop;              ///< overlap to leave, m
-    bool restitution;        ///< some contact may bounce
-    bool onMoverSurface;     ///< where friction with the unmovable acts (BlockInput)
-    float* steady = nullptr; ///< by contact: SteadyContact; null: every contact is as its manifold says
+    const float* transform;   ///< by body: x, y, sine, cosine of the origin
+    const float* position;    ///< by body: x, y of the centre of mass, and two more
+    const float* velocity;    ///< by body: x, y, angular, and one more
+    const float* mass;        ///< by body: inverse mass, inverse inertia, and two more
+    const float* manifold;    ///< by contact: Manifold
+    const float* material;    ///< by contact: friction, restitution, restitution threshold, tangent speed
+    float impulseScale;       ///< of warm starting
+    float slop;               ///< overlap to leave, m
+    bool restitution;         ///< some contact may bounce
+    bool onMoverSurface;      ///< where friction with the unmovable acts (BlockInput)
+    float* steady = nullptr;  ///< by contact: SteadyContact; null: every contact is as its manifold says
 };
 
 /// What filling is told of the contacts of one block; its bodies and slots are set.

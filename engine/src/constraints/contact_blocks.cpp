@@ -218,7 +218,8 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
             // Lanes to spare come last and repeat the first.
             lanes.contact[l] = lanes.contact[0];
             block.bodyA[l] = block.bodyA[0], block.bodyB[l] = block.bodyB[0];
-            for (FillLanes::Row* row : {&lanes.referenceIsB, &lanes.isCircles, &lanes.isSwapped, &lanes.radiusA, &lanes.radiusB})
+            for (FillLanes::Row* row :
+                 {&lanes.referenceIsB, &lanes.isCircles, &lanes.isSwapped, &lanes.radiusA, &lanes.radiusB})
                 (*row)[l] = (*row)[0];
             continue;
         }

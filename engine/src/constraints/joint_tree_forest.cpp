@@ -81,7 +81,8 @@ void JointForest::Couple() {
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         Candidate& c = m_candidates[i];
         c.used = true;
-        for (const int row : {c.a, c.b}) c.used = c.used && (!Moves(row) || m_ofBody[At(row)].size() < mostJointsOfBody);
+        for (const int row : {c.a, c.b})
+            c.used = c.used && (!Moves(row) || m_ofBody[At(row)].size() < mostJointsOfBody);
         m_near[i].clear();
         if (!c.used) continue;
         for (const int row : {c.a, c.b}) {

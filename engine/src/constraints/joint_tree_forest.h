@@ -51,8 +51,7 @@ public:
 
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. `recentScale`
     /// makes impulses of a sub-step of the stored ones. O(bodies + joints) for trees.
-    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list,
-               double recentScale);
+    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list, double recentScale);
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:

@@ -160,8 +160,8 @@ private:
     }
 
     [[nodiscard]] ContactPrepareInput ContactInput() const {
-        return {m_bodies, m_t.fixtures, m_t.contacts, m_s.islandContacts, 0.0f, true,
-                m_settings.atOutlines, m_settings.lengthScale};
+        return {m_bodies, m_t.fixtures, m_t.contacts,          m_s.islandContacts,
+                0.0f,     true,         m_settings.atOutlines, m_settings.lengthScale};
     }
 
     [[nodiscard]] bool IsJointed(const ToiPair& pair) const {

@@ -160,8 +160,8 @@ public:
         m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
-                          m_settings.kernels.restitution, m_settings.lengthScale, true,
-                          &m_tables.contacts.steady, true});
+                          m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady,
+                          true});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;

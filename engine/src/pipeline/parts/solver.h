@@ -33,7 +33,7 @@ struct SolverSettings {
     bool allowSleep;
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
     float contactHertz, contactDampingRatio, contactPushSpeed;  ///< soft step
-    float lengthScale = 1.0f;                                        ///< factor on tolerances
+    float lengthScale = 1.0f;                                   ///< factor on tolerances
     const Tolerance* tolerance = nullptr;  ///< soft step: islands may take more than `substeps` to keep it
 
     [[nodiscard]] float Slop() const { return linearSlop * lengthScale; }
@@ -69,9 +69,9 @@ struct SolverScratch {
     std::vector<Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
     std::vector<Velocity> startVelocity;  ///< per body, of jointed ones: where the motion of the soft step began
-    std::vector<int> jointed;           ///< rows of `soft`
-    std::vector<Twist> before;          ///< of these: velocity before a pass over the contacts
-    IslandTable rest;                   ///< jointed bodies that go on after a time of impact
+    std::vector<int> jointed;             ///< rows of `soft`
+    std::vector<Twist> before;            ///< of these: velocity before a pass over the contacts
+    IslandTable rest;                     ///< jointed bodies that go on after a time of impact
     IslandTable wide;                   ///< islands that are solved together, joined; `islands` keeps their own ranges
     std::vector<uint8_t> islandSolved;  ///< per island of `wide`: positions are within tolerance
     std::vector<ContactImpulse> impulses;

@@ -57,7 +57,12 @@ public:
     /// `atOutlines`: bodies rest where their outlines touch (soft step).
     ToiPairs(float lengthScale, bool atOutlines, const ContactEvents& events, const ContinuousTables& tables,
              ToiScratch& scratch)
-        : m_lengthScale(lengthScale), m_atOutlines(atOutlines), m_events(events), m_t(tables), m_bodies(tables.bodies), m_s(scratch) {}
+        : m_lengthScale(lengthScale),
+          m_atOutlines(atOutlines),
+          m_events(events),
+          m_t(tables),
+          m_bodies(tables.bodies),
+          m_s(scratch) {}
 
     /// Forgets all pairs, and where bodies stand in the step unless it goes on.
     void Clear();
