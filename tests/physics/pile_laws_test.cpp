@@ -13,10 +13,13 @@
 namespace scree::test {
 namespace {
 
-constexpr double side = 1.0;                   ///< of the boxes, m
-constexpr double restDistance = side + 0.015;  ///< of two centres: two skins of 1 cm less one slop
-constexpr double touchDistance = side + 0.02;  ///< of two centres whose skins just touch
-constexpr int window = 30;                     ///< steps over which forces are averaged
+constexpr double side = 1.0;  ///< of the boxes, m
+/// Of two centres at rest: two skins of 1 cm less one slop, or, in the soft step, outlines that touch.
+double Apart() { return runsSoftStep ? 0.0 : 0.015; }
+double RestDistance() { return side + Apart(); }
+/// Of two centres that just touch.
+double TouchDistance() { return side + (runsSoftStep ? 0.0 : 0.02); }
+constexpr int window = 30;  ///< steps over which forces are averaged
 
 /// Sums what contacts whose upper body is at level k carry over `window` steps; mean forces in N.
 template <class E>
@@ -26,7 +29,7 @@ std::vector<double> MeanForces(Lab<E>& lab, int levels) {
         lab.Step();
         for (auto* c = lab.world.GetContactList(); c; c = c->GetNext()) {
             const double upper = std::max(Centre(c->GetFixtureA()->GetBody()).y, Centre(c->GetFixtureB()->GetBody()).y);
-            const auto level = static_cast<size_t>(std::lround((upper - 0.5 * side) / restDistance));
+            const auto level = static_cast<size_t>(std::lround((upper - 0.5 * side) / RestDistance()));
             const auto given = c->GetManifold();
             const auto manifold = [&] {
                 if constexpr (std::is_pointer_v<decltype(given)>) {
@@ -63,7 +66,7 @@ Pile StandColumn(int count) {
     lab.Ground();
     std::vector<typename E::Body*> boxes;
     for (int i = 0; i < count; ++i) {
-        boxes.push_back(lab.Dynamic(0.0, 0.5 * side + 0.015 + restDistance * i));
+        boxes.push_back(lab.Dynamic(0.0, 0.5 * side + Apart() + RestDistance() * i));
         AttachBox<E>(boxes.back(), 0.5 * side, 0.5 * side);
     }
     lab.Step(2 * stepRate);
@@ -75,7 +78,7 @@ Pile StandColumn(int count) {
         pile.force = std::max(pile.force, std::abs(forces[static_cast<size_t>(i)] - carried) / carried);
     }
     for (size_t i = 1; i < boxes.size(); ++i)
-        pile.overlap = std::max(pile.overlap, touchDistance - (Centre(boxes[i]).y - Centre(boxes[i - 1]).y));
+        pile.overlap = std::max(pile.overlap, TouchDistance() - (Centre(boxes[i]).y - Centre(boxes[i - 1]).y));
     for (const auto* box : boxes) pile.asymmetry = std::max(pile.asymmetry, std::abs(Centre(box).x));
     pile.unrest = Unrest<E>(lab, boxes);
     return pile;
@@ -99,7 +102,7 @@ Pile StandPyramid(int base) {
     for (int r = 0; r < base; ++r) {
         for (int i = 0; i < base - r; ++i) {
             const double x = 1.125 * (i - 0.5 * (base - r - 1));
-            boxes.push_back(lab.Dynamic(x, 0.5 * side + 0.015 + restDistance * r));
+            boxes.push_back(lab.Dynamic(x, 0.5 * side + Apart() + RestDistance() * r));
             AttachBox<E>(boxes.back(), 0.5 * side, 0.5 * side, {1.0, 0.6});
             rows[static_cast<size_t>(r)].push_back(boxes.back());
         }
@@ -119,7 +122,7 @@ Pile StandPyramid(int base) {
             pile.asymmetry = std::max(pile.asymmetry, Length({left.x + right.x, left.y - right.y}));
             if (r > 0) {
                 const double below = Centre(rows[static_cast<size_t>(r) - 1][i]).y;
-                pile.overlap = std::max(pile.overlap, touchDistance - (left.y - below));
+                pile.overlap = std::max(pile.overlap, TouchDistance() - (left.y - below));
             }
         }
     }

@@ -146,7 +146,7 @@ void CompareBallisticPath(Solve&& solve, int substeps, bool exactDrift) {
                                       .kernels = kernels,
                                       .allowSleep = true,
                                       .exactDrift = exactDrift,
-                                      .contactHertzRatio = 0.125f,
+                                      .contactHertz = 30.0f,
                                       .contactDampingRatio = 10.0f,
                                       .contactPushSpeed = 1.0f};
         IslandTable isolated, single;

@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// What World::Step(timeStep, accuracy) does. Contacts get stiffer with the number of sub-steps; joints are rigid.
+/// What World::Step(timeStep, accuracy) does. Contacts are equally stiff at all marks; joints are rigid.
 enum class Accuracy : uint8_t {
     draft,    ///< 4 velocity and 2 position iterations of sequential impulses
     game,     ///< soft step, 4 sub-steps
@@ -22,7 +22,7 @@ enum class Accuracy : uint8_t {
 /// a sudden load is met one step late. Islands share the numbers least, 1, 2, 3, 4, 6, 8, 12, …, most, rounded up, and
 /// after a blow their number falls by 1/32 a step. Bodies that nothing touches take the least.
 struct Tolerance {
-    /// Of the skins of two shapes, m; more than linearSlop · WorldDef::lengthScale, which stays at rest.
+    /// Of the outlines of two shapes, m; more than linearSlop · WorldDef::lengthScale.
     float overlap = 0.01f;
     float jointGap = 0.001f;  ///< between the anchors of a joint, m
     int leastSubsteps = 4;    ///< ≥ 1

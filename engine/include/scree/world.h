@@ -39,8 +39,8 @@ enum class SolverKind : uint8_t {
 
 /// Knobs of the soft step; see the accuracy tables of the README before changing them.
 struct SoftStepDef {
-    /// Stiffness of contacts: their frequency times the sub-step's length, 0 < r < 0.25.
-    float contactHertzRatio = 0.125f;
+    /// Stiffness of contacts between two movers, 1/s, > 0; at most a quarter of the sub-steps' rate acts.
+    float contactHertz = 30.0f;
     float contactDampingRatio = 10.0f;
     float contactPushSpeed = 1.0f;  ///< largest speed at which overlapping bodies are pushed apart, m/s
 };

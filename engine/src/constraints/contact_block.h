@@ -27,7 +27,7 @@ struct alignas(32) ContactBlock {
     Row armA[2], armB[2];                  ///< per point: arm × normal
     Row tangentArmA, tangentArmB;          ///< arm of the middle of the points × tangent
     Row normalMass[2], tangentMass;        ///< effective, kg
-    Row separation[2];                     ///< at the start of the step, + the slop, m
+    Row separation[2];                     ///< at the start of the step, + the overlap to leave, m
     Row normalImpulse[2], tangentImpulse;  ///< accumulated, N·s
     Row friction, tangentSpeed;
     Row restitution, restitutionThreshold;  ///< the latter in m/s
@@ -42,18 +42,23 @@ struct alignas(32) ContactBlock {
 // local point, and one with its type and number of points (scree/collision.h).
 inline constexpr int manifoldFloats = 15, manifoldPointFloats = 5, manifoldNormalAt = 10;
 
+// A steady contact (state/contacts.h) as floats: turns of A and B, way between the centres; normal, whether it is kept,
+// reach; arms of both points; separations, whether its sides are swapped, and one unused.
+inline constexpr int steadyFloats = 16;
+
 /// Where filling finds what it needs: columns of the tables of bodies and contacts, rows of floats.
 struct FillSource {
-    const float* transform;  ///< by body: x, y, sine, cosine of the origin
-    const float* position;   ///< by body: x, y of the centre of mass, and two more
-    const float* velocity;   ///< by body: x, y, angular, and one more
-    const float* mass;       ///< by body: inverse mass, inverse inertia, and two more
-    const float* manifold;   ///< by contact: Manifold
-    const float* material;   ///< by contact: friction, restitution, restitution threshold, tangent speed
-    float impulseScale;      ///< of warm starting
-    float slop;              ///< m
-    bool restitution;        ///< some contact may bounce
-    bool onMoverSurface;     ///< where friction with the unmovable acts (BlockInput)
+    const float* transform;   ///< by body: x, y, sine, cosine of the origin
+    const float* position;    ///< by body: x, y of the centre of mass, and two more
+    const float* velocity;    ///< by body: x, y, angular, and one more
+    const float* mass;        ///< by body: inverse mass, inverse inertia, and two more
+    const float* manifold;    ///< by contact: Manifold
+    const float* material;    ///< by contact: friction, restitution, restitution threshold, tangent speed
+    float impulseScale;       ///< of warm starting
+    float slop;               ///< overlap to leave, m
+    bool restitution;         ///< some contact may bounce
+    bool onMoverSurface;      ///< where friction with the unmovable acts (BlockInput)
+    float* steady = nullptr;  ///< by contact: SteadyContact; null: every contact is as its manifold says
 };
 
 /// What filling is told of the contacts of one block; its bodies and slots are set.
@@ -62,6 +67,7 @@ struct alignas(32) FillLanes {
     int32_t contact[blockLanes];
     Row referenceIsB;      ///< 1: the manifold's face, or its first circle, is on side B; else 0
     Row isCircles;         ///< 1 or 0
+    Row isSwapped;         ///< 1: side A is the contact's B; else 0
     Row radiusA, radiusB;  ///< of the shapes of side A and B, m
     int32_t count;         ///< lanes in use; the others repeat the first
     bool anyCircles;
@@ -82,12 +88,17 @@ struct BlockRange {
     BlockKind kind;
 };
 
-/// Constants of the soft contact rows over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
-struct SoftConstants {
-    float inverseH;  ///< 1/s
+/// A contact as an implicit spring over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
+struct SoftSpring {
     float biasRate;  ///< 1/s
     float massScale, impulseScale;
-    float pushSpeed;  ///< largest speed of pushing apart, m/s
+};
+
+/// Constants of the soft contact rows.
+struct SoftConstants {
+    float inverseH;             ///< of a sub-step, 1/s
+    float pushSpeed;            ///< largest speed of pushing apart, m/s
+    SoftSpring between, fixed;  ///< two movers; a mover and what cannot be pushed
 };
 
 /// What the kernels work on. `velocity` and `delta` hold four floats a body: v and w, or the motion since the start of

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "base/compiler.h"
+#include "geometry/outline.h"
 #include "scree/settings.h"
 #include "state/frames.h"
 
@@ -24,6 +25,7 @@ constexpr int kindCount = 2;       ///< of points within a colour
 constexpr size_t blocksAhead = 4;  ///< that filling looks
 
 static_assert(sizeof(Manifold) == manifoldFloats * sizeof(float));
+static_assert(sizeof(SteadyContact) == steadyFloats * sizeof(float));
 static_assert(offsetof(Manifold, localNormal) == manifoldNormalAt * sizeof(float));
 static_assert(sizeof(ManifoldPoint) == manifoldPointFloats * sizeof(float));
 
@@ -45,9 +47,10 @@ FillSource SourceOf(const BlockInput& input) {
             &input.contacts.manifold.data()->points[0].localPoint.x,
             &input.contacts.material.data()->friction,
             input.impulseScale,
-            input.slop,
+            input.atOutlines ? 0.0f : linearSlop * input.lengthScale,
             input.restitution,
-            input.onMoverSurface};
+            input.onMoverSurface,
+            input.steady != nullptr ? &input.steady->data()->turnA : nullptr};
 }
 
 /// Where the bodies of a block are, far from the origin.
@@ -57,6 +60,7 @@ void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& l
         transform[0] = xf.p.x, transform[1] = xf.p.y, transform[2] = xf.q.s, transform[3] = xf.q.c;
         const Vec2 centre = CentreIn(frame, bodies, body);
         position[0] = centre.x, position[1] = centre.y;
+        position[2] = bodies.position[static_cast<size_t>(body)].a;
     };
     for (int l = 0; l < blockLanes; ++l) {
         const Vec2 frame = FrameOf(bodies, block.bodyA[l], block.bodyB[l]);
@@ -74,8 +78,11 @@ SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInp
     const Manifold& manifold = input.contacts.manifold[c];
     const bool movesA = input.bodies.type[static_cast<size_t>(pair.bodyA)] == dynamicBody;
     const bool movesB = input.bodies.type[static_cast<size_t>(pair.bodyB)] == dynamicBody;
-    const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
-    const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
+    const auto radiusOf = [&](uint32_t fixture) {
+        const Shape& shape = *input.fixtures.shape[fixture];
+        return input.atOutlines ? OutlineRadius(shape, input.lengthScale) : shape.m_radius;
+    };
+    const float radiusA = radiusOf(pair.fixtureA), radiusB = radiusOf(pair.fixtureB);
     const bool isSwapped = !movesB, isReferenceB = manifold.type == Manifold::e_faceB;
     return {.contact = contact,
             .a = isSwapped ? pair.bodyB : pair.bodyA,
@@ -85,7 +92,8 @@ SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInp
             .isReferenceB = isReferenceB != isSwapped,
             .isCircles = manifold.type == Manifold::e_circles,
             .hasTwoPoints = manifold.pointCount == 2,
-            .isFixedA = !movesA || !movesB};
+            .isFixedA = !movesA || !movesB,
+            .isSwapped = isSwapped};
 }
 
 void ContactBlocks::Sort(const BlockInput& input) {
@@ -210,7 +218,8 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
             // Lanes to spare come last and repeat the first.
             lanes.contact[l] = lanes.contact[0];
             block.bodyA[l] = block.bodyA[0], block.bodyB[l] = block.bodyB[0];
-            for (FillLanes::Row* row : {&lanes.referenceIsB, &lanes.isCircles, &lanes.radiusA, &lanes.radiusB})
+            for (FillLanes::Row* row :
+                 {&lanes.referenceIsB, &lanes.isCircles, &lanes.isSwapped, &lanes.radiusA, &lanes.radiusB})
                 (*row)[l] = (*row)[0];
             continue;
         }
@@ -220,6 +229,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
         block.bodyA[l] = contact.a, block.bodyB[l] = contact.b;
         lanes.referenceIsB[l] = contact.isReferenceB ? 1.0f : 0.0f;
         lanes.isCircles[l] = contact.isCircles ? 1.0f : 0.0f;
+        lanes.isSwapped[l] = contact.isSwapped ? 1.0f : 0.0f;
         lanes.anyCircles |= contact.isCircles;
         lanes.radiusA[l] = contact.radiusA;
         lanes.radiusB[l] = contact.radiusB;

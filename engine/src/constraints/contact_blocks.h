@@ -30,7 +30,11 @@ struct BlockInput {
     std::span<const int> list;  ///< contacts, in order; every one has a mover
     float impulseScale;         ///< of warm starting: the kernels' step / last dt, 0 without
     bool restitution = true;    ///< some contact may bounce
-    float slop = linearSlop;    ///< overlap to leave, m
+    float lengthScale = 1.0f;   ///< factor on slop and skins
+    /// Bodies rest where their outlines touch, and skins only tell how far ahead contacts are known; else skins rest
+    /// in each other by the slop.
+    bool atOutlines = false;
+    std::vector<SteadyContact>* steady = nullptr;  ///< kept geometry, or none
     /// Friction with the unmovable acts on the mover's own surface, so that disks roll by their radius, instead of
     /// halfway between both surfaces.
     bool onMoverSurface = false;
@@ -70,7 +74,8 @@ private:
         float radiusA, radiusB;  ///< of their shapes, m
         bool isReferenceB;       ///< the manifold's face is B's
         bool isCircles, hasTwoPoints;
-        bool isFixedA;  ///< side A cannot be pushed
+        bool isFixedA;   ///< side A cannot be pushed
+        bool isSwapped;  ///< side A is the contact's B
     };
 
     static SidedContact SortSides(const BlockInput& input, int contact);

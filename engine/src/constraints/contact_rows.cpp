@@ -6,6 +6,7 @@
 #include "constraints/contact_rows.h"
 
 #include "base/compiler.h"
+#include "geometry/outline.h"
 #include "state/frames.h"
 
 namespace scree {
@@ -185,8 +186,11 @@ void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
     rows.position.clear();
     for (const int contact : input.island) {
         const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
-        const float radiusA = input.fixtures.shape[pair.fixtureA]->m_radius;
-        const float radiusB = input.fixtures.shape[pair.fixtureB]->m_radius;
+        const auto radiusOf = [&](uint32_t fixture) {
+            const Shape& shape = *input.fixtures.shape[fixture];
+            return input.atOutlines ? OutlineRadius(shape, input.lengthScale) : shape.m_radius;
+        };
+        const float radiusA = radiusOf(pair.fixtureA), radiusB = radiusOf(pair.fixtureB);
         rows.velocity.push_back(MakeVelocityRow(input, contact, radiusA, radiusB));
         rows.position.push_back(MakePositionRow(input, contact, radiusA + radiusB));
     }

@@ -65,6 +65,8 @@ struct ContactPrepareInput {
     std::span<const int> island;  ///< contacts to prepare, in order
     float impulseScale;           ///< dt / last dt; 0 without warm starting
     bool restitution = true;      ///< some contact may bounce
+    bool atOutlines = false;      ///< as in BlockInput
+    float lengthScale = 1.0f;
 };
 
 /// Fills `rows` for the contacts of one island from the bodies' present positions and velocities.

@@ -37,13 +37,40 @@ void StoreVelocities(const std::vector<TreeBody>& bodies, std::vector<Velocity>&
 JointTree::JointTree() : m(std::make_unique<JointForest>()) {}
 JointTree::~JointTree() = default;
 
-void JointTree::Build(const JointTreeInput& input) { m->Build(input.bodies, input.joints, input.list); }
+void JointTree::Build(const JointTreeInput& input) {
+    m->Build(input.bodies, input.joints, input.list, double{input.substepScale});
+}
 bool JointTree::IsEmpty() const { return m->joints.empty(); }
 std::span<const int> JointTree::GetOthers() const { return m->others; }
 std::span<const int> JointTree::GetBounded() const { return m->bounded; }
 size_t JointTree::GetMemoryBytes() const { return m->GetMemoryBytes(); }
 
-void JointTree::Factorize(const Poses& poses) {
+namespace {
+
+/// A pull at the end of an arm turns its body back with a stiffness of pull times arm, which explicit integration does
+/// not carry once h²·stiffness exceeds four times the inertia. Where it comes near, the solve takes the body for as
+/// inert as is safe (geometric stiffness: Tournier, Nesme, Gilles, Faure, "Stable Constrained Dynamics", 2015; as a
+/// diagonal: Andrews, Teichmann, Kry, "Geometric Stiffness for Real-time Constrained Multibody Dynamics", 2017).
+void SteadyPulled(JointForest& forest, double h) {
+    constexpr double mostSwing = 1.0;  // of h²·stiffness, in inertias
+    for (TreeBody& b : forest.bodies) b.next.angle = 0.0;
+    for (TreeJoint& joint : forest.joints) {
+        if (joint.shape.kind == TreeKind::point || joint.shape.kind == TreeKind::pointAndAngle) {
+            const double x = joint.recent[0], y = joint.recent[1];
+            forest.bodies[At(joint.a)].next.angle += joint.rows.a[1][2] * x - joint.rows.a[0][2] * y;
+            forest.bodies[At(joint.b)].next.angle += joint.rows.b[1][2] * x - joint.rows.b[0][2] * y;
+        }
+        for (double& impulse : joint.recent) impulse = 0.0;
+    }
+    for (TreeBody& b : forest.bodies) {
+        const double inertia = h * b.next.angle / mostSwing;
+        b.steadyInvI = inertia * b.invI > 1.0 ? 1.0 / inertia : b.invI;
+    }
+}
+
+}  // namespace
+
+void JointTree::Factorize(const Poses& poses, float h) {
     for (TreeBody& b : m->bodies) {
         const Position& start = poses.bodies.startPosition[At(b.body)];
         const bool isStatic = poses.bodies.type[At(b.body)] == staticBody;
@@ -59,6 +86,7 @@ void JointTree::Factorize(const Poses& poses) {
     for (TreeJoint& joint : m->joints) {
         MakeRows<true>(joint.shape, m->bodies[At(joint.a)].pose, m->bodies[At(joint.b)].pose, joint.rows);
     }
+    SteadyPulled(*m, double{h});
     FactorizeForest(*m);
 }
 
@@ -67,6 +95,10 @@ void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& ve
     constexpr int iterations = 2;
     const double step = double{h}, inverse = 1.0 / step;
     LoadVelocities(m->bodies, velocity);
+    // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
+    for (TreeBody& b : m->bodies) {
+        if (b.steadyInvI < b.invI) b.v[2] *= b.steadyInvI / b.invI;
+    }
     for (int iteration = 0; iteration < iterations; ++iteration) {
         for (TreeBody& b : m->bodies) {
             b.next.x = b.pose.x + step * b.v[0];

@@ -28,6 +28,7 @@ struct JointTreeInput {
     const BodyTable& bodies;
     const JointTable& joints;
     std::span<const int> list;  ///< joints to hold
+    float substepScale;         ///< makes impulses of a sub-step of those that the joints keep
 };
 
 class JointTree {
@@ -51,8 +52,8 @@ public:
         const BodyTable& bodies;             ///< start positions of the step
         const std::vector<Velocity>& delta;  ///< per body: motion since then
     };
-    /// At the present poses, from which both solves below take their Jacobians.
-    void Factorize(const Poses& poses);
+    /// At the present poses, from which both solves below take their Jacobians. `h` is the length of a sub-step, s.
+    void Factorize(const Poses& poses, float h);
     /// Changes velocities so that a move of `h` seconds ends with closed joints, to O(h³).
     void SolveBeforeMove(const Poses& poses, float h, std::vector<Velocity>& velocity);
     /// Removes all speed along the joints; after Factorize at the new poses.

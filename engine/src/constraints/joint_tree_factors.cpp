@@ -14,6 +14,9 @@ namespace {
 
 /// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
 constexpr double leastPivot = 1e-9;
+/// Share of a row's own inverse mass by which it gives way. A pull of F at a mass m opens a joint by this times h²·F/m:
+/// nothing that shows, but a tight rope with a load on it, which no finite force holds straight, has a solution.
+constexpr double compliance = 1e-5;
 
 size_t At(int index) { return static_cast<size_t>(index); }
 
@@ -62,14 +65,9 @@ void Invert(double (&m)[maxTreeRows][maxTreeRows], std::integral_constant<int, n
     }
 }
 
-/// Rows of a joint on one of its bodies.
-const double (&SideOf(const TreeJoint& joint, int body))[maxTreeRows][3] {
-    return joint.a == body ? joint.rows.a : joint.rows.b;
-}
-
 void FillMatrix(JointForest& forest) {
     const auto product = [](const double(&i)[3], const double(&j)[3], const TreeBody& b) {
-        return b.invMass * (i[0] * j[0] + i[1] * j[1]) + b.invI * i[2] * j[2];
+        return b.invMass * (i[0] * j[0] + i[1] * j[1]) + b.steadyInvI * i[2] * j[2];
     };
     for (TreeJoint& joint : forest.joints) {
         const TreeBody& a = forest.bodies[At(joint.a)];
@@ -80,17 +78,25 @@ void FillMatrix(JointForest& forest) {
                     joint.inverse[i][j] = joint.inverse[j][i] =
                         product(joint.rows.a[i], joint.rows.a[j], a) + product(joint.rows.b[i], joint.rows.b[j], b);
                 }
+                joint.inverse[i][i] *= 1.0 + compliance;
             });
-            const TreeBody& up = forest.bodies[At(joint.up)];
-            const auto& own = SideOf(joint, joint.up);
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
                 TreeLink& link = forest.links[At(l)];
                 const TreeJoint& later = forest.joints[At(link.later)];
-                const auto& other = SideOf(later, joint.up);
-                WithCount(later.rows.count, [&](auto rows) {
-                    Unroll(rows,
-                           [&](int i) { Unroll(n, [&](int j) { link.block[i][j] = product(other[i], own[j], up); }); });
-                });
+                for (auto& row : link.block) {
+                    for (double& x : row) x = 0.0;
+                }
+                const auto add = [&](const auto& other, const auto& own, const TreeBody& shared) {
+                    WithCount(later.rows.count, [&](auto rows) {
+                        Unroll(rows, [&](int i) {
+                            Unroll(n, [&](int j) { link.block[i][j] += product(other[i], own[j], shared); });
+                        });
+                    });
+                };
+                if (later.a == joint.a) add(later.rows.a, joint.rows.a, a);
+                if (later.b == joint.a) add(later.rows.b, joint.rows.a, a);
+                if (later.a == joint.b) add(later.rows.a, joint.rows.b, b);
+                if (later.b == joint.b) add(later.rows.b, joint.rows.b, b);
             }
         });
     }
@@ -113,11 +119,13 @@ void EliminateLink(JointForest& forest, const TreeJoint& joint, int at, Own n, L
         });
     };
     reduce(link, rows, later.inverse);
-    // Links of the later joint go to the joints that follow it in the same list.
-    for (int r = at + 1; r < joint.linkEnd; ++r) {
+    // The later joint is coupled with all that follow it here, in the same order, and maybe with more.
+    int target = later.linkBegin;
+    for (int r = at + 1; r < joint.linkEnd; ++r, ++target) {
         const TreeLink& with = forest.links[At(r)];
+        while (forest.links[At(target)].later != with.later) ++target;
         WithCount(forest.joints[At(with.later)].rows.count,
-                  [&](auto count) { reduce(with, count, forest.links[At(later.linkBegin + (r - at - 1))].block); });
+                  [&](auto count) { reduce(with, count, forest.links[At(target)].block); });
     }
     Unroll(rows, [&](int i) { Unroll(n, [&](int j) { link.block[i][j] = row[i][j]; }); });
 }
@@ -132,8 +140,8 @@ void Eliminate(JointForest& forest) {
             Unroll(n, [&](int i) {
                 const double(&a)[3] = joint.rows.a[i];
                 const double(&b)[3] = joint.rows.b[i];
-                scale[i] = bodyA.invMass * (a[0] * a[0] + a[1] * a[1]) + bodyA.invI * a[2] * a[2] +
-                           bodyB.invMass * (b[0] * b[0] + b[1] * b[1]) + bodyB.invI * b[2] * b[2];
+                scale[i] = bodyA.invMass * (a[0] * a[0] + a[1] * a[1]) + bodyA.steadyInvI * a[2] * a[2] +
+                           bodyB.invMass * (b[0] * b[0] + b[1] * b[1]) + bodyB.steadyInvI * b[2] * b[2];
             });
             Invert(joint.inverse, n, scale);
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
@@ -188,12 +196,13 @@ void ApplyImpulses(JointForest& forest) {
             Unroll(n, [&](int i) {
                 const double impulse = joint.rhs[i];
                 joint.total[i] += impulse;
+                joint.recent[i] += impulse;
                 for (int k = 0; k < 2; ++k) {
                     a.v[k] += a.invMass * impulse * joint.rows.a[i][k];
                     b.v[k] += b.invMass * impulse * joint.rows.b[i][k];
                 }
-                a.v[2] += a.invI * impulse * joint.rows.a[i][2];
-                b.v[2] += b.invI * impulse * joint.rows.b[i][2];
+                a.v[2] += a.steadyInvI * impulse * joint.rows.a[i][2];
+                b.v[2] += b.steadyInvI * impulse * joint.rows.b[i][2];
             });
         });
     }

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Trees by union–find over the bodies that can be pushed, their bodies breadth first, and their joints from the leaves:
-// a joint is then coupled with later joints of one body only.
+// Joints are coupled where they share a body that can be pushed. Eliminating one couples those that it is coupled with;
+// the one with fewest comes next (minimum degree: Tinney and Walker, "Direct Solutions of Sparse Network Equations by
+// Optimally Ordered Triangular Factorization", Proc. IEEE 55, 1967). Trees are eliminated from their leaves, and
+// nothing new becomes coupled; loops couple a little more.
 
 #include "constraints/joint_tree_forest.h"
 
@@ -12,17 +14,23 @@ namespace scree {
 
 namespace {
 
-/// A body with more joints than this would couple all of them with each other.
-constexpr int mostJointsOfBody = 12;
+/// A body with more joints than this would couple all of them with each other; the rest are left to rows.
+constexpr size_t mostJointsOfBody = 12;
+/// A joint that is coupled with more is left to rows: nets would take time with the square of it.
+constexpr size_t mostCoupled = 64;
 
 size_t At(int index) { return static_cast<size_t>(index); }
 
 }  // namespace
 
 size_t JointForest::GetMemoryBytes() const {
-    return bodies.capacity() * sizeof(TreeBody) + joints.capacity() * sizeof(TreeJoint) +
-           links.capacity() * sizeof(TreeLink) + m_candidates.capacity() * sizeof(Candidate) +
-           (m_rowOf.capacity() + m_entries.capacity()) * sizeof(int);
+    size_t bytes = bodies.capacity() * sizeof(TreeBody) + joints.capacity() * sizeof(TreeJoint) +
+                   links.capacity() * sizeof(TreeLink) + m_candidates.capacity() * sizeof(Candidate) +
+                   m_rowOf.capacity() * sizeof(int) + (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
+    for (const auto* lists : {&m_near, &m_ofBody, &m_waiting}) {
+        for (const std::vector<int>& list : *lists) bytes += list.capacity() * sizeof(int);
+    }
+    return bytes;
 }
 
 int JointForest::RowOf(const BodyTable& table, int body) {
@@ -33,140 +41,164 @@ int JointForest::RowOf(const BodyTable& table, int body) {
     b.body = body;
     const bool moves = table.type[At(body)] == dynamicBody;
     b.invMass = moves ? double{table.mass[At(body)].invMass} : 0.0;
-    b.invI = moves ? double{table.mass[At(body)].invI} : 0.0;
+    b.invI = b.steadyInvI = moves ? double{table.mass[At(body)].invI} : 0.0;
     const Rot& q = table.transform[At(body)].q;
     b.startCos = double{q.c}, b.startSin = double{q.s};
-    m_parent.push_back(row);
-    m_spoilt.push_back(0);
     return row;
 }
 
 bool JointForest::Moves(int row) const { return bodies[At(row)].invMass > 0.0 || bodies[At(row)].invI > 0.0; }
-int JointForest::Root(int row) {
-    while (m_parent[At(row)] != row) row = m_parent[At(row)] = m_parent[At(m_parent[At(row)])];
-    return row;
-}
-
-/// A joint between two movers joins their trees, or closes a loop.
-void JointForest::Join(int a, int b) {
-    if (!Moves(a) || !Moves(b)) return;
-    const int rootA = Root(a), rootB = Root(b);
-    if (rootA == rootB) {
-        m_spoilt[At(rootA)] = 1;
-        return;
-    }
-    m_parent[At(std::max(rootA, rootB))] = std::min(rootA, rootB);
-    m_spoilt[At(std::min(rootA, rootB))] |= m_spoilt[At(std::max(rootA, rootB))];
-}
 
 void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list) {
     for (const TreeBody& b : bodies) m_rowOf[At(b.body)] = -1;
     m_rowOf.resize(At(bodyTable.slots.Size()), -1);
-    bodies.clear(), m_parent.clear(), m_spoilt.clear(), m_candidates.clear();
-    others.clear(), bounded.clear();
+    bodies.clear(), m_candidates.clear();
+    m_keys.clear();
     for (const int joint : list) {
         Candidate c{joint, -1, -1, {}, false, false, -1};
         if (!MakeTreeShape(bodyTable, jointTable, joint, c.shape, c.bounded)) continue;
         const JointInfo& info = jointTable.info[At(joint)];
         c.a = RowOf(bodyTable, info.bodyA);
         c.b = RowOf(bodyTable, info.bodyB);
-        if (Moves(c.a) || Moves(c.b)) m_candidates.push_back(c);
+        if (!Moves(c.a) && !Moves(c.b)) continue;
+        m_candidates.push_back(c);
+        m_keys.push_back({joint, info.bodyA, info.bodyB, c.shape.kind, Moves(c.a), Moves(c.b)});
     }
 }
 
-void JointForest::FindTrees() {
-    m_first.assign(bodies.size() + 1, 0);
-    for (const Candidate& c : m_candidates) {
-        Join(c.a, c.b);
-        ++m_first[At(c.a)], ++m_first[At(c.b)];
-    }
-    int total = 0;
-    for (size_t row = 0; row < bodies.size(); ++row) {
-        if (Moves(static_cast<int>(row)) && m_first[row] > mostJointsOfBody)
-            m_spoilt[At(Root(static_cast<int>(row)))] = 1;
-        total += m_first[row];
-        m_first[row] = total;  // the end; filling moves it to the start
-    }
-    m_first[bodies.size()] = total;
-    m_entries.resize(At(total));
-    for (size_t i = m_candidates.size(); i-- > 0;) {
+/// True if the joints are those of the order that is there.
+bool JointForest::IsKnown() {
+    if (m_keys == m_oldKeys) return true;
+    m_oldKeys = m_keys;
+    return false;
+}
+
+/// Which candidates are used, and with which others of them each is coupled.
+void JointForest::Couple() {
+    for (std::vector<int>& list : m_ofBody) list.clear();
+    if (m_ofBody.size() < bodies.size()) m_ofBody.resize(bodies.size());
+    if (m_near.size() < m_candidates.size()) m_near.resize(m_candidates.size());
+    for (size_t i = 0; i < m_candidates.size(); ++i) {
         Candidate& c = m_candidates[i];
-        m_entries[At(--m_first[At(c.a)])] = m_entries[At(--m_first[At(c.b)])] = static_cast<int>(i);
-        c.used = m_spoilt[At(Root(Moves(c.a) ? c.a : c.b))] == 0;
-    }
-}
-
-/// Bodies breadth first from the first of each tree.
-void JointForest::Order() {
-    m_order.clear();
-    m_parentJoint.assign(bodies.size(), -2);  // not seen
-    for (size_t start = 0; start < bodies.size(); ++start) {
-        const int root = static_cast<int>(start);
-        if (m_parentJoint[start] != -2 || !Moves(root) || m_spoilt[At(Root(root))] != 0) continue;
-        m_parentJoint[start] = -1;
-        m_order.push_back(root);
-        for (size_t next = m_order.size() - 1; next < m_order.size(); ++next) {
-            const int row = m_order[next];
-            for (int e = m_first[At(row)]; e < m_first[At(row) + 1]; ++e) {
-                const Candidate& c = m_candidates[At(m_entries[At(e)])];
-                const int other = c.a == row ? c.b : c.a;
-                if (!Moves(other) || m_parentJoint[At(other)] != -2) continue;
-                m_parentJoint[At(other)] = m_entries[At(e)];
-                m_order.push_back(other);
+        c.used = true;
+        for (const int row : {c.a, c.b})
+            c.used = c.used && (!Moves(row) || m_ofBody[At(row)].size() < mostJointsOfBody);
+        m_near[i].clear();
+        if (!c.used) continue;
+        for (const int row : {c.a, c.b}) {
+            if (!Moves(row)) continue;
+            for (const int other : m_ofBody[At(row)]) {
+                if (m_near[i].empty() || std::find(m_near[i].begin(), m_near[i].end(), other) == m_near[i].end()) {
+                    m_near[i].push_back(other);
+                    m_near[At(other)].push_back(static_cast<int>(i));
+                }
             }
         }
+        for (const int row : {c.a, c.b}) {
+            if (Moves(row)) m_ofBody[At(row)].push_back(static_cast<int>(i));
+        }
+    }
+    for (size_t i = 0; i < m_candidates.size(); ++i) std::sort(m_near[i].begin(), m_near[i].end());
+}
+
+void JointForest::Enqueue(int candidate) {
+    const size_t count = m_near[At(candidate)].size();
+    if (m_waiting.size() <= count) m_waiting.resize(count + 1);
+    m_waiting[count].push_back(candidate);
+}
+
+/// The candidate that is coupled with fewest, −1 at the end.
+int JointForest::TakeLeast() {
+    for (size_t count = 0; count < m_waiting.size(); ++count) {
+        std::vector<int>& list = m_waiting[count];
+        while (!list.empty()) {
+            const int candidate = list.back();
+            list.pop_back();
+            const Candidate& c = m_candidates[At(candidate)];
+            if (c.used && c.place < 0 && m_near[At(candidate)].size() == count) return candidate;
+        }
+    }
+    return -1;
+}
+
+/// Those it is coupled with are coupled with each other from now on; one with too many is left to rows instead.
+void JointForest::Eliminate(int candidate) {
+    Candidate& c = m_candidates[At(candidate)];
+    const std::vector<int>& near = m_near[At(candidate)];
+    c.used = near.size() <= mostCoupled;
+    if (c.used) {
+        c.place = static_cast<int>(m_order.size());
+        m_order.push_back(candidate);
+    }
+    for (const int other : near) {
+        std::vector<int>& list = m_near[At(other)];
+        m_merged.clear();
+        if (c.used) {
+            std::set_union(list.begin(), list.end(), near.begin(), near.end(), std::back_inserter(m_merged));
+        } else {
+            m_merged = list;
+        }
+        std::erase_if(m_merged, [&](int i) { return i == candidate || i == other; });
+        list.assign(m_merged.begin(), m_merged.end());
+        Enqueue(other);
     }
 }
 
-/// One body's joints, the one towards the root last.
-void JointForest::LinkList(int row) {
-    m_list.clear();
-    for (int e = m_first[At(row)]; e < m_first[At(row) + 1]; ++e) {
-        if (m_entries[At(e)] != m_parentJoint[At(row)]) m_list.push_back(m_entries[At(e)]);
+void JointForest::Order() {
+    m_order.clear();
+    for (std::vector<int>& list : m_waiting) list.clear();
+    for (size_t i = m_candidates.size(); i-- > 0;) {
+        if (m_candidates[i].used) Enqueue(static_cast<int>(i));
     }
+    for (int next = TakeLeast(); next >= 0; next = TakeLeast()) Eliminate(next);
 }
 
-void JointForest::MakeJoints() {
-    // From the leaves: the joints of a body but the one towards the root.
+void JointForest::MakeLinks() {
     joints.clear(), links.clear();
-    for (size_t i = m_order.size(); i-- > 0;) {
-        LinkList(m_order[i]);
-        for (const int at : m_list) {
-            Candidate& c = m_candidates[At(at)];
-            c.place = static_cast<int>(joints.size());
-            TreeJoint& joint = joints.emplace_back();
-            joint.shape = c.shape;
-            joint.joint = c.joint;
-            joint.a = c.a, joint.b = c.b;
-            joint.up = m_order[i];
-            joint.linkBegin = joint.linkEnd = 0;
-            for (double& t : joint.total) t = 0.0;
-            joint.rows.count = RowCount(c.shape.kind);
-        }
-    }
-    for (size_t i = m_order.size(); i-- > 0;) {
-        LinkList(m_order[i]);
-        const size_t own = m_list.size();
-        if (m_parentJoint[At(m_order[i])] >= 0) m_list.push_back(m_parentJoint[At(m_order[i])]);
-        for (size_t p = 0; p < own; ++p) {
-            TreeJoint& joint = joints[At(m_candidates[At(m_list[p])].place)];
-            joint.linkBegin = static_cast<int>(links.size());
-            for (size_t q = p + 1; q < m_list.size(); ++q) links.push_back({m_candidates[At(m_list[q])].place, {}});
-            joint.linkEnd = static_cast<int>(links.size());
-        }
+    for (const int candidate : m_order) {
+        const Candidate& c = m_candidates[At(candidate)];
+        std::vector<int>& near = m_near[At(candidate)];
+        for (int& other : near) other = m_candidates[At(other)].place;
+        std::erase_if(near, [](int place) { return place < 0; });  // left to rows later on
+        std::sort(near.begin(), near.end());
+        TreeJoint& joint = joints.emplace_back();
+        joint.joint = c.joint;
+        joint.a = c.a, joint.b = c.b;
+        joint.rows.count = RowCount(c.shape.kind);
+        joint.linkBegin = static_cast<int>(links.size());
+        for (const int later : near) links.push_back({later, {}});
+        joint.linkEnd = static_cast<int>(links.size());
     }
 }
 
-void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list) {
+/// What may change from step to step under the same order.
+void JointForest::Refresh(const JointTable& jointTable, double recentScale) {
+    for (size_t i = 0; i < joints.size(); ++i) {
+        TreeJoint& joint = joints[i];
+        joint.shape = m_candidates[At(m_order[i])].shape;
+        for (double& t : joint.total) t = 0.0;
+        LoadImpulse(joint.joint, jointTable, recentScale, joint.recent);
+    }
+}
+
+void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list,
+                        double recentScale) {
     Collect(bodyTable, jointTable, list);
-    FindTrees();
-    Order();
-    MakeJoints();
+    if (!IsKnown()) {
+        Couple();
+        Order();
+        MakeLinks();
+        m_isUsed.clear();
+        for (const Candidate& c : m_candidates) m_isUsed.push_back(c.used ? 1 : 0);
+    }
+    Refresh(jointTable, recentScale);
+    others.clear(), bounded.clear();
     size_t next = 0;
     for (const int joint : list) {
         const bool isCandidate = next < m_candidates.size() && m_candidates[next].joint == joint;
-        if (!isCandidate || !m_candidates[next].used) others.push_back(joint);
-        if (isCandidate && m_candidates[next].used && m_candidates[next].bounded) bounded.push_back(joint);
+        const bool isUsed = isCandidate && m_isUsed[next] != 0;
+        if (!isUsed) others.push_back(joint);
+        if (isUsed && m_candidates[next].bounded) bounded.push_back(joint);
         next += isCandidate ? 1 : 0;
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The forest that joints make of bodies, and the order in which its joints are eliminated: which joints form trees,
-// which are coupled with which, and the numbers of each that factors and motion work on.
+// The joints that a direct solve takes over and the order in which it eliminates them: which are coupled with which
+// later ones, and the numbers of each that factors and motion work on.
 
 #pragma once
 
@@ -17,12 +17,13 @@ namespace scree {
 struct TreeBody {
     int body;
     double invMass, invI;  ///< 0 if joints cannot push it
+    double steadyInvI;     ///< of the solve: smaller where a pull would swing the body too far in a sub-step
     double startCos, startSin;
     TreePose pose, next;  ///< now, and where its velocity leads
     double v[3];          ///< x, y, turning
 };
 
-/// Coupling of a joint with a later one on the same body: first G·M⁻¹·Gᵀ, then the block of L.
+/// Coupling of a joint with a later one: first G·M⁻¹·Gᵀ, then the block of L.
 struct TreeLink {
     int later;
     double block[maxTreeRows][maxTreeRows];  ///< [row of the later joint][row of this one]
@@ -31,25 +32,26 @@ struct TreeLink {
 struct TreeJoint {
     TreeShape shape;
     int joint;
-    int a, b;  ///< rows of the bodies
-    int up;    ///< the one on which it is coupled with later joints
-    int linkBegin, linkEnd;
+    int a, b;                ///< rows of the bodies
+    int linkBegin, linkEnd;  ///< in the order of elimination
     TreeRows rows;
     double inverse[maxTreeRows][maxTreeRows];  ///< of its pivot
     double rhs[maxTreeRows];                   ///< right side, then impulses
     double total[maxTreeRows];                 ///< impulses of the step
+    double recent[maxTreeRows];                ///< impulses since bodies last moved
 };
 
 class JointForest {
 public:
     std::vector<TreeBody> bodies;
-    std::vector<TreeJoint> joints;  ///< in the order of elimination: from the leaves
+    std::vector<TreeJoint> joints;  ///< in the order of elimination
     std::vector<TreeLink> links;    ///< of each joint, [linkBegin, linkEnd)
-    std::vector<int> others;        ///< joints of the list that belong to no tree
-    std::vector<int> bounded;       ///< joints of trees that have limits, motors or springs besides
+    std::vector<int> others;        ///< joints of the list that are left to rows
+    std::vector<int> bounded;       ///< joints held directly that have limits, motors or springs besides
 
-    /// Finds the trees among the joints of the list. O(bodies + joints).
-    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list);
+    /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. `recentScale`
+    /// makes impulses of a sub-step of the stored ones. O(bodies + joints) for trees.
+    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list, double recentScale);
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
@@ -59,26 +61,35 @@ private:
         bool bounded, used;
         int place;  ///< in the order of elimination
     };
+    /// What an order depends on.
+    struct Key {
+        int joint, bodyA, bodyB;
+        TreeKind kind;
+        bool movesA, movesB;
+        bool operator==(const Key&) const = default;
+    };
 
     int RowOf(const BodyTable& table, int body);
     [[nodiscard]] bool Moves(int row) const;
-    int Root(int row);
-    void Join(int a, int b);
     void Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list);
-    void FindTrees();
+    bool IsKnown();
+    void Couple();
     void Order();
-    void LinkList(int row);
-    void MakeJoints();
+    void Enqueue(int candidate);
+    int TakeLeast();
+    void Eliminate(int candidate);
+    void MakeLinks();
+    void Refresh(const JointTable& jointTable, double recentScale);
 
-    // Scratch of Build.
     std::vector<Candidate> m_candidates;
-    std::vector<int> m_rowOf;             ///< per body of the world, −1: none
-    std::vector<int> m_parent;            ///< union–find over rows
-    std::vector<uint8_t> m_spoilt;        ///< per row: its tree is none
-    std::vector<int> m_first, m_entries;  ///< per row: its candidates
-    std::vector<int> m_order;             ///< bodies breadth first
-    std::vector<int> m_parentJoint;       ///< per row: candidate towards the root
-    std::vector<int> m_list;              ///< one body's candidates
+    std::vector<Key> m_keys, m_oldKeys;
+    std::vector<int> m_rowOf;                 ///< per body of the world, −1: none
+    std::vector<std::vector<int>> m_near;     ///< per candidate: those it is coupled with, rising
+    std::vector<std::vector<int>> m_ofBody;   ///< per row: its candidates
+    std::vector<std::vector<int>> m_waiting;  ///< candidates by how many they are coupled with; some out of date
+    std::vector<int> m_order;                 ///< candidates as they are eliminated
+    std::vector<int> m_merged;                ///< scratch of Eliminate
+    std::vector<uint8_t> m_isUsed;            ///< per candidate: held directly
 };
 
 }  // namespace scree

@@ -110,6 +110,19 @@ void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&im
                           [&](auto& store) { Keep(store.rows[static_cast<size_t>(info.row)], shape, rows, impulse); });
 }
 
+void LoadImpulse(int joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]) {
+    for (double& i : impulse) i = 0.0;
+    const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+    JointTable::WithStore(joints, info.type, [&](const auto& store) {
+        using Row = std::remove_cvref_t<decltype(store.rows[0])>;
+        if constexpr (std::is_same_v<Row, RevoluteRow> || std::is_same_v<Row, WeldRow>) {
+            const Vec2 kept = store.rows[static_cast<size_t>(info.row)].impulse;
+            if (!kept.IsValid()) return;
+            impulse[0] = scale * double{kept.x}, impulse[1] = scale * double{kept.y};
+        }
+    });
+}
+
 void ForgetExactImpulse(int joint, JointTable& joints) {
     const JointInfo& info = joints.info[static_cast<size_t>(joint)];
     JointTable::WithStore(joints, info.type, [&](auto& store) {

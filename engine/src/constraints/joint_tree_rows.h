@@ -55,6 +55,8 @@ bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, int joint,
 /// Impulses of the rows → the joint's table.
 void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows], int joint,
                   JointTable& joints);
+/// Impulses that the joint's table keeps of a joint at a point, times `scale`; 0 for other rows.
+void LoadImpulse(int joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]);
 /// Sets the impulses of the exact rows to 0, so that warm starting leaves them out.
 void ForgetExactImpulse(int joint, JointTable& joints);
 

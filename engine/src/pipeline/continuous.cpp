@@ -43,7 +43,7 @@ public:
           m_t(tables),
           m_bodies(tables.bodies),
           m_s(scratch),
-          m_toi(settings.lengthScale, events, m_t, scratch) {}
+          m_toi(settings.lengthScale, settings.atOutlines, events, m_t, scratch) {}
 
     ContinuousReport Run() {
         m_toi.Clear();
@@ -115,7 +115,7 @@ private:
         const BodyBackup backupA = Advance(pair.bodyA, alpha);
         const BodyBackup backupB = Advance(pair.bodyB, alpha);
         const int contact = TouchingContact(pair);
-        if (contact < 0) {
+        if (contact < 0 || !WillOverlap(contact, alpha)) {
             m_s.pairs[Row(index)].over = true;
             Restore(backupA);
             Restore(backupB);
@@ -125,6 +125,12 @@ private:
         m_bodies.Wake(pair.bodyA);
         m_bodies.Wake(pair.bodyB);
         m_s.islandContacts.assign(1, contact);
+        if (IsJointed(pair)) {
+            Restore(backupA);
+            Restore(backupB);
+            SolveJointed(pair, alpha);
+            return true;
+        }
         for (const int body : {pair.bodyA, pair.bodyB}) AddMember(body);
         for (const int body : {pair.bodyA, pair.bodyB}) {
             if (m_toi.IsDynamic(body)) JoinTouching(pair, body, index, alpha);
@@ -136,6 +142,91 @@ private:
         }
         ForgetMembers();
         return true;
+    }
+
+    /// In the soft step contacts hold what comes a little too near: only what would get deep is an event, and sliding
+    /// along is none.
+    [[nodiscard]] bool WillOverlap(int contact, float alpha) {
+        if (!m_settings.atOutlines) return true;
+        m_s.islandContacts.assign(1, contact);
+        PrepareContacts(ContactInput(), m_s.rows);
+        const float slop = linearSlop * m_settings.lengthScale, rest = (1.0f - alpha) * m_settings.dt;
+        const ContactVelocityRow& row = m_s.rows.velocity.front();
+        const Velocity& a = m_bodies.velocity[Row(row.bodyA)];
+        const Velocity& b = m_bodies.velocity[Row(row.bodyB)];
+        for (int i = 0; i < row.pointCount; ++i) {
+            const Vec2 apart = b.v + Cross(b.w, row.points[i].rB) - a.v - Cross(a.w, row.points[i].rA);
+            if (Dot(row.normal, apart) * rest < -2.0f * slop) return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] ContactPrepareInput ContactInput() const {
+        return {m_bodies, m_t.fixtures, m_t.contacts,          m_s.islandContacts,
+                0.0f,     true,         m_settings.atOutlines, m_settings.lengthScale};
+    }
+
+    [[nodiscard]] bool IsJointed(const ToiPair& pair) const {
+        if (m_settings.solveRest == nullptr) return false;
+        const auto isJointed = [&](int b) { return m_toi.IsDynamic(b) && m_bodies.info[Row(b)].jointCount > 0; };
+        return isJointed(pair.bodyA) || isJointed(pair.bodyB);
+    }
+
+    /// The bodies of a pair with all that joints hold to them, and their joints.
+    void GatherJointed(const ToiPair& pair) {
+        m_s.islandJoints.clear();
+        const auto add = [&](int body) {
+            if (m_toi.IsDynamic(body) && PlaceOf(body) < 0) AddMember(body);
+        };
+        add(pair.bodyA), add(pair.bodyB);
+        for (size_t next = 0; next < m_s.islandBodies.size(); ++next) {
+            const int body = m_s.islandBodies[next];
+            for (const int joint : m_t.joints.OfBody(body)) {
+                const JointInfo& info = m_t.joints.info[Row(joint)];
+                add(info.bodyA), add(info.bodyB);
+                if (IsFirstMember(body, info.bodyA)) m_s.islandJoints.push_back(joint);
+            }
+        }
+    }
+
+    /// Lists what two bodies share once: at body A, or at the other where A is no member.
+    [[nodiscard]] bool IsFirstMember(int body, int bodyA) const { return body == bodyA || PlaceOf(bodyA) < 0; }
+
+    /// Moves jointed bodies to the event, with the velocities that they have there.
+    void AdvanceJointed(float alpha) {
+        for (const int body : m_s.islandBodies) {
+            const float begin = m_s.alpha[Row(body)];
+            if (m_s.firstPair[Row(body)] < 0) m_s.touched.push_back(body);
+            Advance(body, alpha);
+            if (m_bodies.info[Row(body)].jointCount == 0 || begin >= 1.0f) continue;
+            const Velocity& from = (*m_settings.startVelocity)[Row(body)];
+            Velocity& v = m_bodies.velocity[Row(body)];
+            const float share = (alpha - begin) / (1.0f - begin);
+            v.v = from.v + share * (v.v - from.v);
+            v.w = from.w + share * (v.w - from.w);
+        }
+    }
+
+    /// Everything that joints hold to the pair goes on from the event together, with all that touches it.
+    void SolveJointed(const ToiPair& pair, float alpha) {
+        GatherJointed(pair);
+        AdvanceJointed(alpha);
+        m_s.islandContacts.clear();
+        for (const int body : m_s.islandBodies) {
+            m_bodies.Wake(body);
+            for (const int contact : m_t.contacts.OfBody(body)) {
+                if (!m_t.contacts.IsAlive(contact) || m_t.contacts.Has(contact, ContactFlag::sensor)) continue;
+                if (!IsFirstMember(body, m_t.contacts.pair[Row(contact)].bodyA)) continue;
+                if (!UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts)) continue;
+                if (!m_t.contacts.Has(contact, ContactFlag::enabled)) continue;
+                m_s.islandContacts.push_back(contact);
+                m_bodies.Wake(m_t.contacts.pair[Row(contact)].bodyA);
+                m_bodies.Wake(m_t.contacts.pair[Row(contact)].bodyB);
+            }
+        }
+        m_settings.solveRest({m_s.islandBodies, m_s.islandContacts, m_s.islandJoints, (1.0f - alpha) * m_settings.dt});
+        for (size_t i = 0; i < m_s.islandBodies.size(); ++i) m_toi.Refresh(m_s.islandBodies[i]);
+        ForgetMembers();
     }
 
     /// Adds what else touches the body at the time of the event: a corner stops it from two sides.
@@ -183,7 +274,7 @@ private:
     }
 
     void SolveEvent(const ToiPair& pair, float alpha) {
-        const ContactPrepareInput input{m_bodies, m_t.fixtures, m_t.contacts, m_s.islandContacts, 0.0f};
+        const ContactPrepareInput input = ContactInput();
         const float tolerance = positionTolerance * m_settings.lengthScale;
         const PushApart push{toiBaumgarte, m_settings.lengthScale};
         PrepareContacts(input, m_s.rows);
@@ -288,13 +379,20 @@ private:
     void Abandon(int index, float alpha) {
         const ToiPair pair = m_s.pairs[Row(index)];
         m_s.pairs[Row(index)].over = true;
-        for (const int body : {pair.bodyA, pair.bodyB}) {
+        if (IsJointed(pair)) {
+            GatherJointed(pair);
+            AdvanceJointed(alpha);
+        } else {
+            for (const int body : {pair.bodyA, pair.bodyB}) AddMember(body);
+        }
+        for (const int body : m_s.islandBodies) {
             if (!m_toi.IsDynamic(body)) continue;
-            Advance(body, alpha);
+            if (m_s.alpha[Row(body)] < alpha) Advance(body, alpha);
             ++m_report.abandoned;
             m_report.lostTime += (1.0f - alpha) * m_settings.dt;
             m_toi.UpdateTimes(body);
         }
+        ForgetMembers();
     }
 
     const ContinuousSettings& m_settings;
@@ -319,7 +417,9 @@ ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int subs
             .subStepping = subStepping,
             .lengthScale = solver.lengthScale,
             .gravity = solver.gravity,
-            .ballistic = isExact ? isolated : std::span<const int>()};
+            .ballistic = isExact ? isolated : std::span<const int>(),
+            .atOutlines = isSoft,
+            .solveRest = {}};
 }
 
 ContinuousReport SolveContinuous(const ContinuousSettings& settings, const ContactEvents& events,

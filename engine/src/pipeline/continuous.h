@@ -21,8 +21,15 @@
 #include "pipeline/contact_events.h"
 #include "pipeline/parts/solver.h"
 #include "pipeline/parts/toi_pairs.h"
+#include "scree/function_ref.h"
 
 namespace scree {
+
+/// Bodies that joints hold together, from an event on: they stand where it found them.
+struct JointedRest {
+    std::span<const int> bodies, contacts, joints;
+    float dt;  ///< what is left of the step, s
+};
 
 struct ContinuousSettings {
     float dt;  ///< of the whole step, s
@@ -34,6 +41,13 @@ struct ContinuousSettings {
     /// Bodies that moved under gravity and forces alone, exactly: at an impact they have the speed of that moment, and
     /// forces act for the rest of the step after it. Without exact drift: none.
     std::span<const int> ballistic;
+    /// Soft step: bodies rest where their outlines touch.
+    bool atOutlines = false;
+    /// Soft step: solves and moves jointed bodies for the rest of a step. One limb that is stopped alone tears its
+    /// joints.
+    FunctionRef<void(const JointedRest&)> solveRest{};
+    /// Velocities of jointed bodies where the motion of the step began, by body.
+    const std::vector<Velocity>* startVelocity = nullptr;
 };
 
 /// After a step that the solver has done, or begun to do, with these settings. `substeps` are those that it took,
@@ -55,12 +69,13 @@ struct ContinuousScratch : ToiScratch {
     std::vector<uint8_t> ballistic;  ///< per body; only written once something meets
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
-    std::vector<int> islandContacts, islandBodies;
+    std::vector<int> islandContacts, islandBodies, islandJoints;
     std::vector<int> islandPlace;  ///< per body: its place in islandBodies; −1 if it is not there
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return ToiScratch::GetMemoryBytes() +
-               BytesOf(ballistic, rows.velocity, rows.position, ahead, islandContacts, islandBodies, islandPlace);
+               BytesOf(ballistic, rows.velocity, rows.position, ahead, islandContacts, islandBodies, islandJoints,
+                       islandPlace);
     }
 };
 

@@ -25,11 +25,13 @@ constexpr float memory = 31.0f / 32.0f;
 float WantedBy(const BodyDemand& last, const GroupInput& in) {
     const Tolerance& tolerance = in.tolerance;
     if (last.substeps == 0) return static_cast<float>(tolerance.leastSubsteps);
-    const float sink = Max(last.overlap - in.slop, 0.0f) / (tolerance.overlap - in.slop);
+    const float sink = last.overlap / tolerance.overlap;
     const float byErrors = static_cast<float>(last.substeps) * std::sqrt(Max(sink, last.jointGap / tolerance.jointGap));
     const float byPull = 2.0f * in.dt * last.pullRate;
+    // One level a step: what a blow calls for at once is over before that many sub-steps are of use.
+    const float most = Min(1.5f * static_cast<float>(last.substeps), static_cast<float>(tolerance.mostSubsteps));
     return std::clamp(Max(Max(byErrors, byPull), memory * last.wanted), static_cast<float>(tolerance.leastSubsteps),
-                      static_cast<float>(tolerance.mostSubsteps));
+                      Max(most, static_cast<float>(tolerance.leastSubsteps)));
 }
 
 /// Notes what a body calls for and starts its demand of this step anew.

@@ -6,6 +6,7 @@
 
 #include "pipeline/measure_errors.h"
 
+#include "geometry/outline.h"
 #include "state/frames.h"
 
 namespace scree {
@@ -29,15 +30,22 @@ float MeasureContact(const MeasuredTables& t, int contact, float slop, float dt,
     const Manifold& manifold = t.contacts.manifold[Row(contact)];
     WorldManifold world;
     const Vec2 frame = FrameOf(t.bodies, pair.bodyA, pair.bodyB);
-    world.Initialize(&manifold, TransformIn(frame, t.bodies, pair.bodyA), t.fixtures.shape[pair.fixtureA]->m_radius,
-                     TransformIn(frame, t.bodies, pair.bodyB), t.fixtures.shape[pair.fixtureB]->m_radius);
+    // After a soft step bodies rest where their outlines touch, else where skins overlap by the slop.
+    const bool atOutlines = t.contacts.keepsSteady;
+    const auto radiusOf = [&](uint32_t fixture) {
+        const Shape& shape = *t.fixtures.shape[fixture];
+        return atOutlines ? OutlineRadius(shape, slop / linearSlop) : shape.m_radius;
+    };
+    const float left = atOutlines ? 0.0f : slop;
+    world.Initialize(&manifold, TransformIn(frame, t.bodies, pair.bodyA), radiusOf(pair.fixtureA),
+                     TransformIn(frame, t.bodies, pair.bodyB), radiusOf(pair.fixtureB));
     float overlap = 0.0f;
     for (int i = 0; i < manifold.pointCount; ++i) {
         const float inverse = InverseMassAt(t.bodies, frame, pair.bodyA, world.points[i], world.normal) +
                               InverseMassAt(t.bodies, frame, pair.bodyB, world.points[i], world.normal);
         const float pushed = manifold.points[i].normalImpulse * inverse * dt;
         overlap = Max(overlap, -world.separations[i]);
-        residual = Max(residual, Abs(Min(pushed, world.separations[i] + slop)));
+        residual = Max(residual, Abs(Min(pushed, world.separations[i] + left)));
     }
     return overlap;
 }

@@ -65,6 +65,10 @@ public:
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
             const uint8_t flags = m_t.contacts.flags[static_cast<size_t>(contact)];
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
+            if (StaysSteady(contact, m_t.bodies, m_t.contacts)) {
+                Note(contact, true);
+                continue;
+            }
             if ((flags & ContactFlag::sensor) != 0 || !Batch(contact)) {
                 Note(contact, ComputeManifold(contact, m_t.fixtures, m_t.bodies, m_work, m_t.contacts));
             }
@@ -82,6 +86,7 @@ private:
     };
 
     bool Batch(int contact) {
+        m_t.contacts.ForgetSteady(contact);
         const ContactPair& pair = m_t.contacts.pair[static_cast<size_t>(contact)];
         const Shape& a = *m_t.fixtures.shape[pair.fixtureA];
         const Shape& b = *m_t.fixtures.shape[pair.fixtureB];

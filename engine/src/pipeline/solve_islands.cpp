@@ -169,7 +169,7 @@ public:
             });
         });
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale,
-                          m_settings.kernels.restitution, m_settings.Slop()});
+                          m_settings.kernels.restitution, m_settings.lengthScale});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.friction = m_settings.kernels.friction;
         m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;

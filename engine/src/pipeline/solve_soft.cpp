@@ -65,9 +65,31 @@ inline void Kick(SoftBody& soft, Velocity& v) {
     v.w = soft.unaided.w + 0.5f * soft.byContacts.w;
 }
 
+/// The kicks of both halves at once: contacts are to see what the whole sub-step brings, or they would hold half of a
+/// load before the move and drop it after it. What the body moves by is still the velocity between the halves.
+template <bool forces>
+inline void KickWhole(SoftBody& soft, Velocity& v) {
+    Twist first;
+    if constexpr (forces) {
+        first = {soft.linearDamp * (v.v + soft.kick.v), soft.angularDamp * (v.w + soft.kick.w)};
+        soft.unaided = {soft.linearDamp * (first.v + soft.kick.v), soft.angularDamp * (first.w + soft.kick.w)};
+    } else {
+        first = {v.v + soft.kick.v, v.w + 0.0f};
+        soft.unaided = {first.v + soft.kick.v, first.w + 0.0f};
+    }
+    soft.gained = {first.v + 0.5f * soft.byContacts.v, first.w + 0.5f * soft.byContacts.w};
+    v.v = soft.unaided.v + soft.byContacts.v;
+    v.w = soft.unaided.w + soft.byContacts.w;
+}
+
 inline void Drift(const Velocity& v, float h, Velocity& delta) {
     delta.v += h * v.v;
     delta.w += h * v.w;
+}
+/// After KickWhole and what constraints did.
+inline void DriftWhole(const SoftBody& soft, const Velocity& v, float h, Velocity& delta) {
+    delta.v += h * (soft.gained.v + (v.v - (soft.unaided.v + soft.byContacts.v)));
+    delta.w += h * (soft.gained.w + (v.w - (soft.unaided.w + soft.byContacts.w)));
 }
 
 /// The end pose from the start pose and the motion, under the caps. Returns true if a cap acted.
@@ -132,11 +154,14 @@ public:
         m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
         m_s.soft.clear();
         m_s.jointed.clear();
+        if (HasJoints()) EnsureRows(m_s.startVelocity, m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.before.resize(m_s.jointed.size());
-        m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints});
+        m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
+        m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
-                          m_settings.kernels.restitution, m_settings.Slop(), true});
+                          m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady,
+                          true});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
@@ -208,6 +233,7 @@ private:
             m_s.soft.push_back(MakeSoftBody<forces>(m_settings, m_bodies, body));
             if (!HasJoints() || m_bodies.info[b].jointCount == 0) continue;
             m_s.soft.back().jointed = true;
+            m_s.startVelocity[b] = m_bodies.velocity[b];
             m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
         }
     }
@@ -221,17 +247,22 @@ private:
         return m_settings.impulseScale / static_cast<float>(m_settings.substeps);
     }
 
+    /// The same frequency whatever the number of sub-steps, so that bodies rest at the same depth; where sub-steps are
+    /// too long for it, the stiffest spring that they carry. What cannot be pushed holds twice as stiffly: piles are
+    /// not to sink into the ground.
     [[nodiscard]] SoftConstants MakeConstants() const {
-        const float omega = 2.0f * pi * m_settings.contactHertzRatio;  // per sub-step
-        const float a = omega * (2.0f * m_settings.contactDampingRatio + omega);
-        // Share of a steady load under which the spring gives way. At 1 stacks sink by W/(m·ω²); at 0.6 they sink by
-        // 0.6 of it and columns of twice the height stand.
-        constexpr float yielding = 0.6f;
+        constexpr float mostTurns = 0.25f;  // of a spring in a sub-step
+        const float hertz = Min(m_settings.contactHertz, mostTurns / m_h);
         return {.inverseH = 1.0f / m_h,
-                .biasRate = omega / (2.0f * m_settings.contactDampingRatio + omega) / m_h,
-                .massScale = a / (1.0f + a),
-                .impulseScale = yielding / (1.0f + a),
-                .pushSpeed = m_settings.contactPushSpeed};
+                .pushSpeed = m_settings.contactPushSpeed,
+                .between = MakeSoftSpring(hertz),
+                .fixed = MakeSoftSpring(2.0f * hertz)};
+    }
+    [[nodiscard]] SoftSpring MakeSoftSpring(float hertz) const {
+        const float turn = 2.0f * pi * hertz * m_h;
+        const float damping = 2.0f * m_settings.contactDampingRatio + turn;
+        const float share = 1.0f / (1.0f + turn * damping);
+        return {.biasRate = turn / (damping * m_h), .massScale = turn * damping * share, .impulseScale = share};
     }
 
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
@@ -248,7 +279,9 @@ private:
     }
     void KickAll() {
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            ForEachSoft([&](SoftBody& soft) { Kick<forces>(soft, VelocityOf(soft)); });
+            ForEachSoft([&](SoftBody& soft) {
+                soft.jointed ? Kick<forces>(soft, VelocityOf(soft)) : KickWhole<forces>(soft, VelocityOf(soft));
+            });
         });
     }
     /// Joints are solved twice in a sub-step, with half of its forces each time.
@@ -259,7 +292,7 @@ private:
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
-        if (isFirst) m_s.tree.Factorize(Poses());
+        if (isFirst) m_s.tree.Factorize(Poses(), m_h);
         if (m_plan.hasContacts || m_plan.hasRows) m_s.tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
@@ -290,8 +323,9 @@ private:
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             ForEachSoft([&](SoftBody& soft) {
                 Velocity& v = VelocityOf(soft);
-                if (!soft.jointed) soft.gained = {v.v - soft.unaided.v, v.w - soft.unaided.w};
-                Drift(v, m_h, m_s.delta[static_cast<size_t>(soft.body)]);
+                Velocity& delta = m_s.delta[static_cast<size_t>(soft.body)];
+                if (!soft.jointed) return DriftWhole(soft, v, m_h, delta);
+                Drift(v, m_h, delta);
                 Kick<forces>(soft, v);
             });
         });
@@ -304,7 +338,7 @@ private:
     /// No speed is left along the trees' joints.
     void StopTrees() {
         if (!m_plan.hasTrees) return;
-        m_s.tree.Factorize(Poses());
+        m_s.tree.Factorize(Poses(), m_h);
         m_s.tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
@@ -363,8 +397,7 @@ private:
             return;
         }
         const Velocity& v = VelocityOf(soft);
-        soft.byContacts.v = soft.gained.v + (v.v - soft.unaided.v);
-        soft.byContacts.w = soft.gained.w + (v.w - soft.unaided.w);
+        soft.byContacts = {v.v - soft.unaided.v, v.w - soft.unaided.w};
     }
     [[nodiscard]] Velocity& VelocityOf(const SoftBody& soft) {
         return m_bodies.velocity[static_cast<size_t>(soft.body)];

@@ -70,6 +70,7 @@ int ContactTable::Add(const ContactPair& newPair) {
         manifold.emplace_back();
         material.emplace_back();
         successor.push_back(-1);
+        if (!steady.empty()) steady.emplace_back();
     } else {
         index = m_free.back();
         m_free.pop_back();
@@ -78,6 +79,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     flags[i] = ContactFlag::alive | ContactFlag::marked;
     pair[i] = newPair;
     manifold[i].pointCount = 0;
+    ForgetSteady(index);
     m_adjacencyValid = false;
     ++m_count;
     if (IsTooFull(m_count, m_hash.size())) {
@@ -147,6 +149,7 @@ void ContactTable::CloseGaps() {
         manifold[to] = manifold[from];
         material[to] = material[from];
         successor[to] = successor[from];
+        if (!steady.empty()) steady[to] = steady[from];
         ++to;
     }
     flags.resize(to);
@@ -154,6 +157,7 @@ void ContactTable::CloseGaps() {
     manifold.resize(to);
     material.resize(to);
     successor.resize(to);
+    if (!steady.empty()) steady.resize(to);
     for (int& row : successor) row = row < static_cast<int>(rows) ? movedTo[static_cast<size_t>(row + 1)] : -1;
     if (firstMatched < static_cast<int>(rows)) firstMatched = movedTo[static_cast<size_t>(firstMatched + 1)];
     for (int& row : m_hash) {
@@ -196,6 +200,7 @@ void ContactTable::Compact() {
     manifold.resize(rows);
     material.resize(rows);
     successor.resize(rows);
+    if (!steady.empty()) steady.resize(rows);
     m_free.clear();
     size_t i = rows;
     for (; i % 8 != 0; --i) {
@@ -210,6 +215,7 @@ void ContactTable::Compact() {
 }
 
 bool ContactTable::Restore() {
+    if (!steady.empty() && steady.size() != flags.size()) return false;
     if (pair.size() != flags.size() || manifold.size() != flags.size() || material.size() != flags.size()) return false;
     std::vector<uint8_t> isFree(flags.size(), 0);
     for (const int row : m_free) {

@@ -39,11 +39,30 @@ struct ContactMaterial {
     float friction, restitution, restitutionThreshold, tangentSpeed;
 };
 
+/// Normal, arms and separations of a contact of two points as they were when its bodies came to lie as they do. The
+/// soft step solves with these while the bodies stay about there: points that are found anew in every step wander with
+/// whatever little the bodies do, and columns buckle under moments that come of nothing else. (Persistent manifolds;
+/// this form: Catto, Box2D 3.2, "contact recycling".) Sides A and B are those of the solver: B can be pushed.
+struct SteadyContact {
+    float turnA = 0.0f, turnB = 0.0f;  ///< angles of the bodies, rad
+    Vec2 between{0.0f, 0.0f};          ///< from A's centre to B's
+    Vec2 normal{0.0f, 0.0f};           ///< from A to B
+    float isKept = 0.0f;               ///< 1, or 0: the manifold is newer
+    float reach = 0.0f;                ///< of the longest arm of a body that can be pushed, m
+    Vec2 arm[maxManifoldPoints]{};     ///< from A's centre to the point
+    float separation[maxManifoldPoints]{};
+    float isSwapped = 0.0f;  ///< 1: the solver's side A is the contact's B
+    float unused = 0.0f;
+};
+
 struct ContactTable {
     std::vector<uint8_t> flags;  ///< ContactFlag; its size is the number of rows
     std::vector<ContactPair> pair;
     std::vector<Manifold> manifold;
     std::vector<ContactMaterial> material;
+    std::vector<SteadyContact> steady;  ///< rows only after a soft step
+    bool keepsSteady = false;           ///< this step is a soft one
+    float steadyReach = 0.0f;           ///< how far steady points may wander before they are found anew, m
 
     /// The row whose pair came behind this row's pair when pairs were last matched, −1 none: pairs come in nearly the
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
@@ -78,6 +97,10 @@ struct ContactTable {
     int Add(const ContactPair& newPair);
     /// Frees the row; Compact makes it usable again.
     void Remove(int contact);
+    /// The manifold of this contact is another, or its bodies' centres are.
+    void ForgetSteady(int contact) {
+        if (!steady.empty()) steady[static_cast<size_t>(contact)].isKept = 0.0f;
+    }
     /// Clears the flag `marked` of all rows.
     void ClearMarks();
     /// Removes the rows that have neither the flag `marked` nor `touching`.
@@ -87,7 +110,7 @@ struct ContactTable {
     void Compact();
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit&& visit) {
-        visit(t.flags), visit(t.pair), visit(t.manifold), visit(t.material), visit(t.m_free);
+        visit(t.flags), visit(t.pair), visit(t.manifold), visit(t.material), visit(t.steady), visit(t.m_free);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();

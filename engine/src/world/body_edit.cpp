@@ -159,7 +159,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle, Vec2 positionRest) {
     s.bodies.Place(Row(m_index), position, positionRest, angle);
     if (!IsEnabled()) return ErrorCode::ok;
     UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
-    ForgetNearStatics(s, m_index);
+    ForgetGeometry(s, m_index);
     s.pairsStale = true;
     return ErrorCode::ok;
 }
@@ -176,7 +176,7 @@ ErrorCode Body::SetType(BodyType type) {
     if (s.bodies.type[b] == type) return ErrorCode::ok;
     const BodyFeatureEdit edit(s, m_index, true);
     const bool changesList = (s.bodies.type[b] == staticBody) != (type == staticBody);
-    ForgetNearStatics(s, m_index);  // as what it was
+    ForgetGeometry(s, m_index);  // as what it was
     s.bodies.type[b] = type;
     if (changesList) s.bodies.Relist(m_index);
     ResetMass(s, m_index);
@@ -229,7 +229,7 @@ ErrorCode Body::SetMassData(const MassData* data) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, *data);
     const size_t b = Row(m_index);
-    ForgetNearStatics(s, m_index);
+    ForgetGeometry(s, m_index);
     s.bodies.motion[b].mass = mass;
     s.bodies.info[b].inertia = inertia;
     s.bodies.mass[b].invMass = 1.0f / mass;

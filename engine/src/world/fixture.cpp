@@ -55,7 +55,7 @@ ErrorCode Fixture::SetSensor(bool sensor) {
     const FixtureFeatureEdit edit(*m_state, m_index);
     flag = sensor ? 1 : 0;
     const int body = m_state->fixtures.body[Row(m_index)];
-    ForgetNearStatics(*m_state, body);
+    ForgetGeometry(*m_state, body);
     ContactTable& contacts = m_state->contacts;
     for (const int c : contacts.OfBody(body)) {
         if (!contacts.IsAlive(c)) continue;

@@ -38,9 +38,11 @@ Motion MotionOf(BodyType type) {
 
 }  // namespace
 
-void ForgetNearStatics(WorldState& s, int body) {
+void ForgetGeometry(WorldState& s, int body) {
     NearStatics& near = s.continuousScratch.nearStatics;
     s.bodies.type[static_cast<size_t>(body)] == staticBody ? near.ForgetAll() : near.Forget(body);
+    if (s.contacts.steady.empty()) return;
+    for (const int contact : s.contacts.OfBody(body)) s.contacts.ForgetSteady(contact);
 }
 
 void AddProxy(WorldState& s, int fixture) {
@@ -52,13 +54,13 @@ void AddProxy(WorldState& s, int fixture) {
     box = place.OutOf(box);
     s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), MotionOf(s.bodies.type[b]), box);
     s.fixtures.info[f].inBroadPhase = true;
-    ForgetNearStatics(s, s.fixtures.body[f]);
+    ForgetGeometry(s, s.fixtures.body[f]);
     s.pairsStale = true;
 }
 
 void RestoreProxy(WorldState& s, int fixture, const AABB& box) {
     const auto body = static_cast<uint32_t>(s.fixtures.body[static_cast<size_t>(fixture)]);
-    ForgetNearStatics(s, static_cast<int>(body));
+    ForgetGeometry(s, static_cast<int>(body));
     s.broadPhase->Restore(static_cast<uint32_t>(fixture), body, MotionOf(s.bodies.type[body]), box);
 }
 
@@ -68,7 +70,7 @@ void RemoveProxy(WorldState& s, int fixture) {
     s.broadPhase->Remove(static_cast<uint32_t>(fixture));
     info.inBroadPhase = false;
     s.contacts.refused.Forget(static_cast<uint32_t>(fixture));
-    ForgetNearStatics(s, s.fixtures.body[static_cast<size_t>(fixture)]);
+    ForgetGeometry(s, s.fixtures.body[static_cast<size_t>(fixture)]);
     s.pairsStale = true;
 }
 
@@ -98,7 +100,7 @@ void RefilterBodies(WorldState& s, int bodyA, int bodyB) {
 }
 
 void ResetMass(WorldState& s, int body) {
-    ForgetNearStatics(s, body);
+    ForgetGeometry(s, body);
     const auto b = static_cast<size_t>(body);
     BodyInfo& info = s.bodies.info[b];
     MassRow& row = s.bodies.mass[b];

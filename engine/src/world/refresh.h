@@ -10,7 +10,7 @@
 namespace scree {
 
 /// What continuous collision knows about static fixtures near the body is forgotten; of all bodies if it is static.
-void ForgetNearStatics(WorldState& state, int body);
+void ForgetGeometry(WorldState& state, int body);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
 void AddProxy(WorldState& state, int fixture);
 void RemoveProxy(WorldState& state, int fixture);

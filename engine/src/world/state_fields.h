@@ -42,7 +42,7 @@ template <Is<WorldDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
     visit(def.gravity), visit(def.broadPhase), visit(def.staticShareThreshold), visit(def.allowSleep);
     visit(def.warmStarting), visit(def.maxTranslation), visit(def.maxRotation), visit(def.continuousPhysics);
-    visit(def.subStepping), visit(def.exactDrift), visit(def.solver), visit(def.softStep.contactHertzRatio);
+    visit(def.subStepping), visit(def.exactDrift), visit(def.solver), visit(def.softStep.contactHertz);
     visit(def.softStep.contactDampingRatio), visit(def.softStep.contactPushSpeed);
     visit(def.lengthScale), visit(def.farDistance);
 }
@@ -173,6 +173,13 @@ void Fields(Self& pair, Visit& visit) {
 template <Is<ContactMaterial> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
     visit(row.friction), visit(row.restitution), visit(row.restitutionThreshold), visit(row.tangentSpeed);
+}
+template <Is<SteadyContact> Self, typename Visit>
+void Fields(Self& row, Visit& visit) {
+    visit(row.isKept);
+    if (row.isKept == 0.0f) return;
+    visit(row.turnA), visit(row.turnB), visit(row.between), visit(row.normal), visit(row.reach), visit(row.isSwapped);
+    for (int i = 0; i < maxManifoldPoints; ++i) visit(row.arm[i]), visit(row.separation[i]);
 }
 /// Beyond its points a manifold holds left-overs.
 template <Is<Manifold> Self, typename Visit>

@@ -30,12 +30,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
             Solve(settings, s.fixtures, s.Lists(), events, {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
         r.profile.solver = watch.Lap();
     }
-    if (NeedsContinuous(s)) {
-        const std::vector<int>& isolated = SolvedOf(settings, s.Lists()).isolated;
-        const auto own = MakeContinuousSettings(settings, r.solved.substeps, isolated, s.def.subStepping);
-        r.continuous = SolveContinuous(own, events, {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
-                                       s.continuousScratch);
-    }
+    if (NeedsContinuous(s)) r.continuous = RunContinuous(s, settings, events, r.solved.substeps);
     r.profile.continuous = watch.Lap();
     if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts);
     FindPairsOfMoved({&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, s.FarDistance(),
@@ -56,6 +51,8 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     if (s.pairsStale) FindPairs(FreshOrder::oldestFirst, events, s.ForPairs());
     s.pairsStale = false;
     r.profile.broadPhase = watch.Lap();
+    s.contacts.keepsSteady = request.substeps > 0;
+    s.contacts.steadyReach = 8.0f * linearSlop * s.def.lengthScale;
     const PoolRegion region(*s.pool, HasWorkToShare(s));
     r.touchingCount =
         UpdateManifolds(events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);

@@ -29,6 +29,10 @@ struct StepResults {
 /// One step of a world whose caller has checked the request.
 StepReport RunStep(WorldState& state, const StepRequest& request);
 
+/// Times of impact after the solver; `substeps` are those that it took.
+ContinuousReport RunContinuous(WorldState& state, const SolverSettings& settings, const ContactEvents& events,
+                               int substeps);
+
 SolverSettings MakeSettings(const WorldState& state, const StepRequest& request);
 /// The report of a step that is over. Measures errors if they are asked for.
 StepReport MakeReport(WorldState& state, const StepRequest& request, const StepResults& results);

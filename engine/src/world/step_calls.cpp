@@ -55,6 +55,28 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
 
 }  // namespace
 
+ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, const ContactEvents& events,
+                               int substeps) {
+    const std::vector<int>& isolated = SolvedOf(settings, s.Lists()).isolated;
+    ContinuousSettings own = MakeContinuousSettings(settings, substeps, isolated, s.def.subStepping);
+    SolverSettings ofRest = settings;
+    ofRest.substeps = substeps;
+    const auto solveRest = [&](const JointedRest& jointed) {
+        IslandTable& rest = s.solverScratch.rest;
+        rest.bodies.assign(jointed.bodies.begin(), jointed.bodies.end());
+        rest.contacts.assign(jointed.contacts.begin(), jointed.contacts.end());
+        rest.joints.assign(jointed.joints.begin(), jointed.joints.end());
+        SolveRest(ofRest, jointed.dt, s.fixtures, rest, events, {*s.pool, s.bodies, s.contacts, s.joints},
+                  s.solverScratch);
+    };
+    if (settings.substeps > 0 && s.joints.slots.Count() > 0) {
+        own.startVelocity = &s.solverScratch.startVelocity;
+        own.solveRest = solveRest;
+    }
+    return SolveContinuous(own, events, {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
+                           s.continuousScratch);
+}
+
 SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
     return {.dt = request.dt,
             .impulseScale = s.def.warmStarting ? ImpulseScale(request.dt, s.lastInverseDt) : 0.0f,
@@ -67,7 +89,7 @@ SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
             .kernels = s.kernels,
             .allowSleep = s.def.allowSleep,
             .exactDrift = s.def.exactDrift,
-            .contactHertzRatio = s.def.softStep.contactHertzRatio,
+            .contactHertz = s.def.softStep.contactHertz,
             .contactDampingRatio = s.def.softStep.contactDampingRatio,
             .contactPushSpeed = s.def.softStep.contactPushSpeed * s.def.lengthScale,
             .lengthScale = s.def.lengthScale,

@@ -150,8 +150,8 @@ Finding Check(const WorldDef& def) {
     }
     if (!(def.staticShareThreshold >= 0.0f))
         return {ErrorCode::outOfRange, "WorldDef::staticShareThreshold", "give a share from 0 to 1"};
-    if (!(def.softStep.contactHertzRatio > 0.0f && def.softStep.contactHertzRatio < 0.25f))
-        return {ErrorCode::outOfRange, "WorldDef::softStep.contactHertzRatio", "give a ratio between 0 and 0.25"};
+    if (!(def.softStep.contactHertz > 0.0f) || !std::isfinite(def.softStep.contactHertz))
+        return {ErrorCode::outOfRange, "WorldDef::softStep.contactHertz", "give a frequency above 0"};
     if (!(def.softStep.contactDampingRatio > 0.0f) || !std::isfinite(def.softStep.contactDampingRatio))
         return {ErrorCode::outOfRange, "WorldDef::softStep.contactDampingRatio", "give a ratio above 0"};
     if (!(def.softStep.contactPushSpeed > 0.0f))

@@ -33,6 +33,23 @@ void Tell(const ContactEvents& events, Contact* contact, bool wasTouching, bool 
 
 }  // namespace
 
+bool StaysSteady(int contact, const BodyTable& bodies, const ContactTable& contacts) {
+    const auto c = static_cast<size_t>(contact);
+    if (!contacts.keepsSteady || c >= contacts.steady.size()) return false;
+    const SteadyContact& row = contacts.steady[c];
+    if (row.isKept == 0.0f || contacts.Has(contact, ContactFlag::sensor)) return false;
+    const float mostWay = contacts.steadyReach;
+    constexpr float mostTurn = 0.2f;
+    const ContactPair& pair = contacts.pair[c];
+    const int a = row.isSwapped != 0.0f ? pair.bodyB : pair.bodyA, b = row.isSwapped != 0.0f ? pair.bodyA : pair.bodyB;
+    const float turnA = bodies.position[static_cast<size_t>(a)].a - row.turnA;
+    const float turnB = bodies.position[static_cast<size_t>(b)].a - row.turnB;
+    if (!(Abs(turnA) < mostTurn && Abs(turnB) < mostTurn)) return false;
+    const Vec2 frame = FrameOf(bodies, a, b);
+    const Vec2 way = CentreIn(frame, bodies, b) - CentreIn(frame, bodies, a) - row.between;
+    return Abs(way.x) + Abs(way.y) + Abs(turnB - turnA) * row.reach < mostWay;
+}
+
 bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
                      ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
@@ -42,6 +59,8 @@ bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable&
     const Vec2 frame = FrameOf(bodies, pair.bodyA, pair.bodyB);
     const Transform xfA = TransformIn(frame, bodies, pair.bodyA), xfB = TransformIn(frame, bodies, pair.bodyB);
     Manifold& manifold = contacts.manifold[c];
+    if (StaysSteady(contact, bodies, contacts)) return true;
+    contacts.ForgetSteady(contact);
     if (contacts.Has(contact, ContactFlag::sensor)) {
         manifold.pointCount = 0;  // sensors push nobody
         DistanceProxy proxyA, proxyB;

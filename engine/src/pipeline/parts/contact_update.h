@@ -39,6 +39,9 @@ private:
     uint32_t m_key[maxManifoldPoints];
 };
 
+/// True if the contact goes on with the geometry that it keeps (SteadyContact): its bodies lie about as they did.
+bool StaysSteady(int contact, const BodyTable& bodies, const ContactTable& contacts);
+
 /// The manifold at the present transforms, with the impulses of the old one by feature id; true if the fixtures touch.
 /// Nothing else changes but `work`, the counts of what sensors cost, so contacts may be computed in any order and at
 /// the same time.

@@ -32,8 +32,8 @@ struct SolverSettings {
     const KernelSet& kernels;           ///< what to leave out; a listener may add to it between two islands
     bool allowSleep;
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
-    float contactHertzRatio, contactDampingRatio, contactPushSpeed;  ///< soft step
-    float lengthScale = 1.0f;                                        ///< factor on tolerances
+    float contactHertz, contactDampingRatio, contactPushSpeed;  ///< soft step
+    float lengthScale = 1.0f;                                   ///< factor on tolerances
     const Tolerance* tolerance = nullptr;  ///< soft step: islands may take more than `substeps` to keep it
 
     [[nodiscard]] float Slop() const { return linearSlop * lengthScale; }
@@ -53,7 +53,9 @@ struct alignas(64) SoftBody {
     Twist kick;                     ///< by gravity and forces in half a sub-step
     Twist unaided;                  ///< velocity after the last kick, before constraints, without what contacts do
     Twist byContacts;               ///< change by contacts in the last sub-step
-    Twist gained;                   ///< change by contacts in this sub-step so far
+    /// Of jointed bodies: change by contacts in this sub-step so far. Of others: velocity between the halves of the
+    /// sub-step, before constraints.
+    Twist gained;
 };
 static_assert(sizeof(SoftBody) == 64);
 
@@ -66,8 +68,10 @@ struct SolverScratch {
     JointConstraints joints;
     std::vector<Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
-    std::vector<int> jointed;           ///< rows of `soft`
-    std::vector<Twist> before;          ///< of these: velocity before a pass over the contacts
+    std::vector<Velocity> startVelocity;  ///< per body, of jointed ones: where the motion of the soft step began
+    std::vector<int> jointed;             ///< rows of `soft`
+    std::vector<Twist> before;            ///< of these: velocity before a pass over the contacts
+    IslandTable rest;                     ///< jointed bodies that go on after a time of impact
     IslandTable wide;                   ///< islands that are solved together, joined; `islands` keeps their own ranges
     std::vector<uint8_t> islandSolved;  ///< per island of `wide`: positions are within tolerance
     std::vector<ContactImpulse> impulses;

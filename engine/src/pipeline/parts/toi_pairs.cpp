@@ -251,8 +251,9 @@ float ToiPairs::TimeOf(const ToiPair& pair) const {
     TOIOutput output;
     TimeOfImpact(&output, &input);
     m_events.work->Add(output);
-    if (output.state == TOIOutput::e_overlapped) {
-        // They have gone into each other already. The middle of the one that moves must not pass to the other side.
+    // What begins as near as it may come, or within the other already, is held by its contact; only the middle of the
+    // one that moves must not pass to the other side.
+    if (output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
         const bool isA = IsDynamic(pair.bodyA) && (!IsDynamic(pair.bodyB) || IsBullet(pair.bodyA));
         const Vec2 middle = MiddleOf(*m_t.fixtures.shape[Row(isA ? pair.fixtureA : pair.fixtureB)]);
         (isA ? input.proxyA : input.proxyB).Set(&middle, 1, 0.0f);

@@ -59,8 +59,15 @@ struct ToiScratch {
 
 class ToiPairs {
 public:
-    ToiPairs(float lengthScale, const ContactEvents& events, const ContinuousTables& tables, ToiScratch& scratch)
-        : m_lengthScale(lengthScale), m_events(events), m_t(tables), m_bodies(tables.bodies), m_s(scratch) {}
+    /// `atOutlines`: bodies rest where their outlines touch (soft step).
+    ToiPairs(float lengthScale, bool atOutlines, const ContactEvents& events, const ContinuousTables& tables,
+             ToiScratch& scratch)
+        : m_lengthScale(lengthScale),
+          m_atOutlines(atOutlines),
+          m_events(events),
+          m_t(tables),
+          m_bodies(tables.bodies),
+          m_s(scratch) {}
 
     /// Forgets all pairs, and where bodies stand in the step unless it goes on.
     void Clear();
@@ -98,6 +105,7 @@ private:
     [[nodiscard]] float TimeOf(const ToiPair& pair) const;
 
     const float m_lengthScale;
+    const bool m_atOutlines;
     const ContactEvents& m_events;
     const ContinuousTables& m_t;
     BodyTable& m_bodies;
