@@ -59,7 +59,7 @@ MassData RoundedMass(const ConvexShape& shape, float radius) {
         sum.Add(length * r, 0.5f * (v1 + v2) + 0.5f * radius * n1, length * r * (length * length + r * r) / 12.0);
         Vec2 middle = n1 + n2;
         if (middle.Normalize() < 1.0e-3f) middle = Cross(1.0f, n1);  // the round end of a capsule
-        AddSlice(sum, v2, r, Atan2(Abs(Cross(n1, n2)), Dot(n1, n2)), middle);
+        AddSlice(sum, v2, r, Atan2(std::fabs(Cross(n1, n2)), Dot(n1, n2)), middle);
     }
     return sum.Get();
 }

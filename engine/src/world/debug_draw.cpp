@@ -36,7 +36,7 @@ void DrawConvex(const ConvexShape& convex, const Transform& xf, const Color& col
     int count = 0;
     for (int i = 0; i < convex.m_count; ++i) {
         const Vec2 before = convex.m_normals[i > 0 ? i - 1 : convex.m_count - 1];
-        const float corner = Atan2(Abs(Cross(before, convex.m_normals[i])), Dot(before, convex.m_normals[i]));
+        const float corner = Atan2(std::fabs(Cross(before, convex.m_normals[i])), Dot(before, convex.m_normals[i]));
         for (int k = 0; k <= arcs; ++k) {
             const Rot turn(arcs > 0 ? corner * static_cast<float>(k) / static_cast<float>(arcs) : 0.0f);
             outline[count++] = Mul(xf, convex.m_vertices[i] + convex.m_solidRadius * Mul(turn, before));
