@@ -73,9 +73,8 @@ struct ContinuousScratch : ToiScratch {
     std::vector<int> islandPlace;  ///< per body: its place in islandBodies; −1 if it is not there
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return ToiScratch::GetMemoryBytes() +
-               BytesOf(ballistic, rows.velocity, rows.position, ahead, islandContacts, islandBodies, islandJoints,
-                       islandPlace);
+        return ToiScratch::GetMemoryBytes() + BytesOf(ballistic, rows.velocity, rows.position, ahead, islandContacts,
+                                                      islandBodies, islandJoints, islandPlace);
     }
 };
 
