@@ -236,14 +236,16 @@ float ToiPairs::TimeOf(const ToiPair& pair) const {
     input.tMax = 1.0f;
     input.lengthScale = m_lengthScale;
     TOIOutput output;
-    TimeOfImpact(&output, &input);
-    m_events.work->Add(output);
-    // What begins as near as it may come is held by its contact; only its centre must not get through.
-    const bool beginsNear = output.state == TOIOutput::e_overlapped || output.t <= 0.0f;
-    if (m_atOutlines && beginsNear) {
-        if (!UseCentre(pair, input)) return 1.0f;
+    const auto search = [&] {
         TimeOfImpact(&output, &input);
         m_events.work->Add(output);
+    };
+    if (!pair.isHeld) search();
+    // What begins as near as it may come is held by its contact; only its centre must not get through.
+    const bool isNear = pair.isHeld || output.state == TOIOutput::e_overlapped || output.t <= 0.0f;
+    if (m_atOutlines && isNear) {
+        if (!UseCentre(pair, input)) return 1.0f;
+        search();
     }
     // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
     if (output.state != TOIOutput::e_touching && output.state != TOIOutput::e_failed) return 1.0f;
