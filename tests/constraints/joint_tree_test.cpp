@@ -5,6 +5,7 @@
 // joints' definitions; which joints form trees; what it does where joints repeat each other.
 
 #include "constraints/joint_tree.h"
+#include "constraints/joint_tree_factors.h"
 
 #include <gtest/gtest.h>
 
@@ -212,6 +213,7 @@ std::vector<double> ProjectDense(const Forest& forest, const BodyTable& bodies, 
             for (size_t k = 0; k < v.size(); ++k) matrix[i][j] += g[i][k] * inverse[k] * g[j][k];
         }
     }
+    for (size_t i = 0; i < g.size(); ++i) matrix[i][i] *= 1.0 + jointCompliance;
     const std::vector<double> impulse = SolveDense(matrix, right, leastPivot);
     for (size_t i = 0; i < g.size(); ++i) {
         for (size_t k = 0; k < v.size(); ++k) v[k] += inverse[k] * g[i][k] * impulse[i];
@@ -236,12 +238,13 @@ TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
         tree.SolveAfterMove(s.bodies.velocity);
         if (!(leastPivot > 1e-4)) continue;  // joints that nearly repeat each other
         for (const std::vector<double>& row : Jacobian(forest.constraints, ReadPoses(s.bodies))) {
-            double speed = 0.0;
+            double speed = 0.0, left = 0.0;  // rows that give way leave a little
             for (size_t b = 0; b < delta.size(); ++b) {
                 const Velocity& v = s.bodies.velocity[b];
                 speed += row[3 * b] * double{v.v.x} + row[3 * b + 1] * double{v.v.y} + row[3 * b + 2] * double{v.w};
+                for (size_t k = 3 * b; k < 3 * b + 3; ++k) left += row[k] * exact[k];
             }
-            EXPECT_LT(std::abs(speed), 1e-4) << seed;
+            EXPECT_NEAR(speed, left, 1e-4) << seed;
         }
         for (size_t b = 0; b < delta.size(); ++b) {
             const Velocity& v = s.bodies.velocity[b];
@@ -261,6 +264,10 @@ TEST(JointTree, AMoveEndsWithClosedJoints) {
         JointTree tree;
         tree.Build({s.bodies, s.joints, forest.joints, 0.0f});
         if (forest.joints.empty() || forest.constraints.size() > 3 * (s.bodies.position.size() - 1)) continue;
+        // Where joints nearly repeat each other, what they give way by takes more than one move to close.
+        double leastPivot = 0.0;
+        ProjectDense(forest, s.bodies, leastPivot);
+        if (!(leastPivot > 0.05)) continue;
         std::vector<Velocity> delta(s.bodies.velocity.size());
         s.bodies.startPosition = s.bodies.position;
         tree.Factorize({s.bodies, delta}, 1.0f / 960.0f);

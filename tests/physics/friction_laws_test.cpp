@@ -16,7 +16,8 @@ template <class E>
 typename E::Body* PutOnIncline(Lab<E>& lab, double alpha, double mu, Point half) {
     const Material rough{1.0, mu};
     AttachBox<E>(lab.Static(0.0, 0.0, alpha), 50.0, 0.5, rough);
-    const double height = 0.5 + half.y + 0.015;  // surfaces rest 1.5 cm apart: two skins of 1 cm less one slop
+    // Two skins of 1 cm less one slop apart, or, in the soft step, outlines that touch.
+    const double height = 0.5 + half.y + (runsSoftStep ? 0.0 : 0.015);
     auto* box = lab.Dynamic(-std::sin(alpha) * height, std::cos(alpha) * height, alpha);
     AttachBox<E>(box, half.x, half.y, rough);
     return box;

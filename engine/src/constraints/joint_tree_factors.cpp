@@ -14,9 +14,6 @@ namespace {
 
 /// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
 constexpr double leastPivot = 1e-9;
-/// Share of a row's own inverse mass by which it gives way. A pull of F at a mass m opens a joint by this times h²·F/m:
-/// nothing that shows, but a tight rope with a load on it, which no finite force holds straight, has a solution.
-constexpr double compliance = 1e-5;
 
 size_t At(int index) { return static_cast<size_t>(index); }
 
@@ -78,7 +75,7 @@ void FillMatrix(JointForest& forest) {
                     joint.inverse[i][j] = joint.inverse[j][i] =
                         product(joint.rows.a[i], joint.rows.a[j], a) + product(joint.rows.b[i], joint.rows.b[j], b);
                 }
-                joint.inverse[i][i] *= 1.0 + compliance;
+                joint.inverse[i][i] *= 1.0 + jointCompliance;
             });
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
                 TreeLink& link = forest.links[At(l)];

@@ -10,6 +10,11 @@
 
 namespace scree {
 
+/// Share of a row's own inverse mass by which it gives way. A pull of F at a mass m opens a joint by this times h²·F/m,
+/// which does not show; but rows that repeat others are shared out, and a tight rope with a load on it, which no finite
+/// force holds straight, has a solution.
+inline constexpr double jointCompliance = 1e-5;
+
 /// From the rows of all joints at the present poses: their pivots' inverses and the blocks of L.
 void FactorizeForest(JointForest& forest);
 /// Right sides → impulses, which are added to the joints' sums and push the bodies.

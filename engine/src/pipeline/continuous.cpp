@@ -115,7 +115,14 @@ private:
         const BodyBackup backupA = Advance(pair.bodyA, alpha);
         const BodyBackup backupB = Advance(pair.bodyB, alpha);
         const int contact = TouchingContact(pair);
-        if (contact < 0 || !WillOverlap(contact, alpha)) {
+        if (contact >= 0 && !pair.isHeld && !WillOverlap(contact, alpha)) {
+            m_s.pairs[Row(index)].isHeld = true;
+            Restore(backupA);
+            Restore(backupB);
+            m_toi.UpdateTimes(m_toi.IsDynamic(pair.bodyA) ? pair.bodyA : pair.bodyB);
+            return false;
+        }
+        if (contact < 0) {
             m_s.pairs[Row(index)].over = true;
             Restore(backupA);
             Restore(backupB);

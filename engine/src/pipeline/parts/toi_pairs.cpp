@@ -249,16 +249,18 @@ float ToiPairs::TimeOf(const ToiPair& pair) const {
     input.tMax = 1.0f;
     input.lengthScale = m_lengthScale;
     TOIOutput output;
-    TimeOfImpact(&output, &input);
-    m_events.work->Add(output);
+    const auto search = [&] {
+        TimeOfImpact(&output, &input);
+        m_events.work->Add(output);
+    };
+    if (!pair.isHeld) search();
     // What begins as near as it may come, or within the other already, is held by its contact; only the middle of the
     // one that moves must not pass to the other side.
-    if (output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
+    if (pair.isHeld || output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
         const bool isA = IsDynamic(pair.bodyA) && (!IsDynamic(pair.bodyB) || IsBullet(pair.bodyA));
         const Vec2 middle = MiddleOf(*m_t.fixtures.shape[Row(isA ? pair.fixtureA : pair.fixtureB)]);
         (isA ? input.proxyA : input.proxyB).Set(&middle, 1, 0.0f);
-        TimeOfImpact(&output, &input);
-        m_events.work->Add(output);
+        search();
     }
     // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
     if (output.state != TOIOutput::e_touching && output.state != TOIOutput::e_failed) return 1.0f;

@@ -33,9 +33,10 @@ struct ContinuousTables {
 struct ToiPair {
     int fixtureA, fixtureB;
     int bodyA, bodyB;
-    int rounds;        ///< events so far
-    int nextA, nextB;  ///< the next pair of each body's list
-    bool over;         ///< not to be looked at again in this step
+    int rounds;           ///< events so far
+    int nextA, nextB;     ///< the next pair of each body's list
+    bool over;            ///< not to be looked at again in this step
+    bool isHeld = false;  ///< by its contact: only its centre is looked at
 };
 
 /// Scratch of the pairs, kept between steps.
