@@ -201,6 +201,8 @@ struct Scene {
     std::vector<Joint> joints;
     std::vector<Spawn> spawns;        ///< sorted by afterStep
     std::vector<Vec2> chainVertices;  ///< of all chains and large polygons, in body coordinates, m
+    /// What whoever made the scene wants kept beside it, a JSON object as text, or nothing; no engine reads it.
+    std::string user{};
 
     int InitialBodyCount() const { return static_cast<int>(bodies.size() - spawns.size()); }
 

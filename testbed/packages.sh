@@ -21,6 +21,7 @@ readonly SCREE_TEST_PACKAGES=(
     clang-format-14 clang
     xvfb xauth xdotool                                    # the window without a screen, with real events
     chromium chromium-driver python3                      # drives the report page
+    python3-jsonschema                                    # holds scene files to their schema
     parallel                                              # shards side by side
 )
 

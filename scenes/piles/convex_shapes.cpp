@@ -5,21 +5,13 @@
 // ellipse, slice of a disk, and a lens given by its support function), fall onto a floor between walls. Size → scene.
 
 #include <array>
-#include <cmath>
 
 #include "scenes/build.h"
+#include "scenes/support.h"
 
 namespace scenes {
 
 namespace {
-
-// Where two disks of radius 1 with centres at (0, ±0.6) overlap: tips at (±0.8, 0), arcs between them.
-Vec2 LensSupport(Vec2 direction) {
-    constexpr double centre = 0.6, tip = 0.8;
-    const double x = direction.x, y = direction.y;
-    if (std::abs(y) < centre) return Point(x > 0.0 ? tip : -tip, 0.0);
-    return Point(x, y > 0.0 ? y - centre : y + centre);
-}
 
 Shape Twelve(Scene& scene) {
     std::array<Vec2, 12> corners;

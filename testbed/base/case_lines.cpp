@@ -4,13 +4,15 @@
 // Results of a command with many cases as JSON lines.
 
 #include "testbed/base/case_lines.h"
-#include "testbed/base/errors.h"
 
 #include <fmt/format.h>
 
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/text.h"
 
 namespace testbed {
 
@@ -29,14 +31,14 @@ struct Merger {
     std::size_t caseCount = 0;
     std::map<std::size_t, CaseText> cases;
 
-    void Add(const CaseFile& file, std::size_t lineNumber, const std::string& line);
+    void Add(const CaseFile& file, std::size_t lineNumber, std::string_view line);
 };
 
 [[noreturn]] void Refuse(const CaseFile& file, std::size_t lineNumber, const std::string& problem) {
     throw FileError(fmt::format("{}:{}: {}", file.name, lineNumber, problem));
 }
 
-void Merger::Add(const CaseFile& file, std::size_t lineNumber, const std::string& line) {
+void Merger::Add(const CaseFile& file, std::size_t lineNumber, std::string_view line) {
     const Json object = Json::parse(line, nullptr, false);
     const auto isCount = [&](const char* key) { return object.contains(key) && object[key].is_number_unsigned(); };
     if (!object.is_object() || !object.contains("command") || !object["command"].is_string() || !isCount("case") ||
@@ -60,7 +62,7 @@ void Merger::Add(const CaseFile& file, std::size_t lineNumber, const std::string
         Refuse(file, lineNumber,
                fmt::format("case {} is also in {}; give every shard once", number, place->second.file->name));
     }
-    place->second.text += line + "\n";
+    place->second.text.append(line) += "\n";
 }
 
 }  // namespace
@@ -77,13 +79,7 @@ void CaseLines::Add(std::size_t caseNumber, const Json& fields) {
 MergedLines MergeCaseLines(std::span<const CaseFile> files) {
     Merger merger;
     for (const CaseFile& file : files) {
-        std::size_t lineNumber = 0;
-        for (std::size_t begin = 0; begin < file.text.size();) {
-            const std::size_t end = std::min(file.text.find('\n', begin), file.text.size());
-            ++lineNumber;
-            if (end > begin) merger.Add(file, lineNumber, file.text.substr(begin, end - begin));
-            begin = end + 1;
-        }
+        ForEachLine(file.text, [&](std::size_t number, std::string_view line) { merger.Add(file, number, line); });
     }
     MergedLines merged;
     merged.caseCount = merger.caseCount;

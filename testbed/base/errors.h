@@ -6,7 +6,6 @@
 #pragma once
 
 #include <stdexcept>
-#include "testbed/base/errors.h"
 
 namespace testbed {
 

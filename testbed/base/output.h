@@ -46,4 +46,3 @@ private:
 };
 
 }  // namespace testbed
-#include "testbed/base/output.h"

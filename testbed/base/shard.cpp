@@ -8,34 +8,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <charconv>
+#include <vector>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/text.h"
 
 namespace testbed {
 
-namespace {
-
-/// The whole text as a number, else 0.
-int ParsePart(std::string_view text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size() ? value : 0;
-}
-
-}  // namespace
-
 Shard ParseShard(std::string_view text) {
-    const std::size_t slash = std::min(text.find('/'), text.size());
-    Shard shard;
-    shard.index = ParsePart(text.substr(0, slash));
-    shard.count = slash < text.size() ? ParsePart(text.substr(slash + 1)) : 0;
-    if (shard.index < 1 || shard.count < 1 || shard.index > shard.count || shard.count > maxShards) {
-        throw UsageError(
-            fmt::format("--shard {}: give I/N, part I of N with 1 <= I <= N <= {}, for example 1/2", text, maxShards));
+    const std::vector<std::string_view> parts = Split(text, '/');
+    const Parsed<int> index = ParseNumber<int>(parts.front()), count = ParseNumber<int>(parts.back());
+    if (parts.size() != 2 || !index || !count || *index < 1 || *index > *count || *count > maxShards) {
+        throw UsageError(fmt::format("--shard {}: {}give I/N, part I of N with 1 <= I <= N <= {}, for example 1/2",
+                                     text, BeforeCure(!index ? index.problem : count.problem), maxShards));
     }
-    return shard;
+    return {*index, *count};
 }
 
 void AddShardOptions(CLI::App& app, ShardArguments& arguments) {

@@ -3,7 +3,7 @@
 //
 // `--shard I/N`: a command with many independent cases takes every N-th of them, so that N processes on one machine or
 // many share the work. Cases are numbered from 0 in the order of the whole, unsharded run; every case writes one or
-// more JSON lines that carry its number (report/case_lines.h), and `scree merge` joins the files of all shards.
+// more JSON lines that carry its number (base/case_lines.h), and `scree merge` joins the files of all shards.
 //
 //     std::string shardText; std::string json;              // in the arguments of the command
 //     AddShardOptions(*command, arguments.shard);           // --shard I/N and --json FILE

@@ -6,14 +6,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/cli/commands.h"
 
@@ -26,16 +25,10 @@ struct MergeArguments {
     std::string output;
 };
 
-CaseFile ReadCaseFile(const std::string& name) {
-    std::ifstream stream(name, std::ios::binary);
-    CaseFile file{name, {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()}};
-    if (!stream) throw FileError(fmt::format("cannot read {}", name));
-    return file;
-}
-
 int RunMerge(const MergeArguments& arguments) {
     std::vector<CaseFile> files;
-    for (const std::string& name : arguments.files) files.push_back(ReadCaseFile(name));
+    for (const std::string& name : arguments.files)
+        files.push_back({name, ReadText(name, "give one that --json wrote")});
     const MergedLines merged = MergeCaseLines(files);
     if (arguments.output.empty()) {
         std::fwrite(merged.text.data(), 1, merged.text.size(), stdout);

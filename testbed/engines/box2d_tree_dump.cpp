@@ -16,7 +16,7 @@ namespace {
 
 /// Stands in for a query callback; carries what the walk needs.
 struct TreeDump {
-    int (*fixtureOf)(void*);
+    const std::function<int(void*)>& fixtureOf;
     std::vector<NodeState>* nodes;
 };
 
@@ -61,7 +61,8 @@ inline void b2DynamicTree::Query<testbed::TreeDump>(testbed::TreeDump* dump, con
 
 namespace testbed {
 
-void DumpBox2dTree(const b2BroadPhase& broadPhase, int (*fixtureOf)(void* userData), std::vector<NodeState>& nodes) {
+void DumpBox2dTree(const b2BroadPhase& broadPhase, const std::function<int(void* userData)>& fixtureOf,
+                   std::vector<NodeState>& nodes) {
     TreeDump dump{fixtureOf, &nodes};
     broadPhase.Query(&dump, b2AABB{});
 }

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "testbed/engines/snapshot.h"
@@ -14,6 +15,7 @@ class b2BroadPhase;
 namespace testbed {
 
 /// Replaces `nodes`. `fixtureOf` maps a leaf's user data to an index into Snapshot::fixtures.
-void DumpBox2dTree(const b2BroadPhase& broadPhase, int (*fixtureOf)(void* userData), std::vector<NodeState>& nodes);
+void DumpBox2dTree(const b2BroadPhase& broadPhase, const std::function<int(void* userData)>& fixtureOf,
+                   std::vector<NodeState>& nodes);
 
 }  // namespace testbed

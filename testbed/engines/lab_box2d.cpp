@@ -7,6 +7,7 @@
 
 #include "testbed/engines/box2d_joint.h"
 #include "testbed/engines/box2d_shape.h"
+#include "testbed/engines/capture_box2d.h"
 #include "testbed/engines/lab_world.h"
 
 namespace testbed {
@@ -40,6 +41,7 @@ struct Box2dNames {
         return def;
     }
 
+    static BodyState Capture(const Body& body, int index) { return CaptureBody(body, index); }
     static Point GetOrigin(const Body& body) { return ToPoint(body.GetPosition()); }
     static Point GetCentre(const Body& body) { return ToPoint(body.GetWorldCenter()); }
 

@@ -6,6 +6,7 @@
 #include "scree/contact.h"
 #include "scree/far_position.h"
 #include "scree/world.h"
+#include "testbed/engines/capture_scree.h"
 #include "testbed/engines/lab_world.h"
 #include "testbed/engines/scree_joint.h"
 #include "testbed/engines/scree_shape.h"
@@ -48,6 +49,7 @@ struct ScreeNames {
         return def;
     }
 
+    static BodyState Capture(const Body& body, int index) { return CaptureBody(body, index); }
     static Point GetOrigin(const Body& body) { return ToPoint(body.GetPosition()) + ToPoint(body.GetPositionRest()); }
     static Point GetCentre(const Body& body) {
         return ToPoint(body.GetWorldCenter()) + ToPoint(body.GetWorldCenterRest());

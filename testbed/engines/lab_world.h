@@ -103,18 +103,7 @@ public:
         std::vector<BodyState> states;
         for (size_t i = 0; i < m_bodies.size(); ++i) {
             if (!m_bodies[i]) continue;
-            const Body& b = *m_bodies[i];
-            BodyState state{};
-            state.index = static_cast<int>(i);
-            state.type = GetScene().bodies[i].type;
-            state.position = {b.GetPosition().x, b.GetPosition().y};
-            state.sin = b.GetTransform().q.s;
-            state.cos = b.GetTransform().q.c;
-            state.angle = b.GetAngle();
-            state.linearVelocity = {b.GetLinearVelocity().x, b.GetLinearVelocity().y};
-            state.angularVelocity = b.GetAngularVelocity();
-            state.awake = state.type != scenes::BodyType::isStatic && b.IsAwake();
-            states.push_back(state);
+            states.push_back(E::Capture(*m_bodies[i], static_cast<int>(i)));
         }
         return HashState(states);
     }

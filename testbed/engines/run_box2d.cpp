@@ -13,8 +13,7 @@
 #include "testbed/base/stopwatch.h"
 #include "testbed/engines/box2d_joint.h"
 #include "testbed/engines/box2d_shape.h"
-#include "testbed/engines/box2d_tree_dump.h"
-#include "testbed/engines/pair_count.h"
+#include "testbed/engines/capture_box2d.h"
 #include "testbed/engines/scene_run.h"
 
 namespace testbed {
@@ -65,11 +64,7 @@ b2FixtureDef MakeB2FixtureDef(const scenes::Fixture& fixture, const b2Shape& sha
 
 int IndexOf(b2Body* body) { return static_cast<int>(body->GetUserData().pointer); }
 /// A fixture's user data is the index into Snapshot::fixtures of its first child; the others follow.
-int IndexOf(b2Fixture* fixture, int32 child) { return static_cast<int>(fixture->GetUserData().pointer) + child; }
-int FixtureOfProxy(void* userData) {
-    const auto* proxy = static_cast<b2FixtureProxy*>(userData);
-    return IndexOf(proxy->fixture, proxy->childIndex);
-}
+int ProxyOf(b2Fixture* fixture) { return static_cast<int>(fixture->GetUserData().pointer); }
 
 /// Box2D flags static bodies that an island touched as awake, which means nothing.
 bool IsSimulated(const b2Body& body) { return body.GetType() != b2_staticBody && body.IsAwake(); }
@@ -78,7 +73,7 @@ class Box2dRun final : public SceneRun {
 public:
     Box2dRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs) : SceneRun(scene, spec, needs) {
         m_bodies.reserve(scene.bodies.size());
-        m_fixtures.reserve(scene.fixtures.size());
+        m_proxies.reserve(scene.fixtures.size());
         m_joints.reserve(scene.joints.size());
         Create([&] {
             m_world = std::make_unique<b2World>(ToB2(*GetSpec().gravity));
@@ -98,22 +93,13 @@ protected:
     void CreateBody(const scenes::Body& body) override;
     void CreateJoint(const scenes::Joint& joint) override;
     StepTimes StepEngine(bool newFixtures) override;
-    void CaptureHeader(Snapshot& snapshot) override;
-    void CaptureBodies(std::vector<BodyState>& bodies) override;
-    void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) override;
+    void CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) override;
     void ApplyToWorld(const RunSpec& spec) override;
     void CreateDrag(int body, Vec2 localPoint) override;
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToB2(target)); }
     void DestroyDrag() override;
 
 private:
-    /// A fixture, its index into the scene's fixtures, and which child of it is meant.
-    struct Entry {
-        b2Fixture* fixture;
-        int sceneIndex;
-        int child;
-    };
-
     /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
     class Conveyor final : public b2ContactListener {
     public:
@@ -124,8 +110,8 @@ private:
 
     private:
         [[nodiscard]] float SpeedOf(b2Fixture* fixture) const {
-            const Entry& entry = m_run.m_fixtures[static_cast<size_t>(IndexOf(fixture, 0))];
-            return m_run.GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].tangentSpeed;
+            const Box2dProxy& proxy = m_run.m_proxies[static_cast<size_t>(ProxyOf(fixture))];
+            return m_run.GetScene().fixtures[static_cast<size_t>(proxy.sceneIndex)].tangentSpeed;
         }
         const Box2dRun& m_run;
     };
@@ -133,18 +119,13 @@ private:
     void CreateFixture(b2Body& body, int sceneIndex);
     void NoteAwake();
 
-    void CaptureFixtures(std::vector<FixtureState>& fixtures) const;
-    void CaptureContacts(std::vector<ContactState>& contacts) const;
-    void CaptureJoints(std::vector<JointState>& joints) const;
-    void CaptureNodes(Snapshot& snapshot, bool pairs) const;
-
     Conveyor m_conveyor{*this};
     std::unique_ptr<b2World> m_world;
-    Box2dBodies m_bodies;            ///< by body index
-    std::vector<Entry> m_fixtures;   ///< by index into Snapshot::fixtures
-    Box2dJoints m_joints;            ///< by joint index
-    std::vector<bool> m_wasAwake;    ///< by body index, after the step that was counted last
-    b2Body* m_dragGround = nullptr;  ///< carries the spring that drags
+    Box2dBodies m_bodies;               ///< by body index
+    std::vector<Box2dProxy> m_proxies;  ///< by index into Snapshot::fixtures
+    Box2dJoints m_joints;               ///< by joint index
+    std::vector<bool> m_wasAwake;       ///< by body index, after the step that was counted last
+    b2Body* m_dragGround = nullptr;     ///< carries the spring that drags
     b2MouseJoint* m_drag = nullptr;
 };
 
@@ -154,14 +135,14 @@ void Box2dRun::CreateFixture(b2Body& body, int sceneIndex) {
     if (fixture.shape.type == scenes::ShapeType::chain) {
         b2ChainShape chain;
         MakeBox2dChain(GetScene(), fixture.shape, chain);
-        const b2FixtureDef def = MakeB2FixtureDef(fixture, chain, m_fixtures.size());
+        const b2FixtureDef def = MakeB2FixtureDef(fixture, chain, m_proxies.size());
         made = body.CreateFixture(&def);
     } else {
         const Box2dShape shape = MakeBox2dShape(Box2dShapeOf(GetScene(), fixture.shape));
-        const b2FixtureDef def = MakeB2FixtureDef(fixture, AsB2Shape(shape), m_fixtures.size());
+        const b2FixtureDef def = MakeB2FixtureDef(fixture, AsB2Shape(shape), m_proxies.size());
         made = body.CreateFixture(&def);
     }
-    for (int child = 0; child < fixture.shape.ChildCount(); ++child) m_fixtures.push_back({made, sceneIndex, child});
+    for (int child = 0; child < fixture.shape.ChildCount(); ++child) m_proxies.push_back({made, sceneIndex, child});
 }
 
 void Box2dRun::CreateBody(const scenes::Body& body) {
@@ -236,97 +217,14 @@ void Box2dRun::DestroyDrag() {
     m_drag = nullptr;
 }
 
-void Box2dRun::CaptureHeader(Snapshot& snapshot) {
-    snapshot.engine = "box2d";
-    snapshot.broadPhase = "b2DynamicTree";
-    snapshot.threads = 1;
-    snapshot.contactCount = m_world->GetContactCount();
-    snapshot.touchingCount = 0;
-    snapshot.pairsReported = 0;
-    for (const b2Contact* c = m_world->GetContactList(); c; c = c->GetNext()) snapshot.touchingCount += c->IsTouching();
-}
-
-void Box2dRun::CaptureBodies(std::vector<BodyState>& bodies) {
-    for (size_t i = 0; i < m_bodies.size(); ++i) {
-        const b2Body& b = *m_bodies[i];
-        const scenes::BodyType type = GetScene().bodies[i].type;
-        bodies.push_back({.index = static_cast<int>(i),
-                          .type = type,
-                          .position = FromB2(b.GetPosition()),
-                          .sin = b.GetTransform().q.s,
-                          .cos = b.GetTransform().q.c,
-                          .angle = b.GetAngle(),
-                          .linearVelocity = FromB2(b.GetLinearVelocity()),
-                          .angularVelocity = b.GetAngularVelocity(),
-                          .awake = IsSimulated(b),
-                          .bullet = b.IsBullet()});
-    }
-}
-
-void Box2dRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
-    fixtures.reserve(m_fixtures.size());
-    for (const Entry& entry : m_fixtures) {
-        b2AABB tight;
-        b2Body* body = entry.fixture->GetBody();
-        entry.fixture->GetShape()->ComputeAABB(&tight, body->GetTransform(), entry.child);
-        fixtures.push_back(
-            {.body = IndexOf(body),
-             .fixture = entry.sceneIndex,
-             .child = entry.child,
-             .shape = Box2dShapeOf(
-                 GetScene(),
-                 scenes::ChildOf(GetScene(), GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
-                                 entry.child)),
-             .sensor = entry.fixture->IsSensor(),
-             .tight = FromB2(tight)});
-    }
-}
-
-void Box2dRun::CaptureContacts(std::vector<ContactState>& contacts) const {
-    contacts.reserve(static_cast<size_t>(m_world->GetContactCount()));
-    for (b2Contact* c = m_world->GetContactList(); c; c = c->GetNext()) {
-        ContactState state{};
-        state.fixtureA = IndexOf(c->GetFixtureA(), c->GetChildIndexA());
-        state.fixtureB = IndexOf(c->GetFixtureB(), c->GetChildIndexB());
-        state.touching = c->IsTouching();
-        const b2Manifold& manifold = *c->GetManifold();
-        state.pointCount = manifold.pointCount;
-        if (state.pointCount > 0) {
-            b2WorldManifold world;
-            c->GetWorldManifold(&world);
-            state.normal = FromB2(world.normal);
-            for (int k = 0; k < state.pointCount; ++k) {
-                state.points[k] = FromB2(world.points[k]);
-                state.separations[k] = world.separations[k];
-                state.normalImpulses[k] = manifold.points[k].normalImpulse;
-                state.tangentImpulses[k] = manifold.points[k].tangentImpulse;
-            }
-        }
-        contacts.push_back(state);
-    }
-}
-
-void Box2dRun::CaptureJoints(std::vector<JointState>& joints) const {
-    for (size_t i = 0; i < m_joints.size(); ++i) {
-        b2Joint* j = m_joints[i];
-        const scenes::Joint& joint = GetScene().joints[i];
-        joints.push_back({IndexOf(j->GetBodyA()), IndexOf(j->GetBodyB()), FromB2(j->GetAnchorA()),
-                          FromB2(j->GetAnchorB()), joint.type, joint.groundAnchorA, joint.groundAnchorB});
-    }
-}
-
-void Box2dRun::CaptureNodes(Snapshot& snapshot, bool pairs) const {
-    DumpBox2dTree(m_world->GetContactManager().m_broadPhase, FixtureOfProxy, snapshot.nodes);
-    snapshot.treeHeight = m_world->GetTreeHeight();
-    snapshot.leafSize = snapshot.nodes.empty() ? 0 : 1;
-    if (pairs && !snapshot.fixtures.empty()) snapshot.pairsReported = CountPairs(LeafBoxes(snapshot));
-}
-
-void Box2dRun::CaptureRest(Snapshot& snapshot, const CaptureParts& parts) {
-    if (parts.fixtures) CaptureFixtures(snapshot.fixtures);
-    if (parts.contacts) CaptureContacts(snapshot.contacts);
-    if (parts.joints) CaptureJoints(snapshot.joints);
-    if (parts.nodes) CaptureNodes(snapshot, parts.pairs);
+void Box2dRun::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {
+    const Box2dListing listing{.scene = &GetScene(),
+                               .bodies = m_bodies,
+                               .indexOf = IndexOf,
+                               .proxies = m_proxies,
+                               .proxyOf = ProxyOf,
+                               .joints = m_joints};
+    testbed::Capture(*m_world, listing, snapshot, parts);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "scree/mouse_joint.h"
 #include "scree/world.h"
 #include "testbed/base/stopwatch.h"
+#include "testbed/engines/capture_scree.h"
 #include "testbed/engines/feature_facts.h"
 #include "testbed/engines/scene_run.h"
 #include "testbed/engines/scree_joint.h"
@@ -72,7 +73,10 @@ void ThrowError(const scree::Error& error, void*) {
 /// Of outlines in pictures: chords of 3.75 degrees.
 constexpr int outlineDirections = 96;
 
-int BodyIndexOf(scree::Body* body) { return static_cast<int>(body->GetUserData().pointer); }
+/// The engine gives user data by a reference only, for writing too.
+int BodyIndexOf(const scree::Body* body) {
+    return static_cast<int>(const_cast<scree::Body*>(body)->GetUserData().pointer);
+}
 
 /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
 class Conveyor final : public scree::ContactListener {
@@ -95,8 +99,8 @@ public:
         : SceneRun(scene, spec, needs), m_conveyor(GetScene()) {
         const scree::WorldDef def = MakeScreeWorldDef(GetSpec());
         m_bodies.reserve(scene.bodies.size());
-        m_fixtures.reserve(scene.fixtures.size());
-        m_indexOf.reserve(scene.fixtures.size());
+        m_proxies.reserve(scene.fixtures.size());
+        m_proxyOf.reserve(scene.fixtures.size());
         m_joints.reserve(scene.joints.size());
         Create([&] {
             m_world = std::make_unique<scree::World>(def);
@@ -117,49 +121,31 @@ protected:
     void CreateBody(const scenes::Body& body) override;
     void CreateJoint(const scenes::Joint& joint) override;
     StepTimes StepEngine(bool newFixtures) override;
-    void CaptureHeader(Snapshot& snapshot) override;
-    void CaptureBodies(std::vector<BodyState>& bodies) override;
-    void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) override;
+    void CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) override;
     void ApplyToWorld(const RunSpec& spec) override;
     void CreateDrag(int body, Vec2 localPoint) override;
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToScree(target)); }
     void DestroyDrag() override;
 
 private:
-    /// A fixture of the engine, the index of its fixture in the scene, and which edge of that it is.
-    struct Entry {
-        scree::Fixture* fixture;
-        int sceneIndex;
-        int child;
-        std::vector<Vec2> outline{};  ///< of a further convex shape
-    };
-
     void CreateFixture(scree::Body& body, int sceneIndex);
-    void AddEntry(Entry entry);
-    [[nodiscard]] int IndexOf(const scree::Fixture* fixture) const {
-        return m_indexOf[static_cast<size_t>(fixture->GetIndex())];
-    }
-
-    void CaptureFixtures(std::vector<FixtureState>& fixtures) const;
-    void CaptureContacts(std::vector<ContactState>& contacts) const;
-    void CaptureJoints(std::vector<JointState>& joints) const;
-    void CaptureNodes(Snapshot& snapshot) const;
+    void AddProxy(ScreeProxy proxy);
 
     Conveyor m_conveyor;
     std::unique_ptr<scree::World> m_world;
     ScreeBodies m_bodies;                 ///< by body index
-    std::vector<Entry> m_fixtures;        ///< by index into Snapshot::fixtures
-    std::vector<int> m_indexOf;           ///< Fixture::GetIndex → index into Snapshot::fixtures
+    std::vector<ScreeProxy> m_proxies;    ///< by index into Snapshot::fixtures
+    std::vector<int> m_proxyOf;           ///< Fixture::GetIndex → index into Snapshot::fixtures
     ScreeJoints m_joints;                 ///< by joint index
     scree::Body* m_dragGround = nullptr;  ///< carries the spring that drags
     scree::MouseJoint* m_drag = nullptr;
 };
 
-void ScreeRun::AddEntry(Entry entry) {
-    const auto slot = static_cast<size_t>(entry.fixture->GetIndex());
-    if (m_indexOf.size() <= slot) m_indexOf.resize(slot + 1, -1);
-    m_indexOf[slot] = static_cast<int>(m_fixtures.size());
-    m_fixtures.push_back(std::move(entry));
+void ScreeRun::AddProxy(ScreeProxy proxy) {
+    const auto slot = static_cast<size_t>(proxy.fixture->GetIndex());
+    if (m_proxyOf.size() <= slot) m_proxyOf.resize(slot + 1, -1);
+    m_proxyOf[slot] = static_cast<int>(m_proxies.size());
+    m_proxies.push_back(std::move(proxy));
 }
 
 void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
@@ -168,11 +154,11 @@ void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
     if (fixture.shape.type != scenes::ShapeType::chain) {
         const ScreeShape shape = MakeScreeShape(GetScene(), fixture.shape);
         const scree::FixtureDef def = MakeFixtureDef(fixture, AsShape(shape), index);
-        Entry entry{body.CreateFixture(&def), sceneIndex, 0};
+        ScreeProxy proxy{body.CreateFixture(&def), sceneIndex, 0};
         if (scenes::IsFurtherConvex(fixture.shape.type)) {
-            entry.outline = scenes::SampleOutline(GetScene(), fixture.shape, outlineDirections);
+            proxy.outline = scenes::SampleOutline(GetScene(), fixture.shape, outlineDirections);
         }
-        AddEntry(std::move(entry));
+        AddProxy(std::move(proxy));
         return;
     }
     const scree::ChainShape chain = MakeScreeChain(GetScene(), fixture.shape);
@@ -183,7 +169,7 @@ void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
     scree::Fixture* edge = body.GetFixtureList();
     for (size_t left = edges.size(); left-- > 0; edge = edge->GetNext()) edges[left] = edge;
     for (size_t child = 0; child < edges.size(); ++child) {
-        AddEntry({edges[child], sceneIndex, static_cast<int>(child)});
+        AddProxy({edges[child], sceneIndex, static_cast<int>(child)});
     }
 }
 
@@ -241,104 +227,15 @@ void ScreeRun::DestroyDrag() {
     m_drag = nullptr;
 }
 
-void ScreeRun::CaptureHeader(Snapshot& snapshot) {
-    snapshot.engine = "scree";
-    snapshot.broadPhase = scree::GetName(scree::inspect::GetBroadPhase(*m_world));
+void ScreeRun::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {
+    const ScreeListing listing{.scene = &GetScene(),
+                               .bodies = m_bodies,
+                               .indexOf = BodyIndexOf,
+                               .proxies = m_proxies,
+                               .proxyOf = m_proxyOf,
+                               .joints = m_joints};
+    testbed::Capture(*m_world, listing, snapshot, parts);
     snapshot.threads = GetSpec().threads;
-    snapshot.contactCount = m_world->GetContactCount();
-    snapshot.touchingCount = 0;
-    snapshot.pairsReported = m_world->GetReport().pairCount;
-    for (scree::Contact* c = m_world->GetContactList(); c; c = c->GetNext()) snapshot.touchingCount += c->IsTouching();
-}
-
-void ScreeRun::CaptureBodies(std::vector<BodyState>& bodies) {
-    for (size_t i = 0; i < m_bodies.size(); ++i) {
-        const scree::Body& b = *m_bodies[i];
-        const scenes::BodyType type = GetScene().bodies[i].type;
-        bodies.push_back({.index = static_cast<int>(i),
-                          .type = type,
-                          .position = FromScree(b.GetPosition()),
-                          .sin = b.GetTransform().q.s,
-                          .cos = b.GetTransform().q.c,
-                          .angle = b.GetAngle(),
-                          .linearVelocity = FromScree(b.GetLinearVelocity()),
-                          .angularVelocity = b.GetAngularVelocity(),
-                          .awake = type != scenes::BodyType::isStatic && b.IsAwake(),
-                          .bullet = b.IsBullet()});
-    }
-}
-
-void ScreeRun::CaptureFixtures(std::vector<FixtureState>& fixtures) const {
-    fixtures.reserve(m_fixtures.size());
-    for (const Entry& entry : m_fixtures) {
-        scree::AABB tight;
-        scree::Body* body = entry.fixture->GetBody();
-        std::as_const(*entry.fixture).GetShape()->ComputeAABB(&tight, body->GetTransform());
-        fixtures.push_back(
-            {.body = BodyIndexOf(body),
-             .fixture = entry.sceneIndex,
-             .child = entry.child,
-             .shape = scenes::ChildOf(GetScene(), GetScene().fixtures[static_cast<size_t>(entry.sceneIndex)].shape,
-                                      entry.child),
-             .sensor = entry.fixture->IsSensor(),
-             .tight = FromScree(tight)});
-        if (!entry.outline.empty()) fixtures.back().outline = entry.outline;
-    }
-}
-
-void ScreeRun::CaptureContacts(std::vector<ContactState>& contacts) const {
-    contacts.reserve(static_cast<size_t>(m_world->GetContactCount()));
-    std::vector<int> colours;
-    scree::inspect::GetContactColours(*m_world, colours);
-    for (scree::Contact* c = m_world->GetContactList(); c; c = c->GetNext()) {
-        ContactState state{};
-        state.fixtureA = IndexOf(c->GetFixtureA());
-        state.fixtureB = IndexOf(c->GetFixtureB());
-        state.touching = c->IsTouching();
-        state.color = colours[static_cast<size_t>(c->GetIndex())];
-        const scree::Manifold& manifold = *c->GetManifold();
-        state.pointCount = manifold.pointCount;
-        if (state.pointCount > 0) {
-            scree::WorldManifold world;
-            c->GetWorldManifold(&world);
-            state.normal = FromScree(world.normal);
-            for (int k = 0; k < state.pointCount; ++k) {
-                state.points[k] = FromScree(world.points[k]);
-                state.separations[k] = world.separations[k];
-                state.normalImpulses[k] = manifold.points[k].normalImpulse;
-                state.tangentImpulses[k] = manifold.points[k].tangentImpulse;
-            }
-        }
-        contacts.push_back(state);
-    }
-}
-
-void ScreeRun::CaptureJoints(std::vector<JointState>& joints) const {
-    for (size_t i = 0; i < m_joints.size(); ++i) {
-        scree::Joint* j = m_joints[i];
-        const scenes::Joint& joint = GetScene().joints[i];
-        joints.push_back({BodyIndexOf(j->GetBodyA()), BodyIndexOf(j->GetBodyB()), FromScree(j->GetAnchorA()),
-                          FromScree(j->GetAnchorB()), joint.type, joint.groundAnchorA, joint.groundAnchorB});
-    }
-}
-
-void ScreeRun::CaptureNodes(Snapshot& snapshot) const {
-    std::vector<scree::BvhNode> nodes;
-    scree::inspect::GetNodes(*m_world, nodes);
-    snapshot.leafSize = scree::inspect::GetLeafSize(*m_world);
-    snapshot.nodes.reserve(nodes.size());
-    for (const scree::BvhNode& n : nodes) {
-        const int fixture = n.fixture < 0 ? -1 : m_indexOf[static_cast<size_t>(n.fixture)];
-        snapshot.nodes.push_back({FromScree(n.box), n.parent, n.child1, n.child2, fixture, n.level});
-        snapshot.treeHeight = std::max(snapshot.treeHeight, n.level);
-    }
-}
-
-void ScreeRun::CaptureRest(Snapshot& snapshot, const CaptureParts& parts) {
-    if (parts.fixtures) CaptureFixtures(snapshot.fixtures);
-    if (parts.contacts) CaptureContacts(snapshot.contacts);
-    if (parts.joints) CaptureJoints(snapshot.joints);
-    if (parts.nodes) CaptureNodes(snapshot);
 }
 
 }  // namespace

@@ -10,8 +10,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "testbed/engines/state_hash.h"
-
 namespace testbed {
 
 namespace {
@@ -49,7 +47,7 @@ void SceneRun::CreateBodiesUpTo(int count) {
 
 void SceneRun::KeepBoxes() {
     Snapshot before;
-    CaptureRest(before, {.fixtures = true, .contacts = false, .joints = false, .nodes = false});
+    CaptureWorld(before, {.fixtures = true, .contacts = false, .joints = false, .nodes = false});
     m_boxesBefore.clear();
     for (const FixtureState& fixture : before.fixtures) m_boxesBefore.push_back(fixture.tight);
 }
@@ -134,18 +132,7 @@ void SceneRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {
     snapshot.step = m_step;
     snapshot.times = m_times;
     snapshot.memoryBytes = m_heap.GetBytes();
-    CaptureHeader(snapshot);
-    snapshot.bodies.clear();
-    snapshot.bodies.reserve(static_cast<size_t>(m_bodyCount));
-    CaptureBodies(snapshot.bodies);
-    snapshot.stateHash = HashState(snapshot.bodies);
-    snapshot.fixtures.clear();
-    snapshot.contacts.clear();
-    snapshot.joints.clear();
-    snapshot.nodes.clear();
-    snapshot.treeHeight = 0;
-    snapshot.leafSize = 0;
-    CaptureRest(snapshot, parts);
+    CaptureWorld(snapshot, parts);
     AddKeptBoxes(snapshot.fixtures);
 }
 

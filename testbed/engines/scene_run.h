@@ -52,11 +52,8 @@ protected:
     virtual void CreateJoint(const scenes::Joint& joint) = 0;
     /// One step; `newFixtures` tells that fixtures were created since the last one.
     virtual StepTimes StepEngine(bool newFixtures) = 0;
-    /// Names, thread count, contact counts.
-    virtual void CaptureHeader(Snapshot& snapshot) = 0;
-    virtual void CaptureBodies(std::vector<BodyState>& bodies) = 0;
-    /// Fixtures, contacts, joints, nodes (with height, leaf size and reported pairs), as far as `parts` asks for them.
-    virtual void CaptureRest(Snapshot& snapshot, const CaptureParts& parts) = 0;
+    /// All that the world itself knows, in the order of the scene.
+    virtual void CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) = 0;
     /// Gravity, sleeping, warm starting and continuous collision into the world; steps read the rest.
     virtual void ApplyToWorld(const RunSpec& spec) = 0;
     /// A mouse joint on the body at `localPoint`; none exists. Its strength is that of the dragSpring… below.

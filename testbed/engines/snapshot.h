@@ -118,4 +118,16 @@ struct Snapshot {
     [[nodiscard]] const std::string& GetName() const { return pane.empty() ? engine : pane; }
 };
 
+/// Empties what a capture of a world fills in; scene, size, step, threads, times and memory stay.
+inline void ClearWorld(Snapshot& snapshot) {
+    snapshot.bodies.clear();
+    snapshot.fixtures.clear();
+    snapshot.contacts.clear();
+    snapshot.joints.clear();
+    snapshot.nodes.clear();
+    snapshot.leafSize = snapshot.treeHeight = snapshot.contactCount = snapshot.touchingCount = 0;
+    snapshot.pairsReported = 0;
+    snapshot.stateHash = 0;
+}
+
 }  // namespace testbed

@@ -6,8 +6,6 @@
 
 #include "testbed/engines/state_hash.h"
 
-#include <fmt/format.h>
-
 #include <bit>
 
 namespace testbed {
@@ -34,7 +32,5 @@ uint64_t HashState(std::span<const BodyState> bodies) {
     }
     return hash;
 }
-
-std::string FormatHash(uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 }  // namespace testbed

@@ -8,7 +8,6 @@
 
 #include <cstdint>
 #include <span>
-#include <string>
 
 #include "testbed/engines/snapshot.h"
 
@@ -17,7 +16,5 @@ namespace testbed {
 /// Hash over position, angle, velocities and awake bit in the order given, which must be that of the body index.
 /// O(bodies).
 [[nodiscard]] uint64_t HashState(std::span<const BodyState> bodies);
-/// Sixteen hexadecimal digits, as all files have it.
-[[nodiscard]] std::string FormatHash(uint64_t hash);
 
 }  // namespace testbed

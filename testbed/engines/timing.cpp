@@ -8,27 +8,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <iterator>
+#include <vector>
+
+#include "testbed/base/csv.h"
+#include "testbed/base/statistics.h"
 
 namespace testbed {
 
 TimingStats GetBroadPhaseStats(const TimingSeries& series) {
     TimingStats stats;
     if (series.steps.empty()) return stats;
-    std::vector<double> sorted;
-    sorted.reserve(series.steps.size());
+    std::vector<double> times;
+    times.reserve(series.steps.size());
     for (const StepRecord& record : series.steps) {
-        sorted.push_back(record.times.broadPhase);
+        times.push_back(record.times.broadPhase);
         if (stats.maxStep == 0 || record.times.broadPhase > stats.max) {
             stats.max = record.times.broadPhase;
             stats.maxStep = record.step;
         }
     }
-    std::sort(sorted.begin(), sorted.end());
-    const std::size_t count = sorted.size();
-    stats.median = 0.5 * (sorted[(count - 1) / 2] + sorted[count / 2]);
-    stats.p99 = sorted[(count * 99 + 99) / 100 - 1];
+    stats.median = Quantile(times, 0.5);
+    stats.p99 = NearestRankQuantile(times, 0.99);
     return stats;
 }
 
@@ -50,15 +50,16 @@ int GetPeakContacts(const TimingSeries& series) {
 }
 
 std::string WriteTimingCsv(std::span<const TimingSeries> series) {
-    std::string text = "engine,step,broad_phase_ms,narrow_phase_ms,solver_ms,step_ms,contacts\n";
+    CsvTable table{"engine", "step", "broad_phase_ms", "narrow_phase_ms", "solver_ms", "step_ms", "contacts"};
+    const auto ms = [](double time) { return fmt::format("{:.6f}", time); };
     for (const TimingSeries& one : series) {
         for (const StepRecord& record : one.steps) {
             const StepTimes& times = record.times;
-            fmt::format_to(std::back_inserter(text), "{},{},{:.6f},{:.6f},{:.6f},{:.6f},{}\n", one.pane, record.step,
-                           times.broadPhase, times.narrowPhase, times.solver, times.step, record.contacts);
+            table.AddRow(one.pane, record.step, ms(times.broadPhase), ms(times.narrowPhase), ms(times.solver),
+                         ms(times.step), record.contacts);
         }
     }
-    return text;
+    return table.GetText();
 }
 
 }  // namespace testbed

@@ -9,11 +9,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <span>
 #include <tuple>
 
 #include "testbed/base/nearest.h"
+#include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
 
 namespace testbed {
@@ -37,31 +37,13 @@ RunSpec MakeSource(std::string_view engine, std::span<const TypedSetting> typed)
     return spec;
 }
 
-/// The whole text as a number, or nothing.
-std::optional<int> ParseInt(std::string_view text) {
-    int value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-std::vector<std::string_view> Split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, begin), text.size());
-        parts.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return parts;
-}
-
 }  // namespace
 
 std::vector<int> ParseIntList(std::string_view option, std::string_view text, std::string_view takes) {
     std::vector<int> numbers;
     for (const std::string_view part : Split(text, ',')) {
-        const std::optional<int> number = ParseInt(part);
-        if (!number) throw UsageError(fmt::format("{} {}: give {}", option, text, takes));
+        const Parsed<int> number = ParseNumber<int>(part);
+        if (!number) throw UsageError(fmt::format("{} {}: {}; give {}", option, text, number.problem, takes));
         numbers.push_back(*number);
     }
     return numbers;
@@ -69,26 +51,26 @@ std::vector<int> ParseIntList(std::string_view option, std::string_view text, st
 
 std::pair<int, int> ParseSize(std::string_view option, std::string_view text) {
     const std::vector<std::string_view> parts = Split(text, 'x');
-    const std::optional<int> width = ParseInt(parts[0]);
-    const std::optional<int> height = parts.size() == 2 ? ParseInt(parts[1]) : std::nullopt;
-    if (!width || !height) {
-        throw UsageError(fmt::format("{} {}: give width and height in pixels, for example 1920x1080", option, text));
+    const Parsed<int> width = ParseNumber<int>(parts.front()), height = ParseNumber<int>(parts.back());
+    if (parts.size() != 2 || !width || !height) {
+        throw UsageError(fmt::format("{} {}: {}give width and height in pixels, for example 1920x1080", option, text,
+                                     BeforeCure(!width ? width.problem : height.problem)));
     }
     return {*width, *height};
 }
 
 StepRange ParseSteps(std::string_view text, bool countAllowed) {
     std::vector<int> numbers;
-    bool valid = true;
+    std::string problem;
     for (const std::string_view part : Split(text, ':')) {
-        const std::optional<int> number = ParseInt(part);
-        valid = valid && number.has_value();
-        numbers.push_back(number.value_or(0));
+        const Parsed<int> number = ParseNumber<int>(part);
+        if (problem.empty()) problem = number.problem;
+        numbers.push_back(*number);
     }
     const bool isCount = numbers.size() == 1;
-    if (!valid || numbers.size() > 3 || (isCount && !countAllowed)) {
-        throw UsageError(fmt::format("--steps {}: give {}first:last or first:last:stride, for example 10:100:10{}",
-                                     text, countAllowed ? "a number of steps, or " : "",
+    if (!problem.empty() || numbers.size() > 3 || (isCount && !countAllowed)) {
+        throw UsageError(fmt::format("--steps {}: {}give {}first:last or first:last:stride, for example 10:100:10{}",
+                                     text, BeforeCure(problem), countAllowed ? "a number of steps, or " : "",
                                      countAllowed ? "" : "; one step is --step N"));
     }
     StepRange range;
@@ -239,10 +221,10 @@ PictureOptions MakePictureOptions(const PictureArguments& arguments) {
     options.querySize = arguments.querySize;
     options.camera = ParseCamera(arguments.camera);
     if (arguments.scaleMax != "auto") {
-        const std::optional<int> count = ParseInt(arguments.scaleMax);
+        const Parsed<int> count = ParseNumber<int>(arguments.scaleMax);
         if (!count || *count < 1) {
-            throw UsageError(
-                fmt::format("--scale-max {}: give auto or a whole number of at least 1", arguments.scaleMax));
+            throw UsageError(fmt::format("--scale-max {}: {}give auto or a whole number of at least 1",
+                                         arguments.scaleMax, BeforeCure(count.problem)));
         }
         options.scaleMax = static_cast<uint32_t>(*count);
     }

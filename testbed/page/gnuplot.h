@@ -8,17 +8,11 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
-
-#include "testbed/base/tool.h"
 
 namespace testbed {
 
 /// Throws ToolError unless gnuplot is on PATH: call it before a long run.
 void CheckGnuplot();
-
-/// A gnuplot string literal.
-[[nodiscard]] std::string QuoteForGnuplot(std::string_view text);
 
 /// Runs a script that makes the file `picture`, which lies in an existing folder. Throws ToolError with gnuplot's own
 /// words.

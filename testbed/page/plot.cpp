@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of plot.h.
+// Implementation of plot.h. The data stand in the script itself, so that one file is all that passes to gnuplot.
 
 #include "testbed/page/plot.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
+#include <utility>
 
 #include "testbed/page/gnuplot.h"
 
@@ -16,18 +16,86 @@ namespace testbed {
 
 namespace fs = std::filesystem;
 
-std::string MakePlotScript(const Plot& plot, const std::string& terminal, const fs::path& picture) {
-    std::string script = fmt::format(
-        "set terminal {} size 1100,640 font 'DejaVu Sans,12' background '#ffffff'\n"
-        "set output {}\nset border 31 linecolor '#000000'\nset grid linecolor '#cccccc' linetype 1\n"
-        "set key top left opaque box width 1\nset offsets 0, 0, graph 0.08, 0\n"
+namespace {
+
+/// A string literal in which only the quote itself is special.
+std::string Quote(std::string_view text) {
+    std::string quoted = "'";
+    for (const char c : text) {
+        quoted += c;
+        if (c == '\'') quoted += c;
+    }
+    return quoted + "'";
+}
+
+std::string MakeFrame(const Plot& plot, std::string_view terminal, const fs::path& picture) {
+    constexpr std::string_view legends[] = {"top left opaque box width 1", "top right opaque box width 1",
+                                            "outside bottom horizontal"};
+    return fmt::format(
+        "set terminal {} size {} background '#ffffff'\nset output {}\nset border 31 linecolor '#000000'\n"
+        "set grid linecolor '#cccccc' linetype 1\nset key {}\n"
         "set title {} noenhanced\nset xlabel {} noenhanced\nset ylabel {} noenhanced\n",
-        terminal, QuoteForGnuplot(fs::absolute(picture).string()), QuoteForGnuplot(plot.title),
-        QuoteForGnuplot(plot.xLabel), QuoteForGnuplot(plot.yLabel));
-    script += plot.logarithmic ? "set logscale xy\n" : "set yrange [0:*]\nset xrange [0:*]\n";
+        terminal, plot.small ? "640,440 font 'DejaVu Sans,13'" : "1100,640 font 'DejaVu Sans,12'",
+        Quote(fs::absolute(picture).string()), legends[static_cast<int>(plot.legend)], Quote(plot.title),
+        Quote(plot.xLabel), Quote(plot.yLabel));
+}
+
+std::string MakeAxes(const Plot& plot) {
+    std::string script;
+    double beside = plot.roomBeside;
+    if (plot.logarithmic) {
+        script = "set logscale xy\n";
+    } else {
+        // From 0, hence offsets beside would be none: the range has them.
+        double last = 0;
+        for (const PlotCurve& curve : plot.curves) {
+            for (const PlotPoint& point : curve.points) last = std::max(last, point.x);
+        }
+        const double room = std::exchange(beside, 0.0) * std::max(last, 1.0);
+        script = "set yrange [0:*]\n";
+        script += room > 0 ? fmt::format("set xrange [{}:{}]\n", -room, last + room) : "set xrange [0:*]\n";
+    }
+    const auto offset = [](double share) { return share > 0 ? fmt::format("graph {}", share) : std::string("0"); };
+    script +=
+        fmt::format("set offsets {0}, {0}, {1}, {2}\n", offset(beside), offset(plot.roomAbove), offset(plot.roomBelow));
+    if (plot.powersOfTen) script += "set format y '10^{%L}'\n";
+    return script;
+}
+
+/// The clause of `plot` that draws data block `i`, and its labels if it has some.
+std::string DrawCurve(const PlotCurve& curve, std::size_t i, double pointSize) {
+    const double size = curve.pointSize > 0 ? curve.pointSize : pointSize;
+    const std::string title = curve.title.empty() ? "notitle" : "title " + Quote(curve.title);
+    const std::string look = curve.style == PlotStyle::lines
+                                 ? fmt::format("lines linecolor '{}' linewidth 2", curve.look.color)
+                                 : fmt::format("{} linecolor '{}' linewidth 1 pointtype {} pointsize {}",
+                                               curve.style == PlotStyle::points ? "points" : "linespoints",
+                                               curve.look.color, curve.look.pointType, size);
+    std::string clause = fmt::format("$curve{} using 1:2 with {} {}", i, look, title);
+    if (!curve.labels.empty()) {
+        clause += fmt::format(", $curve{} using 1:2:3 with labels offset 0,1 textcolor '{}' font ',11' notitle", i,
+                              curve.look.color);
+    }
+    return clause;
+}
+
+std::string ListPoints(const PlotCurve& curve) {
+    std::string list;
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+        list += fmt::format("{} {}", curve.points[i].x, curve.points[i].y);
+        if (!curve.labels.empty()) list += fmt::format(" \"{}\"", curve.labels[i]);
+        list += '\n';
+    }
+    return list;
+}
+
+}  // namespace
+
+std::string MakePlotScript(const Plot& plot, std::string_view terminal, const fs::path& picture) {
+    std::string script = MakeFrame(plot, terminal, picture) + MakeAxes(plot);
     if (!plot.note.empty()) {
         script += fmt::format("set bmargin 5.5\nset label {} at screen 0.5,0.03 center font ',9' noenhanced\n",
-                              QuoteForGnuplot(plot.note));
+                              Quote(plot.note));
     }
     std::string curves, least;
     std::size_t longest = 0;
@@ -36,15 +104,11 @@ std::string MakePlotScript(const Plot& plot, const std::string& terminal, const 
     const double pointSize = longest > 200 ? 0.3 : 0.8;
     for (std::size_t i = 0; i < plot.curves.size(); ++i) {
         const PlotCurve& curve = plot.curves[i];
-        script += fmt::format("$curve{} << END\n", i);
-        for (const PlotPoint& point : curve.points) script += fmt::format("{} {}\n", point.x, point.y);
-        script += "END\n";
+        script += fmt::format("$curve{} << END\n{}END\n", i, ListPoints(curve));
         for (const PlotPoint& point : curve.points) {
             if (point.isLeast) least += fmt::format("{} {}\n", point.x, point.y);
         }
-        curves += fmt::format(
-            "{}$curve{} with linespoints linecolor '{}' linewidth 1 pointtype {} pointsize {} title {}",
-            curves.empty() ? "plot " : ", ", i, curve.color, curve.pointType, pointSize, QuoteForGnuplot(curve.title));
+        curves += (curves.empty() ? "plot " : ", ") + DrawCurve(curve, i, pointSize);
     }
     if (!least.empty()) {
         script += "$least << END\n" + least + "END\n";
@@ -54,10 +118,14 @@ std::string MakePlotScript(const Plot& plot, const std::string& terminal, const 
     return script + curves + "\n";
 }
 
-void DrawPlot(const Plot& plot, const fs::path& stem) {
+void DrawPlot(const Plot& plot, std::string_view terminal, const fs::path& picture) {
+    RunGnuplot(MakePlotScript(plot, terminal, picture), picture);
+}
+
+void DrawPlotFiles(const Plot& plot, const fs::path& stem) {
     for (const auto& [terminal, extension] : {std::pair("svg", ".svg"), std::pair("pngcairo", ".png")}) {
         const fs::path picture = stem.string() + extension, temporary = stem.string() + ".tmp" + extension;
-        RunGnuplot(MakePlotScript(plot, terminal, temporary), temporary);
+        DrawPlot(plot, terminal, temporary);
         fs::rename(temporary, picture);
     }
 }

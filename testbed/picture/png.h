@@ -14,7 +14,6 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/output.h"
 #include "testbed/picture/image.h"
-#include "testbed/picture/png.h"
 
 namespace testbed {
 

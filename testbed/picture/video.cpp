@@ -5,24 +5,18 @@
 // can return an error, where a pipe would end this program by a signal.
 
 #include "testbed/picture/video.h"
-#include "testbed/base/errors.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/socket.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <fstream>
-#include <sstream>
+#include <cerrno>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
 
-extern char** environ;
+#include "testbed/base/errors.h"
 
 namespace testbed {
 
@@ -58,17 +52,6 @@ std::vector<std::string> MakeArguments(const Image& first, int framesPerSecond, 
             fs::absolute(file).string()};
 }
 
-bool WriteAll(int pipe, const unsigned char* data, size_t size) {
-    while (size > 0) {
-        const ssize_t written = send(pipe, data, size, MSG_NOSIGNAL);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return false;
-        data += written;
-        size -= static_cast<size_t>(written);
-    }
-    return true;
-}
-
 }  // namespace
 
 void CheckFfmpeg() {
@@ -78,13 +61,12 @@ void CheckFfmpeg() {
 }
 
 VideoWriter::VideoWriter(fs::path file, int framesPerSecond)
-    : m_file(std::move(file)), m_log(m_file.string() + ".log"), m_framesPerSecond(framesPerSecond) {}
+    : m_file(std::move(file)), m_framesPerSecond(framesPerSecond) {}
 
 VideoWriter::~VideoWriter() {
-    if (m_pipe >= 0) close(m_pipe);
-    if (m_child >= 0) waitpid(m_child, nullptr, 0);
+    m_pipe.Close();
+    if (m_ffmpeg.IsRunning()) m_ffmpeg.Wait();
     std::error_code ignored;
-    fs::remove(m_log, ignored);
     if (!m_isDone) fs::remove(m_file, ignored);
 }
 
@@ -96,49 +78,31 @@ void VideoWriter::Start(const Image& first) {
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) {
         throw ToolError("cannot make a pipe to ffmpeg: " + std::generic_category().message(errno));
     }
-    m_pipe = ends[0];
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[1], STDIN_FILENO);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, m_log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    std::vector<std::string> words = MakeArguments(first, m_framesPerSecond, m_file);
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    const int error = posix_spawnp(&m_child, "ffmpeg", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[1]);
-    if (error == 0) return;
-    m_child = -1;
-    throw ToolError("ffmpeg does not start: " + std::generic_category().message(error));
+    m_pipe = Descriptor(ends[0]);
+    const Descriptor input(ends[1]);
+    const std::error_code error =
+        m_ffmpeg.Start(MakeArguments(first, m_framesPerSecond, m_file),
+                       {.input = input.Get(), .output = m_words.Get(), .errors = m_words.Get()});
+    if (error) throw ToolError("ffmpeg does not start: " + error.message());
 }
 
 void VideoWriter::Fail() {
-    std::ostringstream words;
-    words << std::ifstream(m_log).rdbuf();
-    throw ToolError(
-        fmt::format("ffmpeg could not make the video: {}", words.str().empty() ? "it ended early" : words.str()));
+    const std::string words = m_words.Read();
+    throw ToolError(fmt::format("ffmpeg could not make the video: {}", words.empty() ? "it ended early" : words));
 }
 
 void VideoWriter::Add(const Image& image) {
-    if (m_child < 0) Start(image);
+    if (!m_ffmpeg.IsRunning()) Start(image);
     if (image.width != m_width || image.height != m_height) {
         throw std::invalid_argument("the frames of a video are of one size");
     }
-    const auto* bytes = reinterpret_cast<const unsigned char*>(image.pixels.data());
-    if (!WriteAll(m_pipe, bytes, image.pixels.size() * sizeof(Color))) Fail();
+    if (!WriteAll(m_pipe.Get(), std::as_bytes(std::span(image.pixels)))) Fail();
 }
 
 void VideoWriter::Finish() {
-    if (m_child < 0) throw std::logic_error("a video without frames");
-    close(m_pipe);
-    m_pipe = -1;
-    int status = 0;
-    const pid_t ended = waitpid(m_child, &status, 0);
-    const bool isGood = ended == m_child && status == 0;
-    m_child = -1;
-    if (!isGood) Fail();
+    if (!m_ffmpeg.IsRunning()) throw std::logic_error("a video without frames");
+    m_pipe.Close();
+    if (!m_ffmpeg.Wait().IsGood()) Fail();
     m_isDone = true;
 }
 

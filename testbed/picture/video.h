@@ -5,11 +5,9 @@
 
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 
-#include "testbed/base/tool.h"
+#include "testbed/base/process.h"
 #include "testbed/picture/image.h"
 
 namespace testbed {
@@ -19,10 +17,9 @@ void CheckFfmpeg();
 
 class VideoWriter {
 public:
-    /// `file` is written in place, `file`.log beside it until the end: give a temporary name. ffmpeg starts with the
-    /// first frame.
+    /// `file` is written in place: give a temporary name. ffmpeg starts with the first frame.
     VideoWriter(std::filesystem::path file, int framesPerSecond);
-    /// Ends ffmpeg and removes the log; without Finish also the file.
+    /// Ends ffmpeg; without Finish also removes the file.
     ~VideoWriter();
     VideoWriter(const VideoWriter&) = delete;
     VideoWriter& operator=(const VideoWriter&) = delete;
@@ -36,11 +33,12 @@ private:
     void Start(const Image& first);
     [[noreturn]] void Fail();
 
-    std::filesystem::path m_file, m_log;
+    std::filesystem::path m_file;
     int m_framesPerSecond;
     int m_width = 0, m_height = 0;
-    int m_pipe = -1;     ///< ffmpeg's input; −1: closed
-    pid_t m_child = -1;  ///< −1: not running
+    MemoryFile m_words;  ///< what ffmpeg says
+    Descriptor m_pipe;   ///< its input
+    Process m_ffmpeg;
     bool m_isDone = false;
 };
 

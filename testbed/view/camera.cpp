@@ -6,12 +6,13 @@
 #include "testbed/view/camera.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "testbed/base/text.h"
 
 namespace testbed {
 
@@ -24,26 +25,22 @@ bool IsFinite(const Box& box) {
            std::isfinite(box.upper.y);
 }
 
-/// All of `text` as one finite number.
-bool ParseNumber(std::string_view text, double& number) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && end == text.data() + text.size() && std::isfinite(number);
-}
-
 }  // namespace
 
 std::optional<CameraRequest> ParseCamera(std::string_view text) {
     if (text == "fit") return std::nullopt;
-    CameraRequest request;
-    const size_t first = text.find(',');
-    const size_t second = first == std::string_view::npos ? first : text.find(',', first + 1);
-    if (second == std::string_view::npos || !ParseNumber(text.substr(0, first), request.x) ||
-        !ParseNumber(text.substr(first + 1, second - first - 1), request.y) ||
-        !ParseNumber(text.substr(second + 1), request.across) || request.across <= 0) {
-        throw std::invalid_argument("bad camera '" + std::string(text) +
-                                    "': use fit, or X,Y,M: the centre and the metres across, for example 0,50,120");
+    std::vector<double> numbers;
+    std::string problem;
+    for (const std::string_view part : Split(text, ',')) {
+        const Parsed<double> number = ParseNumber<double>(part);
+        if (problem.empty()) problem = number.problem;
+        numbers.push_back(*number);
     }
-    return request;
+    if (!problem.empty() || numbers.size() != 3 || numbers[2] <= 0) {
+        throw std::invalid_argument("bad camera '" + std::string(text) + "': " + BeforeCure(problem) +
+                                    "use fit, or X,Y,M: the centre and the metres across, for example 0,50,120");
+    }
+    return CameraRequest{numbers[0], numbers[1], numbers[2]};
 }
 
 Camera MakeCamera(const CameraRequest& request, int width, int height) {

@@ -5,38 +5,31 @@
 
 #include "testbed/view/nodes.h"
 
-#include <charconv>
 #include <stdexcept>
 
+#include "testbed/base/text.h"
+
 namespace testbed {
-
-namespace {
-
-bool ParseLevel(std::string_view text, int& level) {
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), level);
-    return error == std::errc{} && end == text.data() + text.size() && level >= 0;
-}
-
-}  // namespace
 
 NodeSelection ParseNodeSelection(std::string_view text) {
     using Kind = NodeSelection::Kind;
     if (text == "internal") return {Kind::internal, 0, 0};
     if (text == "leaves") return {Kind::leaves, 0, 0};
     if (text == "all") return {Kind::all, 0, 0};
-    NodeSelection selection{Kind::levels, 0, 0};
-    if (text.starts_with("level=") && ParseLevel(text.substr(6), selection.firstLevel)) {
-        selection.lastLevel = selection.firstLevel;
-        return selection;
+    std::string problem;
+    if (text.starts_with("level=")) {
+        const Parsed<int> level = ParseNumber<int>(text.substr(6));
+        if (level && *level >= 0) return {Kind::levels, *level, *level};
+        problem = level.problem;
     }
-    if (const size_t dots = text.find(".."); text.starts_with("levels=") && dots != std::string_view::npos &&
-                                             ParseLevel(text.substr(7, dots - 7), selection.firstLevel) &&
-                                             ParseLevel(text.substr(dots + 2), selection.lastLevel) &&
-                                             selection.firstLevel <= selection.lastLevel) {
-        return selection;
+    if (const size_t dots = text.find(".."); text.starts_with("levels=") && dots != std::string_view::npos) {
+        const Parsed<int> first = ParseNumber<int>(text.substr(7, dots - 7));
+        const Parsed<int> last = ParseNumber<int>(text.substr(dots + 2));
+        if (first && last && *first >= 0 && *first <= *last) return {Kind::levels, *first, *last};
+        problem = !first ? first.problem : last.problem;
     }
-    throw std::invalid_argument("bad nodes '" + std::string(text) +
-                                "': use internal, leaves, all, level=K or levels=A..B (the root is level 0)");
+    throw std::invalid_argument("bad nodes '" + std::string(text) + "': " + BeforeCure(problem) +
+                                "use internal, leaves, all, level=K or levels=A..B (the root is level 0)");
 }
 
 std::string GetNodeSelectionName(const NodeSelection& selection) {

@@ -52,6 +52,16 @@ TEST(Files, HeadersAreGuarded) {
     }
 }
 
+TEST(Files, IncludeEachHeaderOnceAndNeverThemselves) {
+    for (const SourceFile& file : SourceFiles()) {
+        std::set<std::string> seen;
+        for (const std::string& name : file.Includes()) {
+            EXPECT_TRUE(seen.insert(name).second) << file.path << " includes " << name << " twice";
+            EXPECT_NE(name, file.path) << "includes itself";
+        }
+    }
+}
+
 /// Headers that no source file includes first: one that does shows by compiling that its first header needs no other.
 /// Tests do not count, they have precompiled headers.
 std::vector<std::string> HeadersToCompile() {

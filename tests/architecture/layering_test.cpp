@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Includes point one way: base ← geometry ← broad_phase ← state ← constraints ← pipeline ← world in the engine, and in
-// the testbed base ← picture, engines ← gl, page ← view ← options ← jobs ← cli, where no job includes another. Scenes
-// know nothing of this project, pictures and views no engine, and only engines/ and what abuses an engine see one.
+// the testbed base ← input, picture, engines ← gl, page ← view ← options ← jobs ← cli, where no job includes another.
+// Scenes know nothing of this project, pictures and views no engine, and only engines/ and what abuses an engine see
+// one.
 
 #include <gtest/gtest.h>
 
@@ -168,15 +169,16 @@ TEST(Layering, OnlyEnginesSeesOurEngine) {
 struct Folder {
     std::string_view name, below;
 };
-constexpr std::array<Folder, 9> folders = {{{"base", ""},
-                                            {"picture", "base"},
-                                            {"engines", "base"},
-                                            {"gl", "base picture"},
-                                            {"page", "base picture"},
-                                            {"view", "base picture engines gl"},
-                                            {"options", "base picture engines gl view"},
-                                            {"jobs", "base picture engines gl page view options"},
-                                            {"cli", "base picture engines gl page view options jobs"}}};
+constexpr std::array<Folder, 10> folders = {{{"base", ""},
+                                             {"input", "base"},
+                                             {"picture", "base"},
+                                             {"engines", "base"},
+                                             {"gl", "base picture"},
+                                             {"page", "base picture"},
+                                             {"view", "base picture engines gl"},
+                                             {"options", "base input picture engines gl view"},
+                                             {"jobs", "base input picture engines gl page view options"},
+                                             {"cli", "base input picture engines gl page view options jobs"}}};
 
 /// "jobs" of "testbed/jobs/bench/row.h"; empty for a file directly below testbed/.
 std::string_view FolderOf(std::string_view path) {

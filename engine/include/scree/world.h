@@ -170,7 +170,9 @@ public:
     [[nodiscard]] Body* GetBodyList();
     [[nodiscard]] const Body* GetBodyList() const;
     [[nodiscard]] Joint* GetJointList();
+    [[nodiscard]] const Joint* GetJointList() const;
     [[nodiscard]] Contact* GetContactList();
+    [[nodiscard]] const Contact* GetContactList() const;
     [[nodiscard]] int GetBodyCount() const;
     [[nodiscard]] int GetJointCount() const;
     [[nodiscard]] int GetContactCount() const;

@@ -269,6 +269,7 @@ Joint* World::GetJointList() {
     const int head = m_state->joints.listHead;
     return head < 0 ? nullptr : m_state->joints.handles[static_cast<size_t>(head)];
 }
+const Joint* World::GetJointList() const { return const_cast<World*>(this)->GetJointList(); }
 
 Contact* World::GetContactList() {
     ContactTable& contacts = m_state->contacts;
@@ -277,6 +278,7 @@ Contact* World::GetContactList() {
     }
     return nullptr;
 }
+const Contact* World::GetContactList() const { return const_cast<World*>(this)->GetContactList(); }
 
 int World::GetBodyCount() const { return m_state->bodies.slots.Count(); }
 int World::GetJointCount() const { return m_state->joints.slots.Count(); }

@@ -45,7 +45,7 @@ void BenchFiles::Add(const BenchResult& result) {
 std::vector<fs::path> BenchFiles::DrawPlots(const fs::path& folder) const {
     std::vector<fs::path> plots;
     const auto draw = [&](const Plot& plot, const std::string& name) {
-        DrawPlot(plot, folder / name);
+        DrawPlotFiles(plot, folder / name);
         plots.push_back(folder / (name + ".svg"));
     };
     std::vector<std::pair<std::string, bool>> drawn;

@@ -17,14 +17,6 @@ namespace testbed {
 
 namespace {
 
-struct CurveLook {
-    std::string_view color;
-    int pointType;
-};
-constexpr CurveLook boxTwoDLook{"#0000cc", 7};
-/// Ours: sequential impulses, then soft steps, more threads after fewer.
-constexpr CurveLook ourLooks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}};
-
 constexpr std::string_view assertsNote =
     "Box2D 2.4.1 as Debian builds it, with its asserts (seen to cost up to 1.08 times the time without)";
 
@@ -49,8 +41,7 @@ PlotCurve& CurveOf(Plot& plot, const BenchRow& row) {
     }
     const auto ours = static_cast<std::size_t>(
         std::ranges::count_if(plot.curves, [](const PlotCurve& curve) { return curve.title != "Box2D"; }));
-    const CurveLook look = title == "Box2D" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)];
-    plot.curves.push_back({title, std::string(look.color), look.pointType, {}});
+    plot.curves.push_back({title, title == "Box2D" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)]});
     return plot.curves.back();
 }
 
@@ -78,7 +69,7 @@ Plot MakeCostPlot(std::span<const BenchRow> rows) {
     if (std::ranges::find(rows, "box2d", &BenchRow::engine) != rows.end()) plot.note = assertsNote;
     plot.logarithmic = true;
     constexpr double leastSpread = 10.0;
-    constexpr CurveLook looks[] = {{"#cc0000", 5}, {"#e67700", 9}, {"#0b7a3b", 13}, {"#8a2be2", 11}, {"#0000cc", 7}};
+    constexpr PlotLook looks[] = {ourLooks[0], ourLooks[1], ourLooks[2], ourLooks[3], boxTwoDLook};
     for (const BenchRow& row : rows) {
         const auto ofScene = [&](const BenchRow& other) { return other.scene == row.scene; };
         int least = row.movers, most = row.movers;
@@ -90,15 +81,14 @@ Plot MakeCostPlot(std::span<const BenchRow> rows) {
         const std::string title = row.scene + ", " + CurveTitle(row);
         auto curve = std::ranges::find(plot.curves, title, &PlotCurve::title);
         if (curve == plot.curves.end()) {
-            const CurveLook look = looks[plot.curves.size() % std::size(looks)];
-            plot.curves.push_back({title, std::string(look.color), look.pointType, {}});
+            plot.curves.push_back({title, looks[plot.curves.size() % std::size(looks)]});
             curve = plot.curves.end() - 1;
         }
         curve->points.push_back({static_cast<double>(row.movers), row.nsPerBodyStep});
     }
     if (plot.curves.empty()) return plot;
     const std::vector<PlotPoint> first = plot.curves.front().points;
-    PlotCurve growth{"growth by log n", "#777777", 1, {}};
+    PlotCurve growth{"growth by log n", {"#777777", 1}};
     for (const PlotPoint& point : first) {
         growth.points.push_back({point.x, first.front().y * std::log(point.x) / std::log(first.front().x)});
     }

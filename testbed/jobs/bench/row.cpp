@@ -10,12 +10,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
-#include "testbed/base/errors.h"
-#include "testbed/engines/state_hash.h"
+#include "testbed/base/csv.h"
+#include "testbed/base/json_lines.h"
+#include "testbed/base/statistics.h"
+#include "testbed/base/text.h"
 
 namespace testbed {
 namespace {
@@ -87,15 +89,17 @@ template <typename Value>
 constexpr bool isHash = std::is_same_v<Value, uint64_t>;
 
 template <typename Value>
-void ReadField(const nlohmann::json& object, const char* name, Value& value) {
+void ReadField(const nlohmann::ordered_json& object, const char* name, Value& value) {
     if constexpr (isHash<Value>) {
-        value = std::stoull(object.at(name).get<std::string>(), nullptr, 16);
+        const Parsed<uint64_t> hash = ParseHash(object.at(name).get<std::string>());
+        if (!hash) throw std::invalid_argument(fmt::format("{}: {}", name, hash.problem));
+        value = *hash;
     } else {
         value = object.at(name).get<Value>();
     }
 }
 
-BenchRow ReadRow(const nlohmann::json& object) {
+BenchRow ReadRow(const nlohmann::ordered_json& object) {
     BenchRow row;
     ForEachCount(row, [&](const char* name, auto& value) { ReadField(object, name, value); });
     ForEachTime(row, [&](const char* name, auto& value) { ReadField(object.at("ms"), name, value); });
@@ -124,15 +128,6 @@ std::string DescribeDifference(const BenchRow& row, const BenchRow& baseline) {
 
 }  // namespace
 
-double Quantile(std::span<const double> values, double part) {
-    if (values.empty()) return 0;
-    std::vector<double> sorted(values.begin(), values.end());
-    const auto count = static_cast<double>(sorted.size());
-    const auto rank = static_cast<std::ptrdiff_t>(std::max(1.0, std::ceil(part * count))) - 1;
-    std::nth_element(sorted.begin(), sorted.begin() + rank, sorted.end());
-    return sorted[static_cast<std::size_t>(rank)];
-}
-
 BenchRun MergeRepeats(std::span<const BenchRun> runs) {
     BenchRun merged;
     std::vector<double> creates;
@@ -142,12 +137,12 @@ BenchRun MergeRepeats(std::span<const BenchRun> runs) {
         shortest = std::min(shortest, run.steps.size());
         merged.complete = merged.complete && run.complete;
     }
-    merged.createMs = Quantile(creates, 0.5);
+    merged.createMs = NearestRankQuantile(creates, 0.5);
     std::vector<StepRecord> same;
     for (std::size_t i = 0; i < shortest; ++i) {
         same.clear();
         for (const BenchRun& run : runs) same.push_back(run.steps[i]);
-        const auto middle = same.begin() + static_cast<std::ptrdiff_t>((same.size() - 1) / 2);
+        const auto middle = same.begin() + static_cast<std::ptrdiff_t>(NearestRank(same.size(), 0.5));
         std::nth_element(same.begin(), middle, same.end(),
                          [](const StepRecord& a, const StepRecord& b) { return a.times.step < b.times.step; });
         merged.steps.push_back(*middle);
@@ -177,8 +172,8 @@ void SetTimes(BenchRow& row, const BenchRun& run) {
         row.stages.solver += t.solver - t.islands;
         row.stages.continuous += t.continuous;
     }
-    row.medianMs = Quantile(times, 0.5);
-    row.p99Ms = Quantile(times, 0.99);
+    row.medianMs = NearestRankQuantile(times, 0.5);
+    row.p99Ms = NearestRankQuantile(times, 0.99);
     row.nsPerBodyStep = row.awakeBodySteps > 0 ? row.totalMs * 1e6 / static_cast<double>(row.awakeBodySteps) : 0;
 }
 
@@ -203,23 +198,21 @@ void CompareWithBaseline(std::span<BenchRow> rows) {
 }
 
 std::string WriteBenchCsv(std::span<const BenchRow> rows) {
-    std::string text;
-    const auto append = [&text](const auto& cell) { text += fmt::format("{},", cell); };
-    const auto endLine = [&text] { text.back() = '\n'; };
+    CsvTable table;
     const BenchRow none;
-    ForEachColumn(none, [&](const char* name, const auto&) { append(name); });
-    endLine();
+    ForEachColumn(none, [&](const char* name, const auto&) { table.Add(std::string_view(name)); });
+    table.EndRow();
     for (const BenchRow& row : rows) {
         ForEachColumn(row, [&](const char*, const auto& value) {
             if constexpr (isHash<std::remove_cvref_t<decltype(value)>>) {
-                append(FormatHash(value));
+                table.Add(FormatHash(value));
             } else {
-                append(value);
+                table.Add(value);
             }
         });
-        endLine();
+        table.EndRow();
     }
-    return text;
+    return table.GetText();
 }
 
 nlohmann::ordered_json MakeBenchJson(const BenchRow& row) {
@@ -239,17 +232,7 @@ nlohmann::ordered_json MakeBenchJson(const BenchRow& row) {
 
 std::vector<BenchRow> ReadBenchRows(const std::string& file, const std::string& text) {
     std::vector<BenchRow> rows;
-    std::istringstream lines(text);
-    std::size_t number = 0;
-    for (std::string line; std::getline(lines, line);) {
-        ++number;
-        if (line.empty()) continue;
-        try {
-            rows.push_back(ReadRow(nlohmann::json::parse(line)));
-        } catch (const std::exception& error) {  // of the parser, of a missing field, or of a hash that is none
-            throw FileError(fmt::format("{}:{}: not a row of `scree bench --json`: {}", file, number, error.what()));
-        }
-    }
+    ParseJsonLines(file, text, "bench", [&](const nlohmann::ordered_json& object) { rows.push_back(ReadRow(object)); });
     return rows;
 }
 

@@ -77,10 +77,6 @@ struct BenchRun {
     bool complete = true;
 };
 
-/// Value that the share `part` (0…1) of `values` does not exceed (nearest rank); 0 for none. part = 0.5: the lower
-/// median.
-[[nodiscard]] double Quantile(std::span<const double> values, double part);
-
 /// One run out of the repeats of one: the simulation is deterministic, so a step does the same work in each, and the
 /// one with the (lower) median time stands for it with all its stages. Cut to the shortest run. `runs` is not empty.
 [[nodiscard]] BenchRun MergeRepeats(std::span<const BenchRun> runs);

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "testbed/base/text.h"
+
 namespace testbed {
 namespace {
 
@@ -50,12 +52,12 @@ std::string FormatBenchRows(std::span<const BenchRow> rows) {
         text += fmt::format(
             "{:<21} {:>7} {:<6} {:<10} {:>9.1f} {:>11} {:>12} {:>10.1f} {:>16} {:>9.3f} {:>9.3f} {:>9.3f} | {:>9.1f} "
             "{:>9.1f} {:>8.1f} "
-            "{:>9.1f} {:>9.1f} | {:>7.0f} {:>8} {:>8.2f} {:016x}\n",
+            "{:>9.1f} {:>9.1f} | {:>7.0f} {:>8} {:>8.2f} {}\n",
             row.scene, row.size, row.GetName(), FormatSetting(row), row.createMs,
             fmt::format("{}{:.1f}", row.complete ? "" : "≥", row.totalMs), FormatRatio(row, baseline), row.cpuMs,
             FormatCpuRatio(row), row.medianMs, row.p99Ms, row.maxMs, s.broadPhase, s.narrowPhase, s.islands, s.solver,
             s.continuous, row.nsPerBodyStep, row.peakContacts, static_cast<double>(row.peakBytes) / megabyte,
-            row.stateHash);
+            FormatHash(row.stateHash));
         if (!row.complete) voids += fmt::format("  stopped at the time limit after {} steps\n", row.steps);
         if (!row.voidReason.empty()) voids += fmt::format("  void ({}): {}\n", FormatSetting(row), row.voidReason);
     }

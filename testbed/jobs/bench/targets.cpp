@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "scenes/catalog.h"
+#include "testbed/base/statistics.h"
 
 namespace testbed {
 namespace {
@@ -218,7 +219,7 @@ void JudgeGates(const SpeedTarget& target, const SceneRows& rows, Judge& judge) 
 
 void JudgeMean(std::span<const BenchRow> rows, int threads, double needed, Judge& judge) {
     TargetResult result{.law = fmt::format("geometric mean, {} thread{}", threads, threads == 1 ? "" : "s")};
-    double sum = 0;
+    std::vector<double> ratios;
     for (const SpeedTarget& target : SpeedTargets()) {
         const SceneRows of = RowsOf(rows, target.scene);
         const BenchRow* ours = of.Ours(threads);
@@ -227,11 +228,11 @@ void JudgeMean(std::span<const BenchRow> rows, int threads, double needed, Judge
             judge.results.push_back(result);
             return;
         }
-        sum += std::log(box2d->totalMs / ours->totalMs);
+        ratios.push_back(box2d->totalMs / ours->totalMs);
         if (!ours->voidReason.empty())
             result.note += fmt::format("{}{}", result.note.empty() ? "void: " : ", ", of.scene);
     }
-    result.measured = std::exp(sum / static_cast<double>(SpeedTargets().size()));
+    result.measured = GeometricMean(ratios).value_or(0.0);
     result.needed = needed;
     result.verdict = !result.note.empty()        ? Verdict::isVoid
                      : result.measured >= needed ? Verdict::met

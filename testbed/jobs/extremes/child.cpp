@@ -1,63 +1,28 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of child.h, for Linux: output goes to files in memory, ends are waited for by process descriptors.
+// Implementation of child.h.
 
 #include "testbed/jobs/extremes/child.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <poll.h>
-#include <spawn.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstring>
+#include <optional>
 #include <utility>
 
 #include "testbed/base/errors.h"
-#include "testbed/page/gnuplot.h"
-
-extern char** environ;
+#include "testbed/base/process.h"
 
 namespace testbed {
 
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-/// A descriptor that is closed with the object.
-struct Descriptor {
-    int number = -1;
-
-    Descriptor() = default;
-    explicit Descriptor(int n) : number(n) {}
-    Descriptor(Descriptor&& other) noexcept : number(std::exchange(other.number, -1)) {}
-    Descriptor& operator=(Descriptor&& other) noexcept {
-        std::swap(number, other.number);
-        return *this;
-    }
-    ~Descriptor() {
-        if (number >= 0) close(number);
-    }
-};
-
-std::string ReadBack(int descriptor) {
-    std::string text;
-    lseek(descriptor, 0, SEEK_SET);
-    char buffer[65536];
-    for (ssize_t got = 0; (got = read(descriptor, buffer, sizeof buffer)) > 0;) {
-        text.append(buffer, static_cast<std::size_t>(got));
-    }
-    return text;
-}
 
 std::string LastLine(std::string text) {
     while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -66,8 +31,8 @@ std::string LastLine(std::string text) {
 
 struct Child {
     std::size_t job = 0;
-    pid_t pid = 0;
-    Descriptor process, output, words;
+    MemoryFile output, words;
+    Process process;
     Clock::time_point deadline;
     bool killed = false;
 };
@@ -75,53 +40,40 @@ struct Child {
 Child Start(std::size_t job, const ChildJob& what) {
     Child child;
     child.job = job;
-    child.output = Descriptor(memfd_create("output", MFD_CLOEXEC));
-    child.words = Descriptor(memfd_create("words", MFD_CLOEXEC));
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, child.output.number, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions, child.words.number, STDERR_FILENO);
-    std::string program = "/proc/self/exe";
-    std::vector<std::string> words = what.arguments;
-    std::vector<char*> arguments{program.data()};
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    const int error = posix_spawn(&child.pid, program.c_str(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw ToolError(fmt::format("cannot start this program again: {}", std::strerror(error)));
-    child.process = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, child.pid, 0)));
+    std::vector<std::string> words{"/proc/self/exe"};
+    words.insert(words.end(), what.arguments.begin(), what.arguments.end());
+    const std::error_code error =
+        child.process.Start(std::move(words), {.output = child.output.Get(), .errors = child.words.Get()});
+    if (error) throw ToolError(fmt::format("cannot start this program again: {}", error.message()));
     child.deadline = Clock::now() + std::chrono::milliseconds(static_cast<long>(1000.0 * what.wallSeconds));
     return child;
 }
 
-ChildEnd Collect(const Child& child, int status) {
+ChildEnd Collect(const Child& child, const ProcessEnd& processEnd) {
     ChildEnd end;
-    end.ending.signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    end.ending.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+    end.ending.signal = processEnd.GetSignal();
+    end.ending.exitCode = std::max(processEnd.GetExitCode(), 0);
     end.ending.timedOut = child.killed || end.ending.signal == SIGXCPU;
-    end.output = ReadBack(child.output.number);
-    end.words = LastLine(ReadBack(child.words.number));
+    end.output = child.output.Read();
+    end.words = LastLine(child.words.Read());
     end.ending.output = !end.output.empty();
     return end;
 }
 
 /// Until one of the children ends or has to be killed.
 void WaitForAny(std::vector<Child>& running) {
-    std::vector<pollfd> waits;
+    std::vector<const Process*> waits;
     Clock::time_point next = Clock::time_point::max();
     for (const Child& child : running) {
-        waits.push_back({child.process.number, POLLIN, 0});
+        waits.push_back(&child.process);
         if (!child.killed) next = std::min(next, child.deadline);
     }
-    int timeout = -1;
-    if (next != Clock::time_point::max()) {
-        const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(next - Clock::now()).count();
-        timeout = static_cast<int>(std::clamp<long>(left + 1, 0, 1'000'000));
-    }
-    poll(waits.data(), waits.size(), timeout);
+    std::optional<std::chrono::milliseconds> time;
+    if (next != Clock::time_point::max()) time = std::chrono::ceil<std::chrono::milliseconds>(next - Clock::now());
+    Process::WaitForAny(waits, time);
     for (Child& child : running) {
         if (child.killed || Clock::now() < child.deadline) continue;
-        kill(child.pid, SIGKILL);
+        child.process.Kill();
         child.killed = true;
     }
 }
@@ -130,10 +82,7 @@ void WaitForAny(std::vector<Child>& running) {
 struct Running {
     std::vector<Child> children;
     ~Running() {
-        for (const Child& child : children) {
-            kill(child.pid, SIGKILL);
-            waitpid(child.pid, nullptr, 0);
-        }
+        for (Child& child : children) child.process.Kill();
     }
 };
 
@@ -150,14 +99,14 @@ void RunChildren(std::span<const ChildJob> jobs, int parallel,
         }
         WaitForAny(running.children);
         for (std::size_t i = 0; i < running.children.size();) {
-            int status = 0;
-            if (waitpid(running.children[i].pid, &status, WNOHANG) == 0) {
+            const std::optional<ProcessEnd> end = running.children[i].process.Poll();
+            if (!end) {
                 ++i;
                 continue;
             }
             const Child child = std::move(running.children[i]);
             running.children.erase(running.children.begin() + static_cast<std::ptrdiff_t>(i));
-            done(child.job, Collect(child, status));
+            done(child.job, Collect(child, *end));
         }
     }
 }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,6 +16,7 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/json_lines.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
@@ -156,14 +156,8 @@ std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<
 }
 
 std::vector<ExtremeResult> ReadResults(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw FileError("cannot read " + file + ": give a file that `scree extremes --json` wrote");
     std::vector<ExtremeResult> results;
-    for (std::string line; std::getline(stream, line);) {
-        const auto fields = nlohmann::ordered_json::parse(line, nullptr, false);
-        if (!fields.is_object()) throw FileError(file + ": not a file that `scree extremes --json` wrote");
-        results.push_back(ExtremeResultFromJson(fields));
-    }
+    ReadJsonLines(file, "extremes", [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
     return results;
 }
 

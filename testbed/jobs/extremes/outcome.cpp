@@ -92,7 +92,7 @@ Outcome OutcomeFromJson(const nlohmann::ordered_json& fields) {
             if (!fields.at(name).is_null()) fields.at(name).get_to(value);
         });
     } catch (const nlohmann::json::exception& error) {
-        throw FileError(std::string("not a line of `scree extremes --json`: ") + error.what());
+        throw FileError(std::string("a field is missing or of another kind: ") + error.what());
     }
     return outcome;
 }

@@ -4,7 +4,6 @@
 // Implementation of report.h.
 
 #include "testbed/jobs/extremes/report.h"
-#include "testbed/base/errors.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +13,9 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "testbed/base/csv.h"
+#include "testbed/base/errors.h"
 
 namespace testbed {
 
@@ -160,7 +162,7 @@ ExtremeResult ExtremeResultFromJson(const nlohmann::ordered_json& fields) {
                          fields.at("exitCode").get<int>(), fields.at("told").get<bool>()};
         result.outcome = OutcomeFromJson(fields.at("outcome"));
     } catch (const nlohmann::json::exception& error) {
-        throw FileError(std::string("not a line of `scree extremes --json`: ") + error.what());
+        throw FileError(std::string("a field is missing or of another kind: ") + error.what());
     }
     const ExtremeCase* one = FindCase(result.name);
     if (!one) throw FileError("no such case: " + result.name);
@@ -169,24 +171,23 @@ ExtremeResult ExtremeResultFromJson(const nlohmann::ordered_json& fields) {
 }
 
 std::string MakeExtremesCsv(std::span<const ExtremeResult> results) {
-    std::string text =
-        "case,group,setting,grade,reasons,signal,seconds,cut_short,gain,escapes,max_speed,overlap_m,overlap_share,"
-        "joint_gap_m,rest_speed,accuracy,contacts,work_ratio,capped,stopped,repeated,bad_calls,refused,named,"
-        "slowest_step_ms\n";
+    CsvTable table{"case",       "group",    "setting",  "grade",          "reasons",   "signal",        "seconds",
+                   "cut_short",  "gain",     "escapes",  "max_speed",      "overlap_m", "overlap_share", "joint_gap_m",
+                   "rest_speed", "accuracy", "contacts", "work_ratio",     "capped",    "stopped",       "repeated",
+                   "bad_calls",  "refused",  "named",    "slowest_step_ms"};
+    const auto six = [](double value) { return fmt::format("{:.6g}", value); };
+    const auto four = [](double value) { return fmt::format("{:.4g}", value); };
     for (const ExtremeResult& r : results) {
         const Outcome& o = r.outcome;
         const ExtremeCase* one = FindCase(r.name);
-        std::string reasons = fmt::format("{}", fmt::join(r.verdict.reasons, "; "));
-        std::ranges::replace(reasons, '"', '\'');
-        fmt::format_to(std::back_inserter(text), "{},{},{},{},\"{}\",{},", r.name, one ? one->group : "", r.setting,
-                       static_cast<int>(r.verdict.grade), reasons, r.ending.signal);
-        fmt::format_to(std::back_inserter(text), "{:.4g},{},{:.6g},{},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},{:.6g},",
-                       o.seconds, o.shortened ? 1 : 0, o.gain, o.escapes, o.maxSpeed, o.overlap, o.overlapShare,
-                       o.jointGap, o.restSpeed, o.accuracy);
-        fmt::format_to(std::back_inserter(text), "{},{:.4g},{},{},{},{},{},{},{:.4f}\n", o.contacts, o.workRatio,
-                       o.capped, o.stopped, o.repeated, o.badCalls, o.refused, o.named, o.milliseconds);
+        table.AddCells(r.name, one ? one->group : "", r.setting, static_cast<int>(r.verdict.grade),
+                       fmt::format("{}", fmt::join(r.verdict.reasons, "; ")), r.ending.signal);
+        table.AddCells(four(o.seconds), o.shortened ? 1 : 0, six(o.gain), o.escapes, six(o.maxSpeed), six(o.overlap),
+                       six(o.overlapShare), six(o.jointGap), six(o.restSpeed), six(o.accuracy));
+        table.AddRow(o.contacts, four(o.workRatio), o.capped, o.stopped, o.repeated, o.badCalls, o.refused, o.named,
+                     fmt::format("{:.4f}", o.milliseconds));
     }
-    return text;
+    return table.GetText();
 }
 
 Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std::string, std::string>& pictures,

@@ -10,7 +10,9 @@
 #include <ctime>
 #include <limits>
 #include <memory>
+#include <span>
 
+#include "testbed/base/statistics.h"
 #include "testbed/engines/measure.h"
 #include "testbed/jobs/extremes/outline.h"
 
@@ -172,11 +174,10 @@ private:
             }
         }
         if (m_case.measure) m_outcome.accuracy = m_case.measure(*m_lab, m_outcome.seconds);
-        std::vector<double> last(m_work.begin() + static_cast<std::ptrdiff_t>(2 * m_work.size() / 3), m_work.end());
+        const std::span<const double> last = std::span<const double>(m_work).subspan(2 * m_work.size() / 3);
         if (last.empty()) return;
-        std::ranges::nth_element(last, last.begin() + static_cast<std::ptrdiff_t>(last.size() / 2));
         // Below a few dozen contacts a ratio says nothing.
-        const double usual = std::max(last[last.size() / 2], 50.0);
+        const double usual = std::max(Quantile(last, 0.5), 50.0);
         m_outcome.workRatio = std::max(1.0, *std::ranges::max_element(m_work) / usual);
     }
 

@@ -85,10 +85,9 @@ void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<
     const std::filesystem::path folder(job.info->name);
     session.output.WriteText(folder / "timing.csv", WriteTimingCsv(timing));
     const std::filesystem::path temporary = session.output.Prepare(folder / ".timing.tmp.png");
-    DrawTimingPlot(
-        timing,
-        fmt::format("{}, size {}: broad phase of steps 1-{}", job.info->name, job.size, timing.front().steps.size()),
-        temporary);
+    const std::string title =
+        fmt::format("{}, size {}: broad phase of steps 1-{}", job.info->name, job.size, timing.front().steps.size());
+    DrawPlot(MakeTimingPlot(timing, title), "pngcairo", temporary);
     session.output.Adopt(temporary, folder / "timing.png");
 }
 

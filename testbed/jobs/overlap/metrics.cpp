@@ -5,21 +5,19 @@
 
 #include "testbed/jobs/overlap/metrics.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "testbed/base/csv.h"
 #include "testbed/base/output.h"
+#include "testbed/base/text.h"
 #include "testbed/engines/pair_count.h"
-#include "testbed/engines/state_hash.h"
 #include "testbed/jobs/overlap/tree_quality.h"
 #include "testbed/view/picture.h"
 
 namespace testbed {
 namespace {
 
-/// A hash as it is written: JSON numbers cannot hold 64 bits.
 /// Calls visit(column, value) in the order of the columns: the one place that names them.
 template <typename Visit>
 void ForEachColumn(const MetricsRow& row, Visit&& visit) {
@@ -95,16 +93,14 @@ MetricsRow MeasureSnapshot(const Snapshot& snapshot, const OverlapStats& overlap
 }
 
 std::string WriteMetricsCsv(std::span<const MetricsRow> rows) {
-    std::string text;
-    const auto append = [&text](const auto& cell) { text += fmt::format("{},", cell); };
-    const auto endLine = [&text] { text.back() = '\n'; };
-    ForEachColumn(MetricsRow{}, [&](const char* name, const auto&) { append(name); });
-    endLine();
+    CsvTable table;
+    ForEachColumn(MetricsRow{}, [&](const char* name, const auto&) { table.Add(std::string_view(name)); });
+    table.EndRow();
     for (const MetricsRow& row : rows) {
-        ForEachColumn(row, [&](const char*, const auto& value) { append(value); });
-        endLine();
+        ForEachColumn(row, [&](const char*, const auto& value) { table.Add(value); });
+        table.EndRow();
     }
-    return text;
+    return table.GetText();
 }
 
 std::string WriteMetricsJson(const MetricsHeader& header, std::span<const MetricsRow> rows) {

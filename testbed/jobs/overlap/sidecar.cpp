@@ -5,11 +5,11 @@
 
 #include "testbed/jobs/overlap/sidecar.h"
 
-#include <fmt/format.h>
-
 #include <cstddef>
 #include <nlohmann/json.hpp>
 #include <span>
+
+#include "testbed/base/text.h"
 
 namespace testbed {
 
@@ -43,7 +43,7 @@ Json DescribeEngine(const PictureRecord& record, std::size_t index) {
                    {"contacts", snapshot.contactCount},
                    {"touching", snapshot.touchingCount},
                    {"joints", snapshot.joints.size()},
-                   {"state_hash", fmt::format("{:016x}", snapshot.stateHash)}};
+                   {"state_hash", FormatHash(snapshot.stateHash)}};
     if (index < record.stats.size()) {
         const OverlapStats& stats = record.stats[index];
         engine["overlap"] = {

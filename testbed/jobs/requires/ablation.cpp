@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
+
+#include "testbed/base/csv.h"
+#include "testbed/base/statistics.h"
 
 namespace testbed {
 namespace {
@@ -160,7 +162,7 @@ std::vector<PageCell> MakeFeatureRow(const std::string& feature, std::span<const
     const std::string without = fmt::format("{} of {}", measured.size(), scenes);
     if (measured.empty()) return {feature, kernel, without, {}, {}, {}, {}, {}, {}};
     std::ranges::sort(measured, {}, &AblationRow::GetPercent);
-    const AblationRow& middle = measured[measured.size() / 2];
+    const AblationRow& middle = measured[NearestRank(measured.size(), 0.5)];
     const auto [least, most] = std::ranges::minmax(measured, {}, &AblationRow::GetBytesChange);
     const auto same = std::ranges::count_if(measured, [](const AblationRow& row) { return row.without.sameHash; });
     const bool allSame = static_cast<std::size_t>(same) == measured.size();
@@ -238,18 +240,20 @@ std::vector<AblationRow> MeasureAblation(const scenes::Scene& scene, const Requi
 }
 
 std::string MakeAblationCsv(std::span<const AblationRow> rows) {
-    std::string text = "scene,size,feature,kernel,users,ns_full,ns_without,time_percent,bytes_change,same_hash\n";
+    CsvTable table{"scene",   "size",       "feature",      "kernel",       "users",
+                   "ns_full", "ns_without", "time_percent", "bytes_change", "same_hash"};
     for (const AblationRow& row : rows) {
-        auto out = std::back_inserter(text);
-        fmt::format_to(out, "{},{},\"{}\",{},{},", row.scene, row.size, row.feature, NameOf(row.kernel), row.users);
+        table.AddCells(row.scene, row.size, row.feature, NameOf(row.kernel), row.users);
         if (row.users > 0) {
-            fmt::format_to(out, ",,,,\n");
-            continue;
+            table.AddEmpty(5);
+        } else {
+            table.AddCells(fmt::format("{:.3f}", row.full.nsPerBodyStep),
+                           fmt::format("{:.3f}", row.without.nsPerBodyStep), fmt::format("{:.2f}", row.GetPercent()),
+                           row.GetBytesChange(), row.without.sameHash ? "yes" : "no");
         }
-        fmt::format_to(out, "{:.3f},{:.3f},{:.2f},{},{}\n", row.full.nsPerBodyStep, row.without.nsPerBodyStep,
-                       row.GetPercent(), row.GetBytesChange(), row.without.sameHash ? "yes" : "no");
+        table.EndRow();
     }
-    return text;
+    return table.GetText();
 }
 
 std::string MakeAblationJson(std::span<const AblationRow> rows) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "scenes/catalog.h"
+#include "testbed/base/csv.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
@@ -138,15 +139,15 @@ void AddAblation(const RequiresArguments& arguments, Report& report) {
 /// One plot of the report, and its points as text.
 void AddPlot(Report& report, const std::string& name, Plot plot, const std::vector<BreakEvenPoint>& points,
              PageFigures& figures) {
-    std::string csv = "share,ns_without,ns_with\n";
+    CsvTable csv{"share", "ns_without", "ns_with"};
     for (const BreakEvenPoint& point : points) {
-        csv += fmt::format("{},{:.2f},{:.2f}\n", point.share, point.nsWithout, point.nsWith);
+        csv.AddRow(point.share, fmt::format("{:.2f}", point.nsWithout), fmt::format("{:.2f}", point.nsWith));
         plot.curves[0].points.push_back({point.share, point.nsWithout});
         plot.curves[1].points.push_back({point.share, point.nsWith});
     }
-    report.output.WriteText(name + ".csv", csv);
+    report.output.WriteText(name + ".csv", csv.GetText());
     const std::filesystem::path temporary = report.output.Prepare(name + ".svg").string() + ".tmp";
-    RunGnuplot(MakePlotScript(plot, "svg", temporary), temporary);
+    DrawPlot(plot, "svg", temporary);
     report.output.Adopt(temporary, name + ".svg");
     figures.figures.push_back(
         {.title = plot.title, .caption = DescribeBreakEven(points), .file = report.output.Prepare(name + ".svg")});
@@ -165,7 +166,7 @@ void AddBreakEven(const RequiresArguments& arguments, Report& report) {
     const std::string note = fmt::format("{} moving circles, {} steps, least of {} repeats of each step", plan.movers,
                                          plan.steps, plan.repeats);
     const auto curves = [](const char* without, const char* with) {
-        return std::vector<PlotCurve>{{without, "#cc0000", 5, {}}, {with, "#0000cc", 7, {}}};
+        return std::vector<PlotCurve>{{without, ourLooks[0]}, {with, boxTwoDLook}};
     };
     for (const auto& [layout, name] :
          {std::pair(StaticLayout::scattered, "scattered"), {StaticLayout::beside, "beside"}}) {

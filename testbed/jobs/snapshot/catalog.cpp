@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "scenes/catalog.h"
+#include "testbed/base/hash.h"
 
 namespace testbed {
 
@@ -47,11 +48,11 @@ constexpr SnapshotSet snapshotSets[] = {
 /// Scenes with sizes are halved until no more fixtures move than this: the whole check stays a matter of seconds.
 constexpr int maxMovingFixtures = 400;
 
-/// FNV-1a over the name.
+/// By a hash of the name.
 int GroupOf(std::string_view scene) {
-    uint32_t hash = 2166136261u;
-    for (const char c : scene) hash = (hash ^ static_cast<unsigned char>(c)) * 16777619u;
-    return static_cast<int>((hash >> 8) % groupCount);
+    Fnv1a<uint32_t> hash;
+    hash.Add(scene);
+    return static_cast<int>((hash.Get() >> 8) % groupCount);
 }
 
 int ChooseSize(const scenes::SceneInfo& info) {

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "scenes/catalog.h"
+#include "testbed/base/text.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/jobs/snapshot/structure.h"
 #include "testbed/view/layers.h"
@@ -61,7 +62,7 @@ Json DescribeCase(const SnapshotCase& snapshotCase, const Snapshot& snapshot, co
             {"engine", snapshot.engine},
             {"broad_phase", snapshot.broadPhase},
             {"touching", snapshot.touchingCount},
-            {"state_hash", fmt::format("{:016x}", snapshot.stateHash)}};
+            {"state_hash", FormatHash(snapshot.stateHash)}};
 }
 
 SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& snapshot, PictureMaker& maker) {

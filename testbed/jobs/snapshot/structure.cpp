@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -19,6 +18,8 @@
 #include <utility>
 #include <vector>
 
+#include "testbed/base/hash.h"
+#include "testbed/base/text.h"
 #include "testbed/jobs/snapshot/result.h"
 
 namespace testbed {
@@ -31,12 +32,10 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t maxPoses = 220, maxBoxes = 120, maxContacts = 300, maxHashes = 600;
 constexpr std::size_t hashLength = 4;
 
-/// Bits in, 24 bits as four characters out (FNV-1a, folded): enough to see that something changed, no more.
+/// Bits in, 24 bits as four characters out (folded): enough to see that something changed, no more.
 class ShortHash {
 public:
-    void Add(uint32_t bits) {
-        for (int shift = 0; shift < 32; shift += 8) m_state = (m_state ^ (bits >> shift & 255u)) * 1099511628211ull;
-    }
+    void Add(uint32_t bits) { m_hash.AddBytes(bits); }
     void Add(int value) { Add(static_cast<uint32_t>(value)); }
     void Add(float value) { Add(std::bit_cast<uint32_t>(value + 0.0f)); }  // −0 counts as 0
     void Add(const Vec2& v) {
@@ -45,14 +44,14 @@ public:
     }
     [[nodiscard]] std::string GetText() const {
         constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-        const uint64_t folded = m_state ^ m_state >> 24 ^ m_state >> 48;
+        const uint64_t hash = m_hash.Get(), folded = hash ^ hash >> 24 ^ hash >> 48;
         std::string text;
         for (std::size_t i = 0; i < hashLength; ++i) text += digits[folded >> (6 * i) & 63u];
         return text;
     }
 
 private:
-    uint64_t m_state = 14695981039346656037ull;
+    Fnv1a<uint64_t> m_hash;
 };
 
 /// Thousandths, or nan.
@@ -157,34 +156,39 @@ Json DescribeContacts(const Snapshot& snapshot) {
     return contacts;
 }
 
-[[noreturn]] void Refuse() {
-    throw std::invalid_argument("a sidecar's structure is damaged; run `scree snapshot update`");
+[[noreturn]] void Refuse(const std::string& problem = {}) {
+    throw std::invalid_argument(fmt::format("a sidecar's structure is damaged{}{}; run `scree snapshot update`",
+                                            problem.empty() ? "" : ": ", problem));
 }
 
-std::vector<std::string> Split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find(separator, begin), text.size());
-        parts.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return parts;
+template <typename Number>
+Number ReadNumber(std::string_view text) {
+    const Parsed<Number> number = ParseNumber<Number>(text);
+    if (!number) Refuse(number.problem);
+    return *number;
 }
 
-/// Thousandths in a sidecar as units; nan becomes null in JSON.
-Json FromMilli(const std::string& text) { return std::strtod(text.c_str(), nullptr) / 1000; }
+/// The entries of a list with commas.
+std::vector<std::string_view> SplitList(const Json& list) {
+    const std::string& text = list.get_ref<const std::string&>();
+    return text.empty() ? std::vector<std::string_view>() : Split(text, ',');
+}
 
-Json ParsePose(const std::string& text) {
-    const std::vector<std::string> words = Split(text, ' ');
+/// Thousandths in a sidecar as units; nan is null.
+Json FromMilli(std::string_view text) { return text == "nan" ? Json(nullptr) : Json(ReadNumber<double>(text) / 1000); }
+
+Json ParsePose(std::string_view text) {
+    const bool awake = !text.ends_with('s');
+    if (!awake) text.remove_suffix(1);
+    const std::vector<std::string_view> words = Split(text, ' ');
     if (words.size() != 3) Refuse();
-    const bool awake = !words[2].ends_with('s');
     return {{"x", FromMilli(words[0])}, {"y", FromMilli(words[1])}, {"angle", FromMilli(words[2])}, {"awake", awake}};
 }
 
-Json ParseBox(const std::string& text) {
-    const std::vector<std::string> words = Split(text, ' ');
+Json ParseBox(std::string_view text) {
+    const std::vector<std::string_view> words = Split(text, ' ');
     if (words.size() != 5) Refuse();
-    return {{"level", std::atoi(words[0].c_str())},
+    return {{"level", ReadNumber<int>(words[0])},
             {"box", {FromMilli(words[1]), FromMilli(words[2]), FromMilli(words[3]), FromMilli(words[4])}}};
 }
 
@@ -192,11 +196,11 @@ Json ParseBox(const std::string& text) {
 struct NumberedList {
     std::size_t count = 0, block = 1;
     std::string hashes;
-    std::vector<std::string> values;  ///< empty: too many to keep
+    std::vector<std::string_view> values;  ///< in the JSON; empty: too many to keep
 
     NumberedList(const Json& json, const char* valuesKey)
         : count(json.at("count").get<std::size_t>()), hashes(json.at("hashes").get<std::string>()) {
-        if (json.contains(valuesKey)) values = Split(json[valuesKey].get<std::string>(), ',');
+        if (json.contains(valuesKey)) values = SplitList(json[valuesKey]);
         if (json.contains("block")) block = json["block"].get<std::size_t>();
         if (block == 0 || hashes.size() != (count + block - 1) / block * hashLength ||
             (!values.empty() && values.size() != count))
@@ -227,7 +231,7 @@ struct ChangeList {
     }
 };
 
-Json CompareNumbered(const NumberedList& expected, const NumberedList& actual, Json (*parse)(const std::string&)) {
+Json CompareNumbered(const NumberedList& expected, const NumberedList& actual, Json (*parse)(std::string_view)) {
     ChangeList changes;
     const auto value = [&](const NumberedList& side, std::size_t i) {
         return i < side.values.size() ? parse(side.values[i]) : Json(nullptr);
@@ -247,10 +251,18 @@ Json CompareNumbered(const NumberedList& expected, const NumberedList& actual, J
 
 using FixturePair = std::pair<std::string, std::string>;  // "7.5": fixture 7 of body 5
 
+/// The numbers of fixture and body in "7.5", or in "7" for both.
+std::pair<int, int> ParseFixture(std::string_view text) {
+    const std::vector<std::string_view> numbers = Split(text, '.');
+    if (numbers.size() > 2) Refuse();
+    return {ReadNumber<int>(numbers.front()), ReadNumber<int>(numbers.back())};
+}
+int BodyOf(std::string_view fixture) { return ParseFixture(fixture).second; }
+
 /// By the fixtures' numbers, as an engine lists them.
 struct FixtureOrder {
     static std::pair<int, int> Key(const FixturePair& pair) {
-        return {std::atoi(pair.first.c_str()), std::atoi(pair.second.c_str())};
+        return {ParseFixture(pair.first).first, ParseFixture(pair.second).first};
     }
     bool operator()(const FixturePair& a, const FixturePair& b) const { return Key(a) < Key(b); }
 };
@@ -260,22 +272,20 @@ using ContactMap = std::map<FixturePair, std::string, FixtureOrder>;
 
 ContactMap ParseContacts(const Json& json) {
     ContactMap contacts;
-    for (const std::string& entry : Split(json.at("list").get<std::string>(), ',')) {
+    for (const std::string_view entry : SplitList(json.at("list"))) {
         const std::size_t dash = entry.find('-'), space = entry.find(' ');
         if (dash == std::string::npos || space == std::string::npos || dash > space) Refuse();
-        contacts[{entry.substr(0, dash), entry.substr(dash + 1, space - dash - 1)}] = entry.substr(space + 1);
+        const FixturePair fixtures{entry.substr(0, dash), entry.substr(dash + 1, space - dash - 1)};
+        contacts[fixtures] = entry.substr(space + 1);
     }
     return contacts;
 }
 
-int BodyOf(const std::string& fixture) {
-    const std::size_t point = fixture.find('.');
-    return std::atoi(fixture.c_str() + (point == std::string::npos ? 0 : point + 1));
-}
-
 Json ParseContact(const std::string* text) {
     if (text == nullptr) return nullptr;
-    return {{"touching", text->starts_with('t')}, {"points", std::atoi(text->c_str() + 1)}};
+    const std::vector<std::string_view> words = Split(*text, ' ');
+    if (words.size() < 2) Refuse();
+    return {{"touching", words[0] == "t"}, {"points", ReadNumber<int>(words[1])}};
 }
 
 Json CompareContacts(const Json& expectedJson, const Json& actualJson) {
@@ -314,7 +324,7 @@ Json DescribeStructure(const Snapshot& snapshot) {
 
 Json CompareStructures(const Json& expected, const Json& actual) {
     try {
-        const auto compare = [&](const char* kind, const char* values, Json (*parse)(const std::string&)) {
+        const auto compare = [&](const char* kind, const char* values, Json (*parse)(std::string_view)) {
             return CompareNumbered({expected.at(kind), values}, {actual.at(kind), values}, parse);
         };
         return {{"equal", expected == actual},

@@ -5,39 +5,41 @@
 
 #include "testbed/jobs/snapshot/verify.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <span>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/hash.h"
+#include "testbed/base/process.h"
 #include "testbed/base/progress.h"
+#include "testbed/base/text.h"
 #include "testbed/picture/image.h"
 
 namespace testbed {
 
 namespace {
 
-/// FNV-1a, 64 bits, over size and pixels.
+/// Of size and pixels.
 uint64_t HashImage(const Image& image) {
-    uint64_t hash = 14695981039346656037ull;
-    const auto add = [&hash](uint32_t value) { hash = (hash ^ value) * 1099511628211ull; };
-    add(static_cast<uint32_t>(image.width));
-    add(static_cast<uint32_t>(image.height));
+    Fnv1a<uint64_t> hash;
+    hash.Add(static_cast<uint64_t>(image.width));
+    hash.Add(static_cast<uint64_t>(image.height));
     for (const Color& color : image.pixels) {
-        add(color.r | uint32_t{color.g} << 8 | uint32_t{color.b} << 16 | uint32_t{color.a} << 24);
+        hash.Add(color.r | uint64_t{color.g} << 8 | uint64_t{color.b} << 16 | uint64_t{color.a} << 24);
     }
-    return hash;
+    return hash.Get();
 }
 
-/// In the child: makes all pictures, a line each. Never returns to the caller's code.
-[[noreturn]] void RunChild(std::span<const SnapshotCase> cases, const VerifyWay& way, ContextOptions options,
-                           const Distortion& distortion, SnapshotMaking making, int out) {
+/// In the child: makes all pictures, a line each; its exit code.
+int RunChild(std::span<const SnapshotCase> cases, const VerifyWay& way, ContextOptions options,
+             const Distortion& distortion, SnapshotMaking making, int out) {
     int code = exitDone;
     std::string text;
     try {
@@ -48,7 +50,7 @@ uint64_t HashImage(const Image& image) {
         for (const std::span<const SnapshotCase> scene : GroupByScene(cases)) {
             RenderSnapshots(scene, making, maker, [&](const SnapshotCase& snapshotCase, SnapshotPicture picture) {
                 if (distortion) distortion(way, snapshotCase, picture);
-                text += fmt::format("{:016x} {}\n", HashImage(picture.image),
+                text += fmt::format("{} {}\n", FormatHash(HashImage(picture.image)),
                                     picture.sidecar.at("state_hash").get<std::string>());
             });
         }
@@ -59,55 +61,39 @@ uint64_t HashImage(const Image& image) {
         code = exitIo;
         text = error.what();
     }
-    for (std::size_t sent = 0; sent < text.size();) {
-        const ssize_t count = write(out, text.data() + sent, text.size() - sent);
-        if (count <= 0) _exit(exitIo);
-        sent += static_cast<std::size_t>(count);
-    }
-    _exit(code);  // no exit handlers: they belong to the parent
+    return WriteAll(out, std::as_bytes(std::span(text))) ? code : exitIo;
 }
 
 /// A running child.
 struct Child {
-    pid_t process = -1;
-    int pipe = -1;
+    Descriptor pipe;
+    Process process;
 };
 
 Child StartChild(std::span<const SnapshotCase> cases, const VerifyWay& way, const ContextOptions& options,
                  const Distortion& distortion, const SnapshotMaking& making) {
     int ends[2] = {-1, -1};
-    if (pipe(ends) != 0) throw FileError("cannot open a pipe");
-    std::fflush(nullptr);  // what is buffered would be written twice
-    const pid_t process = fork();
-    if (process < 0) throw FileError("cannot start a process");
-    if (process == 0) {
-        close(ends[0]);
-        RunChild(cases, way, options, distortion, making, ends[1]);
-    }
-    close(ends[1]);
-    return {process, ends[0]};
+    if (pipe2(ends, O_CLOEXEC) != 0) throw FileError("cannot open a pipe");
+    Child child{Descriptor(ends[0]), {}};
+    const Descriptor out(ends[1]);
+    const std::error_code error = child.process.Fork([&] {
+        child.pipe.Close();
+        return RunChild(cases, way, options, distortion, making, out.Get());
+    });
+    if (error) throw FileError("cannot start a process: " + error.message());
+    return child;
 }
 
-VerifyRun FinishChild(const Child& child, const VerifyWay& way, std::size_t caseCount) {
-    std::string text;
-    char buffer[4096];
-    for (ssize_t count = 0; (count = read(child.pipe, buffer, sizeof buffer)) > 0;) {
-        text.append(buffer, static_cast<std::size_t>(count));
-    }
-    close(child.pipe);
-    int status = 0;
-    waitpid(child.process, &status, 0);
-    const int code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+VerifyRun FinishChild(Child& child, const VerifyWay& way, std::size_t caseCount) {
+    const std::string text = ReadAll(child.pipe.Get());
+    const ProcessEnd end = child.process.Wait();
+    const int code = end.GetExitCode();
     VerifyRun run{.way = way, .hashes = {}, .problem = {}, .isBackendMissing = code == exitNoBackend};
     if (code != exitDone) {
-        run.problem = text.empty() ? fmt::format("the process ended with status {}", status) : text;
+        run.problem = text.empty() ? fmt::format("the process ended with status {}", end.status) : text;
         return run;
     }
-    for (std::size_t begin = 0; begin < text.size();) {
-        const std::size_t end = std::min(text.find('\n', begin), text.size());
-        run.hashes.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
+    ForEachLine(text, [&](std::size_t, std::string_view line) { run.hashes.emplace_back(line); });
     if (run.hashes.size() != caseCount) {
         run.problem = fmt::format("{} pictures instead of {}", run.hashes.size(), caseCount);
         run.hashes.clear();

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
 #include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -17,6 +16,7 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/json_lines.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/shard.h"
@@ -91,14 +91,8 @@ std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& li
 
 /// The cases of a file that --json or `scree merge` wrote.
 std::vector<TradeCase> ReadCases(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) throw FileError("cannot read " + file + ": give a file that `scree tradeoff --json` wrote");
     std::vector<TradeCase> cases;
-    for (std::string line; std::getline(stream, line);) {
-        const auto fields = nlohmann::ordered_json::parse(line, nullptr, false);
-        if (!fields.is_object()) throw FileError(file + ": not a file that `scree tradeoff --json` wrote");
-        cases.push_back(TradeCaseFromJson(fields));
-    }
+    ReadJsonLines(file, "tradeoff", [&](const auto& fields) { cases.push_back(TradeCaseFromJson(fields)); });
     return cases;
 }
 
@@ -110,7 +104,7 @@ void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, const s
         if (std::ranges::find(cases, law.name, &TradeCase::law) == cases.end()) continue;
         const std::filesystem::path relative = std::filesystem::path("plots") / (law.name + ".svg");
         const std::filesystem::path temporary = output.Prepare(relative).string() + ".tmp";
-        RunGnuplot(MakeTradeScript(law, cases, temporary), temporary);
+        DrawPlot(MakeTradePlot(law, cases), "svg", temporary);
         output.Adopt(temporary, relative);
         plots = output.Prepare(relative).parent_path();
     }

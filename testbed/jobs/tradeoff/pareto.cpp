@@ -42,22 +42,4 @@ Gain Compare(std::span<const TradePoint> points, const TradePoint& setting) {
     return gain;
 }
 
-std::optional<double> GeometricMean(std::span<const double> values) {
-    if (values.empty()) return std::nullopt;
-    double sum = 0.0;
-    for (const double value : values) sum += std::log(value);
-    return std::exp(sum / static_cast<double>(values.size()));
-}
-
-Quartiles FindQuartiles(std::vector<double> values) {
-    std::ranges::sort(values);
-    const auto at = [&values](double share) {
-        const double place = share * static_cast<double>(values.size() - 1);
-        const auto below = static_cast<std::size_t>(place);
-        const std::size_t above = std::min(below + 1, values.size() - 1);
-        return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
-    };
-    return {at(0.25), at(0.5), at(0.75)};
-}
-
 }  // namespace testbed

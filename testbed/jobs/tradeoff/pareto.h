@@ -35,13 +35,4 @@ struct Gain {
 };
 [[nodiscard]] Gain Compare(std::span<const TradePoint> points, const TradePoint& setting);
 
-/// exp of the mean of the logarithms; none for no values.
-[[nodiscard]] std::optional<double> GeometricMean(std::span<const double> values);
-
-struct Quartiles {
-    double low = 0.0, median = 0.0, high = 0.0;
-};
-/// By linear interpolation between order statistics. At least one value.
-[[nodiscard]] Quartiles FindQuartiles(std::vector<double> values);
-
 }  // namespace testbed

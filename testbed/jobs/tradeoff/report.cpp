@@ -10,21 +10,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
-#include "testbed/page/gnuplot.h"
+#include "testbed/base/csv.h"
 
 namespace testbed {
 
 namespace {
 
-struct CurveLook {
+struct FamilyLook {
     Family family;
-    std::string_view color;
-    int pointType;  ///< gnuplot's number: 7 filled circle, 5 filled square, 9 filled triangle
+    PlotLook look;
 };
-constexpr CurveLook looks[] = {
-    {Family::box2d, "#0000cc", 7}, {Family::sequential, "#cc0000", 5}, {Family::soft, "#e67700", 9}};
+constexpr FamilyLook looks[] = {
+    {Family::box2d, boxTwoDLook}, {Family::sequential, ourLooks[0]}, {Family::soft, ourLooks[1]}};
 
 constexpr Family oursBoth[] = {Family::sequential, Family::soft};
 constexpr Family oursSequential[] = {Family::sequential};
@@ -41,27 +39,26 @@ bool HasSoft(std::span<const TradeCase> cases) {
     return std::ranges::any_of(cases, [](const TradeCase& c) { return FamilyOf(c.setting) == Family::soft; });
 }
 
-/// The rows of "points" of a family: cost, error, default or not.
-struct PlotRows {
-    std::string all, front, defaults;
-};
-PlotRows MakeRows(const Law& law, std::span<const TradeCase> cases, Family family) {
+/// All settings of a family as points, its front as a line, its defaults as larger points with their names.
+void AddCurves(const Law& law, std::span<const TradeCase> cases, const FamilyLook& look, Plot& plot) {
+    PlotCurve all{.title = "", .look = look.look, .style = PlotStyle::points, .pointSize = 0.5};
+    PlotCurve front{.title = std::string(NameFamily(look.family)), .look = look.look, .style = PlotStyle::lines};
+    PlotCurve defaults{.title = "", .look = look.look, .style = PlotStyle::points, .pointSize = 1.6};
     std::vector<TradePoint> points;
-    PlotRows rows;
     for (const TradeCase& one : cases) {
-        if (one.law != law.name || FamilyOf(one.setting) != family) continue;
+        if (one.law != law.name || FamilyOf(one.setting) != look.family) continue;
         const TradePoint point{one.GetCost().median, FlooredError(law, one)};
         if (!std::isfinite(point.error)) continue;
         points.push_back(point);
-        rows.all += fmt::format("{:.6g} {:.6g}\n", point.cost, point.error);
-        if (IsDefault(one.setting)) {
-            rows.defaults += fmt::format("{:.6g} {:.6g} \"{}\"\n", point.cost, point.error, NameSolver(one.setting));
-        }
+        all.points.push_back({point.cost, point.error});
+        if (!IsDefault(one.setting)) continue;
+        defaults.points.push_back({point.cost, point.error});
+        defaults.labels.push_back(NameSolver(one.setting));
     }
-    for (const std::size_t i : FindFront(points)) {
-        rows.front += fmt::format("{:.6g} {:.6g}\n", points[i].cost, points[i].error);
+    for (const std::size_t i : FindFront(points)) front.points.push_back({points[i].cost, points[i].error});
+    for (const PlotCurve& curve : {all, front, defaults}) {
+        if (!curve.points.empty()) plot.curves.push_back(curve);
     }
-    return rows;
 }
 
 std::string UnitOf(const LawError& error) { return error.unit.empty() ? "" : " [" + error.unit + "]"; }
@@ -183,62 +180,45 @@ constexpr std::string_view howToRead =
 }  // namespace
 
 std::string MakeTradeCsv(std::span<const TradeCase> cases) {
-    std::string text = "law,engine,solver,rate,error_name,unit,error,cost_ns,cost_ns_q1,cost_ns_q3\n";
+    CsvTable table{"law",  "engine", "solver",  "rate",       "error_name",
+                   "unit", "error",  "cost_ns", "cost_ns_q1", "cost_ns_q3"};
+    const auto ns = [](double cost) { return fmt::format("{:.4f}", cost); };
     for (const TradeCase& one : cases) {
         const auto law = std::ranges::find(GetLaws(), one.law, &Law::name);
         const Quartiles cost = one.GetCost();
         for (std::size_t i = 0; i < one.errors.size(); ++i) {
-            fmt::format_to(std::back_inserter(text), "{},{},{},{},\"{}\",{},{:.9g},{:.4f},{:.4f},{:.4f}\n", one.law,
-                           one.setting.engine, NameSolver(one.setting), GetRate(one.setting), law->errors[i].name,
-                           law->errors[i].unit, one.errors[i], cost.median, cost.low, cost.high);
+            table.AddRow(one.law, one.setting.engine, NameSolver(one.setting), GetRate(one.setting),
+                         law->errors[i].name, law->errors[i].unit, fmt::format("{:.9g}", one.errors[i]),
+                         ns(cost.median), ns(cost.low), ns(cost.high));
         }
     }
-    return text;
+    return table.GetText();
 }
 
 std::string MakeBoundsCsv(std::span<const TradeCase> cases) {
     const auto number = [](std::optional<double> value) { return value ? fmt::format("{:.9g}", *value) : ""; };
     const auto bound = [](double value) { return value == noBound ? "" : fmt::format("{:g}", value); };
     const auto word = [](std::optional<bool> met) { return !met ? "" : *met ? "met" : "missed"; };
-    std::string text =
-        "law,error,unit,game_bound,game,game_verdict,precise_bound,precise,precise_verdict,scree_8_3,box2d_8_3\n";
+    CsvTable table{"law",     "error",           "unit",      "game_bound", "game", "game_verdict", "precise_bound",
+                   "precise", "precise_verdict", "scree_8_3", "box2d_8_3"};
     for (const BoundRow& row : CheckBounds(cases)) {
-        fmt::format_to(std::back_inserter(text), "{},\"{}\",{},{},{},{},{},{},{},{},{}\n", row.law->name,
-                       row.error->name, row.error->unit, bound(row.error->game), number(row.game),
-                       word(row.MeetsGame()), bound(row.error->precise), number(row.precise), word(row.MeetsPrecise()),
-                       number(row.sequential), number(row.box2d));
+        table.AddRow(row.law->name, row.error->name, row.error->unit, bound(row.error->game), number(row.game),
+                     word(row.MeetsGame()), bound(row.error->precise), number(row.precise), word(row.MeetsPrecise()),
+                     number(row.sequential), number(row.box2d));
     }
-    return text;
+    return table.GetText();
 }
 
-std::string MakeTradeScript(const Law& law, std::span<const TradeCase> cases, const std::filesystem::path& picture) {
-    std::string data, plots;
-    for (const CurveLook& look : looks) {
-        const PlotRows rows = MakeRows(law, cases, look.family);
-        if (rows.all.empty()) continue;
-        const int id = static_cast<int>(look.family);
-        data += fmt::format("$all{0} << END\n{1}END\n$front{0} << END\n{2}END\n$default{0} << END\n{3}END\n", id,
-                            rows.all, rows.front, rows.defaults);
-        plots += fmt::format(
-            "{0}$all{1} with points linecolor '{2}' pointtype {3} pointsize 0.5 notitle, $front{1} with lines "
-            "linecolor "
-            "'{2}' linewidth 2 title {4}",
-            plots.empty() ? "plot " : ", ", id, look.color, look.pointType, QuoteForGnuplot(NameFamily(look.family)));
-        if (rows.defaults.empty()) continue;
-        plots += fmt::format(
-            ", $default{0} with points linecolor '{1}' pointtype {2} pointsize 1.6 notitle, $default{0} using 1:2:3 "
-            "with "
-            "labels offset 0,1 textcolor '{1}' font ',11' notitle",
-            id, look.color, look.pointType);
-    }
-    return fmt::format(
-               "set terminal svg size 640,440 font 'DejaVu Sans,13' background '#ffffff'\nset output {}\n"
-               "set border 31 linecolor '#000000'\nset grid linecolor '#cccccc' linetype 1\nset key outside bottom "
-               "horizontal\nset title {} noenhanced\nset xlabel 'ns per body and 1/60 s'\nset ylabel {} noenhanced\n"
-               "set logscale xy\nset format y '10^{{%L}}'\nset offsets graph 0.05, graph 0.05, graph 0.1, graph 0.05\n",
-               QuoteForGnuplot(std::filesystem::absolute(picture).string()), QuoteForGnuplot(law.title),
-               QuoteForGnuplot(law.errors.front().name + UnitOf(law.errors.front()))) +
-           data + plots + "\n";
+Plot MakeTradePlot(const Law& law, std::span<const TradeCase> cases) {
+    Plot plot{.title = law.title,
+              .xLabel = "ns per body and 1/60 s",
+              .yLabel = law.errors.front().name + UnitOf(law.errors.front())};
+    plot.logarithmic = plot.powersOfTen = plot.small = true;
+    plot.legend = PlotLegend::below;
+    plot.roomAbove = 0.1;
+    plot.roomBelow = plot.roomBeside = 0.05;
+    for (const FamilyLook& look : looks) AddCurves(law, cases, look, plot);
+    return plot;
 }
 
 Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path& plots, const std::string& command) {

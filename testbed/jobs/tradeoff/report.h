@@ -11,6 +11,7 @@
 
 #include "testbed/jobs/tradeoff/verdict.h"
 #include "testbed/page/page.h"
+#include "testbed/page/plot.h"
 
 namespace testbed {
 
@@ -19,10 +20,9 @@ namespace testbed {
 /// One row per error with its bounds and what the dial's marks reach.
 [[nodiscard]] std::string MakeBoundsCsv(std::span<const TradeCase> cases);
 
-/// The gnuplot program that draws one law's first error against cost: all settings as points, each family's front as a
-/// line, defaults marked and named.
-[[nodiscard]] std::string MakeTradeScript(const Law& law, std::span<const TradeCase> cases,
-                                          const std::filesystem::path& picture);
+/// One law's first error against cost: all settings as points, each family's front as a line, defaults marked and
+/// named.
+[[nodiscard]] Plot MakeTradePlot(const Law& law, std::span<const TradeCase> cases);
 
 /// `plots` holds <law>.svg for every law of the cases.
 [[nodiscard]] Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path& plots,

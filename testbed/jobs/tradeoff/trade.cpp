@@ -208,7 +208,7 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
     } catch (const UsageError& error) {  // an engine or setting that is none
         throw FileError(std::string("not a line of `scree tradeoff --json`: ") + error.what());
     } catch (const nlohmann::json::exception& error) {
-        throw FileError(std::string("not a line of `scree tradeoff --json`: ") + error.what());
+        throw FileError(std::string("a field is missing or of another kind: ") + error.what());
     }
 }
 

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "testbed/base/statistics.h"
 #include "testbed/engines/panes.h"
 #include "testbed/jobs/tradeoff/law.h"
 #include "testbed/jobs/tradeoff/pareto.h"

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/jobs/window/panels.h"
 #include "testbed/jobs/window/scene_view.h"
@@ -34,7 +35,7 @@ ordered_json DescribePane(const Viewer& viewer, const EnginePane& pane) {
                       {"bodies", s.bodies.size()},
                       {"contacts", s.contactCount},
                       {"nodes", s.nodes.size()},
-                      {"state_hash", fmt::format("{:016x}", s.stateHash)},
+                      {"state_hash", FormatHash(s.stateHash)},
                       {"area", {pane.area.x0, pane.area.y0, pane.area.x1, pane.area.y1}}};
     if (viewer.pickedBody >= 0 && viewer.pickedBody < static_cast<int>(s.bodies.size())) {
         const BodyState& body = s.bodies[static_cast<size_t>(viewer.pickedBody)];

@@ -10,12 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
-#include <cmath>
-#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "testbed/base/text.h"
 
 namespace testbed {
 
@@ -48,18 +47,14 @@ constexpr std::array<std::string_view, 3> buttonNames = {"left", "right", "middl
     throw std::invalid_argument(fmt::format("script line {}: {}", line.number, problem));
 }
 
-template <typename Number>
-std::optional<Number> ParseNumber(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-    return value;
+/// Nothing where the line is shorter.
+std::string_view GetWord(const ScriptLine& line, size_t word) {
+    return word < line.words.size() ? std::string_view(line.words[word]) : std::string_view();
 }
 
 float GetFloat(const ScriptLine& line, size_t word) {
-    const std::optional<float> value = word < line.words.size() ? ParseNumber<float>(line.words[word]) : std::nullopt;
-    if (!value || !std::isfinite(*value))
-        Refuse(line, fmt::format("'{}' needs a number as word {}", line.verb, word + 1));
+    const Parsed<float> value = ParseNumber<float>(GetWord(line, word));
+    if (!value) Refuse(line, fmt::format("'{}' needs a number as word {}: {}", line.verb, word + 1, value.problem));
     return *value;
 }
 
@@ -119,7 +114,7 @@ InputEvent ResolveMove(const ScriptLine& line, const Viewer& viewer, const Items
     }
     if (kind == "body") {
         const EnginePane& pane = GetPane(line, viewer);
-        const std::optional<int> index = line.words.size() > 2 ? ParseNumber<int>(line.words[2]) : std::nullopt;
+        const Parsed<int> index = ParseNumber<int>(GetWord(line, 2));
         if (!index || *index < 0 || *index >= static_cast<int>(pane.snapshot.bodies.size())) {
             Refuse(line, "there is no body of that index");
         }
@@ -144,8 +139,9 @@ std::vector<ScriptLine> ParseScript(std::string_view text) {
         line.number = number;
         std::string first;
         if (!(words >> first)) continue;
-        const std::optional<int> frame = ParseNumber<int>(first);
-        if (!frame || *frame < 0 || *frame > maxFrame) Refuse(line, "begin it with the number of a frame");
+        const Parsed<int> frame = ParseNumber<int>(first);
+        if (!frame) Refuse(line, "begin it with the number of a frame: " + frame.problem);
+        if (*frame < 0 || *frame > maxFrame) Refuse(line, "begin it with the number of a frame");
         line.frame = *frame;
         if (!lines.empty() && line.frame < lines.back().frame)
             Refuse(line, "its frame comes before that of the last line");

@@ -51,23 +51,6 @@ BenchRow MakeRow(const std::string& engine, double totalMs) {
     return row;
 }
 
-TEST(BenchStatistics, AQuantileIsTheNearestRank) {
-    EXPECT_EQ(Quantile({}, 0.5), 0.0);
-    std::mt19937 random(7);
-    for (const int count : {1, 2, 3, 99, 100, 101, 1000}) {
-        std::vector<double> values(static_cast<std::size_t>(count));
-        for (double& value : values) value = static_cast<double>(random() % 50);
-        for (const double part : {0.5, 0.99, 1.0}) {
-            const double quantile = Quantile(values, part);
-            const auto below = std::count_if(values.begin(), values.end(), [&](double v) { return v < quantile; });
-            const auto notAbove = std::count_if(values.begin(), values.end(), [&](double v) { return v <= quantile; });
-            // The smallest value that at least `part` of them do not exceed; 1e-9 absorbs part × count in double.
-            EXPECT_GE(static_cast<double>(notAbove), part * count - 1e-9);
-            EXPECT_LT(static_cast<double>(below), part * count - 1e-9);
-        }
-    }
-}
-
 TEST(BenchStatistics, TimesAreSumsAndPlacesOfTheSteps) {
     BenchRow row;
     row.awakeBodySteps = 4;

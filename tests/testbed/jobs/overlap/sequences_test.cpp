@@ -13,7 +13,7 @@
 #include <string>
 
 #include "testbed/base/errors.h"
-#include "testbed/base/tool.h"
+#include "testbed/base/process.h"
 #include "testbed/picture/png.h"
 #include "tests/testbed/program.h"
 

@@ -70,16 +70,5 @@ TEST(Pareto, AFailedPointIsNeverChosenOverAFiniteOne) {
     EXPECT_EQ(Compare(ours, {30.0, 5.0}).closest, 1u);
 }
 
-TEST(Pareto, MeansAndQuartiles) {
-    const double values[] = {1.0, 4.0, 16.0};
-    EXPECT_DOUBLE_EQ(*GeometricMean(values), 4.0);
-    EXPECT_FALSE(GeometricMean({}));
-    const Quartiles q = FindQuartiles({5.0, 1.0, 4.0, 2.0, 3.0});
-    EXPECT_DOUBLE_EQ(q.low, 2.0);
-    EXPECT_DOUBLE_EQ(q.median, 3.0);
-    EXPECT_DOUBLE_EQ(q.high, 4.0);
-    EXPECT_DOUBLE_EQ(FindQuartiles({7.0}).median, 7.0);
-}
-
 }  // namespace
 }  // namespace testbed

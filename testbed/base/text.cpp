@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of text.h.
+
+#include "testbed/base/text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <system_error>
+#include <type_traits>
+
+namespace testbed {
+
+namespace {
+
+/// Reads the whole text by from_chars with these arguments after the value; `kind` names what it should be.
+template <typename Number, typename... Arguments>
+Parsed<Number> ParseBy(std::string_view text, std::string_view kind, Arguments... arguments) {
+    Parsed<Number> parsed;
+    const char* last = text.data() + text.size();
+    const auto [end, error] = std::from_chars(text.data(), last, parsed.value, arguments...);
+    if (error == std::errc::result_out_of_range && end == last) {
+        parsed.problem = fmt::format("'{}' is beyond the numbers that can be held", text);
+    } else if (text.empty()) {
+        parsed.problem = fmt::format("{} is missing", kind);
+    } else if (error != std::errc() || end != last) {
+        parsed.problem = fmt::format("'{}' is not {}", text, kind);
+    }
+    return parsed;
+}
+
+}  // namespace
+
+std::vector<std::string_view> Split(std::string_view text, char separator) {
+    std::vector<std::string_view> parts;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
+        parts.push_back(text.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+void ForEachLine(std::string_view text, const std::function<void(std::size_t number, std::string_view line)>& visit) {
+    std::size_t number = 0;
+    for (const std::string_view line : Split(text, '\n')) {
+        ++number;
+        if (!line.empty()) visit(number, line);
+    }
+}
+
+template <typename Number>
+Parsed<Number> ParseNumber(std::string_view text) {
+    if constexpr (std::is_integral_v<Number>) {
+        return ParseBy<Number>(text, "a whole number");
+    } else {
+        Parsed<Number> parsed = ParseBy<Number>(text, "a number");
+        if (parsed && !std::isfinite(parsed.value)) parsed.problem = fmt::format("'{}' is not finite", text);
+        return parsed;
+    }
+}
+template Parsed<int> ParseNumber(std::string_view text);
+template Parsed<float> ParseNumber(std::string_view text);
+template Parsed<double> ParseNumber(std::string_view text);
+
+std::string BeforeCure(const std::string& problem) { return problem.empty() ? problem : problem + "; "; }
+
+std::string FormatHash(uint64_t hash) { return fmt::format("{:016x}", hash); }
+
+Parsed<uint64_t> ParseHash(std::string_view text) {
+    return ParseBy<uint64_t>(text, "a hash in hexadecimal digits", 16);
+}
+
+}  // namespace testbed
