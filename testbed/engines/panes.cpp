@@ -12,6 +12,7 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/base/nearest.h"
+#include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
 
 namespace testbed {
@@ -113,11 +114,7 @@ std::string FindName(const Written& pane, std::span<const Written> all, std::spa
 
 std::vector<Pane> ParsePanes(std::string_view text, std::span<const TypedSetting> common, std::string_view base) {
     std::vector<Written> written;
-    std::string_view rest = text;
-    for (bool isMore = true; isMore;) {
-        isMore = rest.find(',') != std::string_view::npos;
-        written.push_back(ReadPane(Take(rest, ',')));
-    }
+    for (const std::string_view part : Split(text, ',')) written.push_back(ReadPane(part));
     if (written.size() > maxPanes) throw UsageError(fmt::format("--engines: at most {} panes", maxPanes));
     std::vector<Pane> panes;
     std::vector<bool> isHad(common.size(), false);

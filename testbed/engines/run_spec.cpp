@@ -9,9 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <concepts>
 #include <vector>
 
 #include "scree/broad_phase_kind.h"
@@ -19,6 +17,7 @@
 #include "scree/settings.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/nearest.h"
+#include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
 
 namespace testbed {
@@ -31,31 +30,13 @@ constexpr float minLengthScale = 1e-6f, maxLengthScale = 1e6f;  // m
 constexpr std::array<std::string_view, 4> markNames = {"draft", "game", "fine", "precise"};
 constexpr std::string_view ofScene = "scene";
 
-template <typename Number>
-std::optional<Number> ReadNumber(std::string_view text) {
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-    return value;
-}
-
-std::vector<std::string_view> Split(std::string_view text, char separator) {
-    std::vector<std::string_view> parts;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, begin), text.size());
-        parts.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return parts;
-}
-
 /// What a reader returns for text that has not the form of a value.
 std::string NotAValue() { return "is none"; }
 std::string Done() { return {}; }
 
 template <typename Number>
 std::string ReadNumberInto(std::string_view value, Number& number) {
-    const auto read = ReadNumber<Number>(value);
+    const Parsed<Number> read = ParseNumber<Number>(value);
     if (!read) return NotAValue();
     number = *read;
     return Done();
@@ -79,15 +60,14 @@ std::string ReadIterations(std::string_view value, RunSpec& spec) {
         return Done();
     }
     const std::vector<std::string_view> parts = Split(value, '/');
-    const auto velocity = ReadNumber<int>(parts[0]);
-    const auto position = parts.size() == 2 ? ReadNumber<int>(parts[1]) : std::nullopt;
-    if (!velocity || !position) return NotAValue();
+    const Parsed<int> velocity = ParseNumber<int>(parts.front()), position = ParseNumber<int>(parts.back());
+    if (parts.size() != 2 || !velocity || !position) return NotAValue();
     spec.solver = SequentialImpulses{Iterations{*velocity, *position}};
     return Done();
 }
 
 std::string ReadSubsteps(std::string_view value, RunSpec& spec) {
-    const auto substeps = ReadNumber<int>(value);
+    const Parsed<int> substeps = ParseNumber<int>(value);
     if (!substeps) return NotAValue();
     spec.solver = SoftStep{*substeps};
     return Done();
@@ -154,7 +134,7 @@ std::string ReadTimeStep(std::string_view value, RunSpec& spec) {
         return Done();
     }
     const bool isFraction = value.starts_with("1/");
-    const auto number = ReadNumber<double>(isFraction ? value.substr(2) : value);
+    const Parsed<double> number = ParseNumber<double>(isFraction ? value.substr(2) : value);
     if (!number) return NotAValue();
     spec.timeStep = isFraction ? 1.0 / *number : *number;
     return Done();
@@ -172,9 +152,8 @@ std::string ReadGravity(std::string_view value, RunSpec& spec) {
         return Done();
     }
     const std::vector<std::string_view> parts = Split(value, '/');
-    const auto x = ReadNumber<float>(parts[0]);
-    const auto y = parts.size() == 2 ? ReadNumber<float>(parts[1]) : std::nullopt;
-    if (!x || !y) return NotAValue();
+    const Parsed<float> x = ParseNumber<float>(parts.front()), y = ParseNumber<float>(parts.back());
+    if (parts.size() != 2 || !x || !y) return NotAValue();
     spec.gravity = scenes::Vec2{*x, *y};
     return Done();
 }

@@ -8,10 +8,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 
-#include "testbed/base/nearest.h"
+#include "testbed/base/text.h"
 #include "testbed/jobs/bench/targets.h"
 #include "testbed/options/options.h"
 
@@ -52,10 +51,9 @@ std::vector<const scenes::SceneInfo*> ChooseScenes(const std::vector<std::string
 /// KEY=VALUE for every value of a list with commas. Throws UsageError that names the option.
 std::vector<std::string> ListSettings(const std::string& key, const std::string& option, const std::string& list) {
     std::vector<std::string> settings;
-    std::istringstream values(list);
-    for (std::string value; std::getline(values, value, ',');) {
+    for (const std::string_view value : Split(list, ',')) {
         RunSpec spec;
-        settings.push_back(key + "=" + value);
+        settings.push_back(fmt::format("{}={}", key, value));
         (void)ApplySetting(spec, settings.back(), option + " " + list);
     }
     return settings;

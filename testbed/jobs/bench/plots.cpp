@@ -41,8 +41,7 @@ PlotCurve& CurveOf(Plot& plot, const BenchRow& row) {
     }
     const auto ours = static_cast<std::size_t>(
         std::ranges::count_if(plot.curves, [](const PlotCurve& curve) { return curve.title != "Box2D"; }));
-    const PlotLook look = title == "Box2D" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)];
-    plot.curves.push_back({title, look});
+    plot.curves.push_back({title, title == "Box2D" ? boxTwoDLook : ourLooks[ours % std::size(ourLooks)]});
     return plot.curves.back();
 }
 

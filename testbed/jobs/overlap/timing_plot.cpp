@@ -29,20 +29,20 @@ Plot MakeTimingPlot(std::span<const TimingSeries> series, const std::string& tit
     std::vector<const TimingSeries*> order;
     for (const TimingSeries& one : series) order.push_back(&one);
     std::ranges::stable_partition(order, [](const TimingSeries* one) { return one->engine == "box2d"; });
-    bool hasBox2d = false;
     std::size_t others = 0;
     for (const TimingSeries* one : order) {
-        const bool isBox2d = one->engine == "box2d";
-        PlotCurve curve{.title = one->pane != one->engine ? one->pane : std::string(isBox2d ? "Box2D" : "Scree"),
-                        .look = isBox2d && !hasBox2d ? boxTwoDLook : ourLooks[others++ % std::size(ourLooks)],
+        const bool isBox2d = one->engine == "box2d", isFirst = one->pane == one->engine;
+        if (isBox2d) plot.note = boxTwoDNote;
+        PlotCurve curve{.title = !isFirst  ? one->pane
+                                 : isBox2d ? "Box2D"
+                                           : "Scree",
+                        .look = isBox2d && isFirst ? boxTwoDLook : ourLooks[others++ % std::size(ourLooks)],
                         .pointSize = 0.9};
-        hasBox2d = hasBox2d || isBox2d;
         for (const StepRecord& record : one->steps) {
             curve.points.push_back({static_cast<double>(record.step), record.times.broadPhase});
         }
         plot.curves.push_back(std::move(curve));
     }
-    if (hasBox2d) plot.note = boxTwoDNote;
     return plot;
 }
 
