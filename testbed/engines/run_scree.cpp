@@ -73,7 +73,10 @@ void ThrowError(const scree::Error& error, void*) {
 /// Of outlines in pictures: chords of 3.75 degrees.
 constexpr int outlineDirections = 96;
 
-int BodyIndexOf(const scree::Body* body) { return static_cast<int>(body->GetUserData().pointer); }
+/// The engine gives user data by a reference only, for writing too.
+int BodyIndexOf(const scree::Body* body) {
+    return static_cast<int>(const_cast<scree::Body*>(body)->GetUserData().pointer);
+}
 
 /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
 class Conveyor final : public scree::ContactListener {

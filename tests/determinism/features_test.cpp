@@ -126,7 +126,7 @@ TEST(Features, PathsOfIsolatedBodiesAreMeasuredOnTheWorldsThatTheyAreMadeFor) {
 
 TEST(Features, TheHeaderNamesWhatTheSceneUses) {
     Requirement r{"two-words", 3, 10, {{"rotation", 2}, {"friction", 0}, {"joints", 1}}, {}};
-    EXPECT_EQ(r.GetMinimalSet(), "rotation,joints");
+    EXPECT_EQ(r.GetMinimalSet(), "rotation+joints");
     const std::string header = MakeFeatureHeader(r, "scree requires two-words");
     EXPECT_NE(header.find("inline constexpr scree::Features two_words_features{scree::Feature::rotation, "
                           "scree::Feature::joints};"),

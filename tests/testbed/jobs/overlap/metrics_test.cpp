@@ -22,11 +22,35 @@ using namespace testbed;
 
 namespace {
 
-const std::vector<std::string> columns = {
-    "engine",         "broad_phase",     "threads",        "step",       "bodies",           "proxies",   "nodes",
-    "height",         "max_balance",     "area_ratio",     "sah_cost",   "sibling_overlap",  "epo",       "overlap_max",
-    "overlap_mean",   "overlap_p99",     "pairs_reported", "pairs_true", "false_pair_ratio", "contacts",  "touching",
-    "broad_phase_ms", "narrow_phase_ms", "solver_ms",      "step_ms",    "memory_bytes",     "state_hash"};
+const std::vector<std::string> columns = {"engine",
+                                          "broad_phase",
+                                          "threads",
+                                          "step",
+                                          "bodies",
+                                          "proxies",
+                                          "nodes",
+                                          "height",
+                                          "max_balance",
+                                          "area_ratio",
+                                          "sah_cost",
+                                          "sibling_overlap",
+                                          "epo",
+                                          "overlap_max",
+                                          "overlap_mean",
+                                          "overlap_p99",
+                                          "pairs_reported",
+                                          "pairs_true",
+                                          "false_pair_ratio",
+                                          "contacts",
+                                          "touching",
+                                          "broad_phase_ms",
+                                          "narrow_phase_ms",
+                                          "solver_ms",
+                                          "step_ms",
+                                          "memory_bytes",
+                                          "state_hash",
+                                          "pane",
+                                          "settings"};
 
 std::vector<std::string> Split(const std::string& line) {
     std::vector<std::string> cells;
@@ -44,6 +68,8 @@ MetricsRow MakeRow() {
     row.overlapMax = 400;
     row.pairsReported = int64_t{1} << 40;
     row.stateHash = 0xFEDCBA9876543210u;  // beyond what a JSON number holds exactly
+    row.pane = "ours";
+    row.settings = "solver=soft@8";
     return row;
 }
 
@@ -95,7 +121,9 @@ TEST(Metrics, CsvHasTheColumnsAndOneLinePerRow) {
         EXPECT_EQ(cells[3], "90");
         EXPECT_EQ(std::stod(cells[9]), rows[0].areaRatio) << "must read back to the same bits";
         EXPECT_EQ(cells[16], "1099511627776");
-        EXPECT_EQ(cells.back(), "fedcba9876543210");
+        EXPECT_EQ(cells[26], "fedcba9876543210");
+        EXPECT_EQ(cells[27], "ours");
+        EXPECT_EQ(cells[28], "solver=soft@8");
     }
     EXPECT_EQ(lines, 2);
 }
