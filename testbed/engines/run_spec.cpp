@@ -253,7 +253,9 @@ constexpr SettingKey settingKeys[] = {
      .read = ReadAccuracy,
      .print = PrintAccuracy},
     {.name = "tolerance",
-     .values = "OVERLAP, OVERLAP/GAP or OVERLAP/GAP/LEAST/MOST, above 0.005 and 0, sub-steps from 1 to 64",
+     .values =
+         "OVERLAP, OVERLAP/GAP or OVERLAP/GAP/LEAST/MOST: overlap above 0.005 times the length scale, gap above 0, "
+         "sub-steps from 1 to 64",
      .unit = "m",
      .what = "instead of a solver: errors that each island's number of sub-steps is to stay below; 0.01/0.001/4/32 are "
              "the engine's own",

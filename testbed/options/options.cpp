@@ -114,8 +114,8 @@ void AddEnginesOption(CLI::App& app, SettingArguments& arguments, const std::str
     CLI::Option* option =
         app.add_option("--engines", arguments.engines,
                        "Engines to run, with commas: [NAME=]ENGINE[:KEY=VALUE]..., keys as for --set, for example "
-                       "scree,scree:solver=soft@8:threads=2,box2d. " +
-                           note);
+                       "scree,scree:solver=soft@8:threads=2,box2d" +
+                           (note.empty() ? "" : ". " + note));
     option->type_name("LIST");
     if (!arguments.engines.empty()) option->capture_default_str();
 }

@@ -62,7 +62,8 @@ TEST(Settings, OldOptionsAreOtherSpellings) {
     EXPECT_NE(HashOf(folder, "--set solver=soft@8"), plain);
     EXPECT_EQ(HashOf(folder, "--set substeps=8 --set solver=si"), plain) << "the last one counts";
     EXPECT_EQ(HashOf(folder, "--set accuracy=game"), HashOf(folder, "--set solver=soft"));
-    folder.Run("metrics pyramid --size 5 --steps 1 --engines scree --threads 2 --set threads=3 -o m");
+    EXPECT_EQ(
+        folder.Run("metrics pyramid --size 5 --steps 1 --engines scree --threads 2 --set threads=3 -o m").exitCode, 0);
     EXPECT_EQ(json::parse(folder.Read("m/pyramid/metrics.json"))["rows"][0]["threads"], 3) << "--set counts after";
 }
 
