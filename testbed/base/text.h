@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,6 +17,10 @@ namespace testbed {
 
 /// The parts between separators: one more than there are separators, empty ones included.
 [[nodiscard]] std::vector<std::string_view> Split(std::string_view text, char separator);
+/// The parts of a text that is gone would be gone too.
+template <typename Text>
+requires std::same_as<Text, std::string> std::vector<std::string_view> Split(Text&& text, char separator)
+= delete;
 
 /// Calls visit(number, line) for every line that is not empty; numbers begin at 1 and count the empty ones too. A line
 /// feed at the end begins no further line.

@@ -489,7 +489,8 @@ std::string PrintSettings(const RunSpec& spec) {
 
 std::string PrintSpec(const RunSpec& spec) {
     std::string text = spec.engine;
-    for (const std::string_view setting : Split(PrintSettings(spec), ' ')) {
+    const std::string settings = PrintSettings(spec);
+    for (const std::string_view setting : Split(settings, ' ')) {
         if (!setting.empty()) text += fmt::format(":{}", setting);
     }
     return text;

@@ -294,8 +294,12 @@ TEST(RunSpec, SleepCapsAndContinuousCollisionAreSwitches) {
         const scenes::Scene box = checks::RestingBox();
         const auto awake = [&](const char* setting) {
             const auto run = MakeRun(box, Read(std::string(engine.name), {setting}));
-            for (int i = 0; i < 120; ++i) run->Step();
-            return run->CountStep().awake;
+            int awakeInStep = 0;
+            for (int i = 0; i < 120; ++i) {
+                run->Step();
+                awakeInStep = run->CountStep().awake;
+            }
+            return awakeInStep;
         };
         EXPECT_EQ(awake("sleeping=on"), 0) << engine.name;
         EXPECT_GT(awake("sleeping=off"), 0) << engine.name;
