@@ -354,13 +354,13 @@ size_t ContactTable::GetBytesPerRow() {
 }
 
 size_t ContactTable::GetMemoryBytes() const {
-    return BytesOf(flags, pair, manifold, material, successor, matched, freshPairs, freshRefusals, m_hash, m_free,
-                   m_generation, m_first, m_entries) +
+    return BytesOf(flags, pair, manifold, material, steady, successor, matched, freshPairs, freshRefusals, m_hash,
+                   m_free, m_generation, m_first, m_entries) +
            m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
 
 void ContactTable::Trim() {
-    Shrink(flags, pair, manifold, material, successor);
+    Shrink(flags, pair, manifold, material, steady, successor);
     matched = {}, freshPairs = {}, freshRefusals = {};
     m_first = {}, m_entries = {};
     m_adjacencyValid = false;

@@ -77,8 +77,10 @@ struct SolverScratch {
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, before, islandSolved, impulses) +
-               tree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() + wide.GetMemoryBytes();
+        return BytesOf(contacts.velocity, contacts.position, delta, soft, startVelocity, jointed, before, islandSolved,
+                       impulses) +
+               rest.GetMemoryBytes() + tree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() +
+               wide.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
@@ -87,8 +89,10 @@ struct SolverScratch {
         joints = {};
         delta = {};
         soft = {};
+        startVelocity = {};
         jointed = {};
         before = {};
+        rest = {};
         wide = {};
         islandSolved = {};
         impulses = {};
