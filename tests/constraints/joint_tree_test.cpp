@@ -223,7 +223,7 @@ std::vector<double> ProjectDense(const Forest& forest, const BodyTable& bodies, 
 
 TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
     int solved = 0;
-    for (unsigned seed = 1; seed <= 200; ++seed) {
+    for (unsigned seed = 1; seed <= 300; ++seed) {
         Forest forest(seed, 2 + static_cast<int>(seed % 19));
         WorldState& s = forest.world.GetState();
         JointTree tree;
@@ -236,7 +236,7 @@ TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
         s.bodies.startPosition = s.bodies.position;
         tree.Factorize({s.bodies, delta}, 1.0f / 960.0f);
         tree.SolveAfterMove(s.bodies.velocity);
-        if (!(leastPivot > 1e-4)) continue;  // joints that nearly repeat each other
+        if (!(leastPivot > 1e-3)) continue;  // joints that nearly repeat each other
         for (const std::vector<double>& row : Jacobian(forest.constraints, ReadPoses(s.bodies))) {
             double speed = 0.0, left = 0.0;  // rows that give way leave a little
             for (size_t b = 0; b < delta.size(); ++b) {

@@ -49,8 +49,13 @@ TEST(MeasureErrors, AreSmallAtRestAndLargeWhereASolverIsCutShort) {
             AddBox(AddBody(world, dynamicBody, {0, 0.515f + 1.015f * static_cast<float>(i)}), 0.5f, 0.5f);
         for (int i = 0; i < 300; ++i) soft ? world.Step(1.0f / 60.0f, 8) : world.Step(1.0f / 60.0f, 30, 10);
         const StepErrors rest = world.MeasureErrors();
-        EXPECT_NEAR(rest.overlap, linearSlop, 0.002f) << soft;
-        EXPECT_LT(rest.residual, 0.002f) << soft;
+        if (soft) {  // outlines give way a little
+            EXPECT_LT(rest.overlap, linearSlop);
+            EXPECT_LT(rest.residual, linearSlop);
+        } else {
+            EXPECT_NEAR(rest.overlap, linearSlop, 0.002f);
+            EXPECT_LT(rest.residual, 0.002f);
+        }
         EXPECT_EQ(rest.jointGap, 0.0f);
         for (Body* b = world.GetBodyList(); b; b = b->GetNext()) b->SetLinearVelocity({0, -10});
         world.Step(1.0f / 60.0f, 0, 0);  // no iteration at all

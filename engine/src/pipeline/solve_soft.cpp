@@ -249,10 +249,13 @@ private:
 
     /// The same frequency whatever the number of sub-steps, so that bodies rest at the same depth; where sub-steps are
     /// too long for it, the stiffest spring that they carry. What cannot be pushed holds twice as stiffly: piles are
-    /// not to sink into the ground.
+    /// not to sink into the ground. Only where a tolerance asks for less overlap more sub-steps make it stiffer.
     [[nodiscard]] SoftConstants MakeConstants() const {
         constexpr float mostTurns = 0.25f;  // of a spring in a sub-step
-        const float hertz = Min(m_settings.contactHertz, mostTurns / m_h);
+        constexpr float usual = 4.0f;       // sub-steps
+        float hertz = m_settings.contactHertz;
+        if (m_settings.tolerance != nullptr) hertz *= static_cast<float>(m_settings.substeps) / usual;
+        hertz = Min(hertz, mostTurns / m_h);
         return {.inverseH = 1.0f / m_h,
                 .pushSpeed = m_settings.contactPushSpeed,
                 .between = MakeSoftSpring(hertz),
