@@ -38,6 +38,7 @@ void Advance(WorldState& s, const SolverSettings& settings, Stopwatch& watch, St
             ofRest.substeps = r.solved.substeps;
             own.startVelocity = &s.solverScratch.startVelocity;
             own.solveRest = [&](const JointedRest& jointed) {
+                PrepareKernels(s);  // listeners of contacts may have changed materials on the way
                 rest.bodies.assign(jointed.bodies.begin(), jointed.bodies.end());
                 rest.contacts.assign(jointed.contacts.begin(), jointed.contacts.end());
                 rest.joints.assign(jointed.joints.begin(), jointed.joints.end());
