@@ -62,6 +62,7 @@ ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, co
     SolverSettings ofRest = settings;
     ofRest.substeps = substeps;
     const auto solveRest = [&](const JointedRest& jointed) {
+        PrepareKernels(s);  // listeners of contacts may have changed materials on the way
         IslandTable& rest = s.solverScratch.rest;
         rest.bodies.assign(jointed.bodies.begin(), jointed.bodies.end());
         rest.contacts.assign(jointed.contacts.begin(), jointed.contacts.end());
