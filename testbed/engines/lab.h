@@ -52,9 +52,9 @@ struct BodyReading {
 struct ContactReading {
     int bodyA = 0, bodyB = 0;
     int pointCount = 0;
-    Point normal;  ///< from A to B
-    double separations[2] = {};
-    double impulses[2] = {};  ///< along the normal over the whole step, N·s
+    Point normal;                ///< from A to B
+    double separations[2] = {};  ///< of what the solver keeps apart: skins, or in the soft step outlines, m
+    double impulses[2] = {};     ///< along the normal over the whole step, N·s
 };
 
 /// What a step told.

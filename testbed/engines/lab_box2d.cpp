@@ -72,6 +72,7 @@ struct Box2dNames {
         return {};
     }
 
+    static double GetSkins(const b2Contact&, const RunSpec&) { return 0.0; }  // it has no soft step
     static double GetStepImpulse(b2Contact& contact, int point) {
         return double{contact.GetManifold()->points[point].normalImpulse};
     }

@@ -3,6 +3,8 @@
 //
 // The laboratory over our engine.
 
+#include <algorithm>
+
 #include "scree/contact.h"
 #include "scree/far_position.h"
 #include "scree/world.h"
@@ -84,6 +86,18 @@ struct ScreeNames {
         return facts;
     }
 
+    /// What both shapes have around their outlines, m.
+    static double GetSkins(scree::Contact& contact, const RunSpec& spec) {
+        const auto skinOf = [&](const scree::Fixture& fixture) {
+            const scree::Shape& shape = *fixture.GetShape();
+            if (shape.GetType() == scree::Shape::e_circle) return 0.0f;
+            if (shape.GetType() == scree::Shape::e_convex) {
+                return shape.m_radius - static_cast<const scree::ConvexShape&>(shape).m_solidRadius;
+            }
+            return std::min(shape.m_radius, scree::polygonRadius * static_cast<float>(spec.lengthScale));
+        };
+        return double{skinOf(*contact.GetFixtureA())} + double{skinOf(*contact.GetFixtureB())};
+    }
     static double GetStepImpulse(scree::Contact& contact, int point) {
         return double{contact.GetManifold().points[point].normalImpulse};
     }

@@ -92,8 +92,9 @@ public:
             typename E::WorldManifold world;
             c->GetWorldManifold(&world);
             reading.normal = ToPoint(world.normal);
+            const double skins = IsSequential(m_spec) ? 0.0 : E::GetSkins(*c, m_spec);
             for (int k = 0; k < manifold.pointCount; ++k) {
-                reading.separations[k] = double{world.separations[k]};
+                reading.separations[k] = double{world.separations[k]} + skins;
                 reading.impulses[k] = E::GetStepImpulse(*c, k);
             }
             contacts.push_back(reading);
