@@ -110,7 +110,8 @@ struct ContactTable {
     void Compact();
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit&& visit) {
-        visit(t.flags), visit(t.pair), visit(t.manifold), visit(t.material), visit(t.steady), visit(t.keepsSteady), visit(t.m_free);
+        visit(t.flags), visit(t.pair), visit(t.manifold), visit(t.material), visit(t.steady), visit(t.keepsSteady),
+            visit(t.m_free);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();
