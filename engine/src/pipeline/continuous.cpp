@@ -168,9 +168,11 @@ private:
         return false;
     }
 
+    /// With skins in the soft step too: an event stops what would pass through thin shapes before it reaches them.
     [[nodiscard]] ContactPrepareInput ContactInput() const {
-        return {m_bodies, m_t.fixtures, m_t.contacts,          m_s.islandContacts,
-                0.0f,     true,         m_settings.atOutlines, m_settings.lengthScale};
+        constexpr bool atOutlines = false;
+        return {m_bodies, m_t.fixtures, m_t.contacts, m_s.islandContacts,
+                0.0f,     true,         atOutlines,   m_settings.lengthScale};
     }
 
     [[nodiscard]] bool IsJointed(const ToiPair& pair) const {
