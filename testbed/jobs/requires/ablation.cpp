@@ -96,7 +96,7 @@ PageTable MakeRequirementTable(std::span<const Requirement> requirements) {
         PageCell hash(same ? "yes" : "no");
         hash.tone = same ? PageTone::good : PageTone::bad;
         std::string needs = r.GetMinimalSet();
-        for (std::size_t at = 0; (at = needs.find(',', at)) != std::string::npos; at += 2) needs.replace(at, 1, ", ");
+        for (std::size_t at = 0; (at = needs.find('+', at)) != std::string::npos; at += 2) needs.replace(at, 1, ", ");
         table.rows.push_back({r.scene, PageCell::Number(r.size), needs, automatic.kernels,
                               PageCell::Number(full.nsPerBodyStep, 1), change(automatic), change(minimal),
                               PageCell::Number(static_cast<double>(full.bytesPerBody)),
