@@ -295,6 +295,12 @@ struct MotorRow {
     }
 };
 
+/// All types, listed once. A new one is its row above, a name here, its file in constraints/ with its traits, and its
+/// definition and handle in world/joints/.
+template <template <typename...> typename Use>
+using OfJointTypes =
+    Use<RevoluteRow, PrismaticRow, DistanceRow, PulleyRow, MouseRow, GearRow, WheelRow, WeldRow, FrictionRow, MotorRow>;
+
 /// Moves what a row keeps in world coordinates; most rows keep nothing.
 template <typename Row>
 void ShiftRow(Row&, Vec2 /*newOrigin*/) {}

@@ -81,15 +81,15 @@ private:
     int m_head;
 };
 
+template <typename... Row>
+using JointStores = std::tuple<JointStore<Row>...>;
+
 struct JointTable {
     Slots slots;
     std::vector<JointInfo> info;
     std::vector<Joint*> handles;
-    /// One table per type; a new joint is one row type here, one file in constraints/, one row in its dispatch.
-    std::tuple<JointStore<RevoluteRow>, JointStore<PrismaticRow>, JointStore<DistanceRow>, JointStore<PulleyRow>,
-               JointStore<MouseRow>, JointStore<GearRow>, JointStore<WheelRow>, JointStore<WeldRow>,
-               JointStore<FrictionRow>, JointStore<MotorRow>>
-        stores;
+    /// One table per type.
+    OfJointTypes<JointStores> stores;
     int listHead = -1;
 
     template <typename Row>
