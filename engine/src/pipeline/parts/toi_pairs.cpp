@@ -55,13 +55,19 @@ bool ToiPairs::Moves(int body) const {
 }
 
 void ToiPairs::FindAll() {
-    for (const int body : m_bodies.movers) {
+    const std::span<const int> bodies = m_bodies.Listed();
+    // What rests is no danger but to what moves: a kinematic body that rests counts only where dynamic ones do not.
+    const bool somethingMoves =
+        std::ranges::any_of(bodies, [this](int b) { return IsDynamic(b) && m_bodies.IsActive(b); });
+    m_s.lookers.assign(bodies.begin(), bodies.end());
+    if (somethingMoves) m_bodies.AddRestingKinematics(m_s.lookers);
+    for (const int body : m_s.lookers) {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
     }
     if (m_dynamicTargets) SweepBoxes();
     const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale};
-    for (const int body : m_bodies.movers) {
+    for (const int body : m_s.lookers) {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         if (!IsDynamic(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
@@ -73,7 +79,7 @@ void ToiPairs::FindAll() {
 
 /// Gives the dynamic bodies boxes that cover their motion, when someone can hit them.
 void ToiPairs::SweepBoxes() {
-    for (const int body : m_bodies.movers) {
+    for (const int body : m_bodies.Listed()) {
         if (m_bodies.IsActive(body)) SweepBoxesOf(body);
     }
 }

@@ -46,6 +46,7 @@ struct ToiScratch {
     std::vector<float> alpha;    ///< per body: the part of the step done at its start position
     std::vector<int> touched;    ///< bodies whose entries above must be reset
     std::vector<int> found;      ///< fixtures of one query
+    std::vector<int> lookers;    ///< bodies whose ways are looked at
     std::vector<int> knownTo;    ///< per fixture: the round of collecting in which it was found to have a pair
     int round = 0;               ///< of collecting, counts up; 0: none yet
     NearStatics nearStatics;
@@ -53,7 +54,7 @@ struct ToiScratch {
     bool resuming = false;  ///< the step goes on
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, knownTo) + nearStatics.GetMemoryBytes() +
+        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, knownTo) + nearStatics.GetMemoryBytes() +
                events.GetMemoryBytes();
     }
 };
