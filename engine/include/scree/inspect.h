@@ -26,6 +26,10 @@ bool IsStaticTreeSeparate(const World& world);
 BroadPhaseKind GetBroadPhase(const World& world);
 /// Box–box comparisons of the last pair finding.
 uint64_t GetBoxTests(const World& world);
+/// Bodies and contacts that the next step looks at as things are now: those that are awake or were edited, those around
+/// them, and a few that have just fallen asleep.
+int GetListedCount(const World& world);
+int GetActiveContactCount(const World& world);
 
 /// Distance and time-of-impact searches of the last step: sensors and continuous collision.
 const TOIStats& GetDistanceWork(const World& world);

@@ -29,11 +29,13 @@ struct IslandScratch {
     std::vector<int> first, end;    ///< per touched mover: range of its contacts in `entries`
     std::vector<Entry> entries;     ///< contacts by body
     std::vector<uint8_t> progress;  ///< per mover
+    std::vector<int> roused;        ///< contacts of one body that rested
     std::vector<uint8_t> jointSeen;
     std::vector<int> stack;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return (rows.capacity() + first.capacity() + end.capacity() + stack.capacity()) * sizeof(int) +
+        return (rows.capacity() + first.capacity() + end.capacity() + stack.capacity() + roused.capacity()) *
+                   sizeof(int) +
                entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity();
     }
 };

@@ -16,6 +16,7 @@ void FindPairs(FreshOrder order, const ContactEvents& events, PairTables t) {
 
 void FindPairsOfMoved(std::initializer_list<const std::vector<int>*> solved, float farDistance,
                       const ContactEvents& events, PairTables t) {
+    if (t.bodies.Listed().empty()) return;  // no box has changed since pairs were found
     const float farthest = UpdateMovedBoxes(t.bodies, t.fixtures, solved, t.broadPhase);
     if (farthest > farDistance) t.bodies.EnsureRests();
     FindPairs(FreshOrder::newestFirst, events, t);

@@ -10,6 +10,7 @@
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/destroy_contact.h"
 #include "pipeline/parts/make_contact.h"
+#include "pipeline/parts/rouse.h"
 #include "state/frames.h"
 
 namespace scree {
@@ -60,7 +61,7 @@ public:
         : m_t(tables), m_isFar(tables.bodies.IsFar()), m_work(work), m_findings(findings) {}
 
     void Compute(int begin, int end) {
-        for (int contact = end; contact-- > begin;) {
+        for (int contact = end; (contact = m_t.contacts.Before(contact)) >= begin;) {
             Fetch(contact, m_t);
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
             const uint8_t flags = m_t.contacts.flags[static_cast<size_t>(contact)];
@@ -161,10 +162,16 @@ void ComputeAhead(const NarrowPhaseTables& t, TOIStats& work, std::vector<uint8_
 }  // namespace
 
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
-    const bool ahead = events.listener == nullptr && t.contacts.Size() >= leastContacts;
+    const bool ahead = events.listener == nullptr && t.contacts.active.Count() >= leastContacts;
     if (ahead) ComputeAhead(t, *events.work, scratch.findings);
-    int touchingCount = 0;
-    for (int contact = t.contacts.Size(); contact-- > 0;) {
+    int touchingCount = t.contacts.RestingTouchingCount(), contact = t.contacts.Size();
+    // Contacts of a body that wakes on the way are looked at, too, if they come later in the order.
+    const auto goOn = [&] {
+        if (!t.bodies.risen.empty()) touchingCount -= RouseContacts(t.bodies, t.contacts, contact);
+        contact = t.contacts.Before(contact);
+        return contact >= 0;
+    };
+    while (goOn()) {
         if (!ahead) Fetch(contact, t);
         if (!t.contacts.Has(contact, ContactFlag::alive)) continue;
         if (!Stays(contact, events, t)) {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pipeline/parts/rouse.h"
 #include "pipeline/solve_islands.h"
 #include "pipeline/solve_soft.h"
 
@@ -42,18 +43,21 @@ void SolveGroups(const SolverSettings& settings, const FixtureTable& fixtures, S
 
 }  // namespace
 
-void GatherLists(const SolverSettings& settings, const ContactTable& contacts, JointTable& joints, BodyTable& bodies,
+void GatherLists(const SolverSettings& settings, ContactTable& contacts, JointTable& joints, BodyTable& bodies,
                  IslandScratch& scratch, IsolatedPath path, SolveLists lists) {
     lists.groups.Clear();
+    RouseContacts(bodies, contacts);
     if (settings.substeps == 0) {
         lists.active.Clear();
         FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
+        RouseContacts(bodies, contacts);
         return;
     }
     const Tolerance* tolerance = settings.tolerance;
     lists.islands.Clear();
     if (tolerance != nullptr || NeedsIslands(contacts, joints, bodies, settings.dt)) {
         FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
+        RouseContacts(bodies, contacts);
     }
     GatherActive(contacts, joints, bodies, scratch, lists.active, path);
     if (tolerance == nullptr) return;

@@ -35,7 +35,7 @@ struct SolveReport {
 };
 
 /// Fills the lists that the solver of these settings wants, and empties the others. Wakes what awake bodies reach.
-void GatherLists(const SolverSettings& settings, const ContactTable& contacts, JointTable& joints, BodyTable& bodies,
+void GatherLists(const SolverSettings& settings, ContactTable& contacts, JointTable& joints, BodyTable& bodies,
                  IslandScratch& scratch, IsolatedPath path, SolveLists lists);
 
 /// The table that lists everything awake, after GatherLists.

@@ -5,6 +5,8 @@
 
 #include "state/bodies.h"
 
+#include <algorithm>
+
 #include "base/two_sum.h"
 
 namespace scree {
@@ -31,6 +33,9 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     if (!force.empty()) ReserveRows(i + 1, force);
     if (!demand.empty()) ReserveRows(i + 1, demand);
     ReserveRows(movers.size() + 1, movers);
+    ReserveRows(i + 1, isListed, risen, m_listed);
+    listedRows.Reserve(movers.size() + 1);
+    kinematicRows.Reserve(movers.size() + 1);
     while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
 
     slots.Allocate();
@@ -49,6 +54,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     EnsureRow(type, index);
     EnsureRow(fixtureHead, index);
     EnsureRow(info, index);
+    EnsureRow(isListed, index);
 
     type[i] = def.type;
     const bool isStatic = def.type == staticBody;
@@ -81,6 +87,7 @@ void BodyTable::Wake(int body) {
     if (type[i] == staticBody) return;
     flags[i] = static_cast<uint16_t>(flags[i] | BodyFlag::awake);
     sleepTime[i] = 0.0f;
+    List(body);
 }
 
 void BodyTable::PutToSleep(int body) {
@@ -89,6 +96,53 @@ void BodyTable::PutToSleep(int body) {
     sleepTime[i] = 0.0f;
     velocity[i] = {vec2Zero, 0.0f, 0.0f};
     ClearForce(body);
+    AddShared(fellAsleep, 1);  // several threads put bodies to sleep
+}
+
+void BodyTable::Enlist(int body) {
+    isListed[static_cast<size_t>(body)] = 1;
+    listedRows.Insert(info[static_cast<size_t>(body)].moverRow);
+    m_listedChanged = true;
+}
+
+void BodyTable::Unlist(int body) {
+    isListed[static_cast<size_t>(body)] = 0;
+    listedRows.Erase(info[static_cast<size_t>(body)].moverRow);
+    m_listedChanged = true;
+}
+
+void BodyTable::RefreshListed() const {
+    m_listed.clear();
+    listedRows.ForEach([this](int row) { m_listed.push_back(movers[static_cast<size_t>(row)]); });
+    m_listedChanged = false;
+}
+
+void BodyTable::ListAll() {
+    isListed.resize(info.size(), 0);
+    for (const int body : movers) {
+        Enlist(body);
+        NoteKinematic(body);
+    }
+    fellAsleep = 1;
+}
+
+void BodyTable::AddRestingKinematics(std::vector<int>& bodies) const {
+    const auto listed = static_cast<ptrdiff_t>(bodies.size());
+    kinematicRows.ForEach([&](int row) {
+        const int body = movers[static_cast<size_t>(row)];
+        if (isListed[static_cast<size_t>(body)] == 0) bodies.push_back(body);
+    });
+    const auto before = [this](int a, int b) {
+        return info[static_cast<size_t>(a)].moverRow < info[static_cast<size_t>(b)].moverRow;
+    };
+    if (bodies.begin() + listed != bodies.end())
+        std::inplace_merge(bodies.begin(), bodies.begin() + listed, bodies.end(), before);
+}
+
+void BodyTable::NoteKinematic(int body) {
+    const int row = info[static_cast<size_t>(body)].moverRow;
+    if (row < 0) return;
+    type[static_cast<size_t>(body)] == kinematicBody ? kinematicRows.Insert(row) : kinematicRows.Erase(row);
 }
 
 void BodyTable::UpdateTransform(int body) {
@@ -190,6 +244,9 @@ void BodyTable::Link(int body) {
         if (lastMover < 0) lastMover = body;
         row.moverRow = static_cast<int>(movers.size());
         movers.push_back(body);
+        Enlist(body);
+        NoteKinematic(body);
+        if (!Has(body, BodyFlag::awake)) fellAsleep = 1;
     } else {
         row.moverRow = -1;
     }
@@ -202,7 +259,14 @@ void BodyTable::Unlink(int body) {
     // A body is the last mover only while it is a mover, so its predecessor (if any) is one too.
     if (lastMover == body) lastMover = row.listPrev;
     if (row.moverRow >= 0) {
-        const int moved = movers.back();
+        isListed[static_cast<size_t>(body)] = 0;
+        const int moved = movers.back(), last = static_cast<int>(movers.size()) - 1;
+        for (IndexSet* rows : {&listedRows, &kinematicRows}) {
+            const bool movesIn = rows->Erase(last);
+            rows->Erase(row.moverRow);
+            if (movesIn && moved != body) rows->Insert(row.moverRow);
+        }
+        m_listedChanged = true;
         movers[static_cast<size_t>(row.moverRow)] = moved;
         info[static_cast<size_t>(moved)].moverRow = row.moverRow;
         movers.pop_back();

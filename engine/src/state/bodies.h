@@ -7,8 +7,11 @@
 #pragma once
 
 #include <deque>
+#include <span>
 #include <vector>
 
+#include "base/index_set.h"
+#include "base/shared_count.h"
 #include "base/slots.h"
 #include "scree/body.h"
 #include "scree/math.h"
@@ -101,6 +104,14 @@ struct BodyTable {
     int listHead = -1;        ///< movers first, then static bodies
     int lastMover = -1;       ///< last mover in the list
 
+    // Which movers a step looks at: all that are awake are listed, and some that are not, such as those edited since
+    // the last step. The others rest: no stage visits them. Whether a body that is asleep is listed changes no result.
+    IndexSet listedRows;            ///< rows of `movers`
+    IndexSet kinematicRows;         ///< likewise, of kinematic bodies
+    std::vector<uint8_t> isListed;  ///< per body
+    std::vector<int> risen;         ///< bodies listed again, whose contacts and proxies still rest
+    int fellAsleep = 0;             ///< bodies put to sleep since sleepers were last unlisted, about
+
     [[nodiscard]] bool Has(int body, uint16_t flag) const { return (flags[static_cast<size_t>(body)] & flag) != 0; }
     /// Simulated in a step: awake, enabled, not static.
     [[nodiscard]] bool IsActive(int body) const {
@@ -112,6 +123,32 @@ struct BodyTable {
     void Remove(int body);
     /// Wakes and restarts the sleep timer; static bodies stay as they are.
     void Wake(int body);
+    /// Wakes a mover without a new sleep timer.
+    void WakeReached(int body) {
+        flags[static_cast<size_t>(body)] |= BodyFlag::awake;
+        List(body);
+    }
+    /// Lets the coming step look at a mover.
+    void List(int body) {
+        if (isListed[static_cast<size_t>(body)] != 0) return;
+        Enlist(body);
+        risen.push_back(body);
+        if (!Has(body, BodyFlag::awake)) fellAsleep = 1;
+    }
+    /// The mover rests from now on.
+    void Unlist(int body);
+    /// The listed movers, in the order of `movers`. Valid until one is listed or unlisted.
+    [[nodiscard]] std::span<const int> Listed() const {
+        if (m_listedChanged) RefreshListed();
+        return m_listed;
+    }
+    [[nodiscard]] bool AreAllListed() const { return static_cast<size_t>(listedRows.Count()) == movers.size(); }
+    /// After the fields were read: lists every mover.
+    void ListAll();
+    /// After a change of type.
+    void NoteKinematic(int body);
+    /// Adds the kinematic bodies that rest to a list of bodies in the order of `movers`.
+    void AddRestingKinematics(std::vector<int>& bodies) const;
     void PutToSleep(int body);
     /// Positions have rests.
     [[nodiscard]] bool IsFar() const { return !rest.empty(); }
@@ -167,11 +204,28 @@ struct BodyTable {
     /// After a change of type: list and movers.
     void Relist(int body);
 
+    template <typename Self, typename Visit>
+    static void Fields(Self& t, Visit& visit) {
+        auto& [slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,
+               sleepTime, flags, type, fixtureHead, info, handles, movers, listHead, lastMover, listedRows,
+               kinematicRows, isListed, risen, fellAsleep, listed, listedChanged] = t;
+        visit(slots), visit.Hashed(t.IsFar());
+        visit.Rows(slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion,
+                   demand, sleepTime, flags, type, fixtureHead, info);
+        visit(movers, listHead, lastMover);
+        visit.LeftOut(handles, listedRows, kinematicRows, isListed, risen, fellAsleep, listed, listedChanged);
+    }
+
 private:
     /// The same with rests, each of which it makes as small as it can be.
     void UpdateFarOrigin(size_t b, Vec2 arm);
     void Link(int body);
     void Unlink(int body);
+    void Enlist(int body);
+    void RefreshListed() const;
+
+    mutable std::vector<int> m_listed;
+    mutable bool m_listedChanged = false;
 };
 
 }  // namespace scree

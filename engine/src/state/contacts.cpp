@@ -82,6 +82,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     ForgetSteady(index);
     m_adjacencyValid = false;
     ++m_count;
+    active.Insert(index);
     if (IsTooFull(m_count, m_hash.size())) {
         Grow(m_count);
     } else {
@@ -93,10 +94,73 @@ int ContactTable::Add(const ContactPair& newPair) {
 void ContactTable::Remove(int contact) {
     EraseKey(contact);
     NoteEnd(contact);
+    if (!active.Erase(contact)) UnlinkResting(contact);
     flags[static_cast<size_t>(contact)] = 0;
     --m_count;
     m_free.push_back(contact);
     m_isCompact = false;
+}
+
+void ContactTable::Rest(int contact) {
+    if (!active.Erase(contact)) return;
+    EnsureRow(m_resting, contact);
+    const auto c = static_cast<size_t>(contact);
+    const int bodies[2] = {pair[c].bodyA, pair[c].bodyB};
+    for (int side = 0; side < 2; ++side) {
+        EnsureRow(m_restingFirst, bodies[side], -1);
+        int& first = m_restingFirst[static_cast<size_t>(bodies[side])];
+        m_resting[c].prev[side] = -1;
+        m_resting[c].next[side] = first;
+        if (first >= 0) m_resting[static_cast<size_t>(first >> 1)].prev[first & 1] = 2 * contact + side;
+        first = 2 * contact + side;
+    }
+    m_restingTouching += Has(contact, ContactFlag::touching) ? 1 : 0;
+}
+
+void ContactTable::UnlinkResting(int contact) {
+    const auto c = static_cast<size_t>(contact);
+    const int bodies[2] = {pair[c].bodyA, pair[c].bodyB};
+    for (int side = 0; side < 2; ++side) {
+        const int prev = m_resting[c].prev[side], next = m_resting[c].next[side];
+        (prev < 0 ? m_restingFirst[static_cast<size_t>(bodies[side])]
+                  : m_resting[static_cast<size_t>(prev >> 1)].next[prev & 1]) = next;
+        if (next >= 0) m_resting[static_cast<size_t>(next >> 1)].prev[next & 1] = prev;
+    }
+    m_restingTouching -= Has(contact, ContactFlag::touching) ? 1 : 0;
+}
+
+void ContactTable::Rouse(int contact) {
+    if (!IsAlive(contact) || !active.Insert(contact)) return;
+    UnlinkResting(contact);
+    mayRest = true;
+}
+
+int ContactTable::RouseOf(int body, int row) {
+    int touching = 0;
+    while (HasResting(body)) {
+        const int contact = m_restingFirst[static_cast<size_t>(body)] >> 1;
+        if (contact < row && Has(contact, ContactFlag::touching)) ++touching;
+        Rouse(contact);
+    }
+    return touching;
+}
+
+void ContactTable::ListResting(int body, std::vector<int>& rows) const {
+    if (!HasResting(body)) return;
+    for (int entry = m_restingFirst[static_cast<size_t>(body)]; entry >= 0;
+         entry = m_resting[static_cast<size_t>(entry >> 1)].next[entry & 1]) {
+        rows.push_back(entry >> 1);
+    }
+}
+
+void ContactTable::RouseAll() {
+    active.Clear();
+    for (int row = 0; row < Size(); ++row) {
+        if (flags[static_cast<size_t>(row)] != 0) active.Insert(row);
+    }
+    m_restingFirst.assign(m_restingFirst.size(), -1);
+    m_restingTouching = 0;
+    mayRest = true;
 }
 
 void ContactTable::ClearMarks() {
@@ -132,6 +196,7 @@ void ContactTable::RemoveParted() {
     for (const int contact : gone) {
         if (!rehash) EraseKey(contact);
         NoteEnd(contact);
+        if (!active.Erase(contact)) UnlinkResting(contact);
         flags[static_cast<size_t>(contact)] = 0;
     }
     if (rehash) Rehash();
@@ -164,6 +229,7 @@ void ContactTable::CloseGaps() {
         if (row >= 0) row = movedTo[static_cast<size_t>(row + 1)];
     }
     MoveHandles(movedTo);
+    RouseAll();
     m_free.clear();
     m_adjacencyValid = false;
     m_isCompact = true;
@@ -229,6 +295,7 @@ bool ContactTable::Restore() {
         m_count += alive ? 1 : 0;
     }
     successor.assign(flags.size(), -1);
+    RouseAll();
     m_isCompact = false;
     m_hash.clear();
     if (m_count > 0) Grow(m_count);
@@ -355,8 +422,8 @@ size_t ContactTable::GetBytesPerRow() {
 
 size_t ContactTable::GetMemoryBytes() const {
     return BytesOf(flags, pair, manifold, material, steady, successor, matched, freshPairs, freshRefusals, m_hash,
-                   m_free, m_generation, m_first, m_entries) +
-           m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
+                   m_free, m_generation, m_first, m_entries, m_resting, m_restingFirst) +
+           active.GetMemoryBytes() + m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
 
 void ContactTable::Trim() {

@@ -6,6 +6,9 @@
 //
 // Persistence (the dissertation, §4.2): the broad phase reports all pairs of the present boxes; each reported pair
 // marks its contact or makes one; the contacts left unmarked are removed in one batch.
+//
+// Contacts of bodies that rest are kept aside: a step walks over the rows in `active` only. A resting contact is in the
+// lists of its two bodies, so that it is found when one of them stirs. Which contacts rest changes no result.
 
 #pragma once
 
@@ -14,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "base/index_set.h"
 #include "scree/collision.h"
 #include "scree/contact.h"
 #include "state/refused_pairs.h"
@@ -73,6 +77,9 @@ struct ContactTable {
     std::vector<uint64_t> freshRefusals;  ///< likewise: of these, what the filter has refused
     RefusedPairs refused;
 
+    IndexSet active;       ///< living rows that do not rest
+    bool mayRest = false;  ///< some of them could, as some body has fallen asleep or contacts were roused
+
     [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
     [[nodiscard]] bool IsAlive(int contact) const {
         return contact >= 0 && contact < Size() && Has(contact, ContactFlag::alive);
@@ -101,6 +108,21 @@ struct ContactTable {
     void ForgetSteady(int contact) {
         if (!steady.empty()) steady[static_cast<size_t>(contact)].isKept = 0.0f;
     }
+    [[nodiscard]] int RestingCount() const { return m_count - active.Count(); }
+    /// Resting contacts that touch.
+    [[nodiscard]] int RestingTouchingCount() const { return m_restingTouching; }
+    /// The highest row below `row` that a step looks at; as long as nothing rests every row.
+    [[nodiscard]] int Before(int row) const { return RestingCount() == 0 ? row - 1 : active.Before(row); }
+    [[nodiscard]] bool IsResting(int contact) const { return !active.Has(contact); }
+    void Rest(int contact);
+    void Rouse(int contact);
+    /// Rouses the contacts of a body. Returns how many of them touch in rows below `row`.
+    int RouseOf(int body, int row = 0);
+    /// Appends the resting contacts of a body, in any order.
+    void ListResting(int body, std::vector<int>& rows) const;
+    [[nodiscard]] bool HasResting(int body) const {
+        return static_cast<size_t>(body) < m_restingFirst.size() && m_restingFirst[static_cast<size_t>(body)] >= 0;
+    }
     /// Clears the flag `marked` of all rows.
     void ClearMarks();
     /// Removes the rows that have neither the flag `marked` nor `touching`.
@@ -111,11 +133,12 @@ struct ContactTable {
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [flags, pair, manifold, material, steady, keepsSteady, steadyReach, successor, firstMatched, matched,
-               freshPairs, freshRefusals, refused, hash, shift, free, isCompact, handles, generation, count,
-               isAdjacencyValid, first, entries] = t;
+               freshPairs, freshRefusals, refused, active, mayRest, hash, shift, free, isCompact, handles, generation,
+               count, resting, restingFirst, restingTouching, isAdjacencyValid, first, entries] = t;
         visit.Rows(t, flags, pair, manifold, material, steady), visit(keepsSteady, free);
-        visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, hash, shift,
-                      isCompact, handles, generation, count, isAdjacencyValid, first, entries);
+        visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, active,
+                      mayRest, hash, shift, isCompact, handles, generation, count, resting, restingFirst,
+                      restingTouching, isAdjacencyValid, first, entries);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();
@@ -156,6 +179,10 @@ private:
     /// Fills the hash anew.
     void Rehash();
     void CloseGaps();
+    /// The contact leaves the lists of resting contacts.
+    void UnlinkResting(int contact);
+    /// All living rows are active.
+    void RouseAll();
     /// Row r has become row movedTo[r + 1], −1 if it was free.
     void MoveHandles(std::span<const int> movedTo);
     void EnsureAdjacency();
@@ -173,6 +200,14 @@ private:
     std::deque<HandleSlot> m_handles;
     std::vector<uint32_t> m_generation;  ///< per number; empty until somebody asks for one
     int m_count = 0;
+
+    /// Places of a resting contact in the lists of its bodies. An entry is 2 · row + side (0: body A, 1: body B).
+    struct RestingLinks {
+        int prev[2], next[2];
+    };
+    std::vector<RestingLinks> m_resting;  ///< per row; empty until a contact rests
+    std::vector<int> m_restingFirst;      ///< per body: first entry, −1 none
+    int m_restingTouching = 0;
 
     bool m_adjacencyValid = false;
     std::vector<int> m_first;  ///< per body up to the last one with a contact: start in m_entries; one more at the end

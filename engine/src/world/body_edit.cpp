@@ -174,7 +174,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle, Vec2 positionRest) {
     if (!IsEnabled()) return ErrorCode::ok;
     UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
     ForgetGeometry(s, m_index);
-    s.pairsStale = true;
+    Stir(s, m_index);
     return ErrorCode::ok;
 }
 
@@ -193,6 +193,7 @@ ErrorCode Body::SetType(BodyType type) {
     ForgetGeometry(s, m_index);  // as what it was
     s.bodies.type[b] = type;
     if (changesList) s.bodies.Relist(m_index);
+    s.bodies.NoteKinematic(m_index);
     ResetMass(s, m_index);
     if (type == staticBody) {
         s.bodies.PutToSleep(m_index);  // clears velocity; the flag is never set on static bodies

@@ -153,9 +153,12 @@ void AddBodyFeatures(WorldState& s, int body, int sign) {
 
 void AddFixtureFeatures(WorldState& s, int fixture, int sign) {
     FeatureUsers& users = s.featureCounts.users;
-    Count(users, FeaturesOfFixture(s.fixtures, s.bodies, fixture), sign);
+    const Features features = FeaturesOfFixture(s.fixtures, s.bodies, fixture);
+    Count(users, features, sign);
     // When the last fixture with a feature is gone, contacts may still have it.
-    const auto isGone = [&](Feature feature) { return users[static_cast<size_t>(feature)] == 0; };
+    const auto isGone = [&](Feature feature) {
+        return features.Has(feature) && users[static_cast<size_t>(feature)] == 0;
+    };
     if (sign < 0 && (isGone(Feature::friction) || isGone(Feature::restitution))) s.featureCounts.contactsEdited = true;
 }
 

@@ -14,6 +14,8 @@ int GetLeafSize(const World& world) { return world.GetState().broadPhase->GetLea
 bool IsStaticTreeSeparate(const World& world) { return world.GetState().broadPhase->GetStats().staticTreeSeparate; }
 BroadPhaseKind GetBroadPhase(const World& world) { return world.GetState().broadPhaseKind; }
 uint64_t GetBoxTests(const World& world) { return world.GetState().broadPhase->GetStats().boxTests; }
+int GetListedCount(const World& world) { return static_cast<int>(world.GetState().bodies.Listed().size()); }
+int GetActiveContactCount(const World& world) { return world.GetState().contacts.active.Count(); }
 const TOIStats& GetDistanceWork(const World& world) { return world.GetState().distanceWork; }
 
 void GetContactColours(const World& world, std::vector<int>& colours) {

@@ -24,7 +24,7 @@ void DestroyIf(WorldState& s, int body, Predicate involves) {
 /// The next step asks the filters again about these contacts, and about pairs that have none.
 template <typename Predicate>
 void RefilterIf(WorldState& s, int body, Predicate involves) {
-    s.pairsStale = true;
+    Stir(s, body);
     for (const int c : s.contacts.OfBody(body)) {
         if (s.contacts.IsAlive(c) && involves(s.contacts.pair[static_cast<size_t>(c)])) {
             s.contacts.flags[static_cast<size_t>(c)] |= ContactFlag::refilter;
@@ -45,6 +45,12 @@ void ForgetGeometry(WorldState& s, int body) {
     for (const int contact : s.contacts.OfBody(body)) s.contacts.ForgetSteady(contact);
 }
 
+void Stir(WorldState& s, int body) {
+    s.pairsStale = true;
+    if (s.bodies.type[static_cast<size_t>(body)] != staticBody) s.bodies.List(body);
+    s.contacts.RouseOf(body);
+}
+
 void AddProxy(WorldState& s, int fixture) {
     const auto f = static_cast<size_t>(fixture);
     const auto b = static_cast<size_t>(s.fixtures.body[f]);
@@ -55,7 +61,7 @@ void AddProxy(WorldState& s, int fixture) {
     s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), MotionOf(s.bodies.type[b]), box);
     s.fixtures.info[f].inBroadPhase = true;
     ForgetGeometry(s, s.fixtures.body[f]);
-    s.pairsStale = true;
+    Stir(s, s.fixtures.body[f]);
 }
 
 void RestoreProxy(WorldState& s, int fixture, const AABB& box) {

@@ -11,6 +11,8 @@ namespace scree {
 
 /// What continuous collision knows about static fixtures near the body is forgotten; of all bodies if it is static.
 void ForgetGeometry(WorldState& state, int body);
+/// Boxes or filters of the body have been edited: the coming step looks at it and finds its pairs again.
+void Stir(WorldState& state, int body);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
 void AddProxy(WorldState& state, int fixture);
 void RemoveProxy(WorldState& state, int fixture);

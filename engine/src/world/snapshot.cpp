@@ -87,6 +87,7 @@ bool Read(WorldState& s, ImageReader& in) {
     in(s.bodies);
     if (in.Failed() || !AreBodiesConsistent(s.bodies)) return false;
     for (int body = 0; body < s.bodies.slots.Size(); ++body) s.bodies.handles.emplace_back(&s, body);
+    s.bodies.ListAll();
     in(s.fixtures);
     if (in.Failed() || !AreFixturesConsistent(s.fixtures, s.bodies) || !ReadShapesAndBoxes(s, in)) return false;
     in(s.contacts);

@@ -105,15 +105,6 @@ void Fields(Self& info, Visit& visit) {
     auto& [inertia, fixtureCount, jointCount, listPrev, listNext, moverRow, userData] = info;
     visit(inertia, fixtureCount, jointCount, listPrev, listNext, moverRow), visit.Stored(userData);
 }
-template <Is<BodyTable> Self, typename Visit>
-void Fields(Self& t, Visit& visit) {
-    auto& [slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,
-           sleepTime, flags, type, fixtureHead, info, handles, movers, listHead, lastMover] = t;
-    visit(slots), visit.Hashed(t.IsFar());
-    visit.Rows(slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,
-               sleepTime, flags, type, fixtureHead, info);
-    visit(movers, listHead, lastMover), visit.LeftOut(handles);
-}
 
 template <Is<Filter> Self, typename Visit>
 void Fields(Self& filter, Visit& visit) {
@@ -253,10 +244,12 @@ void Fields(Self& info, Visit& visit) {
 /// Of a sub-stepped step that is not over yet: the part that each body has behind it.
 template <Is<ToiScratch> Self, typename Visit>
 void Fields(Self& scratch, Visit& visit) {
-    auto& [pairs, firstPair, alpha, touched, found, knownTo, round, nearStatics, events, resuming] = scratch;
+    auto& [pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times, knownTo, round,
+           nearStatics, events, resuming, audit] = scratch;
     visit(resuming);
     if (resuming) visit(alpha);
-    visit.LeftOut(pairs, firstPair, touched, found, knownTo, round, nearStatics, events);
+    visit.LeftOut(pairs, firstPair, touched, found, lookers, candidates, screened, isPassedOver, times, knownTo, round);
+    visit.LeftOut(nearStatics, events, audit);
 }
 /// The settings and counters of a world beside its tables.
 template <Is<WorldState> Self, typename Visit>

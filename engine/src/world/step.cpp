@@ -6,6 +6,7 @@
 #include "world/step.h"
 
 #include "base/clock.h"
+#include "pipeline/parts/rouse.h"
 #include "state/limits.h"
 #include "world/guard.h"
 
@@ -16,8 +17,8 @@ namespace {
 /// Few bodies without contacts are done before workers wake.
 bool HasWorkToShare(const WorldState& s) {
     constexpr int leastContacts = 128;
-    const size_t movers = s.bodies.movers.size();
-    return movers >= leastBoxesToShare || (movers >= leastBodies && s.contacts.Count() >= leastContacts);
+    const size_t movers = s.bodies.Listed().size();
+    return movers >= leastBoxesToShare || (movers >= leastBodies && s.contacts.active.Count() >= leastContacts);
 }
 
 /// Moves the bodies. With sub-stepping a step may end after an event; the next one then only goes on with its rest.
@@ -36,6 +37,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     FindPairsOfMoved({&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, s.FarDistance(),
                      events, s.ForPairs());
     s.pairsStale = false;
+    RestSleepers(s.bodies, s.contacts);
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
 }
@@ -48,6 +50,7 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     const WorldLock lock(s);
     const ContactEvents events = s.Events(request.substeps == 0);  // Box2D's rule for Box2D's solver
     s.distanceWork = {};
+    RouseContacts(s.bodies, s.contacts);
     if (s.pairsStale) FindPairs(FreshOrder::oldestFirst, events, s.ForPairs());
     s.pairsStale = false;
     r.profile.broadPhase = watch.Lap();

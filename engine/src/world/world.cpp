@@ -169,7 +169,7 @@ bool World::GetAutoClearForces() const { return m_state->autoClearForces; }
 void World::ClearForces() {
     const Recording recording(*m_state, "World::ClearForces");
     if (!m_state->featureCounts.forces && GetFeatureMode() != FeatureMode::full) return;  // they are zero
-    for (const int body : m_state->bodies.movers) m_state->bodies.ClearForce(body);
+    for (const int body : m_state->bodies.Listed()) m_state->bodies.ClearForce(body);
     m_state->featureCounts.forces = false;
 }
 

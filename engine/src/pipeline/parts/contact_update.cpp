@@ -78,6 +78,7 @@ bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable&
 
 bool NoteTouching(int contact, bool isTouching, bool restartsTimers, BodyTable& bodies, ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
+    if (contacts.RestingCount() > 0) contacts.Rouse(contact);
     const uint8_t flags = contacts.flags[c];
     const bool wasTouching = (flags & ContactFlag::touching) != 0;
     contacts.flags[c] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |

@@ -9,6 +9,7 @@ namespace scree {
 
 void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts) {
     const auto c = static_cast<size_t>(contact);
+    contacts.Rouse(contact);
     const ContactPair pair = contacts.pair[c];
     const bool touched = contacts.Has(contact, ContactFlag::touching);
     const bool pushed = contacts.manifold[c].pointCount > 0 && !contacts.Has(contact, ContactFlag::sensor);

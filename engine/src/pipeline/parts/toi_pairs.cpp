@@ -54,7 +54,13 @@ bool ToiPairs::Moves(int body) const {
 }
 
 void ToiPairs::FindAll() {
-    for (const int body : m_bodies.movers) {
+    const std::span<const int> bodies = m_bodies.Listed();
+    // What rests is no danger but to what moves: a kinematic body that rests counts only where dynamic ones do not.
+    const bool somethingMoves =
+        std::ranges::any_of(bodies, [this](int b) { return IsDynamic(b) && m_bodies.IsActive(b); });
+    m_s.lookers.assign(bodies.begin(), bodies.end());
+    if (somethingMoves) m_bodies.AddRestingKinematics(m_s.lookers);
+    for (const int body : m_s.lookers) {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
     }
@@ -62,8 +68,8 @@ void ToiPairs::FindAll() {
     Screen();
     const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale};
     m_timesFollow = true;
-    for (size_t i = 0; i < m_bodies.movers.size(); ++i) {
-        const int body = m_bodies.movers[i];
+    for (size_t i = 0; i < m_s.lookers.size(); ++i) {
+        const int body = m_s.lookers[i];
         if (m_s.screened[i] == ScreenedBody::passes) continue;
         if (!IsDynamic(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
@@ -79,13 +85,13 @@ void ToiPairs::FindAll() {
 /// the body.
 void ToiPairs::Screen() {
     m_s.nearStatics.PrepareCalm(m_bodies, m_atOutlines);
-    const std::vector<int>& movers = m_bodies.movers;
-    m_s.screened.resize(movers.size());
-    m_t.pool.For(static_cast<int>(movers.size()), leastToScreen, [&](int begin, int end, int /*worker*/) {
-        for (int i = begin; i < end; ++i) m_s.screened[Row(i)] = ScreenBody(movers[Row(i)]);
+    const std::vector<int>& lookers = m_s.lookers;
+    m_s.screened.resize(lookers.size());
+    m_t.pool.For(static_cast<int>(lookers.size()), leastToScreen, [&](int begin, int end, int /*worker*/) {
+        for (int i = begin; i < end; ++i) m_s.screened[Row(i)] = ScreenBody(lookers[Row(i)]);
     });
     if (m_s.audit == nullptr) return;
-    for (const int body : movers) {
+    for (const int body : lookers) {
         if (m_s.isPassedOver[Row(body)] != 0 && m_bodies.IsActive(body)) AuditBody(body);
     }
 }
@@ -157,7 +163,7 @@ void ToiPairs::FindTimes() {
 
 /// Gives the dynamic bodies boxes that cover their motion, when someone can hit them.
 void ToiPairs::SweepBoxes() {
-    for (const int body : m_bodies.movers) {
+    for (const int body : m_bodies.Listed()) {
         if (m_bodies.IsActive(body)) SweepBoxesOf(body);
     }
 }

@@ -68,8 +68,9 @@ struct ToiScratch {
     std::vector<float> alpha;              ///< per body: the part of the step done at its start position
     std::vector<int> touched;              ///< bodies whose entries above must be reset
     std::vector<int> found;                ///< fixtures of one query
+    std::vector<int> lookers;              ///< bodies whose ways are looked at
     std::vector<ToiCandidate> candidates;  ///< of one body
-    std::vector<ScreenedBody> screened;    ///< by place among the movers
+    std::vector<ScreenedBody> screened;    ///< by place among the lookers
     std::vector<uint8_t> isPassedOver;     ///< per body: 1 if it has no pairs because it meets nothing static
     std::vector<float> times;              ///< per pair
     std::vector<int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -80,7 +81,7 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, candidates, screened, isPassedOver, times, knownTo) +
+        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times, knownTo) +
                nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };

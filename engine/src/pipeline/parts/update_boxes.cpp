@@ -77,7 +77,7 @@ template <bool isFar>
 float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
                   std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
     BoxBatch<isFar> batch(bodies, fixtures, broadPhase);
-    for (const int body : bodies.movers) {
+    for (const int body : bodies.Listed()) {
         if (bodies.IsActive(body)) batch.Add(body);
     }
     // Bodies that fell asleep in this step moved in it, too.

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// What rests costs nothing, and changes nothing: a world whose sleepers are left aside goes on like one that looks at
+// everything in every step, whatever is edited among the sleepers.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "base/index_set.h"
+#include "scree/snapshot.h"
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree {
+namespace {
+
+using test::AddBody;
+using test::AddBox;
+using test::AddCircle;
+using test::AddGround;
+
+constexpr float dt = test::frame;
+
+TEST(IndexSet, IsAnOrderedSet) {
+    std::mt19937 random(7);
+    for (const int range : {1, 63, 64, 65, 5000, 70000}) {
+        IndexSet set;
+        std::set<int> reference;
+        for (int i = 0; i < 2000; ++i) {
+            const int number = static_cast<int>(random() % static_cast<unsigned>(range));
+            if (random() % 3 != 0) {
+                EXPECT_EQ(set.Insert(number), reference.insert(number).second);
+            } else {
+                EXPECT_EQ(set.Erase(number), reference.erase(number) > 0);
+            }
+            const int end = static_cast<int>(random() % static_cast<unsigned>(2 * range));
+            const auto next = reference.lower_bound(end);
+            ASSERT_EQ(set.Before(end), next == reference.begin() ? -1 : *std::prev(next));
+            ASSERT_EQ(set.Has(end), reference.count(end) > 0);
+            ASSERT_EQ(set.Count(), static_cast<int>(reference.size()));
+        }
+        std::vector<int> walked;
+        set.ForEach([&](int number) { walked.push_back(number); });
+        EXPECT_EQ(walked, std::vector<int>(reference.begin(), reference.end()));
+        set.Clear();
+        EXPECT_TRUE(set.IsEmpty() && set.Before(range) < 0);
+    }
+}
+
+struct Still {
+    explicit Still(int stacks, int high = 3, BroadPhaseKind kind = BroadPhaseKind::automatic) : world(Define(kind)) {
+        ground = AddGround(world, 4.0f * static_cast<float>(stacks));
+        for (int i = 0; i < stacks; ++i) {
+            for (int k = 0; k < high; ++k) {
+                Body* body = AddBody(world, dynamicBody, {2.0f * static_cast<float>(i), 0.5f + static_cast<float>(k)});
+                AddBox(body, 0.5f, 0.5f);
+            }
+        }
+    }
+    static WorldDef Define(BroadPhaseKind kind) {
+        WorldDef def;
+        def.broadPhase = kind;
+        return def;
+    }
+    bool Settle(int substeps) {
+        for (int i = 0; i < 600; ++i) {
+            if (Step(substeps).awakeBodyCount == 0) return true;
+        }
+        return false;
+    }
+    StepReport Step(int substeps) { return substeps > 0 ? world.Step(dt, substeps) : world.Step(dt, 8, 3); }
+
+    World world;
+    Body* ground;
+};
+
+TEST(Resting, SleepersAreNotLookedAt) {
+    for (const int substeps : {0, 4}) {
+        for (const int stacks : {20, 200}) {
+            Still still(stacks);
+            ASSERT_TRUE(still.Settle(substeps));
+            const StepReport report = still.Step(substeps);
+            EXPECT_EQ(report.touchingCount, 3 * stacks);
+            EXPECT_EQ(report.contactCount, 3 * stacks);
+            EXPECT_EQ(inspect::GetListedCount(still.world), 0);
+            EXPECT_EQ(inspect::GetActiveContactCount(still.world), 0);
+        }
+    }
+}
+
+/// What a body that hits a sleeper finds: everything that it touches wakes and goes on.
+TEST(Resting, ABlowWakesTheStackItHits) {
+    for (const int substeps : {0, 4}) {
+        Still still(50, 5);
+        ASSERT_TRUE(still.Settle(substeps));
+        Body* ball = AddBody(still.world, dynamicBody, {-3.0f, 2.5f});
+        AddCircle(ball, 0.4f, 5.0f);
+        ball->SetLinearVelocity({20.0f, 0.0f});
+        int most = 0;
+        for (int i = 0; i < 60; ++i) most = std::max(most, still.Step(substeps).awakeBodyCount);
+        EXPECT_GE(most, 6);
+        EXPECT_LE(most, 150);
+        EXPECT_LE(inspect::GetListedCount(still.world), 150);
+    }
+}
+
+/// Random edits of a small world in which most bodies sleep most of the time.
+class Edits {
+public:
+    Edits(unsigned seed, BroadPhaseKind kind, int substeps)
+        : m_random(seed), m_substeps(substeps), m_still(12, 3, kind) {
+        for (int i = 0; i < 3; ++i) AddStatic();
+        Body* lift = AddBody(m_still.world, kinematicBody, {4.0f, 6.0f});
+        AddBox(lift, 1.0f, 0.2f);
+        lift->SetLinearVelocity({0.0f, -0.2f});
+    }
+
+    /// Some edits, the same for the same seed.
+    void Prepare() {
+        const unsigned edits = m_random() % 8 == 0 ? m_random() % 5 : m_random() % 3 == 0 ? 1 : 0;
+        for (unsigned i = 0; i < edits; ++i) Edit();
+    }
+    /// Nothing rests any more, and no pairs are known.
+    void LookAtEverything() {
+        WorldState& s = m_still.world.GetState();
+        for (const int body : s.bodies.movers) s.bodies.List(body);
+        for (int contact = 0; contact < s.contacts.Size(); ++contact) s.contacts.Rouse(contact);
+    }
+    StepReport Step() { return m_still.Step(m_substeps); }
+    World& GetWorld() { return m_still.world; }
+
+    /// Contacts are those of a search that compares everything with everything; one that has just ended may wait for
+    /// its EndContact.
+    void ComparePairs() {
+        World& world = m_still.world;
+        std::set<std::pair<Fixture*, Fixture*>> contacts;
+        for (Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
+            contacts.insert(std::minmax(c->GetFixtureA(), c->GetFixtureB()));
+        }
+        std::vector<Fixture*> fixtures;
+        for (Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+            if (!body->IsEnabled()) continue;
+            for (Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) fixtures.push_back(f);
+        }
+        for (size_t i = 0; i < fixtures.size(); ++i) {
+            for (size_t k = i + 1; k < fixtures.size(); ++k) {
+                const std::pair<Fixture*, Fixture*> pair = std::minmax(fixtures[i], fixtures[k]);
+                if (MayHave(*pair.first, *pair.second) && TestOverlap(pair.first->GetAABB(), pair.second->GetAABB())) {
+                    ASSERT_TRUE(contacts.count(pair) > 0)
+                        << "no contact of fixtures " << pair.first->GetIndex() << " and " << pair.second->GetIndex();
+                }
+            }
+        }
+    }
+
+private:
+    float Random(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
+    Vec2 Place() { return {Random(-4.0f, 28.0f), Random(0.2f, 6.0f)}; }
+
+    void AddStatic() {
+        Body* body = AddBody(m_still.world, staticBody, Place());
+        AddBox(body, 0.4f, 0.1f);
+    }
+
+    Body* Any() {
+        std::vector<Body*> bodies;
+        for (Body* body = m_still.world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+            if (body != m_still.ground) bodies.push_back(body);
+        }
+        return bodies[m_random() % bodies.size()];
+    }
+
+    void Edit() {
+        Body* body = Any();
+        switch (m_random() % 18) {
+            case 0:
+                return Check(body->SetTransform(Place(), Random(-1.0f, 1.0f)));
+            case 1:
+                return Check(body->SetTransform(body->GetPosition() + Vec2{Random(-0.1f, 0.1f), 0.0f}, 0.0f));
+            case 2:
+                return Check(body->SetAwake(true));
+            case 3:
+                return Check(body->SetAwake(false));
+            case 4: {
+                BodyDef def;
+                def.type = static_cast<BodyType>(m_random() % 3);
+                def.position = Place();
+                def.awake = m_random() % 3 != 0;
+                Body* fresh = m_still.world.CreateBody(&def);
+                m_random() % 2 == 0 ? AddBox(fresh, 0.4f, 0.3f) : AddCircle(fresh, 0.4f);
+                return;
+            }
+            case 5:
+                if (m_still.world.GetBodyCount() < 20) return;
+                return Check(m_still.world.DestroyBody(body));
+            case 6:
+                return Check(body->SetType(static_cast<BodyType>(m_random() % 3)));
+            case 7:
+                return Check(body->SetEnabled(!body->IsEnabled()));
+            case 8:
+                if (Fixture* fixture = body->GetFixtureList()) {
+                    Filter filter = fixture->GetFilterData();
+                    filter.groupIndex = static_cast<int16_t>(m_random() % 3) - 1;
+                    Check(fixture->SetFilterData(filter));
+                }
+                return;
+            case 9:
+                AddCircle(body, Random(0.1f, 0.6f));
+                return;
+            case 10:
+                if (Fixture* fixture = body->GetFixtureList()) Check(body->DestroyFixture(fixture));
+                return;
+            case 11:
+                return Check(body->SetLinearVelocity({Random(-3.0f, 3.0f), Random(-3.0f, 3.0f)}));
+            case 12: {
+                Body* other = Any();
+                if (other == body || m_still.world.GetJointCount() > 6) return;
+                RevoluteJointDef def;
+                def.Initialize(body, other, body->GetPosition());
+                def.collideConnected = m_random() % 2 == 0;
+                m_still.world.CreateJoint(&def);
+                return;
+            }
+            case 13:
+                if (Joint* joint = m_still.world.GetJointList()) Check(m_still.world.DestroyJoint(joint));
+                return;
+            case 14:
+                if (Fixture* fixture = body->GetFixtureList()) Check(fixture->SetSensor(m_random() % 4 == 0));
+                return;
+            case 15:
+                return Check(m_still.ground->SetTransform({0.0f, Random(-0.05f, 0.0f)}, 0.0f));
+            case 16:
+                if (m_random() % 4 == 0) Check(m_still.world.ShiftOrigin({Random(-0.1f, 0.1f), 0.0f}));
+                return;
+            default:
+                body->ApplyLinearImpulse({Random(-1.0f, 1.0f), 1.0f}, body->GetWorldCenter(), true);
+        }
+    }
+    static void Check(ErrorCode code) { EXPECT_EQ(code, ErrorCode::ok); }
+
+    static bool MayHave(Fixture& a, Fixture& b) {
+        Body* bodyA = a.GetBody();
+        Body* bodyB = b.GetBody();
+        if (bodyA == bodyB || (bodyA->GetType() != dynamicBody && bodyB->GetType() != dynamicBody)) return false;
+        const int group = a.GetFilterData().groupIndex;
+        if (group != 0 && group == b.GetFilterData().groupIndex && group < 0) return false;
+        bool joined = false;
+        bodyA->VisitJoints([&](Joint* joint) {
+            const bool holdsB = joint->GetBodyA() == bodyB || joint->GetBodyB() == bodyB;
+            joined = joined || (holdsB && !joint->GetCollideConnected());
+            return true;
+        });
+        return !joined;
+    }
+
+    std::mt19937 m_random;
+    int m_substeps;
+    Still m_still;
+};
+
+/// Whether bodies rest changes no bit, and every pair is found.
+TEST(Resting, AWorldAtRestGoesOnLikeOneThatLooksAtEverything) {
+    int restingSteps = 0;
+    unsigned seed = 1;
+    for (const BroadPhaseKind kind : {BroadPhaseKind::automatic, BroadPhaseKind::fatTree, BroadPhaseKind::unified,
+                                      BroadPhaseKind::sweepAndPrune, BroadPhaseKind::bvhSah}) {
+        const int worlds = kind == BroadPhaseKind::automatic ? 12 : 3;
+        for (int i = 0; i < worlds; ++i, ++seed) {
+            const int substeps = i % 3 == 2 ? 4 : 0;
+            Edits rests(seed, kind, substeps), looks(seed, kind, substeps);
+            for (int step = 0; step < 300; ++step) {
+                rests.Prepare();
+                looks.Prepare();
+                looks.LookAtEverything();
+                const StepReport own = rests.Step(), other = looks.Step();
+                ASSERT_EQ(inspect::GetStateHash(rests.GetWorld()), inspect::GetStateHash(looks.GetWorld()))
+                    << "seed " << seed << ", step " << step;
+                ASSERT_EQ(own.touchingCount, other.touchingCount);
+                ASSERT_EQ(own.contactCount, other.contactCount);
+                ASSERT_EQ(own.awakeBodyCount, other.awakeBodyCount);
+                ASSERT_NO_FATAL_FAILURE(rests.ComparePairs()) << "seed " << seed << ", step " << step;
+                restingSteps += inspect::GetListedCount(rests.GetWorld()) * 2 < rests.GetWorld().GetBodyCount() ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GE(restingSteps, 500) << "the worlds hardly rest";
+}
+
+/// What rests is not saved: a restored world looks at everything, and goes on in the same way.
+TEST(Resting, ARestoredWorldGoesOnInTheSameWay) {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        Edits edits(seed, BroadPhaseKind::automatic, 0);
+        for (int step = 0; step < 200; ++step) {
+            edits.Prepare();
+            const std::unique_ptr<World> restored = LoadWorld(SaveWorld(edits.GetWorld()));
+            ASSERT_NE(restored, nullptr);
+            const StepReport own = edits.Step(), other = restored->Step(dt, 8, 3);
+            ASSERT_EQ(inspect::GetStateHash(edits.GetWorld()), inspect::GetStateHash(*restored))
+                << "seed " << seed << ", step " << step;
+            ASSERT_EQ(own.touchingCount, other.touchingCount);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace scree
