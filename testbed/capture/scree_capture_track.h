@@ -405,8 +405,8 @@ private:
     // Records.
 
     void Begin(float dt) {
-        if (m_step > 0) return;
-        // The first step tells what the header left open.
+        // The first step tells what the header left open; what no scene can have (0: no time passes) stays out of it.
+        if (m_step > 0 || !(dt >= 1e-6f && dt <= 10.0f)) return;
         CborWriter patch;
         patch.GetBytes().swap(m_header);
         for (std::size_t i = 0; i < 2; ++i) patch.Patch(m_timeStepAt[i], BitsOf(dt));

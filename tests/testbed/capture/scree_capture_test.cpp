@@ -24,164 +24,38 @@
 namespace testbed {
 namespace {
 
-/// A scene in our engine, made as ScreeRun makes it.
-class SceneWorld {
-public:
-    explicit SceneWorld(const scenes::Scene& scene)
-        : m_scene(scene), m_world(scree::Vec2{scene.gravity.x, scene.gravity.y}) {
-        for (int i = 0; i < scene.InitialBodyCount(); ++i) CreateBody(scene.bodies[static_cast<std::size_t>(i)]);
-        for (const scenes::Joint& joint : scene.joints) {
-            m_joints.push_back(CreateScreeJoint(m_world, joint, m_bodies, m_joints));
-        }
-    }
-
-    void Step() {
-        m_world.Step(m_scene.timeStep, m_scene.velocityIterations, m_scene.positionIterations);
-        ++m_step;
-        for (; m_spawned < m_scene.spawns.size() && m_scene.spawns[m_spawned].afterStep <= m_step; ++m_spawned) {
-            CreateBody(m_scene.bodies[static_cast<std::size_t>(m_scene.spawns[m_spawned].body)]);
-        }
-    }
-    [[nodiscard]] std::vector<BodyBits> GetBits() const {
-        std::vector<BodyBits> bits;
-        for (const scree::Body* body : m_bodies) bits.push_back(BitsOf(*body, body->GetType() == scree::staticBody));
-        return bits;
-    }
-    scree::World& GetWorld() { return m_world; }
-    std::vector<scree::Body*>& GetBodies() { return m_bodies; }
-
-private:
-    void CreateBody(const scenes::Body& body) {
-        scree::BodyDef def;
-        def.type = static_cast<scree::BodyType>(body.type);
-        def.bullet = body.bullet;
-        def.allowSleep = body.allowSleep;
-        def.awake = body.awake;
-        def.fixedRotation = body.fixedRotation;
-        def.position = ToScree(body.position);
-        def.angle = body.angle;
-        def.linearVelocity = ToScree(body.linearVelocity);
-        def.angularVelocity = body.angularVelocity;
-        def.linearDamping = body.linearDamping;
-        def.angularDamping = body.angularDamping;
-        def.gravityScale = body.gravityScale;
-        scree::Body* made = m_world.CreateBody(&def);
-        m_bodies.push_back(made);
-        for (int i = body.firstFixture; i < body.firstFixture + body.fixtureCount; ++i) {
-            CreateFixture(*made, m_scene.fixtures[static_cast<std::size_t>(i)]);
-        }
-        if (body.angularVelocity != 0.0f) made->SetLinearVelocity(ToScree(body.linearVelocity));
-    }
-    void CreateFixture(scree::Body& body, const scenes::Fixture& fixture) {
-        scree::FixtureDef def;
-        def.density = fixture.density;
-        def.friction = fixture.friction;
-        def.restitution = fixture.restitution;
-        def.isSensor = fixture.isSensor;
-        def.filter = {fixture.categoryBits, fixture.maskBits, fixture.groupIndex};
-        if (fixture.shape.type == scenes::ShapeType::chain) {
-            const scree::ChainShape chain = MakeScreeChain(m_scene, fixture.shape);
+struct ScreeTypes {
+    using World = scree::World;
+    using Body = scree::Body;
+    using BodyDef = scree::BodyDef;
+    using BodyType = scree::BodyType;
+    using FixtureDef = scree::FixtureDef;
+    using Vec = scree::Vec2;
+    using Joint = scree::Joint;
+    static constexpr auto createJoint = &CreateScreeJoint;
+    static void CreateFixture(scree::Body& body, scree::FixtureDef& def, const scenes::Scene& scene,
+                              const scenes::Shape& shape) {
+        if (shape.type == scenes::ShapeType::chain) {
+            const scree::ChainShape chain = MakeScreeChain(scene, shape);
             def.shape = &chain;
             body.CreateFixture(&def);
         } else {
-            const ScreeShape shape = MakeScreeShape(m_scene, fixture.shape);
-            def.shape = &AsShape(shape);
+            const ScreeShape made = MakeScreeShape(scene, shape);
+            def.shape = &AsShape(made);
             body.CreateFixture(&def);
         }
     }
-
-    scenes::Scene m_scene;
-    scree::World m_world;
-    std::vector<scree::Body*> m_bodies;
-    ScreeJoints m_joints;
-    std::size_t m_spawned = 0;
-    int m_step = 0;
 };
-
-/// Expects that a track says what was noted after each step, forwards and at random.
-void ExpectSameMotion(TrackFile& track, const std::vector<std::vector<BodyBits>>& history, const std::string& name) {
-    ASSERT_EQ(track.GetInfo().damage, "") << name;
-    ASSERT_EQ(track.GetLastStep(), static_cast<int>(history.size()) - 1) << name;
-    std::mt19937 random(17);
-    for (std::size_t i = 0; i < 2 * history.size(); ++i) {
-        const std::size_t step = i < history.size() ? i : random() % history.size();
-        const TrackStep& read = track.Read(static_cast<int>(step));
-        ASSERT_GE(read.bodies.size(), history[step].size()) << name;
-        for (std::size_t k = 0; k < history[step].size(); ++k) {
-            ASSERT_TRUE(read.bodies[k].isThere) << name << " step " << step << " body " << k;
-            ASSERT_TRUE(BitsOf(read.bodies[k]) == history[step][k]) << name << " step " << step << " body " << k;
-        }
-    }
-}
+using SceneWorld = TestWorld<ScreeTypes>;
 
 TEST(ScreeCapture, EveryBuiltInSceneReadsBackToTheSameBits) {
-    const ScratchFolder folder;
-    const std::string path = folder.GetPath() / "session.track";
-    double allBytes = 0.0, allMoves = 0.0;
-    for (const scenes::SceneInfo& info : scenes::Catalog()) {
-        const scenes::Scene scene = BuildSmall(info);
-        SceneWorld world(scene);
-        std::vector<std::vector<BodyBits>> history{world.GetBits()};
-        {
-            scree_capture::Track track(world.GetWorld(), path);
-            for (int step = 1; step <= std::min(scene.steps, 150); ++step) {
-                world.Step();
-                track.Step(scene.timeStep);
-                history.push_back(world.GetBits());
-            }
-            ASSERT_EQ(track.GetError(), "");
-            ASSERT_EQ(track.GetSkippedSteps(), 0);
-        }
-        TrackFile track = ReadTrackFile(path);
-        ExpectSameMotion(track, history, std::string(info.name));
-        EXPECT_EQ(track.GetInfo().engine, "scree");
-        EXPECT_EQ(track.GetInfo().timeStep, scene.timeStep);
-        const double bytes = CountStepBytes(path);
-        const auto moves = static_cast<double>(CountMoves(history));
-        allBytes += bytes;
-        allMoves += moves;
-        // Even if no body could be predicted.
-        EXPECT_LT(bytes, 26.0 * moves + 60.0 * static_cast<double>(history.size())) << info.name;
-    }
-    EXPECT_LT(allBytes, 20.0 * allMoves);
-    RecordProperty("bytes a move", std::to_string(allBytes / allMoves));
+    const double bytes = ExpectAllScenesReadBack<ScreeTypes, scree_capture::Track>("scree");
+    RecordProperty("bytes a move", std::to_string(bytes));
 }
 
 TEST(ScreeCapture, AWrittenSceneIsTheSameWorld) {
-    // Shapes with arcs are written as polygons, and the anchors of pulleys and mouse joints are rounded once more.
-    const auto isExact = [](const scenes::Scene& scene) {
-        return std::ranges::none_of(
-                   scene.fixtures,
-                   [](const scenes::Fixture& fixture) { return fixture.shape.type >= scenes::ShapeType::ellipse; }) &&
-               std::ranges::none_of(scene.joints, [](const scenes::Joint& joint) {
-                   return joint.type == scenes::JointType::pulley || joint.type == scenes::JointType::mouse;
-               });
-    };
-    const ScratchFolder folder;
-    const std::string path = folder.GetPath() / "level.scene.json";
-    int compared = 0;
-    for (const scenes::SceneInfo& info : scenes::Catalog()) {
-        scenes::Scene scene = BuildSmall(info);
-        scene.bodies.resize(static_cast<std::size_t>(scene.InitialBodyCount()));
-        scene.spawns.clear();
-        SceneWorld world(scene);
-        ASSERT_TRUE(scree_capture::WriteScene(world.GetWorld(), path)) << info.name;
-        scenes::Scene read = ReadSceneFile(path);
-        EXPECT_EQ(read.bodies.size(), scene.bodies.size()) << info.name;
-        EXPECT_TRUE(read.joints.size() == scene.joints.size()) << info.name;
-        if (!isExact(scene)) continue;
-        read.timeStep = scene.timeStep;
-        read.velocityIterations = scene.velocityIterations;
-        read.positionIterations = scene.positionIterations;
-        SceneWorld again(read);
-        for (int step = 1; step <= 100; ++step) {
-            world.Step();
-            again.Step();
-            ASSERT_TRUE(world.GetBits() == again.GetBits()) << info.name << " step " << step;
-        }
-        ++compared;
-    }
-    EXPECT_GT(compared, 35);
+    ExpectWrittenScenesAreTheSame<ScreeTypes>(
+        [](scree::World& world, const std::string& path) { return scree_capture::WriteScene(world, path); });
 }
 
 /// A small world in which a program destroys, makes and changes objects between steps, recorded with everything on.
