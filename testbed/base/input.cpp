@@ -16,6 +16,7 @@
 namespace testbed {
 
 std::string ReadText(const std::filesystem::path& file, std::string_view cure) {
+    if (std::filesystem::is_directory(file)) throw FileError(fmt::format("{}: a folder; {}", file.string(), cure));
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (!stream) throw FileError(fmt::format("{}: cannot be read; {}", file.string(), cure));

@@ -16,6 +16,9 @@
 #include "testbed/base/errors.h"
 #include "testbed/cli/commands.h"
 #include "testbed/engines/box2d_version.h"
+#ifdef SCREE_HAS_BOX2D3
+#include "testbed/engines/box2d3/box2d3_engine.h"
+#endif
 #include "testbed/engines/engine_list.h"
 #include "testbed/page/gnuplot.h"
 
@@ -86,6 +89,11 @@ int RunEnv(const Request& request) {
     for (const EngineInfo& engine : GetEngines()) {
         PrintLine(fmt::format("engine {}", engine.name), DescribeAbilities(engine.abilities));
     }
+#ifdef SCREE_HAS_BOX2D3
+    PrintLine("box2d3", GetBox2d3Version());
+#else
+    PrintLine("box2d3", "not found when this was built: box2d3_ROOT names where Box2D 3.2 or newer is installed");
+#endif
     PrintLine("cpu", CpuModel());
     PrintLine("cpu features", CpuFeatures());
     PrintLine("threads", fmt::format("{}", std::thread::hardware_concurrency()));

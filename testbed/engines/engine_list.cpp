@@ -14,6 +14,9 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/nearest.h"
 #include "testbed/engines/poses.h"
+#ifdef SCREE_HAS_BOX2D3
+#include "testbed/engines/box2d3/box2d3_engine.h"
+#endif
 
 namespace testbed {
 
@@ -28,23 +31,32 @@ constexpr Abilities Of(std::initializer_list<Ability> abilities) {
 constexpr EngineInfo engines[] = {
     {.name = "scree",
      .title = "Scree",
-     .abilities = Of({Ability::softSteps, Ability::freeSpeed, Ability::lengthScales, Ability::threads,
-                      Ability::features, Ability::broadPhases}),
+     .abilities = Of({Ability::sequential, Ability::softSteps, Ability::dial, Ability::freeSpeed, Ability::lengthScales,
+                      Ability::threads, Ability::features, Ability::broadPhases}),
      .makeRun = MakeScreeRun,
      .makeFollower = MakeScreeFollower,
      .makeLab = MakeScreeLab},
     {.name = "box2d",
      .title = "Box2D 2.4.1",
-     .abilities = {},
+     .abilities = Of({Ability::sequential}),
      .makeRun = MakeBox2dRun,
      .makeFollower = MakeBox2dFollower,
      .makeLab = MakeBox2dLab},
+#ifdef SCREE_HAS_BOX2D3
+    {.name = "box2d3",
+     .title = "Box2D 3",
+     .abilities = Of({Ability::softSteps, Ability::threads}),
+     .makeRun = MakeBox2d3Run,
+     .makeFollower = MakeBox2d3Follower,
+     .makeLab = nullptr},
+#endif
 };
 
 constexpr std::pair<Ability, std::string_view> abilityNames[] = {
-    {Ability::softSteps, "soft steps"},       {Ability::freeSpeed, "speed without caps"},
-    {Ability::lengthScales, "length scales"}, {Ability::threads, "threads"},
-    {Ability::features, "chosen features"},   {Ability::broadPhases, "choice of broad phases"}};
+    {Ability::sequential, "sequential impulses"}, {Ability::softSteps, "soft steps"},
+    {Ability::dial, "an accuracy dial"},          {Ability::freeSpeed, "speed without caps"},
+    {Ability::lengthScales, "length scales"},     {Ability::threads, "threads"},
+    {Ability::features, "chosen features"},       {Ability::broadPhases, "choice of broad phases"}};
 
 }  // namespace
 
@@ -59,9 +71,9 @@ const EngineInfo& FindEngine(std::string_view name) {
 }
 
 std::string DescribeAbilities(Abilities abilities) {
-    std::string text = "sequential impulses";
+    std::string text;
     for (const auto& [ability, name] : abilityNames) {
-        if (abilities.Has(ability)) text += fmt::format(", {}", name);
+        if (abilities.Has(ability)) text += fmt::format("{}{}", text.empty() ? "" : ", ", name);
     }
     return text;
 }
@@ -77,7 +89,9 @@ std::unique_ptr<EngineRun> MakeFollower(const scenes::Scene& scene, const RunSpe
 }
 
 std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs) {
-    return FindEngine(spec.engine).makeLab(scene, spec, needs);
+    const EngineInfo& engine = FindEngine(spec.engine);
+    if (engine.makeLab == nullptr) throw UsageError(fmt::format("{} is not in the laboratory yet", engine.name));
+    return engine.makeLab(scene, spec, needs);
 }
 
 }  // namespace testbed

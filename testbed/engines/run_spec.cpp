@@ -198,6 +198,7 @@ std::string ReadPreset(std::string_view value, RunSpec& spec) {
         return DescribeUnknown("preset", value, names);
     }
     spec = RunSpec{.engine = spec.engine};
+    if (!FindEngine(spec.engine).abilities.Has(Ability::sequential)) spec.solver = SoftStep{};
     ApplySettings(spec, found->settings);
     return Done();
 }
@@ -205,6 +206,8 @@ std::string ReadPreset(std::string_view value, RunSpec& spec) {
 std::string PrintNothing(const RunSpec&) { return {}; }
 
 constexpr unsigned softSteps = static_cast<unsigned>(Ability::softSteps);
+constexpr unsigned sequential = static_cast<unsigned>(Ability::sequential);
+constexpr unsigned dial = static_cast<unsigned>(Ability::dial);
 
 constexpr SettingKey settingKeys[] = {
     {.name = "preset",
@@ -230,7 +233,7 @@ constexpr SettingKey settingKeys[] = {
      .unit = "",
      .what = "another way to say solver=si@VELOCITY/POSITION",
      .flag = "",
-     .needs = 0,
+     .needs = sequential,
      .isLive = true,
      .read = ReadIterations,
      .print = PrintNothing},
@@ -248,7 +251,7 @@ constexpr SettingKey settingKeys[] = {
      .unit = "",
      .what = "instead of a solver: a mark of the engine's accuracy dial",
      .flag = "",
-     .needs = softSteps,
+     .needs = dial,
      .isLive = true,
      .read = ReadAccuracy,
      .print = PrintAccuracy},
@@ -260,7 +263,7 @@ constexpr SettingKey settingKeys[] = {
      .what = "instead of a solver: errors that each island's number of sub-steps is to stay below; 0.01/0.001/4/32 are "
              "the engine's own",
      .flag = "",
-     .needs = softSteps,
+     .needs = dial,
      .isLive = true,
      .read = ReadTolerance,
      .print = PrintTolerance},
@@ -381,15 +384,18 @@ std::vector<std::string> ListDifferences(const RunSpec& spec, const RunSpec& bas
 }
 
 std::string FindSolverProblem(const RunSpec& spec) {
+    const Abilities abilities = FindEngine(spec.engine).abilities;
     if (const auto* si = std::get_if<SequentialImpulses>(&spec.solver)) {
+        if (!abilities.Has(Ability::sequential)) return fmt::format("{} has no sequential impulses", spec.engine);
         if (!si->iterations) return {};
         const auto [velocity, position] = *si->iterations;
         const bool isLegal =
             velocity >= 1 && velocity <= maxVelocityIterations && position >= 0 && position <= maxPositionIterations;
         return isLegal ? "" : "velocity iterations are legal from 1 to 200, position iterations from 0 to 200";
     }
-    if (!FindEngine(spec.engine).abilities.Has(Ability::softSteps)) {
-        return fmt::format("{} has sequential impulses only", spec.engine);
+    if (!abilities.Has(Ability::softSteps)) return fmt::format("{} has sequential impulses only", spec.engine);
+    if (!std::holds_alternative<SoftStep>(spec.solver) && !abilities.Has(Ability::dial)) {
+        return fmt::format("{} has no accuracy dial", spec.engine);
     }
     const auto isCount = [](int substeps) { return substeps >= 1 && substeps <= maxSubsteps; };
     if (const auto* step = std::get_if<SoftStep>(&spec.solver)) {

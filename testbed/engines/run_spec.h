@@ -17,14 +17,16 @@
 
 namespace testbed {
 
-/// What an engine may be able to do beyond sequential impulses with sleeping, warm starting and continuous collision.
+/// What an engine may be able to do beyond sleeping, warm starting and continuous collision.
 enum class Ability : unsigned {
-    softSteps = 1,     ///< sub-steps with soft contacts, the accuracy dial, tolerances
+    softSteps = 1,     ///< sub-steps with soft contacts
     freeSpeed = 2,     ///< speed without caps
     lengthScales = 4,  ///< tolerances for worlds of another scale
     threads = 8,
     features = 16,     ///< a world that models a part of the engine
     broadPhases = 32,  ///< a choice of algorithms
+    sequential = 64,   ///< sequential impulses
+    dial = 128,        ///< the accuracy dial and tolerances
 };
 
 struct Abilities {

@@ -95,7 +95,7 @@ private:
     /// The members that have not their default, of those that `isRead` takes.
     template <typename Owner, typename IsRead>
     void Members(const Owner& owner, IsRead&& isRead) {
-        static const Owner defaults{};
+        [[maybe_unused]] static const Owner defaults{};  // unused where a structure has no field
         ForEachField<Owner>([&](const auto& field) {
             if (isRead(field.name) && !HaveSameBits(owner.*field.member, defaults.*field.member)) {
                 Member(field.name, owner.*field.member);

@@ -85,23 +85,6 @@ StepRange ParseSteps(std::string_view text, bool countAllowed) {
     return range;
 }
 
-const scenes::SceneInfo& FindScene(const std::string& name) {
-    if (const scenes::SceneInfo* info = scenes::Find(name)) return *info;
-    const std::vector<std::string_view> nearest = scenes::NearestNames(name, 3);
-    throw UsageError(
-        fmt::format("unknown scene '{}'; did you mean '{}'? `scree list` shows all", name, fmt::join(nearest, "', '")));
-}
-
-int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size) {
-    if (!size) return info.defaultSize;
-    if (*size >= info.minSize && *size <= info.maxSize) return *size;
-    if (info.minSize == info.maxSize) {
-        throw UsageError(fmt::format("--size {}: the only size of scene '{}' is {}", *size, info.name, info.minSize));
-    }
-    throw UsageError(fmt::format("--size {}: sizes of scene '{}' are legal from {} to {}", *size, info.name,
-                                 info.minSize, info.maxSize));
-}
-
 void AddSetOption(CLI::App& app, SettingArguments& arguments, const std::string& note) {
     app.add_option("--set", arguments.sets,
                    "A setting of how scenes are run, in every engine that has it; repeatable, the last one counts. " +
@@ -150,7 +133,8 @@ std::vector<TypedSetting> GetTypedSettings(const SettingArguments& arguments) {
 }
 
 void AddRunOptions(CLI::App& app, SceneArguments& arguments) {
-    app.add_option("--size", arguments.size, "Size of the scene; its own default if not given");
+    app.add_option("--size", arguments.size, "Size of a scene that `scree list` shows; its default if not given");
+    AddInputOptions(app, arguments.input);
     AddEnginesOption(app, arguments.settings, "");
     app.add_option("--baseline", arguments.settings.baseline,
                    "Name of the pane that the others are compared with; box2d's if not given")

@@ -15,10 +15,10 @@
 #include <utility>
 #include <vector>
 
-#include "scenes/catalog.h"
 #include "testbed/base/errors.h"
 #include "testbed/engines/panes.h"
 #include "testbed/engines/side_by_side.h"
+#include "testbed/options/scene_input.h"
 #include "testbed/view/picture.h"
 
 namespace testbed {
@@ -45,12 +45,6 @@ inline constexpr int maxStep = 1'000'000;
 /// "1920x1080" of an option; UsageError naming the option for anything else.
 [[nodiscard]] std::pair<int, int> ParseSize(std::string_view option, std::string_view text);
 
-/// The row of the catalogue; UsageError with the nearest name for an unknown scene.
-[[nodiscard]] const scenes::SceneInfo& FindScene(const std::string& name);
-
-/// `size`, or the scene's default; UsageError with the legal range.
-[[nodiscard]] int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size);
-
 /// How scenes are run, as typed.
 struct SettingArguments {
     std::string engines = "scree,box2d";
@@ -75,6 +69,7 @@ inline constexpr const char* comparisonNote =
 /// What scenes are run in, as typed.
 struct SceneArguments {
     std::optional<int> size;
+    InputArguments input;
     SettingArguments settings;
     std::string poses = "own";
     std::string output = "out";

@@ -232,7 +232,7 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
     std::vector<Velocity> velocity = s.bodies.velocity;
     std::vector<Velocity> delta(velocity.size());
     KernelTask task = blocks.Task(velocity, delta);
-    task.soft = {240.0f, 9.0f, 0.94f, 0.06f, 1.0f};
+    task.soft = {240.0f, 9.0f, {9.0f, 0.94f, 0.06f}, {12.0f, 0.96f, 0.04f}};
     task.sumImpulses = true;
     kernels.warmStart(task);
     kernels.approach(task);

@@ -103,7 +103,7 @@ uint64_t HashOfRoundShapes(bool withTolerance) {
 }
 
 TEST(StateHash, OfRoundShapesAndOfATolerantStepEqualsItsGoldenValue) {
-    constexpr uint64_t goldenRound[2] = {0x174d900c25db66d0, 0x45754d99bd13bb93};
+    constexpr uint64_t goldenRound[2] = {0xfec9d7b77d6f2b4f, 0x5b7bbdbd46756e7b};
     for (const bool withTolerance : {false, true}) {
         const uint64_t hash = HashOfRoundShapes(withTolerance);
         EXPECT_EQ(hash, HashOfRoundShapes(withTolerance));

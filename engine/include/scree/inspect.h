@@ -49,8 +49,10 @@ void SetIsolatedPath(World& world, bool apart);
 /// The kernels that the last step ran.
 KernelSet GetKernels(const World& world);
 
-/// 64 bits over the whole state of the engine (poses, velocities, contacts with impulses, flags, counters): equal
-/// hashes mean equal futures. −0 counts as 0.
+/// 64 bits over all that steps and calls read: bodies, fixtures with shapes and boxes, contacts with impulses, joints,
+/// settings, the orders of lists and which numbers are free. Equal hashes mean equal futures. Not in it: what changes
+/// no result (workers, features, which broad phase with tight boxes), user data, listeners and filters. −0 counts as 0.
+/// O(size of the world).
 uint64_t GetStateHash(const World& world);
 
 }  // namespace scree::inspect

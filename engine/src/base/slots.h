@@ -49,6 +49,17 @@ public:
         m_free.push_back(index);
         --m_count;
     }
+    /// Takes back the newest Allocate that was not taken back yet: the slots are as they were before it.
+    void Undo(int index) {
+        --m_count;
+        if (m_generation[static_cast<size_t>(index)] == 0) {  // Allocate made it
+            m_alive.pop_back();
+            m_generation.pop_back();
+            return;
+        }
+        m_alive[static_cast<size_t>(index)] = 0;
+        m_free.push_back(index);
+    }
     [[nodiscard]] bool IsAlive(int index) const {
         return index >= 0 && index < Size() && m_alive[static_cast<size_t>(index)] != 0;
     }
@@ -60,8 +71,9 @@ public:
     [[nodiscard]] int Count() const { return m_count; }
 
     template <typename Self, typename Visit>
-    static void Fields(Self& s, Visit&& visit) {
-        visit(s.m_alive), visit(s.m_generation), visit(s.m_free), visit(s.m_count);
+    static void Fields(Self& slots, Visit& visit) {
+        auto& [alive, generation, free, count] = slots;
+        visit(alive, generation, free, count);
     }
     /// For numbers that were read: every column has the same length, and the free ones are those not alive.
     [[nodiscard]] bool IsConsistent() const {

@@ -79,6 +79,25 @@ bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, const Jo
     return Abs(error) < step.slop;
 }
 
-const JointPhases distancePhases = MakePhases<DistanceRow, DistanceConstraint>();
+const JointPhases& JointTraits<DistanceRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<DistanceRow>();
+    return phases;
+}
+bool JointTraits<DistanceRow>::Describe(const DistanceRow& row, TreeShape& shape, bool& bounded) {
+    shape.kind = TreeKind::rod;
+    shape.reference = double{row.limit.lower};
+    shape.shortest = double{row.shortest};
+    bounded = false;
+    return row.limit.lower >= row.limit.upper;
+}
+void JointTraits<DistanceRow>::Keep(DistanceRow& row, const TreeShape&, const TreeRows& rows,
+                                    const float (&impulse)[maxTreeRows]) {
+    row.impulse = impulse[0];
+    row.axis = AxisOf(rows);
+}
+float JointTraits<DistanceRow>::GetError(const BodyTable& bodies, const JointInfo& info, const DistanceRow& row) {
+    const float length = GapOf(bodies, info, row).Length();
+    return Abs(length - Clamp(length, row.limit.lower, row.limit.upper));
+}
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -29,5 +29,15 @@ void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointSte
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<DistanceRow> : CommonJointTraits {
+    using Constraint = DistanceConstraint;
+    static const JointPhases& GetPhases();
+    static bool Describe(const DistanceRow& row, TreeShape& shape, bool& bounded);
+    static void Keep(DistanceRow& row, const TreeShape& shape, const TreeRows& rows,
+                     const float (&impulse)[maxTreeRows]);
+    static float GetError(const BodyTable& bodies, const JointInfo& info, const DistanceRow& row);
+};
 
 }  // namespace scree

@@ -37,6 +37,9 @@ void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointSte
 
 bool SolvePosition(const FrictionConstraint&, const FrictionRow&, const JointStep&, BodyTable&) { return true; }
 
-const JointPhases frictionPhases = MakePhases<FrictionRow, FrictionConstraint>();
+const JointPhases& JointTraits<FrictionRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<FrictionRow>();
+    return phases;
+}
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -26,5 +26,11 @@ void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointSte
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const FrictionConstraint& c, const FrictionRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<FrictionRow> : CommonJointTraits {
+    using Constraint = FrictionConstraint;
+    static const JointPhases& GetPhases();
+};
 
 }  // namespace scree

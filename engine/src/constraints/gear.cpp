@@ -115,6 +115,9 @@ bool SolvePosition(const GearConstraint& c, const GearRow& row, const JointStep&
     return Abs(error) <= (row.side[0].slides ? step.slop : angularSlop);
 }
 
-const JointPhases gearPhases = MakePhases<GearRow, GearConstraint>();
+const JointPhases& JointTraits<GearRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<GearRow>();
+    return phases;
+}
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -30,5 +30,11 @@ void WarmStart(const GearConstraint& c, const GearRow& row, std::vector<Velocity
 void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const GearConstraint& c, const GearRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<GearRow> : CommonJointTraits {
+    using Constraint = GearConstraint;
+    static const JointPhases& GetPhases();
+};
 
 }  // namespace scree

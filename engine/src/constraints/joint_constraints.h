@@ -28,14 +28,13 @@ struct JointRun {
     int begin, end;
 };
 
+template <typename... Row>
+using ConstraintTables = std::tuple<std::vector<typename JointTraits<Row>::Constraint>...>;
+
 struct JointConstraints {
     std::vector<JointRun> runs;
     std::vector<JointRun> bounds;  ///< joints that a direct solve holds, of which limits, motors and springs remain
-    std::tuple<std::vector<RevoluteConstraint>, std::vector<PrismaticConstraint>, std::vector<DistanceConstraint>,
-               std::vector<PulleyConstraint>, std::vector<MouseConstraint>, std::vector<GearConstraint>,
-               std::vector<WheelConstraint>, std::vector<WeldConstraint>, std::vector<FrictionConstraint>,
-               std::vector<MotorConstraint>>
-        byType;
+    OfJointTypes<ConstraintTables> byType;
 
     void Clear() {
         runs.clear();

@@ -29,28 +29,32 @@ struct JointPhases {
     bool (*solvePosition)(const JointTask& task, const JointRun& run);
 };
 
-template <typename Constraint>
-std::vector<Constraint>& ConstraintsOf(const JointTask& task) {
-    return std::get<std::vector<Constraint>>(task.scratch.byType);
+template <typename Row>
+using ConstraintOf = typename JointTraits<Row>::Constraint;
+
+template <typename Row>
+std::vector<ConstraintOf<Row>>& ConstraintsOf(const JointTask& task) {
+    return std::get<std::vector<ConstraintOf<Row>>>(task.scratch.byType);
 }
 
 /// Calls visit(constraint, row) along a run.
-template <typename Row, typename Constraint, typename Visit>
+template <typename Row, typename Visit>
 void ForEach(const JointTask& task, const JointRun& run, Visit&& visit) {
     std::vector<Row>& rows = task.joints.Store<Row>().rows;
-    const std::vector<Constraint>& constraints = ConstraintsOf<Constraint>(task);
+    const std::vector<ConstraintOf<Row>>& constraints = ConstraintsOf<Row>(task);
     for (int i = run.begin; i < run.end; ++i) {
-        const Constraint& c = constraints[static_cast<size_t>(i)];
+        const ConstraintOf<Row>& c = constraints[static_cast<size_t>(i)];
         visit(c, rows[static_cast<size_t>(c.row)]);
     }
 }
 
-template <typename Row, typename Constraint>
+template <typename Row>
 constexpr JointPhases MakePhases() {
+    using Constraint = ConstraintOf<Row>;
     JointPhases phases;
     phases.prepare = [](const JointTask& task, int joint) {
         const JointInfo& info = task.joints.info[static_cast<size_t>(joint)];
-        std::vector<Constraint>& constraints = ConstraintsOf<Constraint>(task);
+        std::vector<Constraint>& constraints = ConstraintsOf<Row>(task);
         Constraint& c = constraints.emplace_back();
         c.row = info.row;
         const JointInput input{task.step, task.bodies, info};
@@ -58,34 +62,29 @@ constexpr JointPhases MakePhases() {
         return static_cast<int>(constraints.size()) - 1;
     };
     phases.warmStart = [](const JointTask& task, const JointRun& run) {
-        ForEach<Row, Constraint>(task, run,
-                                 [&](const Constraint& c, Row& row) { WarmStart(c, row, task.bodies.velocity); });
+        ForEach<Row>(task, run, [&](const Constraint& c, Row& row) { WarmStart(c, row, task.bodies.velocity); });
     };
     phases.solveVelocity = [](const JointTask& task, const JointRun& run) {
-        ForEach<Row, Constraint>(
-            task, run, [&](const Constraint& c, Row& row) { SolveVelocity(c, row, task.step, task.bodies.velocity); });
+        ForEach<Row>(task, run,
+                     [&](const Constraint& c, Row& row) { SolveVelocity(c, row, task.step, task.bodies.velocity); });
     };
     phases.solveBounds = nullptr;
     if constexpr (requires(const Constraint& c, Row& row, const JointStep& step, std::vector<Velocity>& velocity) {
                       SolveBounds(c, row, step, velocity);
                   }) {
         phases.solveBounds = [](const JointTask& task, const JointRun& run) {
-            ForEach<Row, Constraint>(task, run, [&](const Constraint& c, Row& row) {
-                SolveBounds(c, row, task.step, task.bodies.velocity);
-            });
+            ForEach<Row>(task, run,
+                         [&](const Constraint& c, Row& row) { SolveBounds(c, row, task.step, task.bodies.velocity); });
         };
     }
     phases.solvePosition = [](const JointTask& task, const JointRun& run) {
         bool solved = true;
-        ForEach<Row, Constraint>(task, run, [&](const Constraint& c, Row& row) {
+        ForEach<Row>(task, run, [&](const Constraint& c, Row& row) {
             solved = SolvePosition(c, row, task.step, task.bodies) && solved;
         });
         return solved;
     };
     return phases;
 }
-
-extern const JointPhases revolutePhases, prismaticPhases, distancePhases, pulleyPhases, mousePhases, gearPhases,
-    wheelPhases, weldPhases, frictionPhases, motorPhases;
 
 }  // namespace scree

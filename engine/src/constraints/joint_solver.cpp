@@ -13,11 +13,15 @@ namespace scree {
 
 namespace {
 
+template <typename... Row>
+struct PhasesByType {
+    std::array<const JointPhases*, e_motorJoint + 1> table{};
+    PhasesByType() { ((table[Row::type] = &JointTraits<Row>::GetPhases()), ...); }
+};
+
 const JointPhases& PhasesOf(JointType type) {
-    static constexpr std::array<const JointPhases*, e_motorJoint + 1> table = {
-        nullptr,     &revolutePhases, &prismaticPhases, &distancePhases, &pulleyPhases, &mousePhases,
-        &gearPhases, &wheelPhases,    &weldPhases,      &frictionPhases, nullptr,       &motorPhases};
-    return *table[type];
+    static const OfJointTypes<PhasesByType> phases;
+    return *phases.table[type];
 }
 
 }  // namespace

@@ -40,6 +40,9 @@ void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& ste
 
 bool SolvePosition(const MotorConstraint&, const MotorRow&, const JointStep&, BodyTable&) { return true; }
 
-const JointPhases motorPhases = MakePhases<MotorRow, MotorConstraint>();
+const JointPhases& JointTraits<MotorRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<MotorRow>();
+    return phases;
+}
 
 }  // namespace scree

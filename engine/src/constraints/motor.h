@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -27,5 +27,11 @@ void WarmStart(const MotorConstraint& c, const MotorRow& row, std::vector<Veloci
 void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const MotorConstraint& c, const MotorRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<MotorRow> : CommonJointTraits {
+    using Constraint = MotorConstraint;
+    static const JointPhases& GetPhases();
+};
 
 }  // namespace scree

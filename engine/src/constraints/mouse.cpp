@@ -45,6 +45,9 @@ void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& ste
 
 bool SolvePosition(const MouseConstraint&, const MouseRow&, const JointStep&, BodyTable&) { return true; }
 
-const JointPhases mousePhases = MakePhases<MouseRow, MouseConstraint>();
+const JointPhases& JointTraits<MouseRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<MouseRow>();
+    return phases;
+}
 
 }  // namespace scree

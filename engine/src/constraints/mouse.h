@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -27,5 +27,11 @@ void WarmStart(const MouseConstraint& c, const MouseRow& row, std::vector<Veloci
 void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const MouseConstraint& c, const MouseRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<MouseRow> : CommonJointTraits {
+    using Constraint = MouseConstraint;
+    static const JointPhases& GetPhases();
+};
 
 }  // namespace scree

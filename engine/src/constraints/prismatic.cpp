@@ -100,6 +100,24 @@ bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const 
     return Max(Abs(error.x), Abs(limitError)) <= step.slop && Abs(error.y) <= angularSlop;
 }
 
-const JointPhases prismaticPhases = MakePhases<PrismaticRow, PrismaticConstraint>();
+const JointPhases& JointTraits<PrismaticRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<PrismaticRow>();
+    return phases;
+}
+bool JointTraits<PrismaticRow>::Describe(const PrismaticRow& row, TreeShape& shape, bool& bounded) {
+    shape.kind = TreeKind::slide;
+    shape.axisX = double{row.localAxisA.x}, shape.axisY = double{row.localAxisA.y};
+    shape.reference = double{row.referenceAngle};
+    bounded = IsBounded(row.limit, row.motor);
+    return true;
+}
+void JointTraits<PrismaticRow>::Keep(PrismaticRow& row, const TreeShape&, const TreeRows& rows,
+                                     const float (&impulse)[maxTreeRows]) {
+    row.impulse = ToVec(impulse);
+    row.axis = AxisOf(rows);
+}
+float JointTraits<PrismaticRow>::GetError(const BodyTable& bodies, const JointInfo& info, const PrismaticRow& row) {
+    return SlideError(bodies, info, row);
+}
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -30,5 +30,15 @@ void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointS
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<PrismaticRow> : CommonJointTraits {
+    using Constraint = PrismaticConstraint;
+    static const JointPhases& GetPhases();
+    static bool Describe(const PrismaticRow& row, TreeShape& shape, bool& bounded);
+    static void Keep(PrismaticRow& row, const TreeShape& shape, const TreeRows& rows,
+                     const float (&impulse)[maxTreeRows]);
+    static float GetError(const BodyTable& bodies, const JointInfo& info, const PrismaticRow& row);
+};
 
 }  // namespace scree

@@ -85,6 +85,16 @@ bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, const JointS
     return Abs(missing) < step.slop;
 }
 
-const JointPhases pulleyPhases = MakePhases<PulleyRow, PulleyConstraint>();
+const JointPhases& JointTraits<PulleyRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<PulleyRow>();
+    return phases;
+}
+float JointTraits<PulleyRow>::GetError(const BodyTable& bodies, const JointInfo& info, const PulleyRow& row) {
+    const Vec2 frame = FrameOf(bodies, info.bodyA, info.bodyB);
+    const Vec2 a = Mul(TransformIn(frame, bodies, info.bodyA), row.localAnchorA);
+    const Vec2 b = Mul(TransformIn(frame, bodies, info.bodyB), row.localAnchorB);
+    return Abs(row.constant - Distance(a, row.groundAnchorA - frame) -
+               row.ratio * Distance(b, row.groundAnchorB - frame));
+}
 
 }  // namespace scree

@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -25,5 +25,12 @@ void WarmStart(const PulleyConstraint& c, const PulleyRow& row, std::vector<Velo
 void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<PulleyRow> : CommonJointTraits {
+    using Constraint = PulleyConstraint;
+    static const JointPhases& GetPhases();
+    static float GetError(const BodyTable& bodies, const JointInfo& info, const PulleyRow& row);
+};
 
 }  // namespace scree

@@ -82,6 +82,21 @@ bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, const Jo
     return arms.gap.Length() <= step.slop && angularError <= angularSlop;
 }
 
-const JointPhases revolutePhases = MakePhases<RevoluteRow, RevoluteConstraint>();
+const JointPhases& JointTraits<RevoluteRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<RevoluteRow>();
+    return phases;
+}
+bool JointTraits<RevoluteRow>::Describe(const RevoluteRow& row, TreeShape& shape, bool& bounded) {
+    shape.kind = TreeKind::point;
+    bounded = IsBounded(row.limit, row.motor);
+    return true;
+}
+void JointTraits<RevoluteRow>::Keep(RevoluteRow& row, const TreeShape&, const TreeRows&,
+                                    const float (&impulse)[maxTreeRows]) {
+    row.impulse = ToVec(impulse);
+}
+float JointTraits<RevoluteRow>::GetError(const BodyTable& bodies, const JointInfo& info, const RevoluteRow& row) {
+    return GapOf(bodies, info, row).Length();
+}
 
 }  // namespace scree

@@ -5,7 +5,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -28,5 +28,15 @@ void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointSte
                    std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<RevoluteRow> : CommonJointTraits {
+    using Constraint = RevoluteConstraint;
+    static const JointPhases& GetPhases();
+    static bool Describe(const RevoluteRow& row, TreeShape& shape, bool& bounded);
+    static void Keep(RevoluteRow& row, const TreeShape& shape, const TreeRows& rows,
+                     const float (&impulse)[maxTreeRows]);
+    static float GetError(const BodyTable& bodies, const JointInfo& info, const RevoluteRow& row);
+};
 
 }  // namespace scree

@@ -92,6 +92,23 @@ bool SolvePosition(const WeldConstraint& c, const WeldRow& row, const JointStep&
     return arms.gap.Length() <= step.slop && angularError <= angularSlop;
 }
 
-const JointPhases weldPhases = MakePhases<WeldRow, WeldConstraint>();
+const JointPhases& JointTraits<WeldRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<WeldRow>();
+    return phases;
+}
+bool JointTraits<WeldRow>::Describe(const WeldRow& row, TreeShape& shape, bool& bounded) {
+    bounded = row.stiffness > 0.0f;  // turning is a spring then
+    shape.kind = bounded ? TreeKind::point : TreeKind::pointAndAngle;
+    shape.reference = double{row.referenceAngle};
+    return true;
+}
+void JointTraits<WeldRow>::Keep(WeldRow& row, const TreeShape& shape, const TreeRows&,
+                                const float (&impulse)[maxTreeRows]) {
+    row.impulse = ToVec(impulse);
+    if (shape.kind == TreeKind::pointAndAngle) row.turnImpulse = impulse[2];
+}
+float JointTraits<WeldRow>::GetError(const BodyTable& bodies, const JointInfo& info, const WeldRow& row) {
+    return GapOf(bodies, info, row).Length();
+}
 
 }  // namespace scree

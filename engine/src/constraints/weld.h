@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -29,5 +29,14 @@ void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep& step, s
 void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const WeldConstraint& c, const WeldRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<WeldRow> : CommonJointTraits {
+    using Constraint = WeldConstraint;
+    static const JointPhases& GetPhases();
+    static bool Describe(const WeldRow& row, TreeShape& shape, bool& bounded);
+    static void Keep(WeldRow& row, const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows]);
+    static float GetError(const BodyTable& bodies, const JointInfo& info, const WeldRow& row);
+};
 
 }  // namespace scree

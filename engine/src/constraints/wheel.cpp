@@ -91,6 +91,23 @@ bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointSte
     return Max(Abs(error), Abs(limitError)) <= step.slop;
 }
 
-const JointPhases wheelPhases = MakePhases<WheelRow, WheelConstraint>();
+const JointPhases& JointTraits<WheelRow>::GetPhases() {
+    static constexpr JointPhases phases = MakePhases<WheelRow>();
+    return phases;
+}
+bool JointTraits<WheelRow>::Describe(const WheelRow& row, TreeShape& shape, bool& bounded) {
+    shape.kind = TreeKind::line;
+    shape.axisX = double{row.localAxisA.x}, shape.axisY = double{row.localAxisA.y};
+    bounded = IsBounded(row.limit, row.motor) || row.stiffness > 0.0f;
+    return true;
+}
+void JointTraits<WheelRow>::Keep(WheelRow& row, const TreeShape&, const TreeRows& rows,
+                                 const float (&impulse)[maxTreeRows]) {
+    row.impulse = impulse[0];
+    row.axis = AxisOf(rows);
+}
+float JointTraits<WheelRow>::GetError(const BodyTable& bodies, const JointInfo& info, const WheelRow& row) {
+    return SlideError(bodies, info, row);
+}
 
 }  // namespace scree

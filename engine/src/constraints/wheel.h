@@ -6,7 +6,7 @@
 
 #pragma once
 
-#include "constraints/joint_math.h"
+#include "constraints/joint_traits.h"
 
 namespace scree {
 
@@ -28,5 +28,14 @@ void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step,
 void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointStep& step, BodyTable& bodies);
+
+template <>
+struct JointTraits<WheelRow> : CommonJointTraits {
+    using Constraint = WheelConstraint;
+    static const JointPhases& GetPhases();
+    static bool Describe(const WheelRow& row, TreeShape& shape, bool& bounded);
+    static void Keep(WheelRow& row, const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows]);
+    static float GetError(const BodyTable& bodies, const JointInfo& info, const WheelRow& row);
+};
 
 }  // namespace scree

@@ -35,4 +35,16 @@ inline void CountDistance(TOIStats& work, int iterations) {
     RaiseShared(work.maxDistanceIterations, iterations);
 }
 
+/// Counts searches for times of impact; the same.
+inline void CountSearches(TOIStats& work, const TOIStats& more) {
+    AddShared(work.calls, more.calls);
+    AddShared(work.iterations, more.iterations);
+    RaiseShared(work.maxIterations, more.maxIterations);
+    AddShared(work.rootIterations, more.rootIterations);
+    RaiseShared(work.maxRootIterations, more.maxRootIterations);
+    AddShared(work.distanceCalls, more.distanceCalls);
+    AddShared(work.distanceIterations, more.distanceIterations);
+    RaiseShared(work.maxDistanceIterations, more.maxDistanceIterations);
+}
+
 }  // namespace scree

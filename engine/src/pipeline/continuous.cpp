@@ -6,6 +6,7 @@
 #include "pipeline/continuous.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/make_contact.h"
@@ -112,6 +113,9 @@ private:
     bool HandleEvent(int index, float alpha) {
         ++m_s.pairs[Row(index)].rounds;
         const ToiPair pair = m_s.pairs[Row(index)];
+        for (const int body : {pair.bodyA, pair.bodyB}) {
+            if (m_toi.IsDynamic(body)) m_toi.Complete(body);
+        }
         const BodyBackup backupA = Advance(pair.bodyA, alpha);
         const BodyBackup backupB = Advance(pair.bodyB, alpha);
         const int contact = TouchingContact(pair);
@@ -240,7 +244,8 @@ private:
 
     /// Adds what else touches the body at the time of the event: a corner stops it from two sides.
     void JoinTouching(const ToiPair& met, int body, int event, float alpha) {
-        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = m_toi.Next(p, body)) {
+        FindPairsInOrder(body);
+        for (const int p : m_s.pairsInOrder) {
             const ToiPair pair = m_s.pairs[Row(p)];
             if (p == event || pair.over) continue;
             const int other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
@@ -258,6 +263,18 @@ private:
             AddMember(other);
             m_bodies.Wake(other);
         }
+    }
+
+    /// The pairs of a body in an order that does not tell when they were made.
+    void FindPairsInOrder(int body) {
+        m_s.pairsInOrder.clear();
+        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = m_toi.Next(p, body)) m_s.pairsInOrder.push_back(p);
+        const auto key = [&](int p) {
+            const ToiPair& pair = m_s.pairs[Row(p)];
+            const bool isA = pair.bodyA == body;
+            return std::pair(isA ? pair.fixtureA : pair.fixtureB, -(isA ? pair.fixtureB : pair.fixtureA));
+        };
+        std::ranges::sort(m_s.pairsInOrder, {}, key);
     }
 
     void AddMember(int body) {

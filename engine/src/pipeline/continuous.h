@@ -70,11 +70,12 @@ struct ContinuousScratch : ToiScratch {
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
     std::vector<int> islandContacts, islandBodies, islandJoints;
-    std::vector<int> islandPlace;  ///< per body: its place in islandBodies; −1 if it is not there
+    std::vector<int> pairsInOrder;  ///< of one body
+    std::vector<int> islandPlace;   ///< per body: its place in islandBodies; −1 if it is not there
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return ToiScratch::GetMemoryBytes() + BytesOf(ballistic, rows.velocity, rows.position, ahead, islandContacts,
-                                                      islandBodies, islandJoints, islandPlace);
+                                                      islandBodies, islandJoints, pairsInOrder, islandPlace);
     }
 };
 

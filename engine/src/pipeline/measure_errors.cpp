@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Overlaps and the complementarity of push and gap at the present poses, with the points that the step's manifolds
-// found; errors of joints by type.
+// found; errors of joints as their traits tell.
 
 #include "pipeline/measure_errors.h"
 
+#include <type_traits>
+
+#include "constraints/joint_constraints.h"
 #include "geometry/outline.h"
 #include "state/frames.h"
 
@@ -50,51 +53,6 @@ float MeasureContact(const MeasuredTables& t, int contact, float slop, float dt,
     return overlap;
 }
 
-/// The two anchors of a joint in world coordinates.
-template <typename JointRow>
-Vec2 GapOf(const MeasuredTables& t, const JointInfo& info, const JointRow& row) {
-    return GapBetween(t.bodies, info.bodyA, row.localAnchorA, info.bodyB, row.localAnchorB);
-}
-
-float Beyond(const LimitState& limit, float x) {
-    return limit.enabled ? Abs(x - Clamp(x, limit.lower, limit.upper)) : 0.0f;
-}
-
-/// Off an axis that is fixed in A, or beyond the limits on it.
-template <typename JointRow>
-float SlideError(const MeasuredTables& t, const JointInfo& info, const JointRow& row) {
-    const Vec2 gap = GapOf(t, info, row);
-    const Vec2 axis = Mul(t.bodies.transform[Row(info.bodyA)].q, row.localAxisA);
-    return Max(Abs(Cross(axis, gap)), Beyond(row.limit, Dot(axis, gap)));
-}
-
-float ErrorOf(const MeasuredTables& t, const JointInfo& info, const RevoluteRow& row) {
-    return GapOf(t, info, row).Length();
-}
-float ErrorOf(const MeasuredTables& t, const JointInfo& info, const WeldRow& row) {
-    return GapOf(t, info, row).Length();
-}
-float ErrorOf(const MeasuredTables& t, const JointInfo& info, const PrismaticRow& row) {
-    return SlideError(t, info, row);
-}
-float ErrorOf(const MeasuredTables& t, const JointInfo& info, const WheelRow& row) { return SlideError(t, info, row); }
-float ErrorOf(const MeasuredTables& t, const JointInfo& info, const DistanceRow& row) {
-    const float length = GapOf(t, info, row).Length();
-    return Abs(length - Clamp(length, row.limit.lower, row.limit.upper));
-}
-float ErrorOf(const MeasuredTables& t, const JointInfo& info, const PulleyRow& row) {
-    const Vec2 frame = FrameOf(t.bodies, info.bodyA, info.bodyB);
-    const Vec2 a = Mul(TransformIn(frame, t.bodies, info.bodyA), row.localAnchorA);
-    const Vec2 b = Mul(TransformIn(frame, t.bodies, info.bodyB), row.localAnchorB);
-    return Abs(row.constant - Distance(a, row.groundAnchorA - frame) -
-               row.ratio * Distance(b, row.groundAnchorB - frame));
-}
-/// The others hold no two points together.
-template <typename JointRow>
-float ErrorOf(const MeasuredTables&, const JointInfo&, const JointRow&) {
-    return 0.0f;
-}
-
 /// Calls note(body, body, overlap or gap, member of BodyDemand) for each contact and joint.
 template <typename Note>
 StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
@@ -112,7 +70,8 @@ StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
         const JointInfo& info = t.joints.info[Row(joint)];
         if (!IsAnyActive(t.bodies, info.bodyA, info.bodyB)) continue;
         JointTable::WithStore(t.joints, info.type, [&](const auto& store) {
-            const float gap = ErrorOf(t, info, store.rows[Row(info.row)]);
+            const auto& row = store.rows[Row(info.row)];
+            const float gap = JointTraits<std::remove_cvref_t<decltype(row)>>::GetError(t.bodies, info, row);
             errors.jointGap = Max(errors.jointGap, gap);
             note(info.bodyA, info.bodyB, gap, &BodyDemand::jointGap);
         });

@@ -109,9 +109,13 @@ struct ContactTable {
     /// free, contacts move to the lowest rows in the same order: stages walk over rows. O(rows).
     void Compact();
     template <typename Self, typename Visit>
-    static void Fields(Self& t, Visit&& visit) {
-        visit(t.flags), visit(t.pair), visit(t.manifold), visit(t.material), visit(t.steady), visit(t.keepsSteady),
-            visit(t.m_free);
+    static void Fields(Self& t, Visit& visit) {
+        auto& [flags, pair, manifold, material, steady, keepsSteady, steadyReach, successor, firstMatched, matched,
+               freshPairs, freshRefusals, refused, hash, shift, free, isCompact, handles, generation, count,
+               isAdjacencyValid, first, entries] = t;
+        visit.Rows(t, flags, pair, manifold, material, steady), visit(keepsSteady, free);
+        visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, hash, shift,
+                      isCompact, handles, generation, count, isAdjacencyValid, first, entries);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();

@@ -83,6 +83,15 @@ void FixtureTable::Remove(int fixture) {
     slots.Free(fixture);
 }
 
+void FixtureTable::UndoAdd(int fixture) {
+    const auto i = static_cast<size_t>(fixture);
+    WithPool(type[i], [&](auto& pool) { pool.Release(m_shapeRow[i]); });
+    shape[i] = nullptr;
+    slots.Undo(fixture);
+    const auto shrink = [&](auto&... columns) { (columns.resize(static_cast<size_t>(slots.Size())), ...); };
+    shrink(body, shape, type, isSensor, filter, material, next, info, m_shapeRow);
+}
+
 size_t FixtureTable::GetBytesPerRow() {
     return 3 * sizeof(int) + sizeof(Shape*) + sizeof(Shape::Type) + sizeof(uint8_t) + sizeof(Filter) +
            sizeof(Material) + sizeof(FixtureInfo) + sizeof(Fixture) + sizeof(PolygonShape);

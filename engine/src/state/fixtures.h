@@ -75,6 +75,8 @@ struct FixtureTable {
     /// Adds a row; the shape is no chain.
     int Add(WorldState* state, int bodyIndex, const FixtureDef& def);
     void Remove(int fixture);
+    /// Takes back the newest Add that was not taken back yet: the rows are as they were before it.
+    void UndoAdd(int fixture);
     /// Gives a row that has none a shape like `value`, no chain.
     void SetShape(int fixture, const Shape& value);
     /// The row's shape, not shared with other rows from now on: it may be changed.
@@ -82,6 +84,14 @@ struct FixtureTable {
     [[nodiscard]] size_t GetMemoryBytes() const;
     /// Bytes of one row with its shape, a polygon assumed.
     [[nodiscard]] static size_t GetBytesPerRow();
+    /// All but the shapes.
+    template <typename Self, typename Visit>
+    static void Fields(Self& t, Visit& visit) {
+        auto& [slots, body, shape, type, isSensor, filter, material, next, info, handles, nextChainId, shapeRow,
+               circles, edges, polygons, convexes] = t;
+        visit(slots), visit.Rows(slots, body, type, isSensor, filter, material, next, info), visit(nextChainId);
+        visit.LeftOut(shape, handles, shapeRow, circles, edges, polygons, convexes);
+    }
 
 private:
     /// Calls use(pool) with the pool of a type of shapes.

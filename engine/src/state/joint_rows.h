@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // One plain row per joint type: what the definition gave, the impulses that warm-start the next step, and the axes
-// that reactions are reported along. `Fields` lists a row once for whatever walks over the state (hash, snapshot).
+// that reactions are reported along. `Fields` lists the row and `DefinitionFields` what its definition adds to
+// JointDef, each once for whatever walks over them (base/field_list.h).
 
 #pragma once
 
+#include "base/field_list.h"
 #include "scree/distance_joint.h"
 #include "scree/friction_joint.h"
 #include "scree/gear_joint.h"
@@ -26,8 +28,9 @@ struct LimitState {
     float lowerImpulse = 0.0f, upperImpulse = 0.0f;
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.enabled), visit(r.lower), visit(r.upper), visit(r.lowerImpulse), visit(r.upperImpulse);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [enabled, lower, upper, lowerImpulse, upperImpulse] = row;
+        visit(enabled, lower, upper, lowerImpulse, upperImpulse);
     }
 };
 
@@ -38,8 +41,9 @@ struct MotorState {
     float impulse = 0.0f;
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.enabled), visit(r.speed), visit(r.maximum), visit(r.impulse);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [enabled, speed, maximum, impulse] = row;
+        visit(enabled, speed, maximum, impulse);
     }
 };
 
@@ -55,9 +59,14 @@ struct RevoluteRow {
     Vec2 impulse{0.0f, 0.0f};  ///< of the shared point, N·s
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.localAnchorA), visit(r.localAnchorB), visit(r.referenceAngle), visit(r.impulse);
-        LimitState::Fields(r.limit, visit), MotorState::Fields(r.motor, visit);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [localAnchorA, localAnchorB, referenceAngle, limit, motor, impulse] = row;
+        visit(localAnchorA, localAnchorB, referenceAngle, impulse, limit, motor);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.referenceAngle, def.enableLimit,
+                           def.lowerAngle, def.upperAngle, def.enableMotor, def.motorSpeed, def.maxMotorTorque);
     }
 };
 
@@ -74,10 +83,15 @@ struct PrismaticRow {
     Vec2 axis{0.0f, 0.0f};     ///< in world coordinates in the last step
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.localAnchorA), visit(r.localAnchorB), visit(r.localAxisA), visit(r.referenceAngle);
-        visit(r.impulse), visit(r.axis);
-        LimitState::Fields(r.limit, visit), MotorState::Fields(r.motor, visit);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [localAnchorA, localAnchorB, localAxisA, referenceAngle, limit, motor, impulse, axis] = row;
+        visit(localAnchorA, localAnchorB, localAxisA, referenceAngle, impulse, axis, limit, motor);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.localAxisA, def.referenceAngle,
+                           def.enableLimit, def.lowerTranslation, def.upperTranslation, def.enableMotor,
+                           def.maxMotorForce, def.motorSpeed);
     }
 };
 
@@ -95,10 +109,16 @@ struct WheelRow {
     Vec2 axis{0.0f, 0.0f};       ///< in world coordinates in the last step
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.localAnchorA), visit(r.localAnchorB), visit(r.localAxisA), visit(r.stiffness), visit(r.damping);
-        visit(r.impulse), visit(r.springImpulse), visit(r.axis);
-        LimitState::Fields(r.limit, visit), MotorState::Fields(r.motor, visit);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [localAnchorA, localAnchorB, localAxisA, stiffness, damping, limit, motor, impulse, springImpulse, axis] =
+            row;
+        visit(localAnchorA, localAnchorB, localAxisA, stiffness, damping, impulse, springImpulse, axis, limit, motor);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.localAxisA, def.enableLimit,
+                           def.lowerTranslation, def.upperTranslation, def.enableMotor, def.maxMotorTorque,
+                           def.motorSpeed, def.stiffness, def.damping);
     }
 };
 
@@ -115,10 +135,14 @@ struct DistanceRow {
     Vec2 axis{0.0f, 0.0f};  ///< from A to B in the last step
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.localAnchorA), visit(r.localAnchorB), visit(r.length), visit(r.stiffness), visit(r.damping);
-        visit(r.shortest), visit(r.impulse), visit(r.axis);
-        LimitState::Fields(r.limit, visit);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [localAnchorA, localAnchorB, length, stiffness, damping, shortest, limit, impulse, axis] = row;
+        visit(localAnchorA, localAnchorB, length, stiffness, damping, shortest, impulse, axis, limit);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.length, def.minLength, def.maxLength,
+                           def.stiffness, def.damping);
     }
 };
 
@@ -134,9 +158,16 @@ struct PulleyRow {
     Vec2 axis{0.0f, 0.0f};  ///< from B's ground anchor to B in the last step
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.groundAnchorA), visit(r.groundAnchorB), visit(r.localAnchorA), visit(r.localAnchorB);
-        visit(r.lengthA), visit(r.lengthB), visit(r.ratio), visit(r.constant), visit(r.impulse), visit(r.axis);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [groundAnchorA, groundAnchorB, localAnchorA, localAnchorB, lengthA, lengthB, ratio, constant, impulse,
+               axis] = row;
+        visit(groundAnchorA, groundAnchorB, localAnchorA, localAnchorB, lengthA, lengthB, ratio, constant, impulse,
+              axis);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.groundAnchorA, def.groundAnchorB, def.localAnchorA, def.localAnchorB,
+                           def.lengthA, def.lengthB, def.ratio);
     }
 };
 
@@ -150,9 +181,13 @@ struct MouseRow {
     Vec2 impulse{0.0f, 0.0f};  ///< N·s
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.target), visit(r.localAnchorB), visit(r.maxForce), visit(r.stiffness), visit(r.damping),
-            visit(r.impulse);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [target, localAnchorB, maxForce, stiffness, damping, impulse] = row;
+        visit(target, localAnchorB, maxForce, stiffness, damping, impulse);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.target, def.maxForce, def.stiffness, def.damping);
     }
 };
 
@@ -167,9 +202,9 @@ struct GearSide {
     float arm = 0.0f;       ///< of the turn
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.joint), visit(r.body), visit(r.against), visit(r.slides), visit(r.localAnchor), visit(r.againstAnchor);
-        visit(r.againstAxis), visit(r.referenceAngle), visit(r.axis), visit(r.arm);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [joint, body, against, slides, localAnchor, againstAnchor, againstAxis, referenceAngle, axis, arm] = row;
+        visit(joint, body, against, slides, localAnchor, againstAnchor, againstAxis, referenceAngle, axis, arm);
     }
 };
 
@@ -183,9 +218,15 @@ struct GearRow {
     float impulse = 0.0f;
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        GearSide::Fields(r.side[0], visit), GearSide::Fields(r.side[1], visit);
-        visit(r.ratio), visit(r.constant), visit(r.impulse);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [side, ratio, constant, impulse] = row;
+        visit(side, ratio, constant, impulse);
+    }
+    /// The two joints are written as indices.
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        NamesAllOf<JointDef>(def, def.joint1, def.joint2, def.ratio);
+        visit(def.ratio), visit.LeftOut(def.joint1, def.joint2);
     }
 };
 
@@ -200,9 +241,14 @@ struct WeldRow {
     float turnImpulse = 0.0f;  ///< N·m·s
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.localAnchorA), visit(r.localAnchorB), visit(r.referenceAngle), visit(r.stiffness), visit(r.damping);
-        visit(r.impulse), visit(r.turnImpulse);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [localAnchorA, localAnchorB, referenceAngle, stiffness, damping, impulse, turnImpulse] = row;
+        visit(localAnchorA, localAnchorB, referenceAngle, stiffness, damping, impulse, turnImpulse);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.referenceAngle, def.stiffness,
+                           def.damping);
     }
 };
 
@@ -217,9 +263,13 @@ struct FrictionRow {
     float turnImpulse = 0.0f;  ///< N·m·s
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.localAnchorA), visit(r.localAnchorB), visit(r.maxForce), visit(r.maxTorque);
-        visit(r.impulse), visit(r.turnImpulse);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [localAnchorA, localAnchorB, maxForce, maxTorque, impulse, turnImpulse] = row;
+        visit(localAnchorA, localAnchorB, maxForce, maxTorque, impulse, turnImpulse);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.maxForce, def.maxTorque);
     }
 };
 
@@ -234,11 +284,22 @@ struct MotorRow {
     float turnImpulse = 0.0f;  ///< N·m·s
 
     template <typename Self, typename Visit>
-    static void Fields(Self& r, Visit&& visit) {
-        visit(r.linearOffset), visit(r.angularOffset), visit(r.maxForce), visit(r.maxTorque), visit(r.correctionFactor);
-        visit(r.impulse), visit(r.turnImpulse);
+    static void Fields(Self& row, Visit& visit) {
+        auto& [linearOffset, angularOffset, maxForce, maxTorque, correctionFactor, impulse, turnImpulse] = row;
+        visit(linearOffset, angularOffset, maxForce, maxTorque, correctionFactor, impulse, turnImpulse);
+    }
+    template <typename Self, typename Visit>
+    static void DefinitionFields(Self& def, Visit& visit) {
+        VisitOwn<JointDef>(def, visit, def.linearOffset, def.angularOffset, def.maxForce, def.maxTorque,
+                           def.correctionFactor);
     }
 };
+
+/// All types, listed once. A new one is its row above, a name here, its file in constraints/ with its traits, and its
+/// definition and handle in world/joints/.
+template <template <typename...> typename Use>
+using OfJointTypes =
+    Use<RevoluteRow, PrismaticRow, DistanceRow, PulleyRow, MouseRow, GearRow, WheelRow, WeldRow, FrictionRow, MotorRow>;
 
 /// Moves what a row keeps in world coordinates; most rows keep nothing.
 template <typename Row>

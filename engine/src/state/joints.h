@@ -43,6 +43,12 @@ struct JointStore {
     Slots slots;
     std::vector<Row> rows;
     std::deque<typename Row::Handle> handles;
+
+    template <typename Self, typename Visit>
+    static void Fields(Self& store, Visit& visit) {
+        auto& [slots, rows, handles] = store;
+        visit(slots), visit.Rows(slots, rows), visit.LeftOut(handles);
+    }
 };
 
 /// The joints of one body, newest first.
@@ -75,15 +81,15 @@ private:
     int m_head;
 };
 
+template <typename... Row>
+using JointStores = std::tuple<JointStore<Row>...>;
+
 struct JointTable {
     Slots slots;
     std::vector<JointInfo> info;
     std::vector<Joint*> handles;
-    /// One table per type; a new joint is one row type here, one file in constraints/, one row in its dispatch.
-    std::tuple<JointStore<RevoluteRow>, JointStore<PrismaticRow>, JointStore<DistanceRow>, JointStore<PulleyRow>,
-               JointStore<MouseRow>, JointStore<GearRow>, JointStore<WheelRow>, JointStore<WeldRow>,
-               JointStore<FrictionRow>, JointStore<MotorRow>>
-        stores;
+    /// One table per type.
+    OfJointTypes<JointStores> stores;
     int listHead = -1;
 
     template <typename Row>
@@ -136,9 +142,11 @@ struct JointTable {
     [[nodiscard]] bool MayCollide(int bodyA, int bodyB) const;
     /// The lists of the bodies and everything a joint has; the rows of each type are in the stores.
     template <typename Self, typename Visit>
-    static void Fields(Self& t, Visit&& visit) {
-        visit(t.slots), visit(t.info), visit(t.listHead), visit(t.m_first), visit(t.m_count);
-        std::apply([&](auto&... store) { ((visit(store.slots), visit(store.rows)), ...); }, t.stores);
+    static void Fields(Self& t, Visit& visit) {
+        auto& [slots, info, handles, stores, listHead, first, count] = t;
+        visit(slots), visit.Rows(slots, info), visit(listHead, first, count);
+        std::apply([&](auto&... store) { visit(store...); }, stores);
+        visit.LeftOut(handles);
     }
     /// After the fields were read: makes the handles. False if the fields contradict each other; that bodies exist is
     /// not checked, bodyCount only bounds them.

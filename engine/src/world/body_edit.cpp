@@ -28,7 +28,7 @@ int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
             s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
         if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
     } catch (...) {
-        s.fixtures.Remove(fixture);  // memory has run out
+        s.fixtures.UndoAdd(fixture);  // memory has run out
         throw;
     }
     s.fixtures.next[Row(fixture)] = std::exchange(s.bodies.fixtureHead[Row(body)], fixture);
@@ -55,6 +55,18 @@ void DetachFixtures(WorldState& s, int body, Predicate goes) {
     }
 }
 
+/// Takes back the edges of a chain that is not whole, the newest first.
+void UndoChain(WorldState& s, int body, int chainId) {
+    int& head = s.bodies.fixtureHead[Row(body)];
+    while (head >= 0 && s.fixtures.info[Row(head)].chainId == chainId) {
+        const int fixture = std::exchange(head, s.fixtures.next[Row(head)]);
+        --s.bodies.info[Row(body)].fixtureCount;
+        RemoveProxy(s, fixture);
+        AddFixtureFeatures(s, fixture, -1);
+        s.fixtures.UndoAdd(fixture);
+    }
+}
+
 /// One edge per segment; returns the first.
 int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape& chain) {
     const int id = s.fixtures.nextChainId;
@@ -62,6 +74,7 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
     EdgeShape edge;
     edgeDef.shape = &edge;
     int first = -1;
+    const bool wereStale = s.pairsStale;
     try {
         for (int i = 0; i < chain.GetChildCount(); ++i) {
             chain.GetChildEdge(&edge, i);
@@ -71,7 +84,8 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
             if (i == 0) first = fixture;
         }
     } catch (...) {
-        DetachFixtures(s, body, [&](int f) { return s.fixtures.info[Row(f)].chainId == id; });
+        UndoChain(s, body, id);
+        s.pairsStale = wereStale;
         throw;
     }
     ++s.fixtures.nextChainId;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Values → bytes and bytes → values. Both ends walk over the same lists of fields (state_fields.h), so that what one
-// writes the other reads. Numbers are stored as the machine has them; the reader checks every length before it believes
-// it and stays at its first failure.
+// Values → bytes and bytes → values. Both ends walk over the same lists of fields (base/field_list.h), so that what
+// one writes the other reads. Numbers are stored as the machine has them; the reader checks every length before it
+// believes it and stays at its first failure.
 
 #pragma once
 
@@ -22,24 +22,43 @@ inline constexpr bool isNumber = std::is_arithmetic_v<T> || std::is_enum_v<T>;
 
 class ImageWriter {
 public:
+    template <typename... T>
+    void operator()(const T&... values) {
+        (Write(values), ...);
+    }
+    template <typename Table, typename... Columns>
+    void Rows(const Table&, const Columns&... columns) {
+        (Write(columns), ...);
+    }
+    template <typename... T>
+    void Stored(const T&... values) {
+        (Write(values), ...);
+    }
+    template <typename... T>
+    void Hashed(const T&...) {}
+    template <typename... T>
+    void LeftOut(const T&...) {}
+    void Append(std::span<const std::byte> bytes) { m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end()); }
+    [[nodiscard]] std::vector<std::byte>& Bytes() { return m_bytes; }
+
+private:
     template <typename T>
-    void operator()(const T& value) {
+    void Write(const T& value) {
         if constexpr (isNumber<T>) {
             const auto* bytes = reinterpret_cast<const std::byte*>(&value);
             m_bytes.insert(m_bytes.end(), bytes, bytes + sizeof(T));
+        } else if constexpr (std::is_array_v<T>) {
+            for (const auto& element : value) Write(element);
         } else {
             Fields(value, *this);
         }
     }
     template <typename T>
-    void operator()(const std::vector<T>& values) {
-        (*this)(static_cast<uint32_t>(values.size()));
-        for (const T& value : values) (*this)(value);
+    void Write(const std::vector<T>& values) {
+        Write(static_cast<uint32_t>(values.size()));
+        for (const T& value : values) Write(value);
     }
-    void Append(std::span<const std::byte> bytes) { m_bytes.insert(m_bytes.end(), bytes.begin(), bytes.end()); }
-    [[nodiscard]] std::vector<std::byte>& Bytes() { return m_bytes; }
 
-private:
     std::vector<std::byte> m_bytes;
 };
 
@@ -47,33 +66,22 @@ class ImageReader {
 public:
     explicit ImageReader(std::span<const std::byte> bytes) : m_bytes(bytes) {}
 
-    template <typename T>
-    void operator()(T& value) {
-        if constexpr (std::is_same_v<T, bool>) {
-            uint8_t byte = 0;
-            (*this)(byte);
-            if (byte > 1) Fail();
-            value = byte == 1;
-        } else if constexpr (isNumber<T>) {
-            const std::span<const std::byte> bytes = Take(sizeof(T));
-            if (Failed()) return;
-            std::memcpy(&value, bytes.data(), sizeof(T));
-            if constexpr (std::is_floating_point_v<T>) {
-                if (std::isnan(value)) Fail();  // no state of a world is; comparisons could not order it
-            }
-        } else {
-            Fields(value, *this);
-        }
+    template <typename... T>
+    void operator()(T&... values) {
+        (Read(values), ...);
     }
-    template <typename T>
-    void operator()(std::vector<T>& values) {
-        uint32_t count = 0;
-        (*this)(count);
-        if (count > m_bytes.size()) Fail();  // every element has at least one byte
-        if (Failed()) return;
-        values.resize(count);
-        for (T& value : values) (*this)(value);
+    template <typename Table, typename... Columns>
+    void Rows(const Table&, Columns&... columns) {
+        (Read(columns), ...);
     }
+    template <typename... T>
+    void Stored(T&... values) {
+        (Read(values), ...);
+    }
+    template <typename... T>
+    void Hashed(const T&...) {}
+    template <typename... T>
+    void LeftOut(const T&...) {}
     /// The next bytes as they are; empty and failed if there are fewer.
     std::span<const std::byte> Take(size_t count) {
         if (count > m_bytes.size()) Fail();
@@ -88,6 +96,36 @@ public:
     [[nodiscard]] bool AtEnd() const { return m_bytes.empty(); }
 
 private:
+    template <typename T>
+    void Read(T& value) {
+        if constexpr (std::is_same_v<T, bool>) {
+            uint8_t byte = 0;
+            Read(byte);
+            if (byte > 1) Fail();
+            value = byte == 1;
+        } else if constexpr (isNumber<T>) {
+            const std::span<const std::byte> bytes = Take(sizeof(T));
+            if (Failed()) return;
+            std::memcpy(&value, bytes.data(), sizeof(T));
+            if constexpr (std::is_floating_point_v<T>) {
+                if (std::isnan(value)) Fail();  // no state of a world is; comparisons could not order it
+            }
+        } else if constexpr (std::is_array_v<T>) {
+            for (auto& element : value) Read(element);
+        } else {
+            Fields(value, *this);
+        }
+    }
+    template <typename T>
+    void Read(std::vector<T>& values) {
+        uint32_t count = 0;
+        Read(count);
+        if (count > m_bytes.size()) Fail();  // every element has at least one byte
+        if (Failed()) return;
+        values.resize(count);
+        for (T& value : values) Read(value);
+    }
+
     std::span<const std::byte> m_bytes;
     bool m_failed = false;
 };

@@ -44,14 +44,11 @@ void Recording::Write(ImageWriter& out, const FixtureDef& def) {
 }
 
 void Recording::Write(ImageWriter& out, const JointDef& def) {
-    out(def.type);
-    out(def.userData.pointer);
-    out(def.collideConnected);
-    out(IndexOf(def.bodyA));
-    out(IndexOf(def.bodyB));
+    const auto& [type, userData, bodyA, bodyB, collideConnected] = def;
+    out(type, userData, collideConnected, IndexOf(bodyA), IndexOf(bodyB));
     const auto write = [&]<typename Store>(std::type_identity<Store>) {
         if (Store::RowType::type != def.type) return;
-        out(static_cast<const typename Store::RowType::Definition&>(def));
+        Store::RowType::DefinitionFields(static_cast<const typename Store::RowType::Definition&>(def), out);
     };
     [&]<typename... Stores>(std::type_identity<std::tuple<Stores...>>) {
         (write(std::type_identity<Stores>{}), ...);

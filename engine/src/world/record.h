@@ -11,6 +11,7 @@
 #include <type_traits>
 
 #include "scree/recording.h"
+#include "world/image.h"
 #include "world/state_fields.h"
 
 namespace scree {
@@ -35,69 +36,21 @@ inline uint32_t EntryChecksum(uint32_t call, std::span<const std::byte> argument
 
 template <Is<BodyDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
-    visit(def.type), visit(def.position), visit(def.angle), visit(def.linearVelocity), visit(def.angularVelocity);
-    visit(def.linearDamping), visit(def.angularDamping), visit(def.allowSleep), visit(def.awake);
-    visit(def.fixedRotation), visit(def.bullet), visit(def.enabled), visit(def.userData.pointer);
-    visit(def.gravityScale), visit(def.positionRest);
+    auto& [type, position, positionRest, angle, linearVelocity, angularVelocity, linearDamping, angularDamping,
+           allowSleep, awake, fixedRotation, bullet, enabled, userData, gravityScale] = def;
+    visit(type, position, angle, linearVelocity, angularVelocity, linearDamping, angularDamping, allowSleep, awake);
+    visit(fixedRotation, bullet, enabled, userData, gravityScale, positionRest);
 }
-/// All but the shape.
+/// The shape is written behind it.
 template <Is<FixtureDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
-    visit(def.userData.pointer), visit(def.friction), visit(def.restitution), visit(def.restitutionThreshold);
-    visit(def.density), visit(def.isSensor), visit(def.filter);
-}
-/// All but type and bodies.
-template <Is<RevoluteJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.referenceAngle), visit(d.enableLimit), visit(d.lowerAngle);
-    visit(d.upperAngle), visit(d.enableMotor), visit(d.motorSpeed), visit(d.maxMotorTorque);
-}
-template <Is<PrismaticJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.localAxisA), visit(d.referenceAngle), visit(d.enableLimit);
-    visit(d.lowerTranslation), visit(d.upperTranslation), visit(d.enableMotor), visit(d.maxMotorForce);
-    visit(d.motorSpeed);
-}
-template <Is<DistanceJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.length), visit(d.minLength), visit(d.maxLength);
-    visit(d.stiffness), visit(d.damping);
-}
-template <Is<PulleyJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.groundAnchorA), visit(d.groundAnchorB), visit(d.localAnchorA), visit(d.localAnchorB), visit(d.lengthA);
-    visit(d.lengthB), visit(d.ratio);
-}
-template <Is<MouseJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.target), visit(d.maxForce), visit(d.stiffness), visit(d.damping);
-}
-template <Is<WheelJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.localAxisA), visit(d.enableLimit), visit(d.lowerTranslation);
-    visit(d.upperTranslation), visit(d.enableMotor), visit(d.maxMotorTorque), visit(d.motorSpeed);
-    visit(d.stiffness), visit(d.damping);
-}
-template <Is<WeldJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.referenceAngle), visit(d.stiffness), visit(d.damping);
-}
-template <Is<FrictionJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.localAnchorA), visit(d.localAnchorB), visit(d.maxForce), visit(d.maxTorque);
-}
-template <Is<MotorJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.linearOffset), visit(d.angularOffset), visit(d.maxForce), visit(d.maxTorque), visit(d.correctionFactor);
+    auto& [shape, userData, friction, restitution, restitutionThreshold, density, isSensor, filter] = def;
+    visit(userData, friction, restitution, restitutionThreshold, density, isSensor, filter), visit.LeftOut(shape);
 }
 template <Is<Tolerance> Self, typename Visit>
-void Fields(Self& t, Visit& visit) {
-    visit(t.overlap), visit(t.jointGap), visit(t.leastSubsteps), visit(t.mostSubsteps);
-}
-/// Its joints are written as indices.
-template <Is<GearJointDef> Self, typename Visit>
-void Fields(Self& d, Visit& visit) {
-    visit(d.ratio);
+void Fields(Self& tolerance, Visit& visit) {
+    auto& [overlap, jointGap, leastSubsteps, mostSubsteps] = tolerance;
+    visit(overlap, jointGap, leastSubsteps, mostSubsteps);
 }
 
 class Recording {

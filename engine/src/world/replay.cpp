@@ -113,20 +113,19 @@ bool CallCreateJoint(World& world, ImageReader& in) {
     JointType type = e_unknownJoint;
     JointUserData userData;
     bool collideConnected = false;
-    in(type);
-    in(userData.pointer);
-    in(collideConnected);
+    in(type, userData, collideConnected);
     Body* bodyA = ReadObject<Body>(world, in);
     Body* bodyB = ReadObject<Body>(world, in);
     if (in.Failed()) return false;
     Joint* made = nullptr;
     JointTable::WithStore(world.GetState().joints, type, [&](auto& store) {
-        typename std::remove_reference_t<decltype(store)>::RowType::Definition def;
+        using Row = typename std::remove_reference_t<decltype(store)>::RowType;
+        typename Row::Definition def;
         def.userData = userData;
         def.collideConnected = collideConnected;
         def.bodyA = bodyA;
         def.bodyB = bodyB;
-        in(def);
+        Row::DefinitionFields(def, in);
         if constexpr (std::is_same_v<decltype(def), GearJointDef>) {
             def.joint1 = ReadObject<Joint>(world, in);
             def.joint2 = ReadObject<Joint>(world, in);

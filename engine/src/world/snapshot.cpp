@@ -35,16 +35,6 @@ struct Header {
 static_assert(sizeof(Header) == 32);
 constexpr uint32_t snapshotByteOrder = 0x01020304u;
 
-void WriteShapesAndBoxes(const WorldState& s, ImageWriter& out) {
-    for (int fixture = 0; fixture < s.fixtures.slots.Size(); ++fixture) {
-        if (!s.fixtures.slots.IsAlive(fixture)) continue;
-        const auto f = static_cast<size_t>(fixture);
-        WithShapeType(s.fixtures.type[f],
-                      [&]<typename T>(std::type_identity<T>) { out(static_cast<const T&>(*s.fixtures.shape[f])); });
-        if (s.fixtures.info[f].inBroadPhase) out(s.broadPhase->GetBox(static_cast<uint32_t>(fixture)));
-    }
-}
-
 bool ReadShape(FixtureTable& fixtures, int fixture, ImageReader& in) {
     bool safe = true;
     const bool known =
@@ -72,15 +62,9 @@ bool ReadShapesAndBoxes(WorldState& s, ImageReader& in) {
     return true;
 }
 
-/// The part of the step that each body has behind it, while a sub-stepped step waits to be finished.
-void WriteSubStep(const ContinuousScratch& scratch, ImageWriter& out) {
-    if (scratch.resuming) out(scratch.alpha);
-}
-
-bool ReadSubStep(ContinuousScratch& scratch, size_t bodyCount, ImageReader& in) {
-    if (!scratch.resuming) return true;
-    in(scratch.alpha);
-    if (in.Failed() || scratch.alpha.size() > bodyCount) return false;
+/// Puts a sub-stepped step that is not over yet back to where its bodies stand.
+bool ResumeSubStep(ContinuousScratch& scratch, size_t bodyCount) {
+    if (scratch.alpha.size() > bodyCount) return false;
     for (size_t body = 0; body < scratch.alpha.size(); ++body) {
         if (scratch.alpha[body] < 0.0f || scratch.alpha[body] > 1.0f) return false;
         if (scratch.alpha[body] > 0.0f) scratch.touched.push_back(static_cast<int>(body));
@@ -112,7 +96,7 @@ bool Read(WorldState& s, ImageReader& in) {
     if (in.Failed() || !s.joints.Restore(&s, s.bodies.slots.Size()) || !AreJointsConsistent(s.joints, s.bodies))
         return false;
     in(s);
-    if (in.Failed() || !ReadSubStep(s.continuousScratch, s.bodies.info.size(), in)) return false;
+    if (in.Failed() || !ResumeSubStep(s.continuousScratch, s.bodies.info.size())) return false;
     RecountFeatures(s);
     if (!AllowedFeatures(s.def).Contains(UsedOf(CountFeatureUsers(s)))) return false;
     if (!s.pairsStale) s.broadPhase->FindPairs(s.pairs);  // as after the step before
@@ -157,14 +141,7 @@ std::vector<std::byte> SaveWorld(const World& world) {
         return {};
     }
     ImageWriter content;
-    content(s.def);
-    content(s.bodies);
-    content(s.fixtures);
-    WriteShapesAndBoxes(s, content);
-    content(s.contacts);
-    content(s.joints);
-    content(s);
-    WriteSubStep(s.continuousScratch, content);
+    VisitWorld(s, content);
     const std::vector<std::byte>& bytes = content.Bytes();
     const Header header{magic, snapshotVersion, snapshotByteOrder, sizeof(Header) + bytes.size(), ChecksumOf(bytes)};
     std::vector<std::byte> image(sizeof(Header) + bytes.size());

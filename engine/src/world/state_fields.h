@@ -1,24 +1,19 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Which fields of each structure belong to the state of a world: one list per structure, walked by the writer and the
-// reader of images. A new field of a structure is one entry here.
+// Which fields of each structure belong to the state of a world: one list per structure (base/field_list.h), walked by
+// the writer and the reader of images and by the state hash. Joints list theirs in state/joint_rows.h.
 
 #pragma once
 
-#include <concepts>
 #include <type_traits>
 
+#include "base/field_list.h"
 #include "scree/chain_shape.h"
 #include "scree/convex_shape.h"
-#include "world/image.h"
 #include "world/world_state.h"
 
 namespace scree {
-
-/// T or const T: a list serves both ways.
-template <typename Self, typename T>
-concept Is = std::same_as<std::remove_const_t<Self>, T>;
 
 /// Structures that list their fields themselves.
 template <typename Self, typename Visit>
@@ -27,119 +22,160 @@ void Fields(Self& self, Visit& visit) { std::remove_const_t<Self>::Fields(self, 
 
 template <Is<Vec2> Self, typename Visit>
 void Fields(Self& v, Visit& visit) {
-    visit(v.x), visit(v.y);
+    auto& [x, y] = v;
+    visit(x, y);
 }
-template <Is<AABB> Self, typename Visit>
-void Fields(Self& box, Visit& visit) {
-    visit(box.lowerBound), visit(box.upperBound);
+template <Is<Rot> Self, typename Visit>
+void Fields(Self& q, Visit& visit) {
+    auto& [s, c] = q;
+    visit(s, c);
 }
 template <Is<Transform> Self, typename Visit>
 void Fields(Self& xf, Visit& visit) {
-    visit(xf.p), visit(xf.q.s), visit(xf.q.c);
+    auto& [p, q] = xf;
+    visit(p, q);
+}
+template <Is<AABB> Self, typename Visit>
+void Fields(Self& box, Visit& visit) {
+    auto& [lowerBound, upperBound] = box;
+    visit(lowerBound, upperBound);
+}
+template <typename Self, typename Visit>
+requires Is<Self, BodyUserData> || Is<Self, FixtureUserData> || Is<Self, JointUserData>
+void Fields(Self& data, Visit& visit) {
+    auto& [pointer] = data;
+    visit(pointer);
 }
 
+template <Is<SoftStepDef> Self, typename Visit>
+void Fields(Self& def, Visit& visit) {
+    auto& [contactHertz, contactDampingRatio, contactPushSpeed] = def;
+    visit(contactHertz, contactDampingRatio, contactPushSpeed);
+}
+/// Workers and features change no result. Of the broad phases only `fat-tree` does: it finds pairs of larger boxes.
 template <Is<WorldDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
-    visit(def.gravity), visit(def.broadPhase), visit(def.staticShareThreshold), visit(def.allowSleep);
-    visit(def.warmStarting), visit(def.maxTranslation), visit(def.maxRotation), visit(def.continuousPhysics);
-    visit(def.subStepping), visit(def.exactDrift), visit(def.solver), visit(def.softStep.contactHertz);
-    visit(def.softStep.contactDampingRatio), visit(def.softStep.contactPushSpeed);
-    visit(def.lengthScale), visit(def.farDistance);
+    auto& [gravity, broadPhase, staticShareThreshold, allowSleep, warmStarting, translationCap, rotationCap,
+           continuousPhysics, subStepping, exactDrift, lengthScale, farDistance, solver, softStep, workerCount, tasks,
+           featureMode, features] = def;
+    visit(gravity), visit.Stored(broadPhase, staticShareThreshold);
+    visit.Hashed(broadPhase == BroadPhaseKind::fatTree);
+    visit(allowSleep, warmStarting, translationCap, rotationCap, continuousPhysics, subStepping, exactDrift, solver);
+    visit(softStep, lengthScale, farDistance);
+    visit.LeftOut(workerCount, tasks, featureMode, features);
 }
 
 template <Is<Velocity> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.v), visit(row.w);
+    auto& [v, w, unused] = row;
+    visit(v, w), visit.LeftOut(unused);
 }
 template <Is<Position> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.c), visit(row.a), visit(row.aRest);
+    auto& [c, a, aRest] = row;
+    visit(c, a, aRest);
 }
 template <Is<PositionRest> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.end), visit(row.start);
+    auto& [end, start] = row;
+    visit(end, start);
 }
 template <Is<MassRow> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.invMass), visit(row.invI), visit(row.localCenter);
+    auto& [invMass, invI, localCenter] = row;
+    visit(invMass, invI, localCenter);
 }
 template <Is<ForceRow> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.force), visit(row.torque);
+    auto& [force, torque, unused] = row;
+    visit(force, torque), visit.LeftOut(unused);
 }
 template <Is<MotionRow> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.linearDamping), visit(row.angularDamping), visit(row.gravityScale), visit(row.mass);
+    auto& [linearDamping, angularDamping, gravityScale, mass] = row;
+    visit(linearDamping, angularDamping, gravityScale, mass);
 }
 template <Is<BodyDemand> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.overlap), visit(row.jointGap), visit(row.pullRate), visit(row.substeps), visit(row.wanted);
+    auto& [overlap, jointGap, pullRate, substeps, wanted] = row;
+    visit(overlap, jointGap, pullRate, substeps, wanted);
 }
 template <Is<BodyInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    visit(info.inertia), visit(info.fixtureCount), visit(info.jointCount);
-    visit(info.listPrev), visit(info.listNext), visit(info.moverRow), visit(info.userData.pointer);
+    auto& [inertia, fixtureCount, jointCount, listPrev, listNext, moverRow, userData] = info;
+    visit(inertia, fixtureCount, jointCount, listPrev, listNext, moverRow), visit.Stored(userData);
 }
 template <Is<BodyTable> Self, typename Visit>
 void Fields(Self& t, Visit& visit) {
-    visit(t.slots), visit(t.velocity), visit(t.startVelocity), visit(t.position), visit(t.startPosition);
-    visit(t.rest);
-    visit(t.transform), visit(t.mass), visit(t.force), visit(t.motion), visit(t.demand), visit(t.sleepTime);
-    visit(t.flags), visit(t.type), visit(t.fixtureHead), visit(t.info), visit(t.movers), visit(t.listHead),
-        visit(t.lastMover);
+    auto& [slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,
+           sleepTime, flags, type, fixtureHead, info, handles, movers, listHead, lastMover] = t;
+    visit(slots), visit.Hashed(t.IsFar());
+    visit.Rows(slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,
+               sleepTime, flags, type, fixtureHead, info);
+    visit(movers, listHead, lastMover), visit.LeftOut(handles);
 }
 
 template <Is<Filter> Self, typename Visit>
 void Fields(Self& filter, Visit& visit) {
-    visit(filter.categoryBits), visit(filter.maskBits), visit(filter.groupIndex);
+    auto& [categoryBits, maskBits, groupIndex] = filter;
+    visit(categoryBits, maskBits, groupIndex);
 }
 template <Is<Material> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.friction), visit(row.restitution), visit(row.restitutionThreshold);
+    auto& [friction, restitution, restitutionThreshold] = row;
+    visit(friction, restitution, restitutionThreshold);
 }
 template <Is<FixtureInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    visit(info.density), visit(info.chainId), visit(info.chainIndex), visit(info.inBroadPhase);
-    visit(info.userData.pointer);
-}
-/// All but the shapes and the boxes.
-template <Is<FixtureTable> Self, typename Visit>
-void Fields(Self& t, Visit& visit) {
-    visit(t.slots), visit(t.body), visit(t.type), visit(t.isSensor), visit(t.filter), visit(t.material);
-    visit(t.next), visit(t.info), visit(t.nextChainId);
+    auto& [density, chainId, chainIndex, inBroadPhase, userData] = info;
+    visit(density, chainId, chainIndex, inBroadPhase), visit.Stored(userData);
 }
 
+/// The type stands in the table of fixtures.
+template <Is<Shape> Self, typename Visit>
+void Fields(Self& shape, Visit& visit) {
+    auto& [type, radius] = shape;
+    visit(radius), visit.LeftOut(type);
+}
+/// A shape's base, const if the shape is.
+template <typename Self>
+auto& BaseOf(Self& shape) {
+    return static_cast<std::conditional_t<std::is_const_v<Self>, const Shape, Shape>&>(shape);
+}
 template <Is<CircleShape> Self, typename Visit>
 void Fields(Self& shape, Visit& visit) {
-    visit(shape.m_radius), visit(shape.m_p);
+    visit(BaseOf(shape)), VisitOwn<Shape>(shape, visit, shape.m_p);
 }
 template <Is<EdgeShape> Self, typename Visit>
 void Fields(Self& shape, Visit& visit) {
-    visit(shape.m_radius), visit(shape.m_vertex0), visit(shape.m_vertex1), visit(shape.m_vertex2);
-    visit(shape.m_vertex3), visit(shape.m_oneSided);
+    NamesAllOf<Shape>(shape, shape.m_vertex1, shape.m_vertex2, shape.m_vertex0, shape.m_vertex3, shape.m_oneSided);
+    visit(BaseOf(shape), shape.m_vertex0, shape.m_vertex1, shape.m_vertex2, shape.m_vertex3, shape.m_oneSided);
 }
+/// Behind its vertices a polygon holds left-overs.
 template <Is<PolygonShape> Self, typename Visit>
 void Fields(Self& shape, Visit& visit) {
-    visit(shape.m_radius), visit(shape.m_centroid), visit(shape.m_count);
-    for (int i = 0; i < shape.m_count && i < maxPolygonVertices; ++i) {
-        visit(shape.m_vertices[i]), visit(shape.m_normals[i]);
-    }
+    NamesAllOf<Shape>(shape, shape.m_centroid, shape.m_vertices, shape.m_normals, shape.m_count);
+    visit(BaseOf(shape), shape.m_centroid, shape.m_count);
+    for (int i = 0; i < shape.m_count && i < maxPolygonVertices; ++i) visit(shape.m_vertices[i], shape.m_normals[i]);
 }
 template <Is<MassData> Self, typename Visit>
 void Fields(Self& data, Visit& visit) {
-    visit(data.mass), visit(data.center), visit(data.I);
+    auto& [mass, center, inertia] = data;
+    visit(mass, center, inertia);
 }
 template <Is<ConvexShape> Self, typename Visit>
 void Fields(Self& shape, Visit& visit) {
-    visit(shape.m_radius), visit(shape.m_count), visit(shape.m_curvedSides), visit(shape.m_solidRadius);
-    visit(shape.m_error), visit(shape.m_unitMass);
+    NamesAllOf<Shape>(shape, shape.m_count, shape.m_curvedSides, shape.m_solidRadius, shape.m_error, shape.m_unitMass,
+                      shape.m_badField, shape.m_vertices, shape.m_normals, shape.m_controls);
+    visit(BaseOf(shape), shape.m_count, shape.m_curvedSides, shape.m_solidRadius, shape.m_error, shape.m_unitMass);
     for (int i = 0; i < shape.m_count && i < maxConvexVertices; ++i) {
-        visit(shape.m_vertices[i]), visit(shape.m_normals[i]), visit(shape.m_controls[i]);
+        visit(shape.m_vertices[i], shape.m_normals[i], shape.m_controls[i]);
     }
+    visit.LeftOut(shape.m_badField);
 }
 template <Is<ChainShape> Self, typename Visit>
 void Fields(Self& shape, Visit& visit) {
-    visit(shape.m_radius), visit(shape.m_vertices), visit(shape.m_prevVertex), visit(shape.m_nextVertex);
+    visit(BaseOf(shape)), VisitOwn<Shape>(shape, visit, shape.m_vertices, shape.m_prevVertex, shape.m_nextVertex);
 }
 /// Whether a shape that was read can be used without reading outside of it.
 template <typename T>
@@ -168,46 +204,95 @@ bool WithShapeType(Shape::Type type, Visit&& visit) {
 
 template <Is<ContactPair> Self, typename Visit>
 void Fields(Self& pair, Visit& visit) {
-    visit(pair.fixtureA), visit(pair.fixtureB), visit(pair.bodyA), visit(pair.bodyB);
+    auto& [fixtureA, fixtureB, bodyA, bodyB] = pair;
+    visit(fixtureA, fixtureB, bodyA, bodyB);
 }
 template <Is<ContactMaterial> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.friction), visit(row.restitution), visit(row.restitutionThreshold), visit(row.tangentSpeed);
+    auto& [friction, restitution, restitutionThreshold, tangentSpeed] = row;
+    visit(friction, restitution, restitutionThreshold, tangentSpeed);
+}
+template <Is<ContactFeature> Self, typename Visit>
+void Fields(Self& feature, Visit& visit) {
+    auto& [indexA, indexB, typeA, typeB] = feature;
+    visit(indexA, indexB, typeA, typeB);
+}
+template <Is<ManifoldPoint> Self, typename Visit>
+void Fields(Self& point, Visit& visit) {
+    auto& [localPoint, normalImpulse, tangentImpulse, id] = point;
+    visit(localPoint, normalImpulse, tangentImpulse, id.cf);
 }
 template <Is<SteadyContact> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    visit(row.isKept);
-    if (row.isKept == 0.0f) return;
-    visit(row.turnA), visit(row.turnB), visit(row.between), visit(row.normal), visit(row.reach), visit(row.isSwapped);
-    for (int i = 0; i < maxManifoldPoints; ++i) visit(row.arm[i]), visit(row.separation[i]);
+    auto& [turnA, turnB, between, normal, isKept, reach, arm, separation, isSwapped, unused] = row;
+    visit(isKept);
+    if (isKept == 0.0f) return;
+    visit(turnA, turnB, between, normal, reach, isSwapped, arm, separation), visit.LeftOut(unused);
 }
 /// Beyond its points a manifold holds left-overs.
 template <Is<Manifold> Self, typename Visit>
 void Fields(Self& m, Visit& visit) {
-    visit(m.pointCount);
-    if (m.pointCount <= 0 || m.pointCount > maxManifoldPoints) return;
-    visit(m.type), visit(m.localNormal), visit(m.localPoint);
-    for (int i = 0; i < m.pointCount; ++i) {
-        auto& point = m.points[i];
-        visit(point.localPoint), visit(point.normalImpulse), visit(point.tangentImpulse), visit(point.id.key);
-    }
+    auto& [points, localNormal, localPoint, type, pointCount] = m;
+    visit(pointCount);
+    if (pointCount <= 0 || pointCount > maxManifoldPoints) return;
+    visit(type, localNormal, localPoint);
+    for (int i = 0; i < pointCount; ++i) visit(points[i]);
 }
 
 template <Is<JointLink> Self, typename Visit>
 void Fields(Self& link, Visit& visit) {
-    visit(link.prev), visit(link.next);
+    auto& [prev, next] = link;
+    visit(prev, next);
 }
 template <Is<JointInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    visit(info.type), visit(info.collideConnected), visit(info.bodyA), visit(info.bodyB), visit(info.row);
-    visit(info.gearCount), visit(info.listPrev), visit(info.listNext), visit(info.link[0]), visit(info.link[1]);
-    visit(info.userData.pointer);
+    auto& [type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link, userData] = info;
+    visit(type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link), visit.Stored(userData);
 }
 
+/// Of a sub-stepped step that is not over yet: the part that each body has behind it.
+template <Is<ToiScratch> Self, typename Visit>
+void Fields(Self& scratch, Visit& visit) {
+    auto& [pairs, firstPair, alpha, touched, found, knownTo, round, nearStatics, events, resuming] = scratch;
+    visit(resuming);
+    if (resuming) visit(alpha);
+    visit.LeftOut(pairs, firstPair, touched, found, knownTo, round, nearStatics, events);
+}
 /// The settings and counters of a world beside its tables.
 template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
-    visit(s.pairsStale), visit(s.autoClearForces), visit(s.lastInverseDt), visit(s.continuousScratch.resuming);
+    auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, pairsStale, islands,
+           active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch, continuousScratch,
+           destructionListener, listener, filter, errorHandler, errorContext, draw, recorder, featureCounts, kernels,
+           locks, autoClearForces, lastInverseDt, report, distanceWork, measureErrors, isolatedPath] = s;
+    visit(pairsStale, autoClearForces, lastInverseDt);
+    std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
+    visit(toi);
+    visit.LeftOut(def, bodies, fixtures, contacts, joints);  // walked by themselves
+    visit.LeftOut(world, pool, destructionListener, listener, filter, errorHandler, errorContext, draw, recorder);
+    // Made anew from the rest, of the last step only, or without a bearing on results.
+    visit.LeftOut(broadPhase, broadPhaseKind, pairs, islands, active, substepGroups, narrowPhaseScratch, islandScratch,
+                  solverScratch, featureCounts, kernels, locks, report, distanceWork, measureErrors, isolatedPath);
+}
+
+/// The shapes of the living fixtures, and the boxes of those in the broad phase.
+template <typename Visit>
+void VisitShapesAndBoxes(const WorldState& s, Visit& visit) {
+    for (int fixture = 0; fixture < s.fixtures.slots.Size(); ++fixture) {
+        if (!s.fixtures.slots.IsAlive(fixture)) continue;
+        const auto f = static_cast<size_t>(fixture);
+        WithShapeType(s.fixtures.type[f],
+                      [&]<typename T>(std::type_identity<T>) { visit(static_cast<const T&>(*s.fixtures.shape[f])); });
+        if (s.fixtures.info[f].inBroadPhase) visit(s.broadPhase->GetBox(static_cast<uint32_t>(fixture)));
+    }
+}
+
+/// All that a world's future depends on, in the order of an image.
+template <typename Visit>
+void VisitWorld(const WorldState& s, Visit& visit) {
+    visit(s.def, s.bodies, s.fixtures);
+    VisitShapesAndBoxes(s, visit);
+    visit(s.contacts, s.joints, s);
 }
 
 }  // namespace scree

@@ -74,7 +74,7 @@ ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, co
         own.startVelocity = &s.solverScratch.startVelocity;
         own.solveRest = solveRest;
     }
-    return SolveContinuous(own, events, {s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
+    return SolveContinuous(own, events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
                            s.continuousScratch);
 }
 

@@ -34,8 +34,8 @@ namespace testbed {
 namespace {
 
 BenchResult RunOne(const BenchCase& benchCase, const BenchEffort& effort) {
-    const int steps = effort.maxSteps > 0 ? std::min(effort.maxSteps, benchCase.info->steps) : benchCase.info->steps;
-    Progress progress(fmt::format("{} {}", benchCase.info->name, benchCase.size),
+    const int steps = effort.maxSteps > 0 ? std::min(effort.maxSteps, benchCase.scene.steps) : benchCase.scene.steps;
+    Progress progress(fmt::format("{} {}", benchCase.scene.name, benchCase.scene.size),
                       static_cast<double>(steps) * effort.repeats * static_cast<double>(benchCase.panes.size()));
     BenchResult result = RunBenchCase(benchCase, effort, [&](int count) { progress.Advance(count); });
     progress.Finish(fmt::format("{} steps", result.rows.front().steps));

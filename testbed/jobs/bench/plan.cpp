@@ -20,30 +20,37 @@ namespace {
 
 constexpr int maxRepeats = 1000;
 
-/// The sizes to run a scene at.
-std::vector<int> ChooseSizes(const scenes::SceneInfo& info, const std::string& text) {
-    if (text == "default" || (text == "sweep" && !info.sweep)) return {info.defaultSize};
-    std::vector<int> sizes;
+/// A scene at every size that is asked for. Throws UsageError.
+std::vector<SceneInput> ChooseSizes(const std::string& given, const BenchArguments& arguments) {
+    const std::string& text = arguments.sizes;
+    std::vector<SceneInput> scenes{ChooseScene(given, std::nullopt, arguments.input)};
+    const scenes::SceneInfo* info = scenes.front().info;
+    if (text == "default") return scenes;
     if (text == "sweep") {
-        for (int n = info.sweep->begin; n <= info.sweep->end; n += info.sweep->increment) sizes.push_back(n);
-        return sizes;
+        if (info == nullptr || !info->sweep) return scenes;
+        scenes.clear();
+        for (int n = info->sweep->begin; n <= info->sweep->end; n += info->sweep->increment) {
+            scenes.push_back(MakeInput(*info, n));
+        }
+        return scenes;
     }
+    scenes.clear();
     for (const int size :
          ParseIntList("--sizes", text, "default, sweep or sizes with commas, for example 1000,10000")) {
-        sizes.push_back(CheckedSize(info, size));
+        scenes.push_back(ChooseScene(given, size, arguments.input));
     }
-    return sizes;
+    return scenes;
 }
 
-std::vector<const scenes::SceneInfo*> ChooseScenes(const std::vector<std::string>& names) {
-    std::vector<const scenes::SceneInfo*> chosen;
+/// What was typed, each once, or the published suite.
+std::vector<std::string> ListScenes(const std::vector<std::string>& names) {
+    std::vector<std::string> chosen;
     for (const std::string& name : names) {
-        const scenes::SceneInfo* info = &FindScene(name);
-        if (std::find(chosen.begin(), chosen.end(), info) == chosen.end()) chosen.push_back(info);
+        if (std::find(chosen.begin(), chosen.end(), name) == chosen.end()) chosen.push_back(name);
     }
     if (!names.empty()) return chosen;
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
-        if (!info.isClassic && info.sweep) chosen.push_back(&info);
+        if (!info.isClassic && info.sweep) chosen.emplace_back(info.name);
     }
     return chosen;
 }
@@ -108,7 +115,9 @@ BenchEffort MakeEffort(const BenchArguments& arguments) {
 }  // namespace
 
 void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
-    app.add_option("SCENE", arguments.scenes, "Scenes; the whole published suite if none is given");
+    app.add_option("SCENE", arguments.scenes,
+                   DescribeSceneArgument("Scenes") + "; the whole published suite if none is given");
+    AddInputOptions(app, arguments.input);
     app.add_option("--sizes", arguments.sizes, "default, sweep (the published sizes), or sizes with commas")
         ->capture_default_str();
     AddEnginesOption(app, arguments.settings, "");
@@ -149,11 +158,11 @@ BenchPlan MakeBenchPlan(const BenchArguments& arguments) {
     const std::vector<Pane> panes = ChoosePanes(arguments);
     const std::string baseline = panes[FindBaseline(panes, arguments.settings.baseline)].name;
     const bool isContinuous = std::ranges::any_of(panes, [](const Pane& pane) { return pane.spec.continuous; });
-    for (const scenes::SceneInfo* info : ChooseScenes(arguments.scenes)) {
-        for (const int size : ChooseSizes(*info, arguments.sizes)) {
-            plan.cases.push_back({info, size, panes, baseline});
-            if (!arguments.targets || isContinuous || !IsContinuousTarget(info->name)) continue;
-            plan.cases.push_back({info, size, MakeContinuous(panes), "box2d"});
+    for (const std::string& given : ListScenes(arguments.scenes)) {
+        for (const SceneInput& scene : ChooseSizes(given, arguments)) {
+            plan.cases.push_back({scene, panes, baseline});
+            if (!arguments.targets || isContinuous || !IsContinuousTarget(scene.name)) continue;
+            plan.cases.push_back({scene, MakeContinuous(panes), "box2d"});
         }
     }
     return plan;

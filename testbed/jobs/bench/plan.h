@@ -18,6 +18,7 @@ namespace testbed {
 /// As typed.
 struct BenchArguments {
     std::vector<std::string> scenes;
+    InputArguments input;
     std::string sizes = "default";
     SettingArguments settings;
     std::string solver = "both";

@@ -62,8 +62,8 @@ std::string NameForRow(const RunSpec& spec) {
 BenchRow MakeRow(const BenchCase& benchCase, const Pane& pane, const BenchEffort& effort,
                  const scenes::SceneCounts& counts) {
     BenchRow row;
-    row.scene = benchCase.info->name;
-    row.size = benchCase.size;
+    row.scene = benchCase.scene.name;
+    row.size = benchCase.scene.size;
     row.fixtures = counts.Fixtures();
     row.joints = counts.joints;
     row.movers = counts.kinematicBodies + counts.dynamicBodies;
@@ -96,7 +96,7 @@ void SetCounts(BenchRow& row, Runner& runner) {
 
 BenchResult RunBenchCase(const BenchCase& benchCase, const BenchEffort& effort,
                          const std::function<void(int)>& advance) {
-    const scenes::Scene scene = scenes::Build(benchCase.info->name, benchCase.size);
+    const scenes::Scene scene = benchCase.scene.Build();
     const int steps = effort.maxSteps > 0 ? std::min(effort.maxSteps, scene.steps) : scene.steps;
     const int slice = (steps + slices - 1) / slices;
     BenchResult result;

@@ -11,16 +11,15 @@
 #include <string>
 #include <vector>
 
-#include "scenes/catalog.h"
 #include "testbed/engines/panes.h"
 #include "testbed/jobs/bench/row.h"
+#include "testbed/options/scene_input.h"
 
 namespace testbed {
 
 /// A scene at a size, to be run in all of the panes.
 struct BenchCase {
-    const scenes::SceneInfo* info = nullptr;
-    int size = 0;
+    SceneInput scene;
     std::vector<Pane> panes;
     std::string baseline = "box2d";  ///< name of the pane that the others are compared with
 };

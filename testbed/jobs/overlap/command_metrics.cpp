@@ -34,15 +34,15 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
     if (!arguments.scene.empty()) names.push_back(arguments.scene);
     SceneJob job = MakeJobs(names, arguments.run, {}).front();
     job.selection.range =
-        arguments.steps.empty() ? StepRange{1, job.info->steps, 1} : ParseSteps(arguments.steps, true);
+        arguments.steps.empty() ? StepRange{1, job.input.steps, 1} : ParseSteps(arguments.steps, true);
     const Panes panes = MakePanes(arguments.run);
     const PictureOptions options = MakePictureOptions(arguments.picture);
     OutputFolder output(arguments.run.output);
 
-    const std::string name(job.info->name);
+    const std::string& name = job.input.name;
     Progress progress(name, job.selection.range.last + workPerPicture * job.selection.Count());
-    SideBySide engines(scenes::Build(name, job.size), panes);
-    RunSummary summary{name, job.size, {}, {}, panes.baseline};
+    SideBySide engines(job.input.Build(), panes);
+    RunSummary summary{name, job.input.size, {}, {}, panes.baseline};
     ShowSteps(engines, job.selection, 1, progress, [&](std::span<const Snapshot> snapshots) {
         std::vector<const Snapshot*> pointers;
         for (const Snapshot& snapshot : snapshots) pointers.push_back(&snapshot);
@@ -52,7 +52,7 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
         }
     });
     summary.timing = engines.GetTiming();
-    SaveMetrics(output, name, {name, job.size, DescribeCommand(request.arguments)}, summary.rows);
+    SaveMetrics(output, name, {name, job.input.size, DescribeCommand(request.arguments)}, summary.rows);
     progress.Finish(fmt::format("{} steps, {} measured", engines.GetStep(), job.selection.Count()));
     fmt::print("{}{}\n{}", FormatSummary(summary), FormatSettings(panes), FormatFiles(output.GetFiles()));
     return exitDone;
@@ -63,7 +63,7 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
 void AddMetricsCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("metrics", "The numbers of every step alone; needs no OpenGL");
     auto arguments = std::make_shared<MetricsArguments>();
-    command->add_option("SCENE", arguments->scene, "A scene; `scree list` shows them");
+    command->add_option("SCENE", arguments->scene, DescribeSceneArgument("A scene"));
     command
         ->add_option("--steps", arguments->steps,
                      "Number of steps, or first:last or first:last:stride; a full run if not given")

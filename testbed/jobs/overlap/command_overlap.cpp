@@ -82,21 +82,21 @@ std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Sna
 }
 
 void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<TimingSeries>& timing) {
-    const std::filesystem::path folder(job.info->name);
+    const std::filesystem::path folder(job.input.name);
     session.output.WriteText(folder / "timing.csv", WriteTimingCsv(timing));
     const std::filesystem::path temporary = session.output.Prepare(folder / ".timing.tmp.png");
-    const std::string title =
-        fmt::format("{}, size {}: broad phase of steps 1-{}", job.info->name, job.size, timing.front().steps.size());
+    const std::string title = fmt::format("{}, size {}: broad phase of steps 1-{}", job.input.name, job.input.size,
+                                          timing.front().steps.size());
     DrawPlot(MakeTimingPlot(timing, title), "pngcairo", temporary);
     session.output.Adopt(temporary, folder / "timing.png");
 }
 
 void RunScene(PictureSession& session, const SceneJob& job, const Panes& panes) {
-    Progress progress(std::string(job.info->name),
+    Progress progress(job.input.name,
                       std::max(plotSteps, job.selection.range.last) + workPerPicture * job.selection.Count());
     session.Begin(job.selection.Count());
-    SideBySide engines(scenes::Build(job.info->name, job.size), panes);
-    RunSummary summary{std::string(job.info->name), job.size, {}, {}, panes.baseline};
+    SideBySide engines(job.input.Build(), panes);
+    RunSummary summary{job.input.name, job.input.size, {}, {}, panes.baseline};
     ShowSteps(engines, job.selection, plotSteps, progress, [&](std::span<const Snapshot> snapshots) {
         session.Make([&] {
             const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots, panes.baseline);
@@ -105,7 +105,7 @@ void RunScene(PictureSession& session, const SceneJob& job, const Panes& panes) 
     });
     session.Finish();
     summary.timing = engines.GetTiming();
-    SaveMetrics(session.output, job.info->name, {summary.scene, job.size, session.origin.command}, summary.rows);
+    SaveMetrics(session.output, job.input.name, {summary.scene, job.input.size, session.origin.command}, summary.rows);
     SaveTiming(session, job, summary.timing);
     progress.Finish(session.Describe(engines.GetStep(), job.selection.Count()));
     fmt::print("{}{}\n", FormatSummary(summary), FormatSettings(panes));
@@ -134,7 +134,7 @@ void AddOverlapCommand(CLI::App& app, Request& request) {
         "overlap",
         "Overlap of broad-phase trees in both engines, as pictures and numbers, with the times of all steps");
     auto arguments = std::make_shared<OverlapArguments>();
-    command->add_option("SCENE", arguments->scenes, "Scenes; `scree list` shows them");
+    command->add_option("SCENE", arguments->scenes, DescribeSceneArgument("Scenes"));
     AddStepOptions(*command, arguments->steps);
     AddSequenceOptions(*command, arguments->sequence);
     AddRunOptions(*command, arguments->run);

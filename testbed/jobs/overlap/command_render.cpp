@@ -59,9 +59,8 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
         request.contextOptions);
 
     session.Begin(job.selection.Count());
-    Progress progress(std::string(job.info->name), job.selection.range.last + workPerPicture * job.selection.Count());
-    SideBySide engines(scenes::Build(job.info->name, job.size), panes,
-                       {.sweptBoxes = options.layers.Has(Layer::swept)});
+    Progress progress(job.input.name, job.selection.range.last + workPerPicture * job.selection.Count());
+    SideBySide engines(job.input.Build(), panes, {.sweptBoxes = options.layers.Has(Layer::swept)});
     ShowSteps(engines, job.selection, 1, progress,
               [&](std::span<const Snapshot> snapshots) { session.Make([&] { SaveRender(session, snapshots); }); });
     session.Finish();
@@ -75,7 +74,7 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
 void AddRenderCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("render", "The scene itself in each engine, drawn in layers");
     auto arguments = std::make_shared<RenderArguments>();
-    command->add_option("SCENE", arguments->scene, "A scene; `scree list` shows them");
+    command->add_option("SCENE", arguments->scene, DescribeSceneArgument("A scene"));
     command->add_option("--layers", arguments->layers, "What to draw, names with commas:\n" + DescribeLayers())
         ->capture_default_str();
     command->add_flag("--no-legend", arguments->noLegend, "Leave out what the colours mean");

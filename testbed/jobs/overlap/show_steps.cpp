@@ -63,16 +63,16 @@ void Offer(SideBySide& engines, const StepSelection& selection, std::vector<Cand
 
 int StepSelection::Count() const { return worst > 0 ? std::min(worst, range.Count()) : range.Count(); }
 
-StepSelection SelectSteps(const StepArguments& arguments, const scenes::SceneInfo& info) {
+StepSelection SelectSteps(const StepArguments& arguments, const SceneInput& input) {
     StepSelection selection;
-    selection.range = {info.showStep, info.showStep, 1};
+    selection.range = {input.showStep, input.showStep, 1};
     if (arguments.step) {
         if (*arguments.step < 1 || *arguments.step > maxStep) {
             throw UsageError(fmt::format("--step {}: steps are legal from 1 to {}", *arguments.step, maxStep));
         }
         selection.range = {*arguments.step, *arguments.step, 1};
     }
-    if (arguments.worst) selection.range = {1, info.steps, 1};
+    if (arguments.worst) selection.range = {1, input.steps, 1};
     if (!arguments.steps.empty()) selection.range = ParseSteps(arguments.steps, false);
     if (arguments.worst) {
         if (*arguments.worst < 1 || *arguments.worst > maxWorst) {
@@ -89,12 +89,11 @@ StepSelection SelectSteps(const StepArguments& arguments, const scenes::SceneInf
 
 std::vector<SceneJob> MakeJobs(const std::vector<std::string>& names, const SceneArguments& run,
                                const StepArguments& steps) {
-    if (names.empty()) throw UsageError("which scene? Give its name; `scree list` shows all");
+    if (names.empty()) throw UsageError("which scene? Give its name or its file; `scree list` shows all names");
     std::vector<SceneJob> jobs;
-    for (const std::string& name : names) {
-        const scenes::SceneInfo& info = FindScene(name);
-        if (std::any_of(jobs.begin(), jobs.end(), [&](const SceneJob& job) { return job.info == &info; })) continue;
-        jobs.push_back({&info, CheckedSize(info, run.size), SelectSteps(steps, info)});
+    for (SceneInput& input : ChooseScenes(names, run.size, run.input)) {
+        const StepSelection selection = SelectSteps(steps, input);
+        jobs.push_back({std::move(input), selection});
     }
     return jobs;
 }

@@ -34,16 +34,16 @@ struct StepSelection {
 inline constexpr int maxWorst = 20;
 
 /// The default is the scene's showStep; --worst without --steps searches its full run. Throws UsageError.
-[[nodiscard]] StepSelection SelectSteps(const StepArguments& arguments, const scenes::SceneInfo& info);
+[[nodiscard]] StepSelection SelectSteps(const StepArguments& arguments, const SceneInput& input);
 
 /// A scene to run, checked.
 struct SceneJob {
-    const scenes::SceneInfo* info = nullptr;
-    int size = 0;
+    SceneInput input;
     StepSelection selection;
 };
 
-/// One job per name, each scene once. Throws UsageError for no name, an unknown name, or an illegal size or step.
+/// One job per name or file, each scene once. Throws UsageError for none, an unknown name, or an illegal size or step;
+/// FileError for a file that cannot be read.
 [[nodiscard]] std::vector<SceneJob> MakeJobs(const std::vector<std::string>& names, const SceneArguments& run,
                                              const StepArguments& steps);
 

@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "scenes/catalog.h"
 #include "testbed/base/csv.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/output.h"
@@ -33,6 +33,7 @@ namespace {
 struct RequiresArguments {
     std::string scene;
     int size = 0;
+    InputArguments input;
     int steps = 0;
     SettingArguments settings;
     bool quick = false;
@@ -78,15 +79,15 @@ constexpr std::pair<const char*, int> ablationScenes[] = {
 
 std::vector<SceneRequest> ChooseScenes(const RequiresArguments& arguments) {
     std::vector<SceneRequest> chosen;
-    const auto add = [&](const std::string& name, int size) {
-        scenes::Scene scene = size > 0 ? scenes::Build(name, size) : scenes::Build(name);
+    const auto add = [&](const std::string& given, int size, const InputArguments& input) {
+        scenes::Scene scene = ChooseScene(given, size > 0 ? std::optional(size) : std::nullopt, input).Build();
         RequirementTask task = MakeTask(arguments, scene);
         chosen.push_back({std::move(scene), std::move(task)});
     };
     if (!arguments.scene.empty()) {
-        add(arguments.scene, arguments.size);
+        add(arguments.scene, arguments.size, arguments.input);
     } else {
-        for (const auto& [name, size] : ablationScenes) add(name, size);
+        for (const auto& [name, size] : ablationScenes) add(name, size, {});
     }
     return chosen;
 }
@@ -236,8 +237,9 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("requires", "What a scene needs of our engine, and what the rest costs");
     auto arguments = std::make_shared<RequiresArguments>();
     command->add_option("SCENE", arguments->scene,
-                        "A scene; `scree list` shows them. Without: the whole report, of a choice of scenes");
+                        DescribeSceneArgument("A scene") + ". Without: the whole report, of a choice of scenes");
     command->add_option("SIZE", arguments->size, "Its size; the scene's default if not given");
+    AddInputOptions(*command, arguments->input);
     command->add_option("--steps", arguments->steps, "Steps to run; at most 200 of the scene's if not given")
         ->check(CLI::Range(1, maxStep));
     AddSetOption(*command, arguments->settings,

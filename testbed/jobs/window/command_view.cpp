@@ -32,6 +32,7 @@ namespace {
 struct ViewArguments {
     std::string scene = "tumbler";
     std::optional<int> size;
+    InputArguments input;
     SettingArguments settings;
     std::string layers = "bodies,joints";
     std::string nodes = "internal";
@@ -100,8 +101,7 @@ Viewer MakeViewer(const ViewArguments& arguments) {
     viewer.look.style = ParseStyle(arguments.style);
     viewer.look.theme = ParseTheme(arguments.theme);
     viewer.camera = ParseCamera(arguments.camera);
-    const scenes::SceneInfo& info = FindScene(arguments.scene);
-    LoadScene(viewer, info, CheckedSize(info, arguments.size));
+    LoadScene(viewer, ChooseScene(arguments.scene, arguments.size, arguments.input));
     for (int i = 0; i < arguments.stepsBefore; ++i) StepAll(viewer);
     return viewer;
 }
@@ -119,7 +119,7 @@ void SaveRequestedScreenshot(Viewer& viewer, WindowRenderer& renderer) {
     if (!viewer.wantsScreenshot) return;
     viewer.wantsScreenshot = false;
     const std::string name =
-        fmt::format("screenshot-{}-{:04}.png", viewer.info->name, viewer.panes.front().snapshot.step);
+        fmt::format("screenshot-{}-{:04}.png", viewer.scene.name, viewer.panes.front().snapshot.step);
     WritePng(name, renderer.Read());
     viewer.message = "wrote " + name;
 }
@@ -177,8 +177,9 @@ int RunView(const ViewArguments& arguments, const Request& request) {
 }
 
 void AddOptions(CLI::App& app, ViewArguments& arguments) {
-    app.add_option("SCENE", arguments.scene, "A scene; `scree list` shows them")->capture_default_str();
-    app.add_option("--size", arguments.size, "Size of the scene; its own default if not given");
+    app.add_option("SCENE", arguments.scene, DescribeSceneArgument("A scene"))->capture_default_str();
+    AddInputOptions(app, arguments.input);
+    app.add_option("--size", arguments.size, "Size of a scene that `scree list` shows; its default if not given");
     AddEnginesOption(app, arguments.settings, "");
     AddSetOption(app, arguments.settings, comparisonNote);
     AddSettingFlags(app, arguments.settings, {"broadPhase"});

@@ -96,8 +96,8 @@ std::string WriteState(const Viewer& viewer) {
     for (const LayerInfo& layer : layerTable) {
         if (viewer.look.layers.Has(layer.layer)) layers.push_back(layer.name);
     }
-    ordered_json json{{"scene", viewer.info->name},
-                      {"size", viewer.size},
+    ordered_json json{{"scene", viewer.scene.name},
+                      {"size", viewer.scene.size},
                       {"paused", viewer.isPaused},
                       {"broad_phase", ours == viewer.choices.end() ? "" : ours->now.broadPhase},
                       {"settings",

@@ -34,24 +34,25 @@ bool Matches(const scenes::SceneInfo& info, std::string_view search) {
 
 void Load(Viewer& viewer, const scenes::SceneInfo& info, int size) {
     try {
-        LoadScene(viewer, info, size);
+        LoadScene(viewer, MakeInput(info, size));
     } catch (const std::exception& error) {
         viewer.message = error.what();
     }
 }
 
 void DrawSize(Viewer& viewer, Items& items) {
-    if (!viewer.info->hasSize) {
+    const scenes::SceneInfo* info = viewer.scene.info;
+    if (info == nullptr || !info->hasSize) {
         ImGui::TextDisabled("one size");
         return;
     }
-    int size = viewer.size;
+    int size = viewer.scene.size;
     ImGui::SetNextItemWidth(120);
     ImGui::InputInt("size", &size, 0, 0, ImGuiInputTextFlags_EnterReturnsTrue);
     const bool isDone = ImGui::IsItemDeactivatedAfterEdit();
     MarkItem(items, "scene.size");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%d to %d, then Enter", viewer.info->minSize, viewer.info->maxSize);
-    if (isDone && size != viewer.size) Load(viewer, *viewer.info, size);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%d to %d, then Enter", info->minSize, info->maxSize);
+    if (isDone && size != viewer.scene.size) Load(viewer, *info, size);
 }
 
 /// A plot's stage.
@@ -140,14 +141,14 @@ void DrawScenesPanel(Viewer& viewer, Items& items) {
         };
         if (std::ranges::none_of(scenes::Catalog(), isShown)) continue;
         if (!viewer.search.empty()) ImGui::SetNextItemOpen(true);
-        const bool holdsCurrent = theme.folder == viewer.info->folder;
+        const bool holdsCurrent = viewer.scene.info != nullptr && theme.folder == viewer.scene.info->folder;
         const bool isOpen = ImGui::TreeNodeEx(std::string(theme.folder).c_str(),
                                               holdsCurrent ? ImGuiTreeNodeFlags_DefaultOpen : ImGuiTreeNodeFlags_None);
         MarkItem(items, fmt::format("theme.{}", theme.folder));
         if (!isOpen) continue;
         for (const scenes::SceneInfo& info : scenes::Catalog()) {
             if (!isShown(info)) continue;
-            if (ImGui::Selectable(std::string(info.name).c_str(), &info == viewer.info)) {
+            if (ImGui::Selectable(std::string(info.name).c_str(), &info == viewer.scene.info)) {
                 Load(viewer, info, info.defaultSize);
             }
             MarkItem(items, fmt::format("scene.{}", info.name));

@@ -76,7 +76,7 @@ void DrawBar(Viewer& viewer, Items& items) {
     ImGui::SameLine(0, 18);
     ImGui::AlignTextToFramePadding();
     const int step = viewer.panes.empty() ? 0 : viewer.panes.front().snapshot.step;
-    std::string status = fmt::format("{}  step {}", viewer.info->name, step);
+    std::string status = fmt::format("{}  step {}", viewer.scene.name, step);
     if (viewer.isPaused) status += "  paused";
     if (viewer.framesPerSecond > 0) status += fmt::format("  {:.0f} fps", viewer.framesPerSecond);
     ImGui::TextUnformatted(status.c_str());

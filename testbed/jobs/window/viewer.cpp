@@ -49,7 +49,7 @@ void MakePanes(Viewer& viewer, const scenes::Scene& scene, std::vector<PaneChoic
 }
 
 void Rebuild(Viewer& viewer, std::vector<PaneChoice> choices) {
-    MakePanes(viewer, scenes::Build(viewer.info->name, viewer.size), std::move(choices));
+    MakePanes(viewer, viewer.scene.Build(), std::move(choices));
 }
 
 bool IsEdited(const Viewer& viewer, size_t choice) { return !viewer.edited || *viewer.edited == choice; }
@@ -67,7 +67,7 @@ std::vector<PaneChoice> MakeChoices(const std::vector<Pane>& panes) {
     return choices;
 }
 
-void LoadScene(Viewer& viewer, const scenes::SceneInfo& info, int size) {
+void LoadScene(Viewer& viewer, const SceneInput& scene) {
     std::vector<PaneChoice> choices = viewer.choices;
     for (PaneChoice& choice : choices) {
         RunSpec spec = choice.pane.spec;
@@ -75,13 +75,12 @@ void LoadScene(Viewer& viewer, const scenes::SceneInfo& info, int size) {
         spec.broadPhase = choice.now.broadPhase;
         choice.now = std::move(spec);
     }
-    MakePanes(viewer, scenes::Build(info.name, size), std::move(choices));
-    viewer.info = &info;
-    viewer.size = size;
+    MakePanes(viewer, scene.Build(), std::move(choices));
+    viewer.scene = scene;
     const auto* si = std::get_if<SequentialImpulses>(&GetShownSpec(viewer).solver);
     viewer.iterations = si != nullptr ? *si->iterations : Iterations{};
     viewer.mustFit = true;
-    viewer.message = fmt::format("{} loaded, {} bodies", info.name, viewer.panes.front().snapshot.bodies.size());
+    viewer.message = fmt::format("{} loaded, {} bodies", scene.name, viewer.panes.front().snapshot.bodies.size());
 }
 
 void Restart(Viewer& viewer) {
@@ -92,9 +91,10 @@ void Restart(Viewer& viewer) {
 void LoadNeighbour(Viewer& viewer, int offset) {
     const auto catalog = scenes::Catalog();
     const auto count = static_cast<std::ptrdiff_t>(catalog.size());
-    const std::ptrdiff_t at = viewer.info - catalog.data();
+    const std::ptrdiff_t between = offset > 0 ? -1 : 0;
+    const std::ptrdiff_t at = viewer.scene.info != nullptr ? viewer.scene.info - catalog.data() : between;
     const scenes::SceneInfo& info = catalog[static_cast<size_t>(((at + offset) % count + count) % count)];
-    LoadScene(viewer, info, info.defaultSize);
+    LoadScene(viewer, MakeInput(info, info.defaultSize));
 }
 
 void TogglePane(Viewer& viewer, size_t choice) {

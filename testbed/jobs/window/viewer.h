@@ -14,9 +14,9 @@
 #include <string_view>
 #include <vector>
 
-#include "scenes/catalog.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/engines/panes.h"
+#include "testbed/options/scene_input.h"
 #include "testbed/picture/image.h"
 #include "testbed/picture/palette.h"
 #include "testbed/picture/theme.h"
@@ -83,8 +83,7 @@ struct Press {
 [[nodiscard]] std::vector<PaneChoice> MakeChoices(const std::vector<Pane>& panes);
 
 struct Viewer {
-    const scenes::SceneInfo* info = nullptr;
-    int size = 0;
+    SceneInput scene;
     std::vector<PaneChoice> choices = MakeChoices(ParsePanes("scree,box2d", {}, comparisonBase));
     std::vector<EnginePane> panes;
     std::optional<size_t> edited;  ///< the choice whose settings are changed; none: all
@@ -113,10 +112,10 @@ struct Viewer {
 
 /// Builds the scene and its runs. Throws std::out_of_range for an illegal size, std::invalid_argument as the runs do;
 /// the viewer keeps what it had then.
-void LoadScene(Viewer& viewer, const scenes::SceneInfo& info, int size);
+void LoadScene(Viewer& viewer, const SceneInput& scene);
 /// The same scene from its beginning, with the panes and the settings that are chosen now.
 void Restart(Viewer& viewer);
-/// The neighbour in the catalogue's order, at its default size; the ends meet.
+/// The neighbour in the catalogue's order, at its default size; the ends meet, and a file lies between them.
 void LoadNeighbour(Viewer& viewer, int offset);
 /// Turns a pane on or off and restarts; the last one stays on.
 void TogglePane(Viewer& viewer, size_t choice);

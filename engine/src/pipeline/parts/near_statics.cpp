@@ -50,6 +50,17 @@ NearStatics::Ball NearStatics::MakeBall(int body, const Tables& t) {
     return ball;
 }
 
+std::optional<std::span<const int>> NearStatics::Get(int body, const BodyTable& bodies) const {
+    const auto b = static_cast<size_t>(body);
+    if (!m_enabled || bodies.IsFar() || b >= m_balls.size()) return std::nullopt;
+    const Ball& ball = m_balls[b];
+    const float farthest = Max(DistanceSquared(bodies.startPosition[b].c, ball.centre),
+                               DistanceSquared(bodies.position[b].c, ball.centre));
+    const bool isInside = ball.radius >= 0.0f && farthest <= ball.radius * ball.radius;
+    if (!isInside || ball.count > mostFixtures) return std::nullopt;
+    return std::span<const int>(ball.fixtures, static_cast<size_t>(ball.count));
+}
+
 std::optional<std::span<const int>> NearStatics::Find(int body, const Tables& tables) {
     if (!m_enabled || tables.bodies.IsFar()) return std::nullopt;
     const auto b = static_cast<size_t>(body);
@@ -60,6 +71,19 @@ std::optional<std::span<const int>> NearStatics::Find(int body, const Tables& ta
     if (!(ball.radius >= 0.0f && farthest <= ball.radius * ball.radius)) ball = MakeBall(body, tables);
     if (ball.count > mostFixtures) return std::nullopt;
     return std::span<const int>(ball.fixtures, static_cast<size_t>(ball.count));
+}
+
+void NearStatics::PrepareCalm(const BodyTable& bodies, bool atOutlines) {
+    if (m_atOutlines != atOutlines) m_calm.clear();
+    m_atOutlines = atOutlines;
+    if (m_enabled && !bodies.IsFar()) EnsureRows(m_calm, static_cast<size_t>(bodies.slots.Size()));
+}
+
+void NearStatics::NoteCalm(int body, const BodyTable& bodies, float reach, float slack) {
+    const auto b = static_cast<size_t>(body);
+    const Ball& ball = m_balls[b];
+    const Position& at = bodies.position[b];
+    m_calm[b] = {at.c, at.a, reach, Min(slack, ball.radius - Distance(at.c, ball.centre))};
 }
 
 }  // namespace scree

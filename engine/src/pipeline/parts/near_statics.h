@@ -4,6 +4,9 @@
 // Which static fixtures a body can meet: kept per body for a ball in which its centre may go, however it turns. While
 // it stays inside, continuous collision need not ask the broad phase; in free space there is nothing to look at at all.
 // A ball costs one query and serves for the steps until the body leaves it.
+//
+// Beside it, for a body that was shown to meet none of them, how far it may get from where it was without meeting one:
+// what rests or creeps about its place costs a comparison a step.
 
 #pragma once
 
@@ -28,20 +31,41 @@ public:
     };
 
     /// To be called when a static fixture comes, moves or changes. O(1).
-    void ForgetAll() { m_balls.clear(); }
+    void ForgetAll() { m_balls.clear(), m_calm.clear(); }
     /// To be called when the body gets a fixture or another centre of mass.
     void Forget(int body) {
-        if (static_cast<size_t>(body) < m_balls.size()) m_balls[static_cast<size_t>(body)] = Ball();
+        const auto b = static_cast<size_t>(body);
+        if (b < m_balls.size()) m_balls[b] = Ball();
+        if (b < m_calm.size()) m_calm[b] = Calm();
     }
     /// From now on nothing is known of any body: a program holds a shape that it may change at any time.
     void Disable() { m_enabled = false; }
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_balls); }
-    void Trim() { m_balls = {}; }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_balls, m_calm); }
+    void Trim() { m_balls = {}, m_calm = {}; }
 
     /// The static fixtures, in ascending order, that the body can meet on its way from startPosition to position; all
     /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid
     /// until the next call.
     std::optional<std::span<const int>> Find(int body, const Tables& tables);
+    /// The same without asking the broad phase: nothing where Find would have to. Safe for several threads.
+    [[nodiscard]] std::optional<std::span<const int>> Get(int body, const BodyTable& bodies) const;
+
+    /// Makes room for what NoteCalm notes. What was noted with other answers of `atOutlines` is forgotten.
+    void PrepareCalm(const BodyTable& bodies, bool atOutlines);
+    /// Where it is at the end of the step the body, whose core reaches `reach` from its centre, was shown to meet no
+    /// static fixture while none of its points moves by more than `slack`. Only for a body that Get has answered.
+    void NoteCalm(int body, const BodyTable& bodies, float reach, float slack);
+    /// True if the body stays within what was noted on its whole way.
+    [[nodiscard]] bool StaysCalm(int body, const BodyTable& bodies) const {
+        const auto b = static_cast<size_t>(body);
+        if (!m_enabled || b >= m_calm.size()) return false;
+        const Calm& calm = m_calm[b];
+        const auto isWithin = [&](const Position& p) {
+            const float left = calm.slack - Abs(p.a - calm.angle) * calm.reach;
+            return left >= 0.0f && DistanceSquared(p.c, calm.centre) <= left * left;
+        };
+        return isWithin(bodies.startPosition[b]) && isWithin(bodies.position[b]);
+    }
 
 private:
     static constexpr int mostFixtures = 8;
@@ -53,9 +77,17 @@ private:
         int fixtures[mostFixtures];
     };
 
+    struct Calm {
+        Vec2 centre = vec2Zero;
+        float angle = 0.0f, reach = 0.0f;
+        float slack = -1.0f;  ///< m; negative: nothing is known
+    };
+
     static Ball MakeBall(int body, const Tables& tables);
 
     std::vector<Ball> m_balls;  ///< by body
+    std::vector<Calm> m_calm;   ///< by body
+    bool m_atOutlines = false;  ///< what m_calm is about
     bool m_enabled = true;
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "geometry/passage.h"
 #include "geometry/reach.h"
 #include "pipeline/parts/make_contact.h"
 #include "state/frames.h"
@@ -18,11 +19,8 @@ namespace {
 
 size_t Row(int index) { return static_cast<size_t>(index); }
 
-Vec2 MiddleOf(const Shape& shape) {
-    MassData mass;
-    shape.ComputeMass(&mass, 1.0f);
-    return mass.center;
-}
+/// Below these counts bodies to look over and searches are not worth waking workers for.
+constexpr int leastToScreen = 512, leastSearches = 32;
 
 }  // namespace
 
@@ -32,6 +30,7 @@ void ToiPairs::Clear() {
     m_s.events.Clear();
     EnsureRows(m_s.firstPair, count, -1);
     EnsureRows(m_s.alpha, count);
+    EnsureRows(m_s.isPassedOver, count);
     EnsureRows(m_s.knownTo, Row(m_t.fixtures.slots.Size()));
     for (const int body : m_s.touched) {
         m_s.firstPair[Row(body)] = -1;
@@ -60,14 +59,99 @@ void ToiPairs::FindAll() {
         m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
     }
     if (m_dynamicTargets) SweepBoxes();
+    Screen();
     const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale};
-    for (const int body : m_bodies.movers) {
-        if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
+    m_timesFollow = true;
+    for (size_t i = 0; i < m_bodies.movers.size(); ++i) {
+        const int body = m_bodies.movers[i];
+        if (m_s.screened[i] == ScreenedBody::passes) continue;
         if (!IsDynamic(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
-        } else if (m_bodies.IsActive(body) && (Moves(body) || IsBullet(body))) {
+        } else {
             CollectFirst(body, nearby);
         }
+    }
+    m_timesFollow = false;
+    FindTimes();
+}
+
+/// Looks over all bodies, on all workers: who needs no pairs. Asks nobody outside and changes only what is kept for
+/// the body.
+void ToiPairs::Screen() {
+    m_s.nearStatics.PrepareCalm(m_bodies, m_atOutlines);
+    const std::vector<int>& movers = m_bodies.movers;
+    m_s.screened.resize(movers.size());
+    m_t.pool.For(static_cast<int>(movers.size()), leastToScreen, [&](int begin, int end, int /*worker*/) {
+        for (int i = begin; i < end; ++i) m_s.screened[Row(i)] = ScreenBody(movers[Row(i)]);
+    });
+    if (m_s.audit == nullptr) return;
+    for (const int body : movers) {
+        if (m_s.isPassedOver[Row(body)] != 0 && m_bodies.IsActive(body)) AuditBody(body);
+    }
+}
+
+ScreenedBody ToiPairs::ScreenBody(int body) {
+    if (!m_bodies.Has(body, BodyFlag::enabled)) return ScreenedBody::passes;
+    if (!IsDynamic(body)) return ScreenedBody::isToCollect;
+    if (!m_bodies.IsActive(body)) return ScreenedBody::passes;
+    m_s.isPassedOver[Row(body)] = 0;
+    if (IsBullet(body)) return ScreenedBody::isToCollect;
+    if (!Moves(body)) return ScreenedBody::passes;
+    const ScreenedBody screened = LookAround(body);
+    m_s.isPassedOver[Row(body)] = screened == ScreenedBody::passes ? 1 : 0;
+    return screened;
+}
+
+/// Passes if the body surely meets no static fixture of those that are known to be near it.
+ScreenedBody ToiPairs::LookAround(int body) {
+    if (m_bodies.IsFar()) return ScreenedBody::isToCollect;
+    if (m_s.nearStatics.StaysCalm(body, m_bodies)) return ScreenedBody::passes;
+    const auto near = m_s.nearStatics.Get(body, m_bodies);
+    if (!near) return ScreenedBody::isToCollect;
+    float slack = std::numeric_limits<float>::max(), reach = 0.0f;
+    for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+        if (near->empty()) break;
+        if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
+        for (const int other : *near) {
+            const ToiPair pair = PairOf(f, other);
+            const Clearance clearance = ClearanceOf(pair);
+            slack = clearance.isSure ? Min(slack, clearance.slack) : -1.0f;
+            reach = Max(reach, clearance.reach);
+            if (clearance.isSure) continue;
+            const AABB& box = m_t.broadPhase.GetBox(static_cast<uint32_t>(other));
+            if (!PassesBy(pair) && TestOverlap(SweptBox(body, f), box)) return ScreenedBody::isToCollect;
+        }
+    }
+    if (slack > 0.0f) m_s.nearStatics.NoteCalm(body, m_bodies, reach, slack);
+    return ScreenedBody::passes;
+}
+
+/// Searches in full for what was passed over.
+void ToiPairs::AuditBody(int body) const {
+    const auto near = m_s.nearStatics.Get(body, m_bodies);
+    if (!near) return;
+    for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+        if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
+        for (const int other : *near) Audit(PairOf(f, other));
+    }
+}
+
+void ToiPairs::Audit(const ToiPair& pair) const {
+    TOIStats work;
+    ++m_s.audit->spared;
+    if (TimeOf(pair, work) < 1.0f) ++m_s.audit->missed;
+}
+
+/// Times of all pairs, on all workers, and their events.
+void ToiPairs::FindTimes() {
+    m_s.times.resize(m_s.pairs.size());
+    m_t.pool.For(static_cast<int>(m_s.pairs.size()), leastSearches, [&](int begin, int end, int /*worker*/) {
+        TOIStats work;
+        for (int i = begin; i < end; ++i) m_s.times[Row(i)] = FirstTimeOf(m_s.pairs[Row(i)], work);
+        if (work.calls > 0) CountSearches(*m_events.work, work);
+    });
+    for (size_t i = 0; i < m_s.times.size(); ++i) {
+        if (m_s.times[i] < 1.0f) SetEvent(static_cast<int>(i), m_s.times[i]);
     }
 }
 
@@ -122,38 +206,68 @@ Sweep ToiPairs::SweepOf(int body, Vec2 frame) const {
 void ToiPairs::CollectFirst(int body, const NearStatics::Tables& tables) {
     const bool isBullet = IsBullet(body);
     const auto known = isBullet ? std::nullopt : m_s.nearStatics.Find(body, tables);
-    if (!known) return Collect(body, isBullet);
-    if (known->empty()) return;
-    m_s.found.assign(known->begin(), known->end());  // a filter that is asked may make what is known forgotten
+    m_s.candidates.clear();
     for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
         if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
-        MarkKnown(body, f);
-        const AABB box = SweptBox(body, f);
-        for (const int other : m_s.found) {
-            if (TestOverlap(box, m_t.broadPhase.GetBox(static_cast<uint32_t>(other)))) Add(f, other);
+        if (!known) {
+            FindCandidates(body, f, isBullet);
+        } else if (!known->empty()) {
+            FindCandidates(body, f, *known);
         }
+    }
+    const auto isSpared = [&](const ToiCandidate& c) {
+        const int otherBody = m_t.fixtures.body[Row(c.other)];
+        return m_bodies.type[Row(otherBody)] == staticBody && IsSpared(PairOf(c.fixture, c.other));
+    };
+    if (m_s.candidates.empty()) return;
+    if (!isBullet && std::ranges::all_of(m_s.candidates, isSpared)) {
+        m_s.isPassedOver[Row(body)] = 1;
+    } else {
+        AddCandidates(body);
     }
 }
 
 /// Makes the pairs of a body with everything on its way and puts their events into the heap.
 void ToiPairs::Collect(int body, bool withDynamic) {
+    m_s.candidates.clear();
     for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
         if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
-        m_s.found.clear();
-        const auto visit = [&](uint32_t other) {
-            m_s.found.push_back(static_cast<int>(other));
-            return true;
-        };
-        const AABB box = SweptBox(body, f);
-        if (withDynamic) {
-            m_t.broadPhase.PrepareQueries();  // boxes were swept
-            m_t.broadPhase.Query(box, visit);
-        } else {
-            m_t.broadPhase.QueryStatic(box, visit);
-        }
-        std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
-        if (!m_s.found.empty()) MarkKnown(body, f);
-        for (const int other : m_s.found) Add(f, other);
+        FindCandidates(body, f, withDynamic);
+    }
+    AddCandidates(body);
+}
+
+void ToiPairs::FindCandidates(int body, int fixture, std::span<const int> known) {
+    const AABB box = SweptBox(body, fixture);
+    for (const int other : known) {
+        if (!TestOverlap(box, m_t.broadPhase.GetBox(static_cast<uint32_t>(other)))) continue;
+        m_s.candidates.push_back({fixture, other});
+    }
+}
+
+void ToiPairs::FindCandidates(int body, int fixture, bool withDynamic) {
+    m_s.found.clear();
+    const auto visit = [&](uint32_t other) {
+        m_s.found.push_back(static_cast<int>(other));
+        return true;
+    };
+    const AABB box = SweptBox(body, fixture);
+    if (withDynamic) {
+        m_t.broadPhase.PrepareQueries();  // boxes were swept
+        m_t.broadPhase.Query(box, visit);
+    } else {
+        m_t.broadPhase.QueryStatic(box, visit);
+    }
+    std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
+    for (const int other : m_s.found) m_s.candidates.push_back({fixture, other});
+}
+
+void ToiPairs::AddCandidates(int body) {
+    m_s.isPassedOver[Row(body)] = 0;
+    for (size_t i = 0; i < m_s.candidates.size(); ++i) {
+        const ToiCandidate candidate = m_s.candidates[i];
+        if (i == 0 || candidate.fixture != m_s.candidates[i - 1].fixture) MarkKnown(body, candidate.fixture);
+        Add(candidate.fixture, candidate.other);
     }
 }
 
@@ -182,11 +296,12 @@ void ToiPairs::Add(int fixture, int other) {
     for (const int b : {body, otherBody}) {
         if (m_s.firstPair[Row(b)] < 0) m_s.touched.push_back(b);
     }
-    m_s.pairs.push_back(
-        {fixture, other, body, otherBody, 0, m_s.firstPair[Row(body)], m_s.firstPair[Row(otherBody)], false});
+    m_s.pairs.push_back(PairOf(fixture, other));
+    m_s.pairs.back().nextA = m_s.firstPair[Row(body)];
+    m_s.pairs.back().nextB = m_s.firstPair[Row(otherBody)];
     m_s.firstPair[Row(body)] = index;
     m_s.firstPair[Row(otherBody)] = index;
-    UpdateEvent(index);
+    if (!m_timesFollow) UpdateEvent(index);
 }
 
 /// Neither refused by a filter or a joint nor disabled by a listener.
@@ -221,21 +336,55 @@ bool ToiPairs::IsClear(int fixture, int other, float overlap) const {
                       StartIn(frame, m_bodies, body), CentreIn(frame, m_bodies, body), reach - overlap);
 }
 
+/// Bounds the motion of a pair one of which does not turn.
+Clearance ToiPairs::ClearanceOf(const ToiPair& pair) const {
+    const bool isMoverA = IsMoverA(pair);
+    const int mover = isMoverA ? pair.bodyA : pair.bodyB, still = isMoverA ? pair.bodyB : pair.bodyA;
+    const bool isStatic = m_bodies.type[Row(still)] == staticBody;
+    if (!isStatic && m_bodies.startPosition[Row(still)].a != m_bodies.position[Row(still)].a) return {};
+    // Ways are compared from a body's own start on.
+    const float begin = m_s.alpha[Row(mover)], beginOfStill = m_s.alpha[Row(still)];
+    if (!isStatic && begin != beginOfStill) return {};
+    const Vec2 frame = FrameOf(m_bodies, mover, still);
+    Vec2 way = CentreIn(frame, m_bodies, mover) - StartIn(frame, m_bodies, mover);
+    if (!isStatic) way -= CentreIn(frame, m_bodies, still) - StartIn(frame, m_bodies, still);
+    const float turn = Abs(m_bodies.position[Row(mover)].a - m_bodies.startPosition[Row(mover)].a);
+    const Watched watched = pair.isHeld                             ? Watched::middle
+                            : m_atOutlines && begin >= beginOfStill ? Watched::coresOrMiddle
+                                                                    : Watched::cores;
+    const int fixture = isMoverA ? pair.fixtureA : pair.fixtureB, other = isMoverA ? pair.fixtureB : pair.fixtureA;
+    return BoundClearance(
+        {*m_t.fixtures.shape[Row(other)], TransformIn(frame, m_bodies, still), *m_t.fixtures.shape[Row(fixture)],
+         TransformIn(frame, m_bodies, mover), m_bodies.mass[Row(mover)].localCenter, way, turn},
+        watched, m_lengthScale);
+}
+
+/// True if the pair surely has no event, so that no search is needed.
+bool ToiPairs::IsSpared(const ToiPair& pair) const {
+    if (!ClearanceOf(pair).isSure && !PassesBy(pair)) return false;
+    if (m_s.audit != nullptr) Audit(pair);
+    return true;
+}
+
+float ToiPairs::FirstTimeOf(const ToiPair& pair, TOIStats& work) const {
+    return pair.over || IsSpared(pair) ? 1.0f : TimeOf(pair, work);
+}
+
 /// Computes when the pair meets and puts, moves or takes out its event.
 void ToiPairs::UpdateEvent(int index) {
+    const float alpha = FirstTimeOf(m_s.pairs[Row(index)], *m_events.work);
+    alpha < 1.0f ? SetEvent(index, alpha) : m_s.events.Remove(index);
+}
+
+void ToiPairs::SetEvent(int index, float alpha) {
     const ToiPair& pair = m_s.pairs[Row(index)];
-    const float alpha = pair.over || PassesBy(pair) ? 1.0f : TimeOf(pair);
-    if (alpha >= 1.0f) {
-        m_s.events.Remove(index);
-        return;
-    }
     const auto low = static_cast<uint64_t>(std::min(pair.fixtureA, pair.fixtureB));
     const auto high = static_cast<uint64_t>(std::max(pair.fixtureA, pair.fixtureB));
     m_s.events.Set(index, alpha, high << 32 | low);
 }
 
 /// The part of the step at which the pair meets; 1: not in this step.
-float ToiPairs::TimeOf(const ToiPair& pair) const {
+float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
     TOIInput input;
     input.proxyA.Set(m_t.fixtures.shape[Row(pair.fixtureA)], 0);
     input.proxyB.Set(m_t.fixtures.shape[Row(pair.fixtureB)], 0);
@@ -251,13 +400,13 @@ float ToiPairs::TimeOf(const ToiPair& pair) const {
     TOIOutput output;
     const auto search = [&] {
         TimeOfImpact(&output, &input);
-        m_events.work->Add(output);
+        work.Add(output);
     };
     if (!pair.isHeld) search();
     // What begins as near as it may come, or within the other already, is held by its contact; only the middle of the
     // one that moves must not pass to the other side.
     if (pair.isHeld || output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
-        const bool isA = IsDynamic(pair.bodyA) && (!IsDynamic(pair.bodyB) || IsBullet(pair.bodyA));
+        const bool isA = IsMoverA(pair);
         const Vec2 middle = MiddleOf(*m_t.fixtures.shape[Row(isA ? pair.fixtureA : pair.fixtureB)]);
         (isA ? input.proxyA : input.proxyB).Set(&middle, 1, 0.0f);
         search();
@@ -269,6 +418,10 @@ float ToiPairs::TimeOf(const ToiPair& pair) const {
 
 void ToiPairs::UpdateTimes(int body) {
     for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateEvent(p);
+}
+
+void ToiPairs::Complete(int body) {
+    if (m_s.isPassedOver[Row(body)] != 0) Collect(body, false);
 }
 
 void ToiPairs::Refresh(int body) {

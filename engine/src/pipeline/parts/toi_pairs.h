@@ -4,13 +4,20 @@
 // Part of the continuous stage: the pairs of fixtures that may meet within the step, and when they do. Boxes swept over
 // the motion find the pairs, conservative advancement (geometry/time_of_impact.cpp) their times, which are put into the
 // heap of events.
+//
+// Most bodies rest, slide or pass by. Cheap bounds (geometry/passage.h) show that they meet nothing; such a body gets
+// no pairs until an event needs them. Bodies are looked over and times are searched on all workers; pairs are made in
+// the order of bodies, by one.
 
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/indexed_heap.h"
+#include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
+#include "geometry/passage.h"
 #include "pipeline/contact_events.h"
 #include "pipeline/parts/near_statics.h"
 #include "scree/time_of_impact.h"
@@ -22,6 +29,7 @@
 namespace scree {
 
 struct ContinuousTables {
+    TaskPool& pool;
     BodyTable& bodies;
     FixtureTable& fixtures;
     JointTable& joints;
@@ -39,22 +47,41 @@ struct ToiPair {
     bool isHeld = false;  ///< by its contact: only its centre is looked at
 };
 
+/// A fixture of a body and one on its way.
+struct ToiCandidate {
+    int fixture, other;
+};
+
+/// What the first look at a body says.
+enum class ScreenedBody : uint8_t { passes, isToCollect };
+
+/// For tests: searches in full for every pair that was spared it.
+struct ToiAudit {
+    int spared = 0;
+    int missed = 0;  ///< of these: had an event after all
+};
+
 /// Scratch of the pairs, kept between steps.
 struct ToiScratch {
     std::vector<ToiPair> pairs;
-    std::vector<int> firstPair;  ///< per body, −1: none
-    std::vector<float> alpha;    ///< per body: the part of the step done at its start position
-    std::vector<int> touched;    ///< bodies whose entries above must be reset
-    std::vector<int> found;      ///< fixtures of one query
-    std::vector<int> knownTo;    ///< per fixture: the round of collecting in which it was found to have a pair
-    int round = 0;               ///< of collecting, counts up; 0: none yet
+    std::vector<int> firstPair;            ///< per body, −1: none
+    std::vector<float> alpha;              ///< per body: the part of the step done at its start position
+    std::vector<int> touched;              ///< bodies whose entries above must be reset
+    std::vector<int> found;                ///< fixtures of one query
+    std::vector<ToiCandidate> candidates;  ///< of one body
+    std::vector<ScreenedBody> screened;    ///< by place among the movers
+    std::vector<uint8_t> isPassedOver;     ///< per body: 1 if it has no pairs because it meets nothing static
+    std::vector<float> times;              ///< per pair
+    std::vector<int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
+    int round = 0;             ///< of collecting, counts up; 0: none yet
     NearStatics nearStatics;
     IndexedHeap events;
     bool resuming = false;  ///< the step goes on
+    ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, knownTo) + nearStatics.GetMemoryBytes() +
-               events.GetMemoryBytes();
+        return BytesOf(pairs, firstPair, alpha, touched, found, candidates, screened, isPassedOver, times, knownTo) +
+               nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
 
@@ -74,6 +101,8 @@ public:
     void Clear();
     /// Makes the pairs of everything that moves with what is on its way.
     void FindAll();
+    /// Makes the pairs of a body that was passed over: it takes part in an event.
+    void Complete(int body);
     /// New times for all pairs of a body.
     void UpdateTimes(int body);
     /// The same after its motion changed, and pairs with what has come into its way.
@@ -92,18 +121,45 @@ private:
     [[nodiscard]] bool IsBullet(int body) const { return m_bodies.Has(body, BodyFlag::bullet); }
     [[nodiscard]] bool MayMeet(int bodyA, int bodyB) const;
     [[nodiscard]] bool Moves(int body) const;
+    /// Of a pair with something dynamic: which one moves against the other.
+    [[nodiscard]] bool IsMoverA(const ToiPair& pair) const {
+        return IsDynamic(pair.bodyA) && (!IsDynamic(pair.bodyB) || IsBullet(pair.bodyA));
+    }
+    [[nodiscard]] ToiPair PairOf(int fixture, int other) const {
+        return {.fixtureA = fixture,
+                .fixtureB = other,
+                .bodyA = m_t.fixtures.body[static_cast<size_t>(fixture)],
+                .bodyB = m_t.fixtures.body[static_cast<size_t>(other)],
+                .rounds = 0,
+                .nextA = -1,
+                .nextB = -1,
+                .over = false};
+    }
+    void Screen();
+    [[nodiscard]] ScreenedBody ScreenBody(int body);
+    [[nodiscard]] ScreenedBody LookAround(int body);
+    void AuditBody(int body) const;
+    void Audit(const ToiPair& pair) const;
+    void FindTimes();
     void SweepBoxes();
     void SweepBoxesOf(int body);
     [[nodiscard]] AABB SweptBox(int body, int fixture) const;
     void CollectFirst(int body, const NearStatics::Tables& tables);
     void Collect(int body, bool withDynamic);
+    void FindCandidates(int body, int fixture, std::span<const int> known);
+    void FindCandidates(int body, int fixture, bool withDynamic);
+    void AddCandidates(int body);
     void MarkKnown(int body, int fixture);
     void Add(int fixture, int other);
     [[nodiscard]] bool MayCollide(int fixture, int other) const;
     [[nodiscard]] bool PassesBy(const ToiPair& pair) const;
     [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const;
+    [[nodiscard]] Clearance ClearanceOf(const ToiPair& pair) const;
+    [[nodiscard]] bool IsSpared(const ToiPair& pair) const;
     void UpdateEvent(int index);
-    [[nodiscard]] float TimeOf(const ToiPair& pair) const;
+    void SetEvent(int index, float alpha);
+    [[nodiscard]] float FirstTimeOf(const ToiPair& pair, TOIStats& work) const;
+    [[nodiscard]] float TimeOf(const ToiPair& pair, TOIStats& work) const;
 
     const float m_lengthScale;
     const bool m_atOutlines;
@@ -111,6 +167,7 @@ private:
     const ContinuousTables& m_t;
     BodyTable& m_bodies;
     ToiScratch& m_s;
+    bool m_timesFollow = false;     ///< of all pairs, once they are there
     bool m_dynamicTargets = false;  ///< some body can hit dynamic ones: a bullet or a kinematic body
 };
 

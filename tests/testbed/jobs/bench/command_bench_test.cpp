@@ -20,15 +20,17 @@ namespace testbed {
 namespace {
 
 BenchResult RunSmall(const std::string& scene, int size, const BenchEffort& effort) {
-    return RunBenchCase({scenes::Find(scene), size, ParsePanes("scree,box2d", {}, comparisonBase)}, effort, [](int) {});
+    return RunBenchCase({MakeInput(*scenes::Find(scene), size), ParsePanes("scree,box2d", {}, comparisonBase)}, effort,
+                        [](int) {});
 }
 
 TEST(Bench, CountsTheSameWorkInBothEnginesWhileNothingCollides) {
     // 20 tiles a side: 210 boxes above a ground of 2000, which they do not reach within 9 steps; neighbours do not
     // touch.
     int advanced = 0;
-    const BenchResult result = RunBenchCase({scenes::Find("tiles"), 20, ParsePanes("scree,box2d", {}, comparisonBase)},
-                                            {.repeats = 2, .maxSteps = 9}, [&](int count) { advanced += count; });
+    const BenchResult result =
+        RunBenchCase({MakeInput(*scenes::Find("tiles"), 20), ParsePanes("scree,box2d", {}, comparisonBase)},
+                     {.repeats = 2, .maxSteps = 9}, [&](int count) { advanced += count; });
     EXPECT_EQ(advanced, 2 * 2 * 9);
     ASSERT_EQ(result.rows.size(), 2u);
     ASSERT_EQ(result.timing.size(), 2u);
@@ -121,11 +123,11 @@ TEST(BenchPlan, TheSuiteIsTheDefaultAndSizesAreChecked) {
     arguments.sizes = "sweep";
     const BenchPlan plan = MakeBenchPlan(arguments);
     ASSERT_EQ(plan.cases.size(), 30u + 11u) << "25:750:25 and 1:11:1";
-    EXPECT_EQ(plan.cases[0].size, 25);
-    EXPECT_EQ(plan.cases[29].size, 750);
+    EXPECT_EQ(plan.cases[0].scene.size, 25);
+    EXPECT_EQ(plan.cases[29].scene.size, 750);
     arguments.scenes = {"slow-explosion"};
     arguments.sizes = "10000,1000000";
-    EXPECT_EQ(MakeBenchPlan(arguments).cases.back().size, 1'000'000) << "above the sweep is legal";
+    EXPECT_EQ(MakeBenchPlan(arguments).cases.back().scene.size, 1'000'000) << "above the sweep is legal";
     for (const char* sizes : {"0", "abc", "10,", "99999999"}) {
         arguments.sizes = sizes;
         EXPECT_THROW((void)MakeBenchPlan(arguments), UsageError) << sizes;

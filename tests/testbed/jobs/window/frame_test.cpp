@@ -29,7 +29,7 @@ public:
         viewer.isPaused = true;
         viewer.look.layers.Set(Layer::bodies);
         const scenes::SceneInfo& info = *scenes::Find("pyramid");
-        LoadScene(viewer, info, 4);
+        LoadScene(viewer, MakeInput(info, 4));
         for (int i = 0; i < 3; ++i) StepAll(viewer);
         viewer.message.clear();
     }

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Whether a shape that passes another one, or rests on it, can have a time of impact at all: a bound that costs a few
+// products a vertex, to spare the search (time_of_impact.cpp) where nothing can happen.
+//
+// The distance of the cores along an axis that is fixed in the still shape falls at most linearly with the way of the
+// mover's centre along the axis, and by its turn times its reach. So what is beyond the target at both ends, with the
+// turn taken off, is beyond it all the way. Axes are those of one face of the still shape, and of an edge also its
+// ends.
+
+#pragma once
+
+#include "scree/shape.h"
+
+namespace scree {
+
+/// A shape that has moved against another one, which does not turn; places are those at the end of the motion.
+struct Passage {
+    const Shape& still;
+    Transform stillPlace;
+    const Shape& mover;
+    Transform moverPlace;
+    Vec2 centre;  ///< about which the mover turns, in its own coordinates
+    Vec2 way;     ///< of that centre against the still shape
+    float turn;   ///< of the mover, rad, not negative
+};
+
+/// What counts as a meeting.
+enum class Watched : uint8_t {
+    cores,          ///< cores that come within the target
+    coresOrMiddle,  ///< the same; where they begin within it, the middle of the mover that comes near
+    middle          ///< the middle of the mover that comes near
+};
+
+struct Clearance {
+    bool isSure = false;  ///< nothing meets on the way
+    /// Nothing meets either on any way on which no point of the mover gets farther than this from where it is at the
+    /// end of this one, m; negative: nothing is known.
+    float slack = -1.0f;
+    float reach = 0.0f;  ///< of the mover's core from its centre, m
+};
+
+/// Conservative: what is not sure has to be searched. `lengthScale` as for TimeOfImpact.
+Clearance BoundClearance(const Passage& passage, Watched watched, float lengthScale);
+
+/// The centroid of a shape, in its own coordinates.
+Vec2 MiddleOf(const Shape& shape);
+
+}  // namespace scree

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The broad phase of Box2D 3 beside a world: it does not let programs see the three trees of a world, so these are
+// trees of the same library, one a type of bodies, moved by the same rules (fat boxes that grow when left, and a
+// rebuild of what grew before each search).
+
+#pragma once
+
+#include <box2d/box2d.h>
+#include <box2d/collision.h>
+
+#include <vector>
+
+#include "testbed/engines/box2d3/box2d3_shape.h"
+
+namespace testbed::box2d3 {
+
+class Trees {
+public:
+    Trees();
+    ~Trees();
+    Trees(const Trees&) = delete;
+    Trees& operator=(const Trees&) = delete;
+
+    /// Adds a box; its number counts up from 0.
+    void Add(scenes::BodyType type, const Shape& shape, b2WorldTransform pose);
+    [[nodiscard]] size_t GetCount() const { return m_proxies.size(); }
+    /// After a step.
+    void Move(size_t number, b2WorldTransform pose);
+    /// What Box2D 3 does before it searches pairs.
+    void Rebuild();
+    /// Pairs of boxes that a search for all of the moving ones would report.
+    [[nodiscard]] int64_t CountPairs() const;
+    /// The three as one tree: nodes that the library does not have join their roots.
+    void Dump(Snapshot& snapshot) const;
+
+private:
+    struct Proxy {
+        int tree, id;
+        float margin;
+        Shape shape;
+        b2AABB fat;
+    };
+    b2DynamicTree m_trees[3];
+    std::vector<Proxy> m_proxies;
+};
+
+}  // namespace testbed::box2d3
