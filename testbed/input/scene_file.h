@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "scenes/scene.h"
+#include "testbed/input/json_tree.h"
 
 namespace testbed {
 
@@ -25,6 +26,9 @@ inline constexpr int sceneVersion = 1;
 /// with the place (`bodies[12].fixtures[0].shape.vertices`) and the cure for anything that is not a scene both engines
 /// can make: wrong keys or types, numbers that are not finite or out of range, shapes without area, joints of no body.
 [[nodiscard]] scenes::Scene ReadScene(std::string_view text, std::string_view source);
+
+/// The same from a tree of any syntax; what stands below "user" is left out.
+[[nodiscard]] scenes::Scene ReadScene(const JsonNode& root, std::string_view source);
 
 /// The scene in a file. Throws FileError, also when it cannot be read.
 [[nodiscard]] scenes::Scene ReadSceneFile(const std::filesystem::path& file);

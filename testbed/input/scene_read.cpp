@@ -299,6 +299,13 @@ std::string UserText(std::string_view text, const JsonNode& root, const Reader& 
 
 }  // namespace
 
+scenes::Scene ReadScene(const JsonNode& root, std::string_view source) {
+    Reader reader(source);
+    scenes::Scene scene = reader.Read(root);
+    if (const std::string fault = DescribeFault(scene); !fault.empty()) reader.Fail(fault);
+    return scene;
+}
+
 scenes::Scene ReadScene(std::string_view text, std::string_view source) {
     const JsonNode root = ParseJson(text, source);
     Reader reader(source);

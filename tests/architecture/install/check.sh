@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# check.sh SOURCE WORK COMPILER BUILD: installs what was built in BUILD below WORK, and builds and runs a program outside
-# the project against it, once found by find_package(scree) and once by pkg-config, and one written for Box2D. Fails too
-# if the engine's library defines Box2D's names or needs anything but the C++ runtime. Where BUILD is `alone`, the engine
-# is first built by itself, as shared libraries: several minutes without a cache of the compiler.
+# check.sh SOURCE WORK COMPILER BUILD: installs what was built in BUILD below WORK, and builds and runs programs outside the
+# project against it: one found by find_package(scree) and by pkg-config, one written for Box2D, and one that records its
+# world. Fails too if the engine's library defines Box2D's names or needs anything but the C++ runtime. Where BUILD is
+# `alone`, the engine is first built by itself, as shared libraries: several minutes without a cache of the compiler.
 
 set -euo pipefail
 readonly source=$1 work=$2 compiler=$3 build=$4
@@ -45,6 +45,7 @@ cmake -S "$consumer" -B "$work/consumer" "${options[@]}" "-DCMAKE_PREFIX_PATH=$w
 cmake --build "$work/consumer"
 "$work/consumer/consumer"
 "$work/consumer/consumer_box2d"
+(cd "$work" && "$work/consumer/consumer_capture" && [[ -s session.track && -s level.scene.json ]])
 
 echo "== pkg-config"
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name scree.pc)")
