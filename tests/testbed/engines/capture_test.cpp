@@ -78,7 +78,7 @@ void Fill(typename T::World& world, int count, std::mt19937& random) {
     auto* ground = world.CreateBody(&groundDef);
     const Vec points[] = {Vec{10, 1}, Vec{3, 0}, Vec{-3, 0}, Vec{-10, 1}};
     typename T::Chain chain;
-    chain.CreateChain(points, 4, Vec{12, 3}, Vec{-12, 3});
+    (void)chain.CreateChain(points, 4, Vec{12, 3}, Vec{-12, 3});
     def.shape = &chain;
     ground->CreateFixture(&def);
     typename T::Edge edge;
@@ -100,7 +100,7 @@ void Fill(typename T::World& world, int count, std::mt19937& random) {
         typename T::Polygon polygon;
         const Vec corners[] = {Vec{-s, -s}, Vec{s, -s}, Vec{0, s}};
         if (i % 2 == 0) {
-            polygon.Set(corners, 3);
+            (void)polygon.Set(corners, 3);
         } else {
             polygon.SetAsBox(s, 0.7f * s, Vec{0.1f, 0}, 0.3f);
         }

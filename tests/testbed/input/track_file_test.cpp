@@ -120,7 +120,7 @@ std::string Deflate(const std::string& payload) {
     return {out.GetBytes().begin(), out.GetBytes().end()};
 }
 
-std::string ErrorOf(const std::string& bytes) {
+std::string TrackErrorOf(const std::string& bytes) {
     try {
         (void)TrackFile(bytes, "some/session.track");
     } catch (const FileError& error) {
@@ -153,7 +153,7 @@ TEST(TrackFile, AFileCutAnywhereReadsToItsLastWholeRecord) {
     for (std::size_t size = 0; size < bytes.size(); ++size) {
         const std::string cut = bytes.substr(0, size);
         if (size < header) {
-            ASSERT_TRUE(ErrorOf(cut).starts_with("some/session.track: ")) << ErrorOf(cut);
+            ASSERT_TRUE(TrackErrorOf(cut).starts_with("some/session.track: ")) << TrackErrorOf(cut);
             continue;
         }
         const TrackFile track(cut, "x");
@@ -202,15 +202,15 @@ TEST(TrackFile, ASceneOfAStepHoldsWhatWasThere) {
 
 TEST(TrackFile, ErrorsNameThePlaceAndTheCure) {
     const std::string bytes = RecordSample(12);
-    EXPECT_NE(ErrorOf("").find("no track"), std::string::npos);
-    EXPECT_NE(ErrorOf("PNG").find("recorded"), std::string::npos);
+    EXPECT_NE(TrackErrorOf("").find("no track"), std::string::npos);
+    EXPECT_NE(TrackErrorOf("PNG").find("recorded"), std::string::npos);
     const auto change = [&](std::size_t record, const std::string& from, const std::string& to) {
         Records records(bytes);
         std::string& payload = records.payloads[record];
         const std::size_t at = payload.find(from);
         EXPECT_NE(at, std::string::npos) << from;
         payload.replace(at, from.size(), to);
-        return ErrorOf(records.Join());
+        return TrackErrorOf(records.Join());
     };
     EXPECT_NE(change(0, "scree-track", "other-track").find("record 1, byte"), std::string::npos);
     EXPECT_NE(change(0, "fixtures", "fixturex").find("did you mean 'fixtures'"), std::string::npos);
@@ -221,7 +221,7 @@ TEST(TrackFile, ErrorsNameThePlaceAndTheCure) {
 }
 
 /// Flips, cuts, splices, huge numbers and deep nesting, at places where they are read.
-std::string Mutate(const std::string& good, std::mt19937& random) {
+std::string MutateTrack(const std::string& good, std::mt19937& random) {
     const auto below = [&](std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random); };
     static const std::vector<std::string> hostile{
         std::string("\x1b\x7f\xff\xff\xff\xff\xff\xff\xff", 9),  // a huge number
@@ -293,7 +293,7 @@ TEST(TrackFile, DamagedFilesEndInAnErrorOrInATrackThatIsGood) {
     const std::string texts[] = {plain, records.Join()};
     int refused = 0, cut = 0;
     for (int i = 0; i < count; ++i) {
-        const std::string bytes = Mutate(texts[i % 2], random);
+        const std::string bytes = MutateTrack(texts[i % 2], random);
         try {
             TrackFile track(bytes, "x");
             cut += !track.GetInfo().damage.empty();
