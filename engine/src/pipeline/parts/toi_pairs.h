@@ -81,7 +81,8 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times, knownTo) +
+        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times,
+                       knownTo) +
                nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
