@@ -42,14 +42,17 @@ constexpr EngineInfo engines[] = {
      .makeRun = MakeBox2dRun,
      .makeFollower = MakeBox2dFollower,
      .makeLab = MakeBox2dLab},
-#ifdef SCREE_HAS_BOX2D3
     {.name = "box2d3",
      .title = "Box2D 3",
      .abilities = Of({Ability::softSteps, Ability::threads}),
+#ifdef SCREE_HAS_BOX2D3
      .makeRun = MakeBox2d3Run,
      .makeFollower = MakeBox2d3Follower,
-     .makeLab = nullptr},
+#else
+     .makeRun = nullptr,
+     .makeFollower = nullptr,
 #endif
+     .makeLab = nullptr},
 };
 
 constexpr std::pair<Ability, std::string_view> abilityNames[] = {
@@ -60,7 +63,14 @@ constexpr std::pair<Ability, std::string_view> abilityNames[] = {
 
 }  // namespace
 
-std::span<const EngineInfo> GetEngines() { return engines; }
+std::span<const EngineInfo> GetKnownEngines() { return engines; }
+
+std::span<const EngineInfo> GetEngines() {
+    // Those that may be missing come last.
+    const auto missing =
+        std::ranges::find_if(engines, [](const EngineInfo& engine) { return engine.makeRun == nullptr; });
+    return {std::begin(engines), missing};
+}
 
 const EngineInfo& FindEngine(std::string_view name) {
     const auto found = std::ranges::find(engines, name, &EngineInfo::name);
@@ -69,6 +79,17 @@ const EngineInfo& FindEngine(std::string_view name) {
     for (const EngineInfo& engine : engines) names.push_back(engine.name);
     throw UsageError(DescribeUnknown("engine", name, names));
 }
+
+namespace {
+
+const EngineInfo& FindBuilt(std::string_view name) {
+    const EngineInfo& engine = FindEngine(name);
+    if (engine.makeRun != nullptr) return engine;
+    throw UsageError(fmt::format("{} is not in this build: {}_ROOT names where {} is installed when it is configured",
+                                 engine.name, engine.name, engine.title));
+}
+
+}  // namespace
 
 std::string DescribeAbilities(Abilities abilities) {
     std::string text;
@@ -79,18 +100,19 @@ std::string DescribeAbilities(Abilities abilities) {
 }
 
 std::unique_ptr<InteractiveRun> MakeRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs) {
-    return FindEngine(spec.engine).makeRun(scene, spec, needs);
+    return FindBuilt(spec.engine).makeRun(scene, spec, needs);
 }
 
 std::unique_ptr<EngineRun> MakeFollower(const scenes::Scene& scene, const RunSpec& spec, const RunSpec& source,
                                         const RunNeeds& needs) {
     if (spec == source) return MakeRun(scene, spec, needs);
-    return FindEngine(spec.engine).makeFollower(scene, spec, MakeRun(scene, source, needs));
+    return FindBuilt(spec.engine).makeFollower(scene, spec, MakeRun(scene, source, needs));
 }
 
 std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs) {
-    const EngineInfo& engine = FindEngine(spec.engine);
-    if (engine.makeLab == nullptr) throw UsageError(fmt::format("{} is not in the laboratory yet", engine.name));
+    const EngineInfo& engine = FindBuilt(spec.engine);
+    if (engine.makeLab == nullptr)
+        throw UsageError(fmt::format("{} has no laboratory: laws and extremes run in scree and box2d", engine.name));
     return engine.makeLab(scene, spec, needs);
 }
 

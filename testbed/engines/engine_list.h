@@ -23,14 +23,18 @@ struct EngineInfo {
     std::string_view name;   ///< as --engines takes it
     std::string_view title;  ///< for readers
     Abilities abilities;
+    /// Null, as the others: known, but not in this build.
     std::unique_ptr<InteractiveRun> (*makeRun)(const scenes::Scene&, const RunSpec&, const RunNeeds&);
     /// Its broad phase alone, moved by another run.
     std::unique_ptr<EngineRun> (*makeFollower)(const scenes::Scene&, const RunSpec&, std::unique_ptr<EngineRun> source);
     std::unique_ptr<LabWorld> (*makeLab)(const scenes::Scene&, const RunSpec&, const LabNeeds&);
 };
+/// Those of this build.
 [[nodiscard]] std::span<const EngineInfo> GetEngines();
+/// Also those that a build has only where it finds their library.
+[[nodiscard]] std::span<const EngineInfo> GetKnownEngines();
 
-/// UsageError with the nearest name for an unknown one.
+/// Of the known ones. UsageError with the nearest name for another.
 [[nodiscard]] const EngineInfo& FindEngine(std::string_view name);
 
 }  // namespace testbed

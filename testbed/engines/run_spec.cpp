@@ -541,7 +541,7 @@ std::string WriteSettingTable() {
     std::string text = "| key | takes | unit | default | engines | what |\n|---|---|---|---|---|---|\n";
     for (const SettingKey& key : settingKeys) {
         std::vector<std::string_view> engines;
-        for (const EngineInfo& engine : GetEngines()) {
+        for (const EngineInfo& engine : GetKnownEngines()) {
             if (HasSetting(engine.name, key)) engines.push_back(engine.name);
         }
         const std::string usual = key.name == "preset" ? std::string(ownPreset) : key.print(MakeSpec("scree"));

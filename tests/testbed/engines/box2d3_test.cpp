@@ -10,8 +10,10 @@
 #include <cmath>
 #include <iostream>
 #include <stdexcept>
+#include <string>
 
 #include "scenes/catalog.h"
+#include "testbed/base/errors.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/engines/pair_count.h"
@@ -40,6 +42,17 @@ Snapshot RunFor(const scenes::Scene& scene, int steps, RunSpec spec = MakeSpec("
     Snapshot snapshot;
     run->Capture(snapshot);
     return snapshot;
+}
+
+TEST(Box2d3, ABuildWithoutItKnowsItAndSaysWhatToDo) {
+    EXPECT_EQ(FindEngine("box2d3").name, "box2d3");
+    if (HasBox2d3()) return;
+    try {
+        (void)MakeRun(scenes::Build("pyramid", 3), MakeSpec("box2d3"));
+        FAIL() << "it ran";
+    } catch (const UsageError& error) {
+        EXPECT_NE(std::string(error.what()).find("box2d3_ROOT"), std::string::npos) << error.what();
+    }
 }
 
 TEST(Box2d3, StepsBySubstepsOnly) {

@@ -32,8 +32,10 @@ Number Between(Number low, Number high) {
     return low + (high - low) * static_cast<Number>(*rc::gen::inRange(0, 1'000'001)) / Number{1'000'000};
 }
 
-Solver RandomSolver(bool hasSoftSteps, float lengthScale) {
-    switch (*rc::gen::inRange(0, hasSoftSteps ? 5 : 2)) {
+Solver RandomSolver(Abilities abilities, float lengthScale) {
+    const int first = abilities.Has(Ability::sequential) ? 0 : 2;
+    const int end = abilities.Has(Ability::dial) ? 5 : abilities.Has(Ability::softSteps) ? 3 : 2;
+    switch (*rc::gen::inRange(first, end)) {
         case 0:
             return SequentialImpulses{};
         case 1:
@@ -66,7 +68,7 @@ RunSpec RandomSpec() {
     const EngineInfo& engine = *rc::gen::elementOf(std::vector(GetEngines().begin(), GetEngines().end()));
     RunSpec spec{.engine = std::string(engine.name)};
     if (engine.abilities.Has(Ability::lengthScales)) spec.lengthScale = *rc::gen::element(1.0f, Between(1e-6f, 1e6f));
-    spec.solver = RandomSolver(engine.abilities.Has(Ability::softSteps), spec.lengthScale);
+    spec.solver = RandomSolver(engine.abilities, spec.lengthScale);
     if (*rc::gen::arbitrary<bool>()) {
         spec.timeStep = *rc::gen::arbitrary<bool>() ? 1.0 / *rc::gen::inRange(10, 10001) : Between(1e-4, 0.1);
     }
@@ -248,8 +250,11 @@ TEST(RunSpec, EverySettingReachesTheEngine) {
     for (const EngineInfo& engine : GetEngines()) {
         const std::string name(engine.name);
         const uint64_t plain = hash(name, {});
-        EXPECT_EQ(hash(name, {"iterations=8/3", "timeStep=1/60", "gravity=0/-10"}), plain) << name;
-        for (const char* setting : {"iterations=2/1", "timeStep=1/120", "gravity=0.5/-9", "warmStarting=off"}) {
+        const bool isSequential = engine.abilities.Has(Ability::sequential);
+        const char* own = isSequential ? "iterations=8/3" : "substeps=4";
+        EXPECT_EQ(hash(name, {own, "timeStep=1/60", "gravity=0/-10"}), plain) << name;
+        for (const char* setting :
+             {isSequential ? "iterations=2/1" : "substeps=1", "timeStep=1/120", "gravity=0.5/-9", "warmStarting=off"}) {
             EXPECT_NE(hash(name, {setting}), plain) << name << ' ' << setting;
         }
     }
