@@ -11,30 +11,12 @@
 #include <cmath>
 #include <cstring>
 #include <iostream>
-#include <random>
 #include <string>
 
 #include "scree/collision.h"
+#include "tests/geometry/source.h"
 
 namespace scree::test {
-
-/// Random numbers that are the same with every standard library: only the engine's raw output is used.
-class Source {
-public:
-    explicit Source(uint32_t seed) : m_engine(seed) {}
-    float Between(float low, float high) {
-        return low + (high - low) * (static_cast<float>(m_engine() >> 8) * 0x1p-24f);
-    }
-    int Below(int n) { return static_cast<int>(m_engine() % static_cast<uint32_t>(n)); }
-    bool Chance(int oneIn) { return Below(oneIn) == 0; }
-    Vec2 InSquare(float halfWidth) {
-        const float x = Between(-halfWidth, halfWidth);
-        return {x, Between(-halfWidth, halfWidth)};
-    }
-
-private:
-    std::mt19937 m_engine;
-};
 
 inline b2Vec2 ToBox2d(Vec2 v) { return {v.x, v.y}; }
 

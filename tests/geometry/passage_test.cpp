@@ -9,30 +9,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "scree/convex_shape.h"
 #include "scree/time_of_impact.h"
+#include "tests/geometry/source.h"
 
 namespace scree::test {
 namespace {
-
-class Randomly {
-public:
-    explicit Randomly(uint32_t seed) : m_engine(seed) {}
-    float Between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_engine); }
-    int Below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_engine); }
-    /// Spread evenly over orders of magnitude.
-    float Size(float low, float high) { return low * std::pow(high / low, Between(0.0f, 1.0f)); }
-    Vec2 InSquare(float half) { return {Between(-half, half), Between(-half, half)}; }
-    Vec2 Direction() {
-        const float angle = Between(-pi, pi);
-        return {std::cos(angle), std::sin(angle)};
-    }
-
-private:
-    std::mt19937 m_engine;
-};
 
 struct AnyShape {
     CircleShape circle;
@@ -42,7 +25,7 @@ struct AnyShape {
     const Shape* shape = nullptr;
 };
 
-void MakeShape(AnyShape& any, float size, Randomly& random) {
+void MakeShape(AnyShape& any, float size, Source& random) {
     switch (random.Below(6)) {
         case 0:
             any.circle.m_radius = size;
@@ -123,7 +106,7 @@ bool HasEvent(const Moving& m, Watched watched, float lengthScale) {
 }
 
 /// Puts the mover so that its core and the still one are about `gap` apart at the end.
-void PutNear(Moving& m, float gap, Randomly& random) {
+void PutNear(Moving& m, float gap, Source& random) {
     DistanceInput input;
     input.proxyA.Set(m.still.shape, 0), input.proxyB.Set(m.mover.shape, 0);
     input.transformA = m.placeA;
@@ -141,7 +124,7 @@ void PutNear(Moving& m, float gap, Randomly& random) {
 }
 
 TEST(Passage, IsSureOnlyWhereNothingMeets) {
-    Randomly random(5);
+    Source random(5);
     int sure[3] = {}, met = 0, slackened = 0, resting = 0;
     for (int i = 0; i < 120000; ++i) {
         Moving m;
@@ -206,7 +189,7 @@ TEST(Passage, IsSureOnlyWhereNothingMeets) {
 
 /// A box that lies on long ground, slides along it and creeps into it is sure in both ways of resting.
 TEST(Passage, IsSureWhereABoxRestsOrSlides) {
-    Randomly random(6);
+    Source random(6);
     for (int i = 0; i < 500; ++i) {
         EdgeShape ground;
         ground.SetTwoSided({-100.0f, 0.0f}, {100.0f, 0.0f});

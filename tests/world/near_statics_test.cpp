@@ -11,30 +11,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "geometry/reach.h"
 #include "scree/convex_shape.h"
 #include "scree/inspect.h"
 #include "scree/time_of_impact.h"
+#include "tests/geometry/source.h"
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
 
 namespace scree::test {
 namespace {
 
-class Randomly {
-public:
-    explicit Randomly(uint32_t seed) : m_engine(seed) {}
-    float Between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_engine); }
-    int Below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(m_engine); }
-    Vec2 InSquare(float half) { return {Between(-half, half), Between(-half, half)}; }
-
-private:
-    std::mt19937 m_engine;
-};
-
-Fixture* AddSomething(Body* body, Randomly& random) {
+Fixture* AddSomething(Body* body, Source& random) {
     switch (random.Below(4)) {
         case 0:
             return AddCircle(body, random.Between(0.1f, 1.5f));
@@ -73,7 +62,7 @@ bool Meets(const WorldState& s, int mover, int fixture, int other) {
 TEST(NearStatics, MissNothingThatABodyMeets) {
     int known = 0, met = 0, empty = 0, left = 0;
     for (uint32_t seed = 0; seed < 40; ++seed) {
-        Randomly random(seed);
+        Source random(seed);
         World world({0.0f, 0.0f});
         std::vector<Body*> statics;
         for (int i = 0; i < 25; ++i) {
@@ -182,7 +171,7 @@ uint64_t RunSlopes(bool hold, int& events) {
         AddBox(slope, 1.2f, 0.05f);
         EXPECT_EQ(slope->SetTransform(slope->GetPosition(), i % 2 == 0 ? 0.5f : -0.4f), ErrorCode::ok);
     }
-    Randomly random(3);
+    Source random(3);
     for (int i = 0; i < 120; ++i) {
         Body* body = AddBody(world, dynamicBody, {random.Between(-18.0f, 18.0f), random.Between(8.0f, 30.0f)});
         i % 2 == 0 ? AddCircle(body, 0.2f) : AddBox(body, 0.2f, 0.15f);
@@ -239,7 +228,7 @@ TEST(NearStatics, MayBeForgottenWhileAFilterIsAsked) {
 }
 
 TEST(LeastDistance, IsNeverMoreThanTheDistance) {
-    Randomly random(9);
+    Source random(9);
     int close = 0;
     for (int i = 0; i < 20000; ++i) {
         World world({0.0f, 0.0f});

@@ -13,7 +13,6 @@
 #include <bit>
 #include <chrono>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -27,6 +26,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/input/scene_fields.h"
+#include "tests/testbed/input/damage.h"
 #include "tests/testbed/program.h"
 
 namespace testbed {
@@ -244,52 +244,28 @@ TEST(SceneFile, TextThatIsNoJsonIsNamedByLineAndColumn) {
     EXPECT_NE(ErrorOf(R"({"version": 1e999})").find("no valid JSON"), std::string::npos);
 }
 
-/// Cuts, splices, flips and puts in what hurts readers.
-std::string Mutate(std::string text, std::mt19937& random) {
-    const auto below = [&](std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random); };
+/// Something hostile in the place of a number, where it is most likely to be read.
+void ReplaceNumber(std::string& text, std::size_t at, std::mt19937& random) {
     static const std::vector<std::string> hostile{"1e308",     "-1e39",   "99999999999999999999",
                                                   "null",      "[[[[",    "{}",
                                                   "\"",        "\\u0000", "-0.0",
                                                   "0.0000001", "true",    "-1",
                                                   "\xff",      ",",       "2147483648"};
-    const int times = 1 + static_cast<int>(below(3));
-    for (int i = 0; i < times && !text.empty(); ++i) {
-        const std::size_t at = below(text.size());
-        switch (below(5)) {
-            case 0:
-                text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
-                break;
-            case 1:
-                text.erase(at, 1 + below(40));
-                break;
-            case 2:
-                text.insert(at, text.substr(below(text.size()), 1 + below(60)));
-                break;
-            case 3:
-                text.resize(at);
-                break;
-            default: {
-                // In the place of a number, where it is most likely to be read.
-                const std::size_t digit = text.find_first_of("0123456789", at);
-                if (digit == std::string::npos) break;
-                const std::size_t end = text.find_first_not_of("0123456789.-+e", digit);
-                text.replace(digit, end == std::string::npos ? end : end - digit, hostile[below(hostile.size())]);
-            }
-        }
-    }
-    return text;
+    const std::size_t digit = text.find_first_of("0123456789", at);
+    if (digit == std::string::npos) return;
+    const std::size_t end = text.find_first_not_of("0123456789.-+e", digit);
+    text.replace(digit, end == std::string::npos ? end : end - digit, hostile[Below(hostile.size(), random)]);
 }
 
 TEST(SceneFile, DamagedFilesEndInAnErrorOrInASceneThatIsGood) {
-    // SCREE_MUTATIONS asks for more, for long runs.
-    const char* asked = std::getenv("SCREE_MUTATIONS");
-    const int count = asked != nullptr ? std::atoi(asked) : 3000;
+    const int count = CountOfMutations(3000);
     std::mt19937 random(20);
     const std::string texts[] = {SampleJson().dump(1), WriteScene(scenes::Build("gears")),
                                  WriteScene(scenes::Build("convex-shapes"))};
     int refused = 0;
     for (int i = 0; i < count; ++i) {
-        const std::string text = Mutate(texts[static_cast<std::size_t>(i) % std::size(texts)], random);
+        std::string text = texts[static_cast<std::size_t>(i) % std::size(texts)];
+        Damage(text, random, 1, [&](std::string& whole, std::size_t at) { ReplaceNumber(whole, at, random); });
         try {
             const scenes::Scene scene = ReadScene(text, "x");
             ASSERT_EQ(DescribeFault(scene), "");

@@ -10,7 +10,6 @@
 #include <zlib.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -24,6 +23,7 @@
 #include "testbed/base/input.h"
 #include "testbed/capture/scree_capture.h"
 #include "testbed/input/scene_file.h"
+#include "tests/testbed/input/damage.h"
 #include "tests/testbed/program.h"
 
 namespace testbed {
@@ -222,7 +222,7 @@ TEST(TrackFile, ErrorsNameThePlaceAndTheCure) {
 
 /// Flips, cuts, splices, huge numbers and deep nesting, at places where they are read.
 std::string MutateTrack(const std::string& good, std::mt19937& random) {
-    const auto below = [&](std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(random); };
+    const auto below = [&](std::size_t end) { return Below(end, random); };
     static const std::vector<std::string> hostile{
         std::string("\x1b\x7f\xff\xff\xff\xff\xff\xff\xff", 9),  // a huge number
         std::string("\x5b\x00\x00\x00\xff\xff\xff\xff\xff", 9),  // huge bytes
@@ -246,46 +246,26 @@ std::string MutateTrack(const std::string& good, std::mt19937& random) {
     Records records(good);
     const bool mustSum = below(4) > 0;  // else the checksum is wrong, too
     std::string whole = good;
-    std::string& text = mustSum ? records.payloads[below(records.payloads.size())] : whole;
-    const int times = 1 + static_cast<int>(below(3));
-    for (int i = 0; i < times && !text.empty(); ++i) {
-        const std::size_t at = below(text.size());
-        switch (below(6)) {
-            case 0:
-                text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
-                break;
-            case 1:
-                text.erase(at, 1 + below(40));
-                break;
-            case 2:
-                text.insert(at, text.substr(below(text.size()), 1 + below(60)));
-                break;
-            case 3:
-                text.resize(at);
-                break;
-            case 4:
-                text.replace(at, 1 + below(4), hostile[below(hostile.size())]);
-                break;
-            default: {
-                // In the place of what a key holds.
-                static const std::vector<std::string> keys{"step",    "dt",        "bodies", "contacts", "nodes",
-                                                           "created", "destroyed", "joints", "names",    "id",
-                                                           "body",    "joint",     "key",    "position", "fixtures"};
-                const std::string& key = keys[below(keys.size())];
-                const std::size_t found = text.find(key, at);
-                if (found != std::string::npos) {
-                    text.replace(found + key.size(), 1 + below(3), hostile[below(hostile.size())]);
-                }
-            }
-        }
-    }
+    Damage(mustSum ? records.payloads[below(records.payloads.size())] : whole, random, 2,
+           [&](std::string& text, std::size_t at) {
+               if (below(2) == 0) {
+                   text.replace(at, 1 + below(4), hostile[below(hostile.size())]);
+                   return;
+               }
+               // In the place of what a key holds.
+               static const std::vector<std::string> keys{"step",    "dt",        "bodies", "contacts", "nodes",
+                                                          "created", "destroyed", "joints", "names",    "id",
+                                                          "body",    "joint",     "key",    "position", "fixtures"};
+               const std::string& key = keys[below(keys.size())];
+               const std::size_t found = text.find(key, at);
+               if (found == std::string::npos) return;
+               text.replace(found + key.size(), 1 + below(3), hostile[below(hostile.size())]);
+           });
     return mustSum ? records.Join() : whole;
 }
 
 TEST(TrackFile, DamagedFilesEndInAnErrorOrInATrackThatIsGood) {
-    // SCREE_MUTATIONS asks for more, for long runs.
-    const char* asked = std::getenv("SCREE_MUTATIONS");
-    const int count = asked != nullptr ? std::atoi(asked) : 5000;
+    const int count = CountOfMutations(5000);
     std::mt19937 random(22);
     const std::string plain = RecordSample(12);
     Records records(plain);

@@ -31,6 +31,8 @@ void ToiPairs::Clear() {
     EnsureRows(m_s.firstPair, count, -1);
     EnsureRows(m_s.alpha, count);
     EnsureRows(m_s.isPassedOver, count);
+    for (const int body : m_s.lookers) m_s.isPassedOver[Row(body)] = 0;  // of the last step
+    m_s.lookers.clear();
     EnsureRows(m_s.knownTo, Row(m_t.fixtures.slots.Size()));
     for (const int body : m_s.touched) {
         m_s.firstPair[Row(body)] = -1;
@@ -100,11 +102,10 @@ ScreenedBody ToiPairs::ScreenBody(int body) {
     if (!m_bodies.Has(body, BodyFlag::enabled)) return ScreenedBody::passes;
     if (!IsDynamic(body)) return ScreenedBody::isToCollect;
     if (!m_bodies.IsActive(body)) return ScreenedBody::passes;
-    m_s.isPassedOver[Row(body)] = 0;
     if (IsBullet(body)) return ScreenedBody::isToCollect;
     if (!Moves(body)) return ScreenedBody::passes;
     const ScreenedBody screened = LookAround(body);
-    m_s.isPassedOver[Row(body)] = screened == ScreenedBody::passes ? 1 : 0;
+    if (screened == ScreenedBody::passes) m_s.isPassedOver[Row(body)] = 1;
     return screened;
 }
 
