@@ -41,9 +41,7 @@ protected:
         snapshot.engine = "box2d3";
         snapshot.broadPhase = "b2DynamicTree x 3";
         snapshot.pairsReported = 0;
-        if (!nodes) return;
-        m_trees.Dump(snapshot);
-        snapshot.pairsReported = m_trees.CountPairs();
+        if (nodes) m_trees.Dump(snapshot, true);
     }
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A scene running in Box2D 3: loading, stepping, times by stage, capture. Nodes are those of box2d3_trees.h, moved from
-// capture to capture. Times: refitting trees counts to the broad phase, bullets to continuous collision; that of other
+// A scene running in Box2D 3: loading, stepping, times by stage, capture. Nodes are those of box2d3_trees.h, made at
+// the first capture that asks for them and moved from one to the next. Times: refitting trees counts to the broad phase, bullets to continuous collision; that of other
 // bodies is part of its solver's last stage and cannot be separated.
 
 #include <box2d/box2d.h>
@@ -304,8 +304,7 @@ void Run::CaptureNodes(Snapshot& snapshot, bool pairs) {
             m_trees->Add(GetScene().bodies[body].type, m_proxies[i].shape, pose);
         }
     }
-    m_trees->Dump(snapshot);
-    if (pairs) snapshot.pairsReported = m_trees->CountPairs();
+    m_trees->Dump(snapshot, pairs);
 }
 
 void Run::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {

