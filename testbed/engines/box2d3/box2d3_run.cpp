@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A scene running in Box2D 3: loading, stepping, times by stage, capture. Nodes are those of box2d3_trees.h, made at
-// the first capture that asks for them and moved from one to the next. Times: refitting trees counts to the broad phase, bullets to continuous collision; that of other
-// bodies is part of its solver's last stage and cannot be separated.
+// the first capture that asks for them and moved from one to the next. Times: refitting trees counts to the broad
+// phase, bullets to continuous collision; that of other bodies is part of its solver's last stage and cannot be
+// separated.
 
 #include <box2d/box2d.h>
 
