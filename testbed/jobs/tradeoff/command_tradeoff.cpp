@@ -103,9 +103,8 @@ void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, const s
     for (const Law& law : GetLaws()) {
         if (std::ranges::find(cases, law.name, &TradeCase::law) == cases.end()) continue;
         const std::filesystem::path relative = std::filesystem::path("plots") / (law.name + ".svg");
-        const std::filesystem::path temporary = output.Prepare(relative).string() + ".tmp";
-        DrawPlot(MakeTradePlot(law, cases), "svg", temporary);
-        output.Adopt(temporary, relative);
+        output.WriteBy(relative,
+                       [&](const std::filesystem::path& place) { DrawPlot(MakeTradePlot(law, cases), "svg", place); });
         plots = output.Prepare(relative).parent_path();
     }
     output.WriteText("index.html", MakePage(MakeTradePage(cases, plots, command)));
