@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/input.h"
+#include "testbed/base/json_lines.h"
 #include "testbed/base/text.h"
 
 namespace testbed {
@@ -29,6 +31,7 @@ struct CaseText {
 struct Merger {
     std::string command;
     std::size_t caseCount = 0;
+    std::size_t last = 0;  ///< the case of the line before
     std::map<std::size_t, CaseText> cases;
 
     void Add(const CaseFile& file, std::size_t lineNumber, std::string_view line);
@@ -62,6 +65,10 @@ void Merger::Add(const CaseFile& file, std::size_t lineNumber, std::string_view 
         Refuse(file, lineNumber,
                fmt::format("case {} is also in {}; give every shard once", number, place->second.file->name));
     }
+    if (!isNew && number != last) {
+        Refuse(file, lineNumber, fmt::format("case {} is in this file twice; give every shard once", number));
+    }
+    last = number;
     place->second.text.append(line) += "\n";
 }
 
@@ -82,6 +89,7 @@ MergedLines MergeCaseLines(std::span<const CaseFile> files) {
         ForEachLine(file.text, [&](std::size_t number, std::string_view line) { merger.Add(file, number, line); });
     }
     MergedLines merged;
+    merged.command = merger.command;
     merged.caseCount = merger.caseCount;
     for (std::size_t number = 0; number < merger.caseCount; ++number) {
         const auto place = merger.cases.find(number);
@@ -92,6 +100,28 @@ MergedLines MergeCaseLines(std::span<const CaseFile> files) {
         }
     }
     return merged;
+}
+
+std::string ReadCaseText(const std::filesystem::path& path, std::string_view command) {
+    const std::string cure = fmt::format("give one that `scree {} --json` or `scree merge` wrote", command);
+    const CaseFile file{path.string(), ReadText(path, cure)};
+    const MergedLines merged = MergeCaseLines(std::span(&file, 1));
+    if (merged.caseCount == 0) throw FileError(fmt::format("{}: there is no line in it; {}", file.name, cure));
+    if (merged.command != command) {
+        throw FileError(fmt::format("{}: of `scree {}`, not of `scree {}`", file.name, merged.command, command));
+    }
+    if (!merged.missing.empty()) {
+        throw FileError(
+            fmt::format("{}: {} of {} cases are missing, the first is case {}; join the files of all "
+                        "shards with `scree merge`",
+                        file.name, merged.missing.size(), merged.caseCount, merged.missing.front()));
+    }
+    return file.text;
+}
+
+void ReadCaseLines(const std::filesystem::path& file, std::string_view command,
+                   const std::function<void(const Json& object)>& read) {
+    ParseJsonLines(file.string(), ReadCaseText(file, command), command, read);
 }
 
 }  // namespace testbed

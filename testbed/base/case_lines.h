@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
@@ -41,13 +42,21 @@ struct CaseFile {
 };
 
 struct MergedLines {
+    std::string command;               ///< empty: no line
     std::string text;                  ///< all lines by case, as an unsharded run writes them
     std::size_t caseCount = 0;         ///< of the whole run
     std::vector<std::size_t> missing;  ///< numbers of the cases that no file has
 };
 
 /// Joins the files of the shards of one run; the order of the files does not matter. Throws FileError naming file and
-/// line for a line that is no such object, another command or case count, or a case that two files have.
+/// line for a line that is no such object, another command or case count, or a case that is there twice.
 [[nodiscard]] MergedLines MergeCaseLines(std::span<const CaseFile> files);
+
+/// The lines of a whole run of `command`. Throws FileError that names the file for one that has none, for lines of
+/// another command, cases that are missing or there twice, and all that MergeCaseLines refuses.
+[[nodiscard]] std::string ReadCaseText(const std::filesystem::path& file, std::string_view command);
+/// Calls `read` with the object of each of these lines; what `read` throws becomes a FileError that names the line.
+void ReadCaseLines(const std::filesystem::path& file, std::string_view command,
+                   const std::function<void(const nlohmann::ordered_json& object)>& read);
 
 }  // namespace testbed

@@ -15,6 +15,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <span>
 #include <string>
 #include <system_error>
@@ -42,7 +43,11 @@ std::array<Entry, mostEntries> entries;
 /// Of what "-" names; −1: standard output itself.
 int standardOutput = -1;
 
+/// Set by a signal: whoever begins a file now waits for the end.
+std::atomic<bool> isEnding{false};
+
 int AddEntry(const fs::path& file) {
+    while (isEnding) pause();
     const std::string name = fs::absolute(file).string();
     if (name.size() + 1 > longestName) return -1;
     for (int i = 0; i < mostEntries; ++i) {
@@ -64,9 +69,16 @@ void RemoveEntry(int i) {
 
 /// Calls only what a signal handler may.
 void HandleSignal(int number) {
+    // Another thread may have named a file that it has not opened yet: it gets the time to do so.
+    constexpr int passes = 4;
+    constexpr timespec pause{0, 5'000'000};
+    isEnding = true;
     const pid_t self = getpid();
-    for (const Entry& entry : entries) {
-        if (entry.owner == self) unlink(entry.name.data());
+    for (int pass = 0; pass < passes; ++pass) {
+        if (pass > 0) nanosleep(&pause, nullptr);
+        for (const Entry& entry : entries) {
+            if (entry.owner == self) unlink(entry.name.data());
+        }
     }
     signal(number, SIG_DFL);
     raise(number);

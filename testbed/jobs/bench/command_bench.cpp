@@ -15,7 +15,6 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
-#include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/engines/engine_list.h"
@@ -79,8 +78,7 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
         RunCases(plan, files, lines);
         if (plan.shard.IsFirst()) notes += DescribeBytes(plan);
     } else {
-        const std::vector<BenchRow> rows = ReadBenchRows(
-            arguments.from, ReadText(arguments.from, "give one that `scree bench --json` or `scree merge` wrote"));
+        const std::vector<BenchRow> rows = ReadBenchRows(arguments.from, ReadCaseText(arguments.from, "bench"));
         Print(FormatBenchHeader() + FormatBenchRows(rows));
         files.Add({rows, {}});
     }

@@ -16,7 +16,6 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
-#include "testbed/base/json_lines.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
@@ -157,7 +156,7 @@ std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<
 
 std::vector<ExtremeResult> ReadResults(const std::string& file) {
     std::vector<ExtremeResult> results;
-    ReadJsonLines(file, "extremes", [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
+    ReadCaseLines(file, "extremes", [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
     return results;
 }
 
@@ -203,7 +202,8 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
     fmt::print("{}", FormatExtremes(results));
     for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
     const auto breaks = [](const ExtremeResult& r) {
-        return r.setting.starts_with("scree") && r.verdict.grade <= Grade::nonFinite;
+        return r.setting.starts_with("scree") &&
+               (r.verdict.grade == Grade::abort || r.verdict.grade == Grade::nonFinite);
     };
     return std::ranges::any_of(results, breaks) ? exitDiffers : exitDone;
 }

@@ -16,7 +16,6 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
-#include "testbed/base/json_lines.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/shard.h"
@@ -92,7 +91,13 @@ std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& li
 /// The cases of a file that --json or `scree merge` wrote.
 std::vector<TradeCase> ReadCases(const std::string& file) {
     std::vector<TradeCase> cases;
-    ReadJsonLines(file, "tradeoff", [&](const auto& fields) { cases.push_back(TradeCaseFromJson(fields)); });
+    ReadCaseLines(file, "tradeoff", [&](const auto& fields) {
+        const TradeCase one = TradeCaseFromJson(fields);
+        const bool isKnown = std::ranges::any_of(
+            cases, [&](const TradeCase& other) { return other.law == one.law && other.setting == one.setting; });
+        if (isKnown) throw FileError(fmt::format("law '{}' with this setting is there twice", one.law));
+        cases.push_back(one);
+    });
     return cases;
 }
 
@@ -136,13 +141,14 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
     for (const std::string& file : output.GetFiles()) {
         if (!file.ends_with(".svg")) fmt::print("{}\n", file);
     }
-    return exitDone;
+    return HasMiss(CheckBounds(cases)) ? exitDiffers : exitDone;
 }
 
 }  // namespace
 
 void AddTradeoffCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in both engines");
+    command->footer("Exits with 1 when a bound of the dial was missed.");
     auto arguments = std::make_shared<TradeArguments>();
     command->add_flag("--quick", arguments->quick, "Fewer settings, phases and repeats: under two minutes");
     command->add_flag("--count", arguments->count, "Only print the number of cases");

@@ -6,6 +6,8 @@
 #include "testbed/jobs/tradeoff/trade.h"
 #include "testbed/base/errors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -157,6 +159,14 @@ double FlooredError(const Law& law, const TradeCase& one, std::size_t index) {
                                 : std::numeric_limits<double>::infinity();
 }
 
+bool HasFailed(const Law& law, const TradeCase& one) {
+    for (std::size_t i = 0; i < law.errors.size(); ++i) {
+        const double error = one.errors.at(i);
+        if (!std::isfinite(error) || error >= law.errors[i].failed) return true;
+    }
+    return false;
+}
+
 nlohmann::ordered_json ToJson(const TradeCase& one) {
     nlohmann::ordered_json errors = nlohmann::ordered_json::array();
     for (const double error : one.errors) {
@@ -201,9 +211,17 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         for (const auto& error : fields.at("errors")) {
             one.errors.push_back(error.is_null() ? std::numeric_limits<double>::infinity() : error.get<double>());
         }
+        const auto law = std::ranges::find(GetLaws(), one.law, &Law::name);
+        if (law == GetLaws().end()) throw FileError(fmt::format("no law is called '{}'", one.law));
+        if (one.errors.size() != law->errors.size()) {
+            throw FileError(fmt::format("{} errors; law '{}' has {}", one.errors.size(), one.law, law->errors.size()));
+        }
         one.bodyFrames = fields.at("bodyFrames").get<double>();
         const auto& ms = fields.at("ms");
         one.milliseconds = {ms.at(0).get<double>(), ms.at(1).get<double>(), ms.at(2).get<double>()};
+        if (!(one.bodyFrames > 0.0 && one.milliseconds.median > 0.0)) {
+            throw FileError("a cost is above 0: \"bodyFrames\" and the middle one of \"ms\"");
+        }
         return one;
     } catch (const UsageError& error) {  // an engine or setting that is none
         throw FileError(std::string("not a line of `scree tradeoff --json`: ") + error.what());

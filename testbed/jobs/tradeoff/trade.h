@@ -67,7 +67,11 @@ struct TradePlan {
 /// Error of quantity `index`, floored at its rounding; what is not finite is infinity.
 [[nodiscard]] double FlooredError(const Law& law, const TradeCase& one, std::size_t index = 0);
 
-/// A case as the fields of a JSON line and back. Throws FileError for fields that are not there.
+/// Whether nothing of the scenario was left to measure: an error is not finite, or as large as a failure is.
+[[nodiscard]] bool HasFailed(const Law& law, const TradeCase& one);
+
+/// A case as the fields of a JSON line and back. Throws FileError for fields that are not there, for an unknown
+/// law and for another number of errors than its own.
 [[nodiscard]] nlohmann::ordered_json ToJson(const TradeCase& one);
 [[nodiscard]] TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields);
 
