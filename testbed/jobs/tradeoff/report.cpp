@@ -21,8 +21,10 @@ struct FamilyLook {
     Family family;
     PlotLook look;
 };
-constexpr FamilyLook looks[] = {
-    {Family::box2d, boxTwoDLook}, {Family::sequential, ourLooks[0]}, {Family::soft, ourLooks[1]}};
+constexpr FamilyLook looks[] = {{Family::box2d, boxTwoDLook},
+                                {Family::box2d3, ourLooks[3]},
+                                {Family::sequential, ourLooks[0]},
+                                {Family::soft, ourLooks[1]}};
 
 constexpr Family oursBoth[] = {Family::sequential, Family::soft};
 constexpr Family oursSequential[] = {Family::sequential};
@@ -35,9 +37,10 @@ struct Choice {
 constexpr std::array<Choice, 3> choices{
     {{"any solver", oursBoth}, {"sequential impulses", oursSequential}, {"soft step", oursSoft}}};
 
-bool HasSoft(std::span<const TradeCase> cases) {
-    return std::ranges::any_of(cases, [](const TradeCase& c) { return FamilyOf(c.setting) == Family::soft; });
+bool Has(std::span<const TradeCase> cases, Family family) {
+    return std::ranges::any_of(cases, [family](const TradeCase& c) { return FamilyOf(c.setting) == family; });
 }
+bool HasSoft(std::span<const TradeCase> cases) { return Has(cases, Family::soft); }
 
 /// All settings of a family as points, its front as a line, its defaults as larger points with their names.
 void AddCurves(const Law& law, std::span<const TradeCase> cases, const FamilyLook& look, Plot& plot) {
@@ -116,7 +119,7 @@ std::string NameOrNone(const std::optional<RunSpec>& setting) {
     return setting ? fmt::format("{} at {} Hz", NameSolver(*setting), GetRate(*setting)) : "–";
 }
 
-PageTable MakeGainTable(std::span<const LawGain> gains) {
+PageTable MakeGainTable(std::span<const LawGain> gains, bool hasBox2d3) {
     constexpr const char *speed = "speed at equal accuracy", *accuracy = "accuracy at equal cost";
     PageTable table{.columns = {{.name = "law"},
                                 {.name = "both choose", .unit = "×", .numeric = true, .group = speed},
@@ -128,6 +131,13 @@ PageTable MakeGainTable(std::span<const LawGain> gains) {
                                 {.name = "with", .group = accuracy},
                                 {.name = "Box2D", .unit = "×", .numeric = true, .group = accuracy},
                                 {.name = "remark"}}};
+    if (hasBox2d3) {
+        for (const std::size_t place : {std::size_t{9}, std::size_t{5}}) {
+            table.columns.insert(
+                table.columns.begin() + static_cast<std::ptrdiff_t>(place),
+                {.name = "Box2D 3", .unit = "×", .numeric = true, .group = place == 5 ? speed : accuracy});
+        }
+    }
     for (const LawGain& g : gains) {
         PageCell name(g.law->name), remark((std::string(DescribeStanding(g))));
         name.link = "#" + g.law->name;
@@ -137,6 +147,10 @@ PageTable MakeGainTable(std::span<const LawGain> gains) {
                               RatioCell(g.box2d.speedUp), VerdictCell(g, g.GetErrorRatio()),
                               RatioCell(g.ours.errorRatio), NameOrNone(g.closest), RatioCell(g.box2d.errorRatio),
                               remark});
+        if (!hasBox2d3) continue;
+        std::vector<PageCell>& row = table.rows.back();
+        row.insert(row.begin() + 9, RatioCell(g.box2d3.errorRatio));
+        row.insert(row.begin() + 5, RatioCell(g.box2d3.speedUp));
     }
     return table;
 }
@@ -198,15 +212,23 @@ PageTiles MakeTiles(std::span<const TradeCase> cases) {
     return tiles;
 }
 
+/// In which laws Box2D 3 beats us.
+std::string DescribeBox2d3(std::span<const LawGain> gains) {
+    return fmt::format(
+        "Box2D 3 is as accurate as Box2D 8/3 for less than ours in: {}. It is closer at the cost of Box2D 8/3 in: {}.",
+        ListLaws(gains, [](const LawGain& g) { return g.IsBox2d3Faster(); }),
+        ListLaws(gains, [](const LawGain& g) { return g.IsBox2d3Closer(); }));
+}
+
 constexpr std::string_view howToRead =
     "Every point is one setting of one engine. Right is slower, up is wrong: a setting is worth using when nothing "
-    "lies "
-    "left of it and below. The line of each engine joins these settings. Named points are defaults: `8/3` is Box2D's "
+    "lies left of it and below. The line of each engine joins these settings. Named points are defaults: `8/3` is "
+    "Box2D's "
     "default (8 velocity and 3 position iterations at 60 Hz), `soft 4` and `soft 16` are our dial's `game` and "
     "`precise`.\n\n"
     "Cost is processor time of one thread per moving body and 1/60 s of simulated time, so that settings with other "
-    "steps "
-    "compare. It is the median of repeats taken in turns, on the law's scene copied to about a thousand bodies. Errors "
+    "steps compare. It is the median of repeats taken in turns, on the law's scene copied to about a thousand bodies. "
+    "Errors "
     "are measured once, in double, from the states of the bodies; runs are deterministic. An error below the rounding "
     "of "
     "floats counts as that rounding. A setting that fails, whose column falls or whose chain tears, has no point.\n\n"
@@ -272,7 +294,12 @@ Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path
                           "medians. A law is lost when one of them is below 1 or out of reach. Left out of the medians "
                           "are laws whose errors no number of Box2D's iterations changes (*cannot trade*), and laws in "
                           "which Box2D's default fails.",
-                      .blocks = {MakeTiles(cases), MakeGainTable(CompareWithBaseline(cases, oursBoth))}};
+                      .blocks = {MakeTiles(cases)}};
+    const std::vector<LawGain> compared = CompareWithBaseline(cases, oursBoth);
+    if (Has(cases, Family::box2d3)) {
+        gains.blocks.insert(gains.blocks.begin(), PageNote{DescribeBox2d3(compared), PageTone::warning});
+    }
+    gains.blocks.push_back(MakeGainTable(compared, Has(cases, Family::box2d3)));
     if (!HasSoft(cases)) {
         gains.blocks.push_back(
             PageNote{"This build has no soft step: only sequential impulses are compared, and the "
@@ -300,6 +327,7 @@ Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path
 
 std::string FormatTrade(std::span<const TradeCase> cases) {
     std::string text;
+    if (Has(cases, Family::box2d3)) text += DescribeBox2d3(CompareWithBaseline(cases, oursBoth)) + "\n";
     const auto show = [](std::optional<double> value) { return value ? fmt::format("{:.2f}x", *value) : "none"; };
     for (const Choice& choice : choices) {
         if (!HasSoft(cases) && choice.name != "sequential impulses") continue;

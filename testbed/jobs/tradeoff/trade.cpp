@@ -5,6 +5,7 @@
 
 #include "testbed/jobs/tradeoff/trade.h"
 #include "testbed/base/errors.h"
+#include "testbed/engines/engine_list.h"
 
 #include <fmt/format.h>
 
@@ -51,8 +52,8 @@ RunSpec GetSequential(std::string_view engine, int velocityIterations, int posit
     return spec;
 }
 
-RunSpec GetSoft(int substeps, int rate) {
-    RunSpec spec = GetSequential("scree", 8, 3, rate);
+RunSpec GetSoft(int substeps, int rate, std::string_view engine) {
+    RunSpec spec = GetSequential(engine, 8, 3, rate);
     spec.solver = SoftStep{substeps};
     return spec;
 }
@@ -92,6 +93,12 @@ std::vector<RunSpec> MakeGrid(Effort effort) {
     for (const int rate : rates) {
         for (const int n : substeps) add(GetSoft(n, rate));
     }
+    if (!IsBuilt("box2d3")) return grid;
+    for (const int rate : rates) {
+        for (const int n : quick ? std::vector<int>{4, 8} : std::vector<int>{1, 2, 4, 8, 16}) {
+            add(GetSoft(n, rate, "box2d3"));
+        }
+    }
     return grid;
 }
 
@@ -113,9 +120,9 @@ std::vector<RunSpec> ChooseGrid(Effort effort, std::string_view engines, std::sp
 }
 
 bool IsDefault(const RunSpec& setting) {
-    return setting == GetBaseline() || setting == GetSequential("scree") || setting == GetDial(Accuracy::draft) ||
-           setting == GetDial(Accuracy::game) || setting == GetDial(Accuracy::fine) ||
-           setting == GetDial(Accuracy::precise);
+    return setting == GetBaseline() || setting == GetSoft(4, 60, "box2d3") || setting == GetSequential("scree") ||
+           setting == GetDial(Accuracy::draft) || setting == GetDial(Accuracy::game) ||
+           setting == GetDial(Accuracy::fine) || setting == GetDial(Accuracy::precise);
 }
 
 Quartiles TradeCase::GetCost() const {
@@ -200,7 +207,7 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         one.law = fields.at("law").get<std::string>();
         const auto engine = fields.at("engine").get<std::string>();
         const int rate = fields.at("rate").get<int>();
-        one.setting = fields.at("solver") == "soft" ? GetSoft(fields.at("substeps").get<int>(), rate)
+        one.setting = fields.at("solver") == "soft" ? GetSoft(fields.at("substeps").get<int>(), rate, engine)
                                                     : GetSequential(engine, fields.at("velocityIterations").get<int>(),
                                                                     fields.at("positionIterations").get<int>(), rate);
         // Files of before have no settings: theirs are the grid's.

@@ -66,6 +66,7 @@ std::optional<bool> Meets(std::optional<double> error, double bound) {
 
 Family FamilyOf(const RunSpec& setting) {
     if (setting.engine == "box2d") return Family::box2d;
+    if (setting.engine == "box2d3") return Family::box2d3;
     return IsSequential(setting) ? Family::sequential : Family::soft;
 }
 
@@ -73,6 +74,8 @@ std::string NameFamily(Family family) {
     switch (family) {
         case Family::box2d:
             return "Box2D 2.4.1";
+        case Family::box2d3:
+            return "Box2D 3";
         case Family::sequential:
             return "Scree, sequential impulses";
         case Family::soft:
@@ -88,8 +91,11 @@ bool LawGain::IsLost() const {
     return standing == Standing::compared && (GetSpeedUp().value_or(0.0) < 1.0 || GetErrorRatio().value_or(0.0) < 1.0);
 }
 
+bool LawGain::IsBox2d3Faster() const { return box2d3.speedUp.value_or(0.0) > ours.speedUp.value_or(0.0); }
+bool LawGain::IsBox2d3Closer() const { return box2d3.errorRatio.value_or(0.0) > ours.errorRatio.value_or(0.0); }
+
 std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases, std::span<const Family> families) {
-    constexpr Family theirs[] = {Family::box2d};
+    constexpr Family theirs[] = {Family::box2d}, others[] = {Family::box2d3};
     std::vector<LawGain> gains;
     for (const Law& law : GetLaws()) {
         const TradeCase* found = Find(cases, law.name, GetBaseline());
@@ -99,6 +105,7 @@ std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases, std::
         LawGain gain{.law = &law,
                      .ours = Compare(ours.points, baseline),
                      .box2d = Compare(box2d.points, baseline),
+                     .box2d3 = Compare(Collect(law, cases, others).points, baseline),
                      .cheapest = {},
                      .closest = {}};
         if (baseline.failed) {

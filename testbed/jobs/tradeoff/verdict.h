@@ -15,9 +15,9 @@
 namespace testbed {
 
 /// A family of settings that is compared as a whole.
-enum class Family { box2d, sequential, soft };
+enum class Family { box2d, box2d3, sequential, soft };
 [[nodiscard]] Family FamilyOf(const RunSpec& setting);
-/// "Box2D 2.4.1", "Scree, sequential impulses", "Scree, soft step".
+/// "Box2D 2.4.1", "Box2D 3", "Scree, sequential impulses", "Scree, soft step".
 [[nodiscard]] std::string NameFamily(Family family);
 
 /// Why a law says nothing about the trade, or that it does.
@@ -31,7 +31,7 @@ enum class Standing {
 struct LawGain {
     const Law* law = nullptr;
     Standing standing = Standing::compared;
-    Gain ours, box2d;
+    Gain ours, box2d, box2d3;                  ///< of the last one nothing where it was not measured
     std::optional<RunSpec> cheapest, closest;  ///< what the indices of `ours` stand for
 
     /// Where both engines choose their settings: cost of Box2D's cheapest over that of ours, both at least as accurate
@@ -41,6 +41,9 @@ struct LawGain {
     [[nodiscard]] std::optional<double> GetErrorRatio() const;
     /// Whether the law is compared and one of both is below 1 or out of reach.
     [[nodiscard]] bool IsLost() const;
+    /// Whether Box2D 3 is as accurate as Box2D at 8/3 for less than ours, and whether it is closer at that cost.
+    [[nodiscard]] bool IsBox2d3Faster() const;
+    [[nodiscard]] bool IsBox2d3Closer() const;
 };
 /// One per law whose baseline is among the cases, in the order of GetLaws. `families` are those of ours to choose from.
 [[nodiscard]] std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases,

@@ -13,6 +13,7 @@
 #include <set>
 
 #include "testbed/base/errors.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/engines/measure.h"
 #include "testbed/jobs/tradeoff/report.h"
 #include "tests/testbed/program.h"
@@ -97,15 +98,17 @@ TEST(Laws, TheGridHasBothEnginesDefaultsAndNothingTwice) {
         EXPECT_EQ(grid.front(), GetBaseline());
         EXPECT_TRUE(std::ranges::find(grid, GetSequential("scree")) != grid.end());
         std::set<std::string> names;
-        int soft = 0;
+        int soft = 0, box2d3 = 0;
         for (const RunSpec& setting : grid) {
+            box2d3 += setting.engine == "box2d3";
             EXPECT_TRUE(names.insert(PrintSpec(setting)).second) << PrintSpec(setting);
-            soft += !IsSequential(setting);
+            soft += !IsSequential(setting) && setting.engine == "scree";
         }
         const std::size_t sequential = effort == Effort::quick ? 2 * 3 * 2 : 2 * 7 * 4;
-        EXPECT_EQ(grid.size() - static_cast<std::size_t>(soft), sequential);
+        EXPECT_EQ(grid.size() - static_cast<std::size_t>(soft + box2d3), sequential);
         const int softSettings = effort == Effort::quick ? 6 : 16;
         EXPECT_EQ(soft, softSettings);
+        EXPECT_EQ(box2d3, !IsBuilt("box2d3") ? 0 : effort == Effort::quick ? 4 : 20);
     }
 }
 
@@ -205,6 +208,27 @@ TEST(Verdict, LawsThatCannotTradeAndFallenBaselinesAreLeftOut) {
     const std::string text = FormatTrade(cases);
     EXPECT_NE(text.find("Box2D's errors: free-spin\n"), std::string::npos) << text;
     EXPECT_NE(text.find("Box2D 8/3 fails: column-50\n"), std::string::npos) << text;
+}
+
+TEST(Verdict, SaysWhereBox2d3Wins) {
+    std::vector<TradeCase> cases = {MakeCase("spring", GetBaseline(), 0.4, 100.0),
+                                    MakeCase("spring", GetSequential("box2d", 4, 2), 0.5, 90.0),
+                                    MakeCase("spring", GetSequential("scree"), 0.3, 50.0),
+                                    MakeCase("pyramid", GetBaseline(), 0.01, 100.0),
+                                    MakeCase("pyramid", GetSequential("box2d", 4, 2), 0.02, 90.0),
+                                    MakeCase("pyramid", GetSequential("scree"), 0.002, 40.0)};
+    EXPECT_EQ(FormatTrade(cases).find("Box2D 3"), std::string::npos) << "it did not run";
+    TradeCase one = MakeCase("spring", GetSoft(4, 60, "box2d3"), 0.2, 40.0);
+    cases.push_back(one);
+    cases.push_back(MakeCase("pyramid", GetSoft(4, 60, "box2d3"), 0.005, 60.0));
+    const std::vector<LawGain> gains = CompareWithBaseline(cases, ourSequential);
+    EXPECT_EQ(FamilyOf(one.setting), Family::box2d3);
+    EXPECT_TRUE(gains[0].IsBox2d3Faster() && gains[0].IsBox2d3Closer());
+    EXPECT_FALSE(gains[1].IsBox2d3Faster() || gains[1].IsBox2d3Closer());
+    EXPECT_TRUE(
+        FormatTrade(cases).starts_with("Box2D 3 is as accurate as Box2D 8/3 for less than ours in: spring. It "
+                                       "is closer at the cost of Box2D 8/3 in: spring.\n"))
+        << FormatTrade(cases);
 }
 
 TEST(Verdict, BoundsAreMetAtTheDialsMarks) {
