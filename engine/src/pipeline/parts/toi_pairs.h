@@ -71,6 +71,7 @@ struct ToiScratch {
     std::vector<int> lookers;              ///< bodies whose ways are looked at
     std::vector<ToiCandidate> candidates;  ///< of one body
     std::vector<ScreenedBody> screened;    ///< by place among the lookers
+    std::vector<BoxUpdate> sweptBoxes;     ///< when someone can hit moving bodies
     std::vector<uint8_t> isPassedOver;     ///< per body: 1 if it has no pairs because it meets nothing static
     std::vector<float> times;              ///< per pair
     std::vector<int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -81,8 +82,8 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times,
-                       knownTo) +
+        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver,
+                       times, knownTo) +
                nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
