@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "testbed/engines/provenance.h"
+
 namespace testbed {
 namespace {
 
@@ -20,7 +22,9 @@ PageTable MakeTable(std::span<const BenchRow> rows) {
                                 {.name = "solver"},
                                 {.name = "threads", .numeric = true},
                                 {.name = "total", .unit = "ms", .numeric = true},
+                                {.name = "quartiles", .unit = "ms", .hint = "of the repeats' totals"},
                                 {.name = "ratio", .unit = "×", .numeric = true, .hint = "Box2D's total / this one's"},
+                                {.name = "ratio, processor", .unit = "×", .numeric = true},
                                 {.name = "create", .unit = "ms", .numeric = true},
                                 {.name = "median", .unit = "ms", .numeric = true, .group = "one step"},
                                 {.name = "p99", .unit = "ms", .numeric = true, .group = "one step"},
@@ -53,7 +57,9 @@ PageTable MakeTable(std::span<const BenchRow> rows) {
                               row.solver,
                               PageCell::Number(row.threads),
                               total,
+                              fmt::format("{:.1f} … {:.1f}", row.totalLowMs, row.totalHighMs),
                               ratio,
+                              row.cpuRatio > 0 && !row.IsBaseline() ? PageCell::Number(row.cpuRatio, 2) : PageCell(),
                               PageCell::Number(row.createMs, 1),
                               PageCell::Number(row.medianMs, 3),
                               PageCell::Number(row.p99Ms, 3),
@@ -94,26 +100,29 @@ PageTable MakeTargetsTable(std::span<const TargetResult> targets) {
     return table;
 }
 
+/// Of processor times, which other programs do not lengthen; of wall times where ours has several threads.
+double FairRatio(const BenchRow& row) { return row.threads == 1 && row.cpuRatio > 0 ? row.cpuRatio : row.ratio; }
+
 PageTiles MakeTiles(std::span<const BenchRow> rows) {
     double sum = 0;
     int count = 0, faster = 0;
     const BenchRow* best = nullptr;
     const BenchRow* worst = nullptr;
     for (const BenchRow& row : rows) {
-        if (row.IsBaseline() || row.ratio <= 0 || !row.voidReason.empty()) continue;
-        sum += std::log(row.ratio);
+        if (row.IsBaseline() || FairRatio(row) <= 0 || !row.voidReason.empty()) continue;
+        sum += std::log(FairRatio(row));
         ++count;
-        faster += row.ratio >= 1;
-        if (best == nullptr || row.ratio > best->ratio) best = &row;
-        if (worst == nullptr || row.ratio < worst->ratio) worst = &row;
+        faster += FairRatio(row) >= 1;
+        if (best == nullptr || FairRatio(row) > FairRatio(*best)) best = &row;
+        if (worst == nullptr || FairRatio(row) < FairRatio(*worst)) worst = &row;
     }
     PageTiles tiles;
     if (count == 0) return tiles;
-    tiles.tiles.push_back(
-        {"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×", "Box2D's total / ours"});
+    tiles.tiles.push_back({"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×",
+                           "processor time of Box2D / ours; wall time where ours has several threads"});
     tiles.tiles.push_back({"faster than Box2D", fmt::format("{} of {}", faster, count), "", "rows that are not void"});
-    tiles.tiles.push_back({"largest ratio", fmt::format("{:.2f}", best->ratio), "×", best->scene});
-    tiles.tiles.push_back({"smallest ratio", fmt::format("{:.2f}", worst->ratio), "×", worst->scene});
+    tiles.tiles.push_back({"largest ratio", fmt::format("{:.2f}", FairRatio(*best)), "×", best->scene});
+    tiles.tiles.push_back({"smallest ratio", fmt::format("{:.2f}", FairRatio(*worst)), "×", worst->scene});
     return tiles;
 }
 
@@ -127,6 +136,15 @@ Page MakeBenchPage(const BenchReport& report) {
     if (!tiles.tiles.empty()) table.blocks.emplace_back(tiles);
     table.blocks.emplace_back(MakeTable(report.rows));
     page.sections.push_back(std::move(table));
+    if (std::ranges::any_of(report.rows, WasBusy)) {
+        page.sections.front().blocks.insert(
+            page.sections.front().blocks.begin(),
+            PageNote{
+                "The machine had other work in this run: some totals are far above the processor's time. Trust the "
+                "ratios of processor time.",
+                PageTone::warning});
+    }
+    for (const auto& [name, value] : ListFacts(report.made)) page.facts.push_back({name, value});
     if (!report.targets.empty()) {
         page.sections.push_back({.title = "Targets", .blocks = {MakeTargetsTable(report.targets)}});
     }

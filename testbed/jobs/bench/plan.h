@@ -23,7 +23,7 @@ struct BenchArguments {
     SettingArguments settings;
     std::string solver = "both";
     std::string threads;  ///< empty: 1, with targets 1,2
-    int repeats = 1;
+    int repeats = 3;
     int steps = 0;
     double timeLimitS = 0;
     ShardArguments shard;

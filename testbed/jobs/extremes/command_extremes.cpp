@@ -16,12 +16,13 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
-#include "testbed/base/json_lines.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/shard.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/engines/panes.h"
+#include "testbed/engines/provenance.h"
 #include "testbed/jobs/extremes/child.h"
 #include "testbed/jobs/extremes/commands.h"
 #include "testbed/jobs/extremes/report.h"
@@ -47,8 +48,10 @@ struct ExtremesArguments {
 /// The settings that every case runs under. A name begins with its engine's.
 std::vector<Pane> ChooseSettings(const SettingArguments& arguments) {
     const bool isOwnList = arguments.engines.empty();
-    std::vector<Pane> settings = ParsePanes(isOwnList ? "box2d,scree,soft=scree:solver=soft@4" : arguments.engines,
-                                            GetTypedSettings(arguments), "solver=si@8/3");
+    std::string all = "box2d,scree,soft=scree:solver=soft@4";
+    if (IsBuilt("box2d3")) all += ",box2d3";
+    std::vector<Pane> settings =
+        ParsePanes(isOwnList ? all : arguments.engines, GetTypedSettings(arguments), "solver=si@8/3");
     for (Pane& pane : settings) {
         const bool isPlain = isOwnList || pane.name == pane.spec.engine;
         pane.name = pane.spec.engine + " " + (isPlain ? NameSolver(pane.spec) : pane.name);
@@ -155,9 +158,10 @@ std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<
     return results;
 }
 
-std::vector<ExtremeResult> ReadResults(const std::string& file) {
+std::vector<ExtremeResult> ReadResults(const std::string& file, std::vector<nlohmann::ordered_json>& made) {
     std::vector<ExtremeResult> results;
-    ReadJsonLines(file, "extremes", [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
+    made =
+        ReadCaseLines(file, "extremes", [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
     return results;
 }
 
@@ -179,6 +183,7 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
     std::size_t number = 0;
     for (const ExtremeCase* one : cases) {
         for (const Pane& setting : settings) {
+            if (one->abuse && !CanAbuse(setting.spec.engine)) continue;
             if (shard.Contains(number)) jobs.push_back({one, setting.name, number});
             ++number;
         }
@@ -188,22 +193,26 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
         std::fflush(stdout);
     }
     OutputFolder output(arguments.output);
+    std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
     std::map<std::string, std::string> pictures;
     const std::vector<ExtremeResult> results =
-        arguments.from.empty() ? RunAll(arguments, jobs, pictures) : ReadResults(arguments.from);
+        arguments.from.empty() ? RunAll(arguments, jobs, pictures) : ReadResults(arguments.from, made);
     if (!arguments.shard.json.empty()) {
-        CaseLines lines("extremes", number);
+        CaseLines lines("extremes", number, made.front());
         for (std::size_t i = 0; i < jobs.size() && arguments.from.empty(); ++i) {
             lines.Add(jobs[i].number, ToJson(results[i]));
         }
         WriteTextFile(arguments.shard.json, lines.GetText());
     }
     output.WriteText("cases.csv", MakeExtremesCsv(results));
-    output.WriteText("index.html", MakePage(MakeExtremesPage(results, pictures, DescribeCommand(request.arguments))));
+    Page page = MakeExtremesPage(results, pictures, DescribeCommand(request.arguments));
+    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    output.WriteText("index.html", MakePage(page));
     fmt::print("{}", FormatExtremes(results));
     for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
     const auto breaks = [](const ExtremeResult& r) {
-        return r.setting.starts_with("scree") && r.verdict.grade <= Grade::nonFinite;
+        return r.setting.starts_with("scree") &&
+               (r.verdict.grade == Grade::abort || r.verdict.grade == Grade::nonFinite);
     };
     return std::ranges::any_of(results, breaks) ? exitDiffers : exitDone;
 }
