@@ -44,7 +44,9 @@ scree::BodyDef ToScree(const b2BodyDef& def) {
 
 }  // namespace
 
-b2WorldData::b2WorldData(b2World* owner, const b2Vec2& gravity) : world(owner), engine(MakeDef(gravity)) {}
+b2WorldData::b2WorldData(b2World* owner, const b2Vec2& gravity) : world(owner), engine(MakeDef(gravity)) {
+    callFile = scree::box2d::CallFile::OpenIfAsked(engine);
+}
 
 b2ContactManager::b2ContactManager()
     : m_contactList(nullptr),
@@ -135,6 +137,7 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
     const scree::StepReport report =
         data.engine.Step(timeStep, b2Max(velocityIterations, 0), b2Max(positionIterations, 0));
     data.stepping = false;
+    if (data.callFile != nullptr) data.callFile->Write();
     for (b2Fixture* fixture : data.refilters) b2Bridge::ApplyFilter(*fixture);
     data.refilters.clear();
     b2Bridge::Touch(data);

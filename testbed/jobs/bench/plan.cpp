@@ -117,7 +117,7 @@ BenchEffort MakeEffort(const BenchArguments& arguments) {
 void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("SCENE", arguments.scenes,
                    DescribeSceneArgument("Scenes") + "; the whole published suite if none is given");
-    AddInputOptions(app, arguments.input);
+    AddFormatOption(app, arguments.input);
     app.add_option("--sizes", arguments.sizes, "default, sweep (the published sizes), or sizes with commas")
         ->capture_default_str();
     AddEnginesOption(app, arguments.settings, "");
