@@ -108,6 +108,8 @@ public:
     void Complete(int body);
     /// New times for all pairs of a body.
     void UpdateTimes(int body);
+    /// The same of one pair.
+    void UpdateEvent(int index);
     /// The same after its motion changed, and pairs with what has come into its way.
     void Refresh(int body);
 
@@ -159,7 +161,6 @@ private:
     [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const;
     [[nodiscard]] Clearance ClearanceOf(const ToiPair& pair) const;
     [[nodiscard]] bool IsSpared(const ToiPair& pair) const;
-    void UpdateEvent(int index);
     void SetEvent(int index, float alpha);
     [[nodiscard]] float FirstTimeOf(const ToiPair& pair, TOIStats& work) const;
     [[nodiscard]] float TimeOf(const ToiPair& pair, TOIStats& work) const;
