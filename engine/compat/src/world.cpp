@@ -15,9 +15,9 @@ using namespace scree::box2d;
 namespace {
 
 /// Box2D 2.4 has a speed cap; the engine has none unless told.
-scree::WorldDef MakeDef(const b2Vec2& gravity) {
+scree::WorldDef MakeDef() {
     scree::WorldDef def;
-    def.gravity = ToScree(gravity);
+    def.gravity = scree::vec2Zero;
     def.maxTranslation = b2_maxTranslation;
     def.maxRotation = b2_maxRotation;
     def.lengthScale = b2_lengthUnitsPerMeter;
@@ -44,7 +44,8 @@ scree::BodyDef ToScree(const b2BodyDef& def) {
 
 }  // namespace
 
-b2WorldData::b2WorldData(b2World* owner, const b2Vec2& gravity) : world(owner), engine(MakeDef(gravity)) {
+b2WorldData::b2WorldData(b2World* owner, const b2Vec2& gravity) : world(owner), engine(MakeDef()) {
+    engine.SetGravity(ToScree(gravity));  // where that is refused there is none: a constructor of Box2D's cannot refuse
     callFile = scree::box2d::CallFile::OpenIfAsked(engine);
 }
 

@@ -56,7 +56,8 @@ MemoryUse GetMemoryUse(const World& world) {
     use.broadPhase = s.broadPhase->GetMemoryBytes() + BytesOf(s.pairs, s.editedPairs) + s.edited.GetMemoryBytes();
     use.solverScratch = s.solverScratch.GetMemoryBytes() + s.islandScratch.GetMemoryBytes() +
                         s.islands.GetMemoryBytes() + s.active.GetMemoryBytes() + s.substepGroups.GetMemoryBytes() +
-                        BytesOf(s.narrowPhaseScratch.findings) + s.continuousScratch.GetMemoryBytes();
+                        BytesOf(s.narrowPhaseScratch.findings, s.narrowPhaseScratch.old) +
+                        s.continuousScratch.GetMemoryBytes();
     return use;
 }
 
