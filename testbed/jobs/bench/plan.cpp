@@ -153,6 +153,7 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--from", arguments.from, "Show and judge the rows of a --json file instead of running")
         ->type_name("FILE");
     AddShardOptions(app, arguments.shard);
+    AddResumeOption(app, arguments.shard);
 }
 
 BenchPlan MakeBenchPlan(const BenchArguments& arguments) {
