@@ -48,7 +48,8 @@ struct RowBatch {
 struct JointBatchTask {
     int32_t bodyCount;  ///< a multiple of four; row 0 is nothing, for lanes without a joint
     BodyRow* pose;      ///< x, y of the centre of mass, cos, sin
-    BodyRow* next;      ///< the same where the velocity leads
+    BodyRow* aimed;     ///< velocity to be
+    BodyRow* next;      ///< `pose` where that leads
     BodyRow* angle;     ///< angle, that of `next`, turn since the start of the step, –
     BodyRow* start;     ///< cos and sin at the start of the step
     BodyRow* velocity;  ///< x, y, turning
@@ -77,14 +78,15 @@ struct JointBatchKernels {
     void (*reach)(const JointBatchTask& task);
     /// Mobilities, inverses and responses.
     void (*factorize)(const JointBatchTask& task);
-    /// Applies the impulses of the last aim, and finds where the bodies would be.
+    /// What the impulses of the last aim would make of the velocities, and where these lead.
     void (*guess)(const JointBatchTask& task);
-    /// The same for what is known of the velocities by now.
-    void (*move)(const JointBatchTask& task);
     /// Errors of points at `next` → right sides.
     void (*measure)(const JointBatchTask& task);
-    /// Closes the errors; returns the most that a change of turn in a sub-step leaves of them, in shares of an arm.
+    /// Velocities and impulses with which these errors are closed, by the Jacobians of `pose`, and where they lead.
+    /// Returns the most that the new turns may leave of an error, in shares of an arm.
     double (*aim)(const JointBatchTask& task);
+    /// Takes over what was aimed.
+    void (*keep)(const JointBatchTask& task);
     /// Removes all speed along the joints.
     void (*stop)(const JointBatchTask& task);
 };

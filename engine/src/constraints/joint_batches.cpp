@@ -122,7 +122,7 @@ size_t JointBatches::GetMemoryBytes() const {
                    m_points.capacity() * sizeof(PointBatch) + m_rows.capacity() * sizeof(RowBatch) +
                    m_order.capacity() * sizeof(int32_t) + m_stiffness.capacity() * sizeof(LaneRow);
     for (const auto* rows :
-         {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_mass, &m_mobility, &m_shift, &m_impulse}) {
+         {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_mobility, &m_shift, &m_impulse}) {
         bytes += rows->capacity() * sizeof(BodyRow);
     }
     return bytes;
@@ -160,7 +160,7 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
     }
     while (m_bodies.size() % At(jointLanes) != 0) AddRow(-1);
     PutIntoLanes();
-    for (auto* rows : {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_mass, &m_shift, &m_impulse}) {
+    for (auto* rows : {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_shift, &m_impulse}) {
         rows->assign(m_bodies.size(), BodyRow{});
     }
     m_stiffness.assign(m_bodies.size() / At(jointLanes), LaneRow{});
@@ -247,6 +247,7 @@ JointBatchTask JointBatches::Task() {
     };
     return {.bodyCount = static_cast<int32_t>(m_bodies.size()),
             .pose = m_pose.data(),
+            .aimed = m_aimed.data(),
             .next = m_next.data(),
             .angle = m_angle.data(),
             .start = m_start.data(),
@@ -348,9 +349,9 @@ void JointBatches::StoreVelocities(std::vector<Velocity>& velocity) const {
 
 void JointBatches::SolveBeforeMove(std::vector<Velocity>& velocity) {
     // The Jacobians of the present pose stand for those of the next one. What that leaves of an error, in shares of an
-    // arm, is the turn of a body times what the solve changes of it; each iteration gains two orders in h. The impulses
-    // of the last time as a first guess make one enough where motion is smooth.
-    constexpr double mostLeft = 1e-7;  // rad²
+    // arm, is the turn of a body times what the solve changes of it; each iteration gains two orders in h. The errors
+    // are taken where the impulses of the last time lead, which makes one enough where motion is smooth.
+    constexpr double mostLeft = 1e-5;  // rad²
     constexpr int mostIterations = 4;
     LoadVelocities(velocity);
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
@@ -362,11 +363,11 @@ void JointBatches::SolveBeforeMove(std::vector<Velocity>& velocity) {
     const JointBatchTask task = Task();
     kernels.guess(task);
     for (int iteration = 0; iteration < mostIterations; ++iteration) {
-        if (iteration > 0) kernels.move(task);
         kernels.measure(task);
         MeasureRows();
         if (!(kernels.aim(task) > mostLeft)) break;
     }
+    kernels.keep(task);
     StoreVelocities(velocity);
 }
 

@@ -94,7 +94,7 @@ private:
     std::vector<PointBatch> m_points;
     std::vector<RowBatch> m_rows;
     std::vector<int32_t> m_order;
-    std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_mass, m_mobility, m_shift, m_impulse;
+    std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_aimed, m_mass, m_mobility, m_shift, m_impulse;
     std::vector<LaneRow> m_stiffness;  ///< per row of bodies
     double m_h = 1.0;
 };

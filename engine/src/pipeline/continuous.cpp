@@ -123,7 +123,7 @@ private:
             m_s.pairs[Row(index)].isHeld = true;
             Restore(backupA);
             Restore(backupB);
-            m_toi.UpdateTimes(m_toi.IsDynamic(pair.bodyA) ? pair.bodyA : pair.bodyB);
+            m_toi.UpdateTime(index);
             return false;
         }
         if (contact < 0) {

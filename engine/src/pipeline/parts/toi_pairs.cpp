@@ -308,7 +308,7 @@ void ToiPairs::Add(int fixture, int other) {
     m_s.pairs.back().nextB = m_s.firstPair[Row(otherBody)];
     m_s.firstPair[Row(body)] = index;
     m_s.firstPair[Row(otherBody)] = index;
-    if (!m_timesFollow) UpdateEvent(index);
+    if (!m_timesFollow) UpdateTime(index);
 }
 
 /// Neither refused by a filter or a joint nor disabled by a listener.
@@ -378,9 +378,9 @@ float ToiPairs::FirstTimeOf(const ToiPair& pair, TOIStats& work) const {
 }
 
 /// Computes when the pair meets and puts, moves or takes out its event.
-void ToiPairs::UpdateEvent(int index) {
-    const float alpha = FirstTimeOf(m_s.pairs[Row(index)], *m_events.work);
-    alpha < 1.0f ? SetEvent(index, alpha) : m_s.events.Remove(index);
+void ToiPairs::UpdateTime(int pair) {
+    const float alpha = FirstTimeOf(m_s.pairs[Row(pair)], *m_events.work);
+    alpha < 1.0f ? SetEvent(pair, alpha) : m_s.events.Remove(pair);
 }
 
 void ToiPairs::SetEvent(int index, float alpha) {
@@ -424,7 +424,7 @@ float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
 }
 
 void ToiPairs::UpdateTimes(int body) {
-    for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateEvent(p);
+    for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateTime(p);
 }
 
 void ToiPairs::Complete(int body) {

@@ -105,6 +105,8 @@ public:
     void FindAll();
     /// Makes the pairs of a body that was passed over: it takes part in an event.
     void Complete(int body);
+    /// A new time for one pair.
+    void UpdateTime(int pair);
     /// New times for all pairs of a body.
     void UpdateTimes(int body);
     /// The same after its motion changed, and pairs with what has come into its way.
@@ -158,7 +160,6 @@ private:
     [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const;
     [[nodiscard]] Clearance ClearanceOf(const ToiPair& pair) const;
     [[nodiscard]] bool IsSpared(const ToiPair& pair) const;
-    void UpdateEvent(int index);
     void SetEvent(int index, float alpha);
     [[nodiscard]] float FirstTimeOf(const ToiPair& pair, TOIStats& work) const;
     [[nodiscard]] float TimeOf(const ToiPair& pair, TOIStats& work) const;
