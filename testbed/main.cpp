@@ -3,6 +3,11 @@
 //
 // Entry point of `scree`.
 
+#include "testbed/base/new_file.h"
 #include "testbed/cli/command_line.h"
 
-int main(int argc, char** argv) { return testbed::RunCommandLine({argv + 1, argv + argc}); }
+int main(int argc, char** argv) {
+    testbed::HoldStandardFiles();
+    testbed::RemoveUnfinishedFilesOnSignals();
+    return testbed::RunCommandLine({argv + 1, argv + argc});
+}

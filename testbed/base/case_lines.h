@@ -11,7 +11,8 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <nlohmann/json_fwd.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,7 +24,9 @@ namespace testbed {
 class CaseLines {
 public:
     /// `command` without options; `caseCount` of the whole run, not of the shard.
-    CaseLines(std::string command, std::size_t caseCount);
+    /// `made` says where measurements come from (engines/provenance.h) and stands in every line; null for results that
+    /// are the same everywhere.
+    CaseLines(std::string command, std::size_t caseCount, nlohmann::ordered_json made = {});
     /// `fields` is an object; its fields follow the common ones. `caseNumber` < caseCount.
     void Add(std::size_t caseNumber, const nlohmann::ordered_json& fields);
     [[nodiscard]] const std::string& GetText() const { return m_text; }
@@ -31,6 +34,7 @@ public:
 private:
     std::string m_command;
     std::size_t m_caseCount;
+    nlohmann::ordered_json m_made;
     std::string m_text;
 };
 
@@ -41,13 +45,25 @@ struct CaseFile {
 };
 
 struct MergedLines {
-    std::string text;                  ///< all lines by case, as an unsharded run writes them
-    std::size_t caseCount = 0;         ///< of the whole run
-    std::vector<std::size_t> missing;  ///< numbers of the cases that no file has
+    std::string command;                       ///< empty: no line
+    std::string text;                          ///< all lines by case, as an unsharded run writes them
+    std::size_t caseCount = 0;                 ///< of the whole run
+    std::vector<std::size_t> missing;          ///< numbers of the cases that no file has
+    std::vector<nlohmann::ordered_json> made;  ///< what the lines say of where they come from, each once
 };
 
-/// Joins the files of the shards of one run; the order of the files does not matter. Throws FileError naming file and
-/// line for a line that is no such object, another command or case count, or a case that two files have.
+/// Joins the files of the shards of one run, which are all of one build: of one commit, compiler, flags and versions.
+/// The order of the files does not matter. Throws FileError naming file and
+/// line for a line that is no such object, another command or case count, or a case that is there twice.
 [[nodiscard]] MergedLines MergeCaseLines(std::span<const CaseFile> files);
+
+/// The lines of a whole run of `command`. Throws FileError that names the file for one that has none, for lines of
+/// another command, cases that are missing or there twice, and all that MergeCaseLines refuses.
+[[nodiscard]] MergedLines ReadCaseText(const std::filesystem::path& file, std::string_view command);
+/// Calls `read` with the object of each of these lines; what `read` throws becomes a FileError that names the line.
+/// Returns MergedLines::made.
+std::vector<nlohmann::ordered_json> ReadCaseLines(
+    const std::filesystem::path& file, std::string_view command,
+    const std::function<void(const nlohmann::ordered_json& object)>& read);
 
 }  // namespace testbed

@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "testbed/base/errors.h"
-#include "testbed/base/input.h"
 #include "testbed/base/text.h"
 
 namespace testbed {
@@ -28,12 +27,6 @@ void ParseJsonLines(const std::string& file, std::string_view text, std::string_
                 fmt::format("{}:{}: not a line of `scree {} --json`: {}", file, number, command, error.what()));
         }
     });
-}
-
-void ReadJsonLines(const std::filesystem::path& file, std::string_view command,
-                   const std::function<void(const nlohmann::ordered_json& object)>& read) {
-    const std::string cure = fmt::format("give one that `scree {} --json` or `scree merge` wrote", command);
-    ParseJsonLines(file.string(), ReadText(file, cure), command, read);
 }
 
 }  // namespace testbed

@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -17,8 +16,5 @@ namespace testbed {
 /// throws says what its fields lack. Throws FileError that names `file`, line, command and fault.
 void ParseJsonLines(const std::string& file, std::string_view text, std::string_view command,
                     const std::function<void(const nlohmann::ordered_json& object)>& read);
-/// The same of a file.
-void ReadJsonLines(const std::filesystem::path& file, std::string_view command,
-                   const std::function<void(const nlohmann::ordered_json& object)>& read);
 
 }  // namespace testbed

@@ -8,9 +8,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iterator>
 #include <system_error>
 #include <utility>
@@ -20,41 +17,6 @@
 namespace testbed {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-/// The process number keeps two runs into one folder from writing one temporary file.
-fs::path TemporaryName(const fs::path& path) {
-    return path.parent_path() / fmt::format(".{}.{}.tmp", path.filename().string(), getpid());
-}
-
-void Rename(const fs::path& from, const fs::path& to) {
-    std::error_code error;
-    fs::rename(from, to, error);
-    if (error) {
-        std::error_code ignored;
-        fs::remove(from, ignored);
-        throw FileError(fmt::format("cannot write {}: {}", to.string(), error.message()));
-    }
-}
-
-}  // namespace
-
-void WriteTextFile(const fs::path& path, std::string_view text) {
-    const fs::path temporary = TemporaryName(path);
-    errno = 0;
-    std::ofstream stream(temporary, std::ios::binary);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream) {
-        const int code = errno;
-        std::error_code ignored;
-        fs::remove(temporary, ignored);
-        throw FileError(
-            fmt::format("cannot write {}: {}", path.string(), code != 0 ? std::strerror(code) : "the stream failed"));
-    }
-    Rename(temporary, path);
-}
 
 std::string FormatFiles(std::span<const std::string> files) {
     // Enough for the default run of two scenes; a long series is its first and last files.
@@ -89,19 +51,22 @@ fs::path OutputFolder::Prepare(const fs::path& relative) const {
 }
 
 void OutputFolder::WriteText(const fs::path& relative, std::string_view text) {
-    WriteBy(relative, [text](const fs::path& path) { WriteTextFile(path, text); });
+    NewFile file = Begin(relative);
+    file.Write(text);
+    Finish(file);
 }
 
-void OutputFolder::WriteBy(const fs::path& relative, const std::function<void(const fs::path&)>& write) {
-    const fs::path path = Prepare(relative);
-    write(path);
-    m_files.push_back(path.string());
+void OutputFolder::WriteBy(const fs::path& relative, const std::function<void(const fs::path& place)>& write) {
+    NewFile file = Begin(relative);
+    write(file.GetPlace());
+    Finish(file);
 }
 
-void OutputFolder::Adopt(const fs::path& temporary, const fs::path& relative) {
-    const fs::path path = Prepare(relative);
-    Rename(temporary, path);
-    m_files.push_back(path.string());
+NewFile OutputFolder::Begin(const fs::path& relative) const { return NewFile(Prepare(relative)); }
+
+void OutputFolder::Finish(NewFile& file) {
+    file.Finish();
+    m_files.push_back(file.GetPath().string());
 }
 
 }  // namespace testbed

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The folder that a command writes to: checked before the long run, every file replaced whole (temporary name, then
-// rename), and a list kept of what was written.
+// The folder that a command writes to: checked before the long run, every file replaced whole, and a list
+// kept of what was written.
 
 #pragma once
 
@@ -13,10 +13,9 @@
 #include <string_view>
 #include <vector>
 
-namespace testbed {
+#include "testbed/base/new_file.h"
 
-/// Writes text to a temporary name beside the file, then renames. Throws FileError.
-void WriteTextFile(const std::filesystem::path& path, std::string_view text);
+namespace testbed {
 
 /// "files:" and the paths, one a line; of many files the first and the last ones.
 [[nodiscard]] std::string FormatFiles(std::span<const std::string> files);
@@ -31,11 +30,14 @@ public:
     [[nodiscard]] std::filesystem::path Prepare(const std::filesystem::path& relative) const;
 
     void WriteText(const std::filesystem::path& relative, std::string_view text);
-    /// Takes over a finished temporary file by renaming it.
-    void Adopt(const std::filesystem::path& temporary, const std::filesystem::path& relative);
+    /// Lets `write` write a file at the place that it is given; what `write` throws passes through.
+    void WriteBy(const std::filesystem::path& relative,
+                 const std::function<void(const std::filesystem::path& place)>& write);
 
-    /// Prepares a file and lets `write` write it whole; what `write` throws passes through.
-    void WriteBy(const std::filesystem::path& relative, const std::function<void(const std::filesystem::path&)>& write);
+    /// A file that grows for a while. Throws FileError.
+    [[nodiscard]] NewFile Begin(const std::filesystem::path& relative) const;
+    /// Finishes one that was begun.
+    void Finish(NewFile& file);
 
     /// Everything written so far, in order: the folder as it was given, then the relative path.
     [[nodiscard]] const std::vector<std::string>& GetFiles() const { return m_files; }

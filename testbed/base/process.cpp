@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of process.h, for Linux: programs by posix_spawn, ends by process descriptors.
+// Implementation of process.h, for Linux: ends by process descriptors.
 
 #include "testbed/base/process.h"
 
+#include <fcntl.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -21,8 +22,6 @@
 #include <filesystem>
 
 #include "testbed/base/text.h"
-
-extern char** environ;
 
 namespace testbed {
 
@@ -39,6 +38,25 @@ pid_t WaitFor(pid_t id, int& status, int options) {
 }
 
 Descriptor OpenSignal(pid_t id) { return Descriptor(static_cast<int>(syscall(SYS_pidfd_open, id, 0))); }
+
+/// In a new process: it ends when its parent does, however that ends.
+void DieWith(pid_t parent) {
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(127);  // which had ended before
+}
+
+/// In a new process: becomes another program. Returns the reason if that fails. Calls only what is safe beside the
+/// threads that the parent had.
+int Become(const std::vector<char*>& arguments, const ProcessFiles& files) {
+    const int places[] = {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO};
+    const int own[] = {files.input, files.output, files.errors};
+    for (int i = 0; i < 3; ++i) {
+        if (own[i] >= 0 && dup2(own[i], places[i]) < 0) return errno;
+    }
+    for (const int number : {SIGPIPE, SIGXFSZ}) signal(number, SIG_DFL);
+    execvp(arguments.front(), arguments.data());
+    return errno;
+}
 
 }  // namespace
 
@@ -84,20 +102,30 @@ Process::~Process() {
 }
 
 std::error_code Process::Start(std::vector<std::string> words, const ProcessFiles& files) {
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    const std::pair<int, int> places[] = {
-        {files.input, STDIN_FILENO}, {files.output, STDOUT_FILENO}, {files.errors, STDERR_FILENO}};
-    for (const auto& [own, place] : places) {
-        if (own >= 0) posix_spawn_file_actions_adddup2(&actions, own, place);
-    }
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    pid_t id = -1;
-    const int error = posix_spawnp(&id, arguments.front(), &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) return {error, std::generic_category()};
+    // Closed by a program that starts; one that does not writes the reason.
+    int ends[2] = {-1, -1};
+    if (pipe2(ends, O_CLOEXEC) != 0) return LastError();
+    const Descriptor reader(ends[0]);
+    Descriptor writer(ends[1]);
+    const pid_t parent = getpid();
+    const pid_t id = fork();
+    if (id < 0) return LastError();
+    if (id == 0) {
+        DieWith(parent);
+        const int code = Become(arguments, files);
+        (void)!write(writer.Get(), &code, sizeof code);
+        _exit(127);
+    }
+    writer.Close();
+    int code = 0;
+    if (read(reader.Get(), &code, sizeof code) == sizeof code) {
+        int ignored = 0;
+        WaitFor(id, ignored, 0);
+        return {code, std::generic_category()};
+    }
     m_id = id;
     m_signal = OpenSignal(id);
     return {};
@@ -105,9 +133,13 @@ std::error_code Process::Start(std::vector<std::string> words, const ProcessFile
 
 std::error_code Process::Fork(const std::function<int()>& body) {
     std::fflush(nullptr);  // what is buffered would be written twice
+    const pid_t parent = getpid();
     const pid_t id = fork();
     if (id < 0) return LastError();
-    if (id == 0) _exit(body());
+    if (id == 0) {
+        DieWith(parent);
+        _exit(body());
+    }
     m_id = id;
     m_signal = OpenSignal(id);
     return {};
@@ -129,8 +161,10 @@ std::optional<ProcessEnd> Process::Poll() {
     return end;
 }
 
-void Process::Kill() {
-    if (IsRunning()) kill(m_id, SIGKILL);  // −1 would be every process
+void Process::Kill() { Stop(SIGKILL); }
+
+void Process::Stop(int signal) {
+    if (IsRunning()) kill(m_id, signal);  // −1 would be every process
 }
 
 void Process::WaitForAny(std::span<const Process* const> processes, std::optional<std::chrono::milliseconds> time) {

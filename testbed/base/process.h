@@ -105,6 +105,8 @@ public:
     /// The end if it has come.
     [[nodiscard]] std::optional<ProcessEnd> Poll();
     void Kill();
+    /// Sends it a signal, unless it has ended.
+    void Stop(int signal);
 
     /// Returns when one of these has ended or the time is over, at least one of which runs. No time: without end.
     static void WaitForAny(std::span<const Process* const> processes, std::optional<std::chrono::milliseconds> time);

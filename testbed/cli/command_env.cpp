@@ -20,6 +20,7 @@
 #include "testbed/engines/box2d3/box2d3_engine.h"
 #endif
 #include "testbed/engines/engine_list.h"
+#include "testbed/engines/provenance.h"
 #include "testbed/page/gnuplot.h"
 
 namespace testbed {
@@ -27,16 +28,6 @@ namespace testbed {
 namespace {
 
 void PrintLine(const std::string& name, const std::string& value) { fmt::print("{:<16}{}\n", name, value); }
-
-std::string CpuModel() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        if (!line.starts_with("model name")) continue;
-        const std::size_t colon = line.find(": ");
-        if (colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "unknown";
-}
 
 std::string CpuFeatures() {
     std::string features;
@@ -94,14 +85,12 @@ int RunEnv(const Request& request) {
 #else
     PrintLine("box2d3", "not found when this was built: box2d3_ROOT names where Box2D 3.2 or newer is installed");
 #endif
-    PrintLine("cpu", CpuModel());
+    const Provenance provenance = FindProvenance();
+    PrintLine("version", fmt::format("{}, commit {}", provenance.versions.front().second, provenance.commit));
+    PrintLine("cpu", provenance.processor);
     PrintLine("cpu features", CpuFeatures());
     PrintLine("threads", fmt::format("{}", std::thread::hardware_concurrency()));
-#ifdef __clang__
-    PrintLine("compiler", __VERSION__);
-#else
-    PrintLine("compiler", "GCC " __VERSION__);
-#endif
+    PrintLine("compiler", provenance.compiler + " " + provenance.flags);
     PrintLine("build", BuildKind());
     PrintLine("box2d", GetBox2dVersion() + " (what the library says of itself; Debian's 2.4.1 still says 2.4.0)");
     PrintLine("fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100));

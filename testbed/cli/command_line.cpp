@@ -8,14 +8,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include "testbed/base/errors.h"
 #include "testbed/base/nearest.h"
+#include "testbed/base/new_file.h"
 #include "testbed/cli/commands.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/extremes/commands.h"
@@ -68,10 +72,21 @@ std::string DescribeExtras(const CLI::App& app) {
     return DescribeUnknown("command", extras.front(), std::vector<std::string_view>(names.begin(), names.end()));
 }
 
+/// Whether an option asks for a file on standard output.
+bool NamesStandardOutput(const CLI::App& app) {
+    for (const CLI::Option* option : app.get_options()) {
+        if (!option->get_lnames().empty() && option->results() == std::vector<std::string>{"-"}) return true;
+    }
+    return std::ranges::any_of(app.get_subcommands(),
+                               [](const CLI::App* chosen) { return NamesStandardOutput(*chosen); });
+}
+
 /// One line for every kind of failure; each kind has its exit code.
 int RunAction(const Request& request) {
     try {
-        return request.action();
+        const int code = request.action();
+        CheckStandardOutput();
+        return code;
     } catch (const BackendError& error) {
         return Fail(exitNoBackend, error.what());
     } catch (const FileError& error) {
@@ -86,6 +101,9 @@ int RunAction(const Request& request) {
         return Fail(exitUsage, error.what());
     } catch (const std::bad_alloc&) {
         return Fail(exitIo, "out of memory; choose a smaller --size or --image");
+    } catch (const std::system_error& error) {
+        if (std::ferror(stdout) == 0) return Fail(exitIo, error.what());
+        return Fail(exitIo, "cannot write to standard output: " + error.code().message());
     } catch (const std::exception& error) {
         return Fail(exitIo, error.what());
     }
@@ -122,7 +140,12 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     try {
         Parse(app, arguments);
     } catch (const CLI::Success& success) {  // --help, --version
-        return app.exit(success);
+        std::ostringstream text;
+        const int code = app.exit(success, text, text);
+        return RunAction({arguments, contextOptions, [&] {
+                              fmt::print("{}", text.str());
+                              return code;
+                          }});
     } catch (const CLI::ExtrasError&) {
         return Fail(exitUsage, DescribeExtras(app));
     } catch (const CLI::ParseError& error) {
@@ -132,6 +155,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
         fmt::print(stderr, "{}", app.help());
         return exitUsage;
     }
+    if (NamesStandardOutput(app)) GiveStandardOutputToFiles();
     return RunAction(request);
 }
 

@@ -48,11 +48,12 @@ constexpr EngineInfo engines[] = {
 #ifdef SCREE_HAS_BOX2D3
      .makeRun = MakeBox2d3Run,
      .makeFollower = MakeBox2d3Follower,
+     .makeLab = MakeBox2d3Lab},
 #else
      .makeRun = nullptr,
      .makeFollower = nullptr,
-#endif
      .makeLab = nullptr},
+#endif
 };
 
 constexpr std::pair<Ability, std::string_view> abilityNames[] = {
@@ -70,6 +71,10 @@ std::span<const EngineInfo> GetEngines() {
     const auto missing =
         std::ranges::find_if(engines, [](const EngineInfo& engine) { return engine.makeRun == nullptr; });
     return {std::begin(engines), missing};
+}
+
+bool IsBuilt(std::string_view name) {
+    return std::ranges::find(GetEngines(), name, &EngineInfo::name) != GetEngines().end();
 }
 
 const EngineInfo& FindEngine(std::string_view name) {
@@ -110,10 +115,7 @@ std::unique_ptr<EngineRun> MakeFollower(const scenes::Scene& scene, const RunSpe
 }
 
 std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs) {
-    const EngineInfo& engine = FindBuilt(spec.engine);
-    if (engine.makeLab == nullptr)
-        throw UsageError(fmt::format("{} has no laboratory: laws and extremes run in scree and box2d", engine.name));
-    return engine.makeLab(scene, spec, needs);
+    return FindBuilt(spec.engine).makeLab(scene, spec, needs);
 }
 
 }  // namespace testbed

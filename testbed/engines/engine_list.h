@@ -34,6 +34,8 @@ struct EngineInfo {
 /// Also those that a build has only where it finds their library.
 [[nodiscard]] std::span<const EngineInfo> GetKnownEngines();
 
+/// Whether this build has a known engine.
+[[nodiscard]] bool IsBuilt(std::string_view name);
 /// Of the known ones. UsageError with the nearest name for another.
 [[nodiscard]] const EngineInfo& FindEngine(std::string_view name);
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "testbed/base/new_file.h"
 #include "testbed/page/gnuplot.h"
 
 namespace testbed {
@@ -124,9 +125,9 @@ void DrawPlot(const Plot& plot, std::string_view terminal, const fs::path& pictu
 
 void DrawPlotFiles(const Plot& plot, const fs::path& stem) {
     for (const auto& [terminal, extension] : {std::pair("svg", ".svg"), std::pair("pngcairo", ".png")}) {
-        const fs::path picture = stem.string() + extension, temporary = stem.string() + ".tmp" + extension;
-        DrawPlot(plot, terminal, temporary);
-        fs::rename(temporary, picture);
+        NewFile picture(stem.string() + extension);
+        DrawPlot(plot, terminal, picture.GetPlace());
+        picture.Finish();
     }
 }
 

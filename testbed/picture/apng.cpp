@@ -6,6 +6,7 @@
 #include "testbed/picture/apng.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <stdexcept>
 #include <system_error>
@@ -65,7 +66,7 @@ ApngWriter::ApngWriter(std::filesystem::path file, int framesPerSecond, std::spa
     : m_file(std::move(file)), m_text(text.begin(), text.end()), m_framesPerSecond(framesPerSecond) {
     if (framesPerSecond < 1 || framesPerSecond > 255) throw std::invalid_argument("1 to 255 frames per second");
     m_stream.open(m_file, std::ios::binary | std::ios::trunc);
-    if (!m_stream) throw FileError("cannot write " + m_file.string());
+    if (!m_stream) Fail();
 }
 
 ApngWriter::~ApngWriter() {
@@ -75,9 +76,14 @@ ApngWriter::~ApngWriter() {
     std::filesystem::remove(m_file, ignored);
 }
 
+void ApngWriter::Fail() const {
+    const int code = errno;
+    throw FileError("cannot write " + m_file.string() + ": " + std::generic_category().message(code != 0 ? code : EIO));
+}
+
 void ApngWriter::WriteBytes(const Bytes& bytes) {
     m_stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    if (!m_stream) throw FileError("cannot write " + m_file.string());
+    if (!m_stream) Fail();
 }
 
 void ApngWriter::Add(const Image& image) {
@@ -122,7 +128,7 @@ void ApngWriter::Finish() {
     m_stream.seekp(m_controlPlace);
     WriteBytes(control);
     m_stream.close();
-    if (!m_stream) throw FileError("cannot write " + m_file.string());
+    if (!m_stream) Fail();
     m_isDone = true;
 }
 

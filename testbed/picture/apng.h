@@ -31,6 +31,7 @@ public:
     void Finish();
 
 private:
+    [[noreturn]] void Fail() const;  ///< with the reason of the last call
     void WriteBytes(const std::vector<unsigned char>& bytes);
 
     std::filesystem::path m_file;

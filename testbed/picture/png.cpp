@@ -10,7 +10,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
-#include <system_error>
+#include <string_view>
 
 #include "testbed/base/errors.h"
 #include "testbed/picture/png_chunks.h"
@@ -88,6 +88,8 @@ bool IsOpaque(const Image& image) {
     return true;
 }
 
+std::string_view AsText(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+
 Bytes ReadBytes(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     if (!stream) throw FileError("cannot read " + path.string());
@@ -119,31 +121,12 @@ std::vector<unsigned char> EncodePng(const Image& image, std::span<const PngText
 }
 
 void WritePng(const std::filesystem::path& path, const Image& image, std::span<const PngText> text) {
-    const Bytes bytes = EncodePng(image, text);
-    std::filesystem::path temporary = path;
-    temporary += ".tmp";
-    {
-        std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);
-        stream.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-        stream.close();
-        if (!stream) {
-            std::error_code ignored;
-            std::filesystem::remove(temporary, ignored);
-            throw FileError("cannot write " + path.string());
-        }
-    }
-    std::error_code error;
-    std::filesystem::rename(temporary, path, error);
-    if (error) {
-        std::error_code ignored;
-        std::filesystem::remove(temporary, ignored);
-        throw FileError("cannot write " + path.string() + ": " + error.message());
-    }
+    WriteTextFile(path, AsText(EncodePng(image, text)));
 }
 
 void WriteImage(OutputFolder& output, const std::filesystem::path& relative, const Image& image,
                 std::span<const PngText> text) {
-    output.WriteBy(relative, [&](const std::filesystem::path& path) { WritePng(path, image, text); });
+    output.WriteText(relative, AsText(EncodePng(image, text)));
 }
 
 Image ReadPng(const std::filesystem::path& path) {

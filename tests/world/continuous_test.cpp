@@ -317,30 +317,6 @@ TEST(Continuous, EventsInADrumCostWhatTheyTouch) {
     EXPECT_LT(many, 6 * few) << few;
 }
 
-/// What its contact holds is looked at anew; the other pairs of the body are as they were.
-TEST(Continuous, ABodyOnManyEdgesSearchesEachOfThemAFewTimes) {
-    for (const int count : {100, 400}) {
-        World world({0.0f, -10.0f});
-        Body* ground = AddBody(world, staticBody, {0.0f, 0.0f});
-        const float length = 0.01f;
-        for (int i = 0; i < count; ++i) {
-            const float x = (static_cast<float>(i) - 0.5f * static_cast<float>(count)) * length;
-            EdgeShape edge;
-            edge.SetTwoSided({x, 0.0f}, {x + length, 0.0f});
-            ground->CreateFixture(&edge, 0.0f);
-        }
-        Body* body = AddBody(world, dynamicBody, {0.0f, 1.015f});
-        AddBox(body, 0.5f * length * static_cast<float>(count), 1.0f);
-        int most = 0;
-        for (int step = 0; step < 20; ++step) {
-            world.Step(1.0f / 60.0f, 4);
-            most = std::max(most, inspect::GetDistanceWork(world).calls);
-        }
-        EXPECT_GE(most, count);
-        EXPECT_LT(most, 6 * count);
-    }
-}
-
 /// A bullet that rests, awake, is one all the same.
 TEST(Continuous, NothingPassesThroughABulletAtRest) {
     for (const float speed : {30.0f, 90.0f, 200.0f}) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "testbed/engines/engine_run.h"
+#include "testbed/engines/lab.h"
 
 namespace testbed {
 
@@ -23,5 +24,6 @@ std::unique_ptr<InteractiveRun> MakeBox2d3Run(const scenes::Scene& scene, const 
                                               const RunNeeds& needs = {});
 std::unique_ptr<EngineRun> MakeBox2d3Follower(const scenes::Scene& scene, const RunSpec& spec,
                                               std::unique_ptr<EngineRun> source);
+std::unique_ptr<LabWorld> MakeBox2d3Lab(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs);
 
 }  // namespace testbed

@@ -15,10 +15,10 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
-#include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/engines/engine_list.h"
+#include "testbed/engines/provenance.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/bench/files.h"
 #include "testbed/jobs/bench/object_bytes.h"
@@ -27,7 +27,7 @@
 #include "testbed/jobs/bench/table.h"
 #include "testbed/jobs/bench/targets.h"
 #include "testbed/options/options.h"
-#include "testbed/page/gnuplot.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -73,14 +73,16 @@ std::string DescribeBytes(const BenchPlan& plan) {
 int RunBench(const BenchArguments& arguments, const Request& request) {
     const BenchPlan plan = MakeBenchPlan(arguments);
     BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});
-    CaseLines lines("bench", plan.cases.size());
+    std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
+    CaseLines lines("bench", plan.cases.size(), made.front());
     std::string notes = FormatBenchNotes();
     if (arguments.from.empty()) {
         RunCases(plan, files, lines);
         if (plan.shard.IsFirst()) notes += DescribeBytes(plan);
     } else {
-        const std::vector<BenchRow> rows = ReadBenchRows(
-            arguments.from, ReadText(arguments.from, "give one that `scree bench --json` or `scree merge` wrote"));
+        MergedLines merged = ReadCaseText(arguments.from, "bench");
+        const std::vector<BenchRow> rows = ReadBenchRows(arguments.from, merged.text);
+        made = std::move(merged.made);
         Print(FormatBenchHeader() + FormatBenchRows(rows));
         files.Add({rows, {}});
     }
@@ -91,7 +93,9 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
         Print(FormatTargets(targets));
     }
     if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
-    Print(files.Write({DescribeCommand(request.arguments), files.GetRows(), targets, {}, notes}));
+    const BenchReport report{DescribeCommand(request.arguments), files.GetRows(), targets, {}, notes, made};
+    Print(files.Write(report));
+    if (!arguments.markdown.empty()) WriteMarkdown(arguments.markdown, MakeBenchPage(report));
     return HasMiss(targets) ? exitDiffers : exitDone;
 }
 

@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "testbed/engines/provenance.h"
+
 namespace testbed {
 namespace {
 
@@ -20,7 +22,9 @@ PageTable MakeTable(std::span<const BenchRow> rows) {
                                 {.name = "solver"},
                                 {.name = "threads", .numeric = true},
                                 {.name = "total", .unit = "ms", .numeric = true},
+                                {.name = "quartiles", .unit = "ms", .hint = "of the repeats' totals"},
                                 {.name = "ratio", .unit = "×", .numeric = true, .hint = "Box2D's total / this one's"},
+                                {.name = "ratio, processor", .unit = "×", .numeric = true},
                                 {.name = "create", .unit = "ms", .numeric = true},
                                 {.name = "median", .unit = "ms", .numeric = true, .group = "one step"},
                                 {.name = "p99", .unit = "ms", .numeric = true, .group = "one step"},
@@ -53,7 +57,9 @@ PageTable MakeTable(std::span<const BenchRow> rows) {
                               row.solver,
                               PageCell::Number(row.threads),
                               total,
+                              fmt::format("{:.1f} … {:.1f}", row.totalLowMs, row.totalHighMs),
                               ratio,
+                              row.cpuRatio > 0 && !row.IsBaseline() ? PageCell::Number(row.cpuRatio, 2) : PageCell(),
                               PageCell::Number(row.createMs, 1),
                               PageCell::Number(row.medianMs, 3),
                               PageCell::Number(row.p99Ms, 3),
@@ -67,6 +73,40 @@ PageTable MakeTable(std::span<const BenchRow> rows) {
                               PageCell::Number(row.peakContacts),
                               PageCell::Number(static_cast<double>(row.peakBytes) / 1e6, 2),
                               row.settings});
+    }
+    return table;
+}
+
+/// Of processor times, which other programs do not lengthen; of wall times where ours has several threads.
+double FairRatio(const BenchRow& row) { return row.threads == 1 && row.cpuRatio > 0 ? row.cpuRatio : row.ratio; }
+
+/// One line a row: what most readers want to know.
+PageTable MakeSummary(std::span<const BenchRow> rows) {
+    PageTable table{.title = "In short",
+                    .caption =
+                        "Ratio: time of the baseline over that of the row; of processor times where ours has one "
+                        "thread, else of wall times. Void ratios compare different work.",
+                    .columns = {{.name = "scene"},
+                                {.name = "size", .numeric = true},
+                                {.name = "engine"},
+                                {.name = "solver"},
+                                {.name = "threads", .numeric = true},
+                                {.name = "total", .unit = "ms", .numeric = true},
+                                {.name = "quartiles", .unit = "ms"},
+                                {.name = "ratio", .unit = "×", .numeric = true},
+                                {.name = "void"}}};
+    for (const BenchRow& row : rows) {
+        PageCell ratio, total = PageCell::Number(row.totalMs, 1);
+        if (!row.complete) total.text = "≥ " + total.text;
+        if (!row.IsBaseline() && row.ratio > 0) {
+            const double value = FairRatio(row);
+            ratio = PageCell::Number(value, 2, value >= 1 ? PageTone::good : PageTone::bad);
+            if (!row.voidReason.empty()) ratio.tone = PageTone::warning;
+        }
+        table.rows.push_back({row.scene, PageCell::Number(row.size),
+                              row.GetName() + (row.continuous ? ", continuous" : ""), row.solver,
+                              PageCell::Number(row.threads), total,
+                              fmt::format("{:.1f} … {:.1f}", row.totalLowMs, row.totalHighMs), ratio, row.voidReason});
     }
     return table;
 }
@@ -100,20 +140,20 @@ PageTiles MakeTiles(std::span<const BenchRow> rows) {
     const BenchRow* best = nullptr;
     const BenchRow* worst = nullptr;
     for (const BenchRow& row : rows) {
-        if (row.IsBaseline() || row.ratio <= 0 || !row.voidReason.empty()) continue;
-        sum += std::log(row.ratio);
+        if (row.IsBaseline() || FairRatio(row) <= 0 || !row.voidReason.empty()) continue;
+        sum += std::log(FairRatio(row));
         ++count;
-        faster += row.ratio >= 1;
-        if (best == nullptr || row.ratio > best->ratio) best = &row;
-        if (worst == nullptr || row.ratio < worst->ratio) worst = &row;
+        faster += FairRatio(row) >= 1;
+        if (best == nullptr || FairRatio(row) > FairRatio(*best)) best = &row;
+        if (worst == nullptr || FairRatio(row) < FairRatio(*worst)) worst = &row;
     }
     PageTiles tiles;
     if (count == 0) return tiles;
-    tiles.tiles.push_back(
-        {"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×", "Box2D's total / ours"});
+    tiles.tiles.push_back({"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×",
+                           "processor time of Box2D / ours; wall time where ours has several threads"});
     tiles.tiles.push_back({"faster than Box2D", fmt::format("{} of {}", faster, count), "", "rows that are not void"});
-    tiles.tiles.push_back({"largest ratio", fmt::format("{:.2f}", best->ratio), "×", best->scene});
-    tiles.tiles.push_back({"smallest ratio", fmt::format("{:.2f}", worst->ratio), "×", worst->scene});
+    tiles.tiles.push_back({"largest ratio", fmt::format("{:.2f}", FairRatio(*best)), "×", best->scene});
+    tiles.tiles.push_back({"smallest ratio", fmt::format("{:.2f}", FairRatio(*worst)), "×", worst->scene});
     return tiles;
 }
 
@@ -125,8 +165,18 @@ Page MakeBenchPage(const BenchReport& report) {
     const PageTiles tiles = MakeTiles(report.rows);
     PageSection table{.title = "Times", .intro = report.notes, .blocks = {}};
     if (!tiles.tiles.empty()) table.blocks.emplace_back(tiles);
-    table.blocks.emplace_back(MakeTable(report.rows));
+    table.blocks.emplace_back(MakeSummary(report.rows));
     page.sections.push_back(std::move(table));
+    page.sections.push_back({.title = "All columns", .blocks = {MakeTable(report.rows)}, .folded = true});
+    if (std::ranges::any_of(report.rows, WasBusy)) {
+        page.sections.front().blocks.insert(
+            page.sections.front().blocks.begin(),
+            PageNote{
+                "The machine had other work in this run: some totals are far above the processor's time. Trust the "
+                "ratios of processor time.",
+                PageTone::warning});
+    }
+    for (const auto& [name, value] : ListFacts(report.made)) page.facts.push_back({name, value});
     if (!report.targets.empty()) {
         page.sections.push_back({.title = "Targets", .blocks = {MakeTargetsTable(report.targets)}});
     }

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,9 +20,10 @@ namespace testbed {
 struct BenchReport {
     std::string command;
     std::span<const BenchRow> rows;
-    std::span<const TargetResult> targets;     ///< empty: none were judged
-    std::vector<std::filesystem::path> plots;  ///< SVG files
-    std::string notes;                         ///< what the columns mean, bytes per object
+    std::span<const TargetResult> targets;         ///< empty: none were judged
+    std::vector<std::filesystem::path> plots;      ///< SVG files
+    std::string notes;                             ///< what the columns mean, bytes per object
+    std::span<const nlohmann::ordered_json> made;  ///< where the rows come from (engines/provenance.h)
 };
 
 [[nodiscard]] Page MakeBenchPage(const BenchReport& report);

@@ -23,13 +23,13 @@ struct BenchArguments {
     SettingArguments settings;
     std::string solver = "both";
     std::string threads;  ///< empty: 1, with targets 1,2
-    int repeats = 1;
+    int repeats = 3;
     int steps = 0;
     double timeLimitS = 0;
     ShardArguments shard;
     bool targets = false;
     std::string from;  ///< rows to judge and show instead of a run
-    std::string csv, plots, output;
+    std::string csv, plots, output, markdown;
 };
 
 struct BenchPlan {

@@ -54,6 +54,8 @@ template <typename Row, typename Visit>
 void ForEachTime(Row& row, Visit&& visit) {
     visit("create_ms", row.createMs);
     visit("total_ms", row.totalMs);
+    visit("total_q1_ms", row.totalLowMs);
+    visit("total_q3_ms", row.totalHighMs);
     visit("cpu_ms", row.cpuMs);
     visit("median_ms", row.medianMs);
     visit("p99_ms", row.p99Ms);
@@ -114,15 +116,17 @@ double Difference(int64_t ours, int64_t theirs) {
     return std::abs(static_cast<double>(ours - theirs)) / static_cast<double>(std::max<int64_t>(1, theirs));
 }
 
-std::string DescribeDifference(const BenchRow& row, const BenchRow& baseline) {
-    if (row.steps != baseline.steps) return {};  // a run cut by the time limit has no full counts
-    const double awake = Difference(row.awakeBodySteps, baseline.awakeBodySteps);
-    const double touching = Difference(row.touchingSum, baseline.touchingSum);
+std::string DescribeDifference(std::span<const WorkCounts> own, std::span<const WorkCounts> baseline) {
+    const std::size_t common = std::min(own.size(), baseline.size());
+    if (common == 0) return {};
+    const double awake = Difference(own[common - 1].awake, baseline[common - 1].awake);
+    const double touching = Difference(own[common - 1].touching, baseline[common - 1].touching);
     std::string reason;
     if (awake > awakeTolerance) reason = fmt::format("awake body-steps differ by {:.1f} %", 100 * awake);
     if (touching > touchingTolerance) {
         reason += fmt::format("{}touching contacts differ by {:.0f} %", reason.empty() ? "" : "; ", 100 * touching);
     }
+    if (!reason.empty() && own.size() != baseline.size()) reason += fmt::format(" in the first {} steps", common);
     return reason;
 }
 
@@ -138,6 +142,8 @@ BenchRun MergeRepeats(std::span<const BenchRun> runs) {
         merged.complete = merged.complete && run.complete;
     }
     merged.createMs = NearestRankQuantile(creates, 0.5);
+    merged.work = runs.front().work;
+    if (merged.work.size() > shortest) merged.work.resize(shortest);
     std::vector<StepRecord> same;
     for (std::size_t i = 0; i < shortest; ++i) {
         same.clear();
@@ -188,12 +194,19 @@ const BenchRow* FindBaseline(std::span<const BenchRow> rows, const BenchRow& row
     return found;
 }
 
-void CompareWithBaseline(std::span<BenchRow> rows) {
-    for (BenchRow& row : rows) {
+bool WasBusy(const BenchRow& row) {
+    constexpr double most = 1.15;
+    return row.threads == 1 && row.cpuMs > 0 && row.totalMs > most * row.cpuMs;
+}
+
+void CompareWithBaseline(std::span<BenchRow> rows, std::span<const std::vector<WorkCounts>> work) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        BenchRow& row = rows[i];
         const BenchRow* baseline = FindBaseline(rows, row);
         row.ratio = baseline != nullptr && row.totalMs > 0 ? baseline->totalMs / row.totalMs : 0;
         row.cpuRatio = baseline != nullptr && row.cpuMs > 0 ? baseline->cpuMs / row.cpuMs : 0;
-        row.voidReason = baseline != nullptr ? DescribeDifference(row, *baseline) : std::string();
+        if (baseline == nullptr) continue;
+        row.voidReason = DescribeDifference(work[i], work[static_cast<std::size_t>(baseline - rows.data())]);
     }
 }
 

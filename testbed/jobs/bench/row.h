@@ -41,8 +41,9 @@ struct BenchRow {
     bool complete = true;  ///< false: stopped at the time limit, all totals are lower bounds
     double createMs = 0;   ///< world, bodies, fixtures, joints; also those that are spawned between steps
     double totalMs = 0;    ///< sum of the single steps, the first included
-    double cpuMs = 0;      ///< processor time of the same steps, all threads together
-    double medianMs = 0;   ///< of a step
+    double totalLowMs = 0, totalHighMs = 0;  ///< quartiles of the repeats' totals
+    double cpuMs = 0;                        ///< processor time of the same steps, all threads together
+    double medianMs = 0;                     ///< of a step
     double p99Ms = 0;
     double maxMs = 0;
     int maxStep = 0;  ///< step of the maximum
@@ -65,16 +66,18 @@ struct BenchRow {
     [[nodiscard]] bool IsBaseline() const { return GetName() == baseline; }
 };
 
-/// Debian's libbox2d has its asserts compiled in. Against the same sources built with the same flags and -DNDEBUG it
-/// took 0.96 (slow-explosion), 1.00 (tumbler), 1.03 (falling-squares) and 1.08 times (tiles) the processor time,
-/// medians of three runs: the ratio to a Box2D without asserts is at least about ratio / assertsFactor.
-inline constexpr double assertsFactor = 1.08;
+/// What runs that do the same have in common.
+struct WorkCounts {
+    int64_t awake = 0;     ///< body-steps
+    int64_t touching = 0;  ///< contacts, summed over the steps
+};
 
 /// One run of a row: what was recorded of every step.
 struct BenchRun {
     double createMs = 0;
     std::vector<StepRecord> steps;
     bool complete = true;
+    std::vector<WorkCounts> work;  ///< up to the end of each step
 };
 
 /// One run out of the repeats of one: the simulation is deterministic, so a step does the same work in each, and the
@@ -84,9 +87,13 @@ struct BenchRun {
 /// Fills in everything that follows from the steps: counts of steps, times, statistics.
 void SetTimes(BenchRow& row, const BenchRun& run);
 
-/// Fills in `ratio` and `voidReason` of every row from its baseline's row. A ratio is void where awake body-steps
-/// differ by more than 2 % or touching contacts by more than 20 %.
-void CompareWithBaseline(std::span<BenchRow> rows);
+/// Fills in `ratio` and `voidReason` of every row from its baseline's row. A ratio is void where in the steps that both
+/// took, also where one was stopped, awake body-steps differ by more than 2 % or touching contacts by more than 20 %.
+/// `work` by row, as BenchRun has it.
+void CompareWithBaseline(std::span<BenchRow> rows, std::span<const std::vector<WorkCounts>> work);
+
+/// Whether the machine had other work: the steps of one thread took much longer than the processor worked on them.
+[[nodiscard]] bool WasBusy(const BenchRow& row);
 
 /// The baseline's row of the same scene and size, of the same continuous setting if there is one; null: none.
 [[nodiscard]] const BenchRow* FindBaseline(std::span<const BenchRow> rows, const BenchRow& row);

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <span>
 
+#include "testbed/base/statistics.h"
 #include "testbed/engines/engine_run.h"
 
 namespace testbed {
@@ -21,7 +23,8 @@ struct Runner {
     std::unique_ptr<EngineRun> engine;
     BenchRun run;
     double spentMs = 0;
-    int64_t awake = 0, touching = 0, contacts = 0;
+    WorkCounts work;
+    int64_t contacts = 0;
     int peakContacts = 0;
 };
 
@@ -31,8 +34,9 @@ void StepOnce(Runner& runner) {
     const StepCounts counts = runner.engine->CountStep();
     runner.run.steps.push_back({runner.engine->GetStep(), times, counts.contacts});
     runner.spentMs += times.step;
-    runner.awake += counts.awake;
-    runner.touching += counts.touching;
+    runner.work.awake += counts.awake;
+    runner.work.touching += counts.touching;
+    runner.run.work.push_back(runner.work);
     runner.contacts += counts.contacts;
     runner.peakContacts = std::max(runner.peakContacts, counts.contacts);
 }
@@ -80,14 +84,26 @@ BenchRow MakeRow(const BenchCase& benchCase, const Pane& pane, const BenchEffort
     return row;
 }
 
+/// Quartiles of the totals of the repeats, each over as many steps as the shortest took.
+void SetSpread(BenchRow& row, std::span<const BenchRun> repeats) {
+    std::vector<double> totals;
+    for (const BenchRun& run : repeats) {
+        totals.push_back(0.0);
+        for (int i = 0; i < row.steps; ++i) totals.back() += run.steps[static_cast<std::size_t>(i)].times.step;
+    }
+    const Quartiles quartiles = FindQuartiles(totals);
+    row.totalLowMs = quartiles.low;
+    row.totalHighMs = quartiles.high;
+}
+
 /// What every repeat counts alike.
 void SetCounts(BenchRow& row, Runner& runner) {
     Snapshot snapshot;
     runner.engine->Capture(snapshot, {.fixtures = false, .contacts = false, .joints = false, .nodes = false});
     row.stateHash = snapshot.stateHash;
     row.peakBytes = runner.engine->GetPeakBytes();
-    row.awakeBodySteps = runner.awake;
-    row.touchingSum = runner.touching;
+    row.awakeBodySteps = runner.work.awake;
+    row.touchingSum = runner.work.touching;
     row.contactSum = runner.contacts;
     row.peakContacts = runner.peakContacts;
 }
@@ -110,7 +126,11 @@ BenchResult RunBenchCase(const BenchCase& benchCase, const BenchEffort& effort,
             runners.push_back({.engine = MakeRun(scene, pane.spec), .run = {}});
         }
         for (int last = slice; last < steps + slice; last += slice) {
-            for (Runner& runner : runners) RunSlice(runner, std::min(last, steps), effort.timeLimitS * 1000, advance);
+            // Each repeat begins with another pane, so that none is always the one after a pause.
+            for (std::size_t i = 0; i < runners.size(); ++i) {
+                Runner& runner = runners[(i + static_cast<std::size_t>(repeat)) % runners.size()];
+                RunSlice(runner, std::min(last, steps), effort.timeLimitS * 1000, advance);
+            }
         }
         for (std::size_t i = 0; i < runners.size(); ++i) {
             SetCounts(result.rows[i], runners[i]);
@@ -118,13 +138,16 @@ BenchResult RunBenchCase(const BenchCase& benchCase, const BenchEffort& effort,
             repeats[i].push_back(std::move(runners[i].run));
         }
     }
+    std::vector<std::vector<WorkCounts>> work;
     for (std::size_t i = 0; i < repeats.size(); ++i) {
         BenchRun merged = MergeRepeats(repeats[i]);
         SetTimes(result.rows[i], merged);
+        SetSpread(result.rows[i], repeats[i]);
+        work.push_back(std::move(merged.work));
         const Pane& pane = benchCase.panes[i];
         result.timing.push_back({pane.name, pane.spec.engine, std::move(merged.steps)});
     }
-    CompareWithBaseline(result.rows);
+    CompareWithBaseline(result.rows, work);
     return result;
 }
 

@@ -69,7 +69,10 @@ struct SceneRows {
     /// The fastest of our rows with that many threads; rows that are not void come first. Null: none.
     [[nodiscard]] const BenchRow* Ours(int threads, bool continuous = false) const {
         const BenchRow* best = nullptr;
-        const auto key = [](const BenchRow& row) { return std::pair(!row.voidReason.empty(), row.totalMs); };
+        const auto key = [](const BenchRow& row) {
+            const bool hasTime = row.threads == 1 && row.cpuMs > 0;
+            return std::pair(!row.voidReason.empty(), hasTime ? row.cpuMs : row.totalMs);
+        };
         for (const BenchRow& row : all) {
             if (!Has(row) || row.engine != "scree" || row.threads != threads || row.continuous != continuous) continue;
             if (best == nullptr || key(row) < key(*best)) best = &row;
@@ -83,6 +86,12 @@ struct SceneRows {
         return nullptr;
     }
 };
+
+/// Of processor times, which other programs do not lengthen; of wall times where ours has several threads.
+double Ratio(const BenchRow& one, const BenchRow& ours) {
+    const bool hasTimes = one.cpuMs > 0 && ours.cpuMs > 0 && ours.threads == 1;
+    return hasTimes ? one.cpuMs / ours.cpuMs : one.totalMs / ours.totalMs;
+}
 
 SceneRows RowsOf(std::span<const BenchRow> rows, std::string_view scene) {
     const scenes::SceneInfo& info = *scenes::Find(scene);  // the table names scenes of the catalogue
@@ -126,7 +135,7 @@ void JudgeTotals(const SpeedTarget& target, const SceneRows& rows, Judge& judge)
         }
         judge.Add({.law = law,
                    .scene = std::string(target.scene),
-                   .measured = box2d->totalMs / ours->totalMs,
+                   .measured = Ratio(*box2d, *ours),
                    .needed = threads == 1 ? target.ratioOne : target.ratioTwo},
                   *ours, box2d);
     }
@@ -186,7 +195,7 @@ void JudgeContinuous(const SceneRows& rows, Judge& judge) {
     }
     judge.Add({.law = "continuous on against off",
                .scene = std::string(rows.scene),
-               .measured = on->totalMs / off->totalMs,
+               .measured = Ratio(*on, *off),
                .needed = continuousCost,
                .atLeast = false},
               *on, nullptr);
@@ -228,7 +237,7 @@ void JudgeMean(std::span<const BenchRow> rows, int threads, double needed, Judge
             judge.results.push_back(result);
             return;
         }
-        ratios.push_back(box2d->totalMs / ours->totalMs);
+        ratios.push_back(Ratio(*box2d, *ours));
         if (!ours->voidReason.empty())
             result.note += fmt::format("{}{}", result.note.empty() ? "void: " : ", ", of.scene);
     }

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "testbed/engines/run_spec.h"
 
@@ -42,7 +43,9 @@ struct AbuseResult {
     std::string note;       ///< what was accepted that should not have been
 };
 
-/// Throws std::invalid_argument for an unknown engine.
+/// Whether an engine's calls can be abused: there is no code for those of Box2D 3.
+[[nodiscard]] bool CanAbuse(std::string_view engine);
+/// Throws std::invalid_argument for an engine that cannot.
 [[nodiscard]] AbuseResult RunAbuse(const RunSpec& setting, Abuse abuse);
 [[nodiscard]] AbuseResult AbuseScree(bool soft, Abuse abuse);
 [[nodiscard]] AbuseResult AbuseBox2d(Abuse abuse);

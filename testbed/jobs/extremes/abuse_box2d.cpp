@@ -55,6 +55,8 @@ struct Box2dAbuse {
 
 AbuseResult AbuseBox2d(Abuse abuse) { return Abuser<Box2dAbuse>(false).Run(abuse); }
 
+bool CanAbuse(std::string_view engine) { return engine == "box2d" || engine == "scree"; }
+
 AbuseResult RunAbuse(const RunSpec& setting, Abuse abuse) {
     if (setting.engine == "box2d") return AbuseBox2d(abuse);
     if (setting.engine == "scree") return AbuseScree(!IsSequential(setting), abuse);

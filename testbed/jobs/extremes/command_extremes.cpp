@@ -16,17 +16,19 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
-#include "testbed/base/json_lines.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/shard.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/engines/panes.h"
+#include "testbed/engines/provenance.h"
 #include "testbed/jobs/extremes/child.h"
 #include "testbed/jobs/extremes/commands.h"
 #include "testbed/jobs/extremes/report.h"
 #include "testbed/jobs/extremes/run_case.h"
 #include "testbed/options/options.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -36,6 +38,7 @@ struct ExtremesArguments {
     bool quick = false, full = false, list = false;
     std::string filter;
     std::string from;
+    std::string markdown;
     std::string output = "out/extremes";
     double limit = 0.0;  ///< 0: by quick and full
     int jobs = 2;
@@ -47,8 +50,10 @@ struct ExtremesArguments {
 /// The settings that every case runs under. A name begins with its engine's.
 std::vector<Pane> ChooseSettings(const SettingArguments& arguments) {
     const bool isOwnList = arguments.engines.empty();
-    std::vector<Pane> settings = ParsePanes(isOwnList ? "box2d,scree,soft=scree:solver=soft@4" : arguments.engines,
-                                            GetTypedSettings(arguments), "solver=si@8/3");
+    std::string all = "box2d,scree,soft=scree:solver=soft@4";
+    if (IsBuilt("box2d3")) all += ",box2d3";
+    std::vector<Pane> settings =
+        ParsePanes(isOwnList ? all : arguments.engines, GetTypedSettings(arguments), "solver=si@8/3");
     for (Pane& pane : settings) {
         const bool isPlain = isOwnList || pane.name == pane.spec.engine;
         pane.name = pane.spec.engine + " " + (isPlain ? NameSolver(pane.spec) : pane.name);
@@ -155,9 +160,10 @@ std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<
     return results;
 }
 
-std::vector<ExtremeResult> ReadResults(const std::string& file) {
+std::vector<ExtremeResult> ReadResults(const std::string& file, std::vector<nlohmann::ordered_json>& made) {
     std::vector<ExtremeResult> results;
-    ReadJsonLines(file, "extremes", [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
+    made =
+        ReadCaseLines(file, "extremes", [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
     return results;
 }
 
@@ -179,6 +185,7 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
     std::size_t number = 0;
     for (const ExtremeCase* one : cases) {
         for (const Pane& setting : settings) {
+            if (one->abuse && !CanAbuse(setting.spec.engine)) continue;
             if (shard.Contains(number)) jobs.push_back({one, setting.name, number});
             ++number;
         }
@@ -188,22 +195,27 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
         std::fflush(stdout);
     }
     OutputFolder output(arguments.output);
+    std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
     std::map<std::string, std::string> pictures;
     const std::vector<ExtremeResult> results =
-        arguments.from.empty() ? RunAll(arguments, jobs, pictures) : ReadResults(arguments.from);
+        arguments.from.empty() ? RunAll(arguments, jobs, pictures) : ReadResults(arguments.from, made);
     if (!arguments.shard.json.empty()) {
-        CaseLines lines("extremes", number);
+        CaseLines lines("extremes", number, made.front());
         for (std::size_t i = 0; i < jobs.size() && arguments.from.empty(); ++i) {
             lines.Add(jobs[i].number, ToJson(results[i]));
         }
         WriteTextFile(arguments.shard.json, lines.GetText());
     }
     output.WriteText("cases.csv", MakeExtremesCsv(results));
-    output.WriteText("index.html", MakePage(MakeExtremesPage(results, pictures, DescribeCommand(request.arguments))));
+    Page page = MakeExtremesPage(results, pictures, DescribeCommand(request.arguments));
+    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    output.WriteText("index.html", MakePage(page));
+    if (!arguments.markdown.empty()) WriteMarkdown(arguments.markdown, page);
     fmt::print("{}", FormatExtremes(results));
     for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
     const auto breaks = [](const ExtremeResult& r) {
-        return r.setting.starts_with("scree") && r.verdict.grade <= Grade::nonFinite;
+        return r.setting.starts_with("scree") &&
+               (r.verdict.grade == Grade::abort || r.verdict.grade == Grade::nonFinite);
     };
     return std::ranges::any_of(results, breaks) ? exitDiffers : exitDone;
 }
@@ -226,6 +238,8 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
+    command->add_option("--markdown", arguments->markdown, "Also write the report's text and tables as Markdown")
+        ->type_name("FILE");
     AddSetOption(*command, arguments->settings, "Applied in all engines. A case keeps the settings that it is about");
     AddEnginesOption(*command, arguments->settings, "Instead of box2d 8/3, scree 8/3 and scree soft 4");
     AddShardOptions(*command, arguments->shard);

@@ -28,9 +28,10 @@ struct Demands {
     double overlapShare = 0.1;       ///< 2 s after load, of the smaller body's smaller extent
     double overlap = 0.0;            ///< for the full grade, m
     double jointGap = 0.0;           ///< for the full grade, m
-    double restSpeed = 0.0;          ///< all are slower 5 s after load (at the end, if that is earlier), m/s
-    double accuracy = 0.0;           ///< for the full grade: of ExtremeCase::measure
-    double maxSpeed = 0.0;           ///< faster is an explosion, m/s
+    double restSpeed = 0.0;    ///< all are slower at the end, at the earliest 5 s after load if it is that long, m/s
+    bool restOfLoose = false;  ///< that is asked only of bodies without joints: the others swing on
+    double accuracy = 0.0;     ///< for the full grade: of ExtremeCase::measure
+    double maxSpeed = 0.0;     ///< faster is an explosion, m/s
 };
 
 struct ExtremeCase {

@@ -133,7 +133,9 @@ void AddSteps(std::vector<ExtremeCase>& cases) {
                          .quickSeconds = 2.5,
                          .demands = {.bounds = Bounds{{-20.0, -2.0}, {30.0, 20.0}},
                                      .overlap = still ? 0.0 : 0.02,
-                                     .jointGap = still ? 0.0 : 0.01},
+                                     .jointGap = still ? 0.0 : 0.01,
+                                     .restSpeed = still ? 0.0 : 0.05,
+                                     .restOfLoose = true},
                          .stepLength = std::move(length)});
     };
     add("dt-0", "a pyramid and a chain, steps of no length", [](int) { return 0.0; });
@@ -156,13 +158,16 @@ std::vector<ExtremeCase> MakeMotionCases() {
     AddSpeeds(cases);
     AddSteps(cases);
     for (const double g : {0.0, 1e2, 1e3, 1e4}) {
-        cases.push_back(
-            {.name = fmt::format("gravity-{:g}", g),
-             .group = "gravity",
-             .what = fmt::format("a pyramid and a chain under {:g} m/s²", g),
-             .make = [=] { return MakeMixed(g); },
-             .quickSeconds = 2.5,
-             .demands = {.bounds = Bounds{{-20.0, -2.0}, {30.0, 20.0}}, .overlap = 0.02, .jointGap = 0.01}});
+        cases.push_back({.name = fmt::format("gravity-{:g}", g),
+                         .group = "gravity",
+                         .what = fmt::format("a pyramid and a chain under {:g} m/s²", g),
+                         .make = [=] { return MakeMixed(g); },
+                         .quickSeconds = 2.5,
+                         .demands = {.bounds = Bounds{{-20.0, -2.0}, {30.0, 20.0}},
+                                     .overlap = 0.02,
+                                     .jointGap = 0.01,
+                                     .restSpeed = 0.05 * std::max(1.0, std::sqrt(g / gravity)),
+                                     .restOfLoose = true}});
     }
     for (const double spin : {1e2, 1e3, 1e4}) {
         for (const bool touching : {false, true}) {

@@ -11,7 +11,9 @@
 #include <algorithm>
 #include <csignal>
 #include <cstring>
+#include <limits>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 namespace testbed {
 
@@ -88,8 +90,12 @@ Outcome OutcomeFromJson(const nlohmann::ordered_json& fields) {
     Outcome outcome;
     try {
         VisitFields(outcome, [&](const char* name, auto& value) {
-            // A number that is not finite becomes null on its way through JSON.
-            if (!fields.at(name).is_null()) fields.at(name).get_to(value);
+            if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) {
+                const bool isFinite = !fields.at(name).is_null();
+                value = isFinite ? fields.at(name).template get<double>() : std::numeric_limits<double>::infinity();
+            } else {
+                fields.at(name).get_to(value);
+            }
         });
     } catch (const nlohmann::json::exception& error) {
         throw FileError(std::string("a field is missing or of another kind: ") + error.what());
@@ -99,18 +105,24 @@ Outcome OutcomeFromJson(const nlohmann::ordered_json& fields) {
 
 std::string NameGrade(Grade grade) {
     switch (grade) {
+        case Grade::notFinished:
+            return "not finished";
         case Grade::abort:
             return "aborts or hangs";
         case Grade::nonFinite:
             return "non-finite";
         case Grade::explodes:
-            return "explodes or escapes";
+            return "explodes, escapes or is refused";
         case Grade::survives:
             return "survives with an error";
         case Grade::accurate:
             break;
     }
     return "as asked";
+}
+
+std::string PrintGrade(Grade grade) {
+    return grade == Grade::notFinished ? "" : fmt::format("{}", static_cast<int>(grade));
 }
 
 CaseGrade GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome& o) {
@@ -123,35 +135,44 @@ CaseGrade GradeCase(const ExtremeCase& one, const Ending& ending, const Outcome&
     }
     const Demands& d = one.demands;
     CaseGrade verdict;
-    if (d.bounds && o.escapes > 0) {
+    // A demand is met by numbers that are at most its own; what is no number meets none.
+    const auto exceeds = [](double value, double limit) { return !(value <= limit); };
+    if (!o.refusal.empty()) {
+        verdict = {Grade::explodes, {"refused: " + o.refusal}};
+    } else if (d.bounds && o.escapes > 0) {
         verdict = {Grade::explodes, {fmt::format("{} bodies escape", o.escapes)}};
-    } else if (d.energy && o.gain > explosionGain) {
+    } else if (d.energy && exceeds(o.gain, explosionGain)) {
         verdict = {Grade::explodes, {fmt::format("energy rises by {:.3g} times that of the start", o.gain)}};
-    } else if (d.maxSpeed > 0.0 && o.maxSpeed > d.maxSpeed) {
+    } else if (d.maxSpeed > 0.0 && exceeds(o.maxSpeed, d.maxSpeed)) {
         verdict = {Grade::explodes, {fmt::format("a body reaches {:.3g} m/s", o.maxSpeed)}};
     }
     const bool exploded = verdict.grade == Grade::explodes;
     const auto fault = [&](bool is, const std::string& reason) {
         if (is) verdict.reasons.push_back(reason);
     };
-    fault(!o.refusal.empty(), "refused: " + o.refusal);
-    fault(!exploded && d.energy && o.gain > errorGain, fmt::format("energy rises by {:.3g} %", 100.0 * o.gain));
-    fault(d.overlapShare > 0.0 && o.overlapShare > d.overlapShare,
+    fault(!exploded && d.energy && exceeds(o.gain, errorGain), fmt::format("energy rises by {:.3g} %", 100.0 * o.gain));
+    fault(d.overlapShare > 0.0 && exceeds(o.overlapShare, d.overlapShare),
           fmt::format("bodies overlap by {:.3g} % of their size", 100.0 * o.overlapShare));
-    fault(d.overlap > 0.0 && o.overlap > d.overlap,
+    fault(d.overlap > 0.0 && exceeds(o.overlap, d.overlap),
           fmt::format("overlap {:.3g} m, asked {:.3g}", o.overlap, d.overlap));
-    fault(d.jointGap > 0.0 && o.jointGap > d.jointGap,
+    fault(d.jointGap > 0.0 && exceeds(o.jointGap, d.jointGap),
           fmt::format("a joint opens by {:.3g} m, asked {:.3g}", o.jointGap, d.jointGap));
-    fault(d.restSpeed > 0.0 && o.restSpeed > d.restSpeed,
+    fault(d.restSpeed > 0.0 && exceeds(o.restSpeed, d.restSpeed),
           fmt::format("not at rest: {:.3g} m/s, asked {:.3g}", o.restSpeed, d.restSpeed));
-    fault(d.accuracy > 0.0 && o.accuracy > d.accuracy,
+    fault(d.accuracy > 0.0 && exceeds(o.accuracy, d.accuracy),
           fmt::format("error {:.3g}, asked {:.3g}", o.accuracy, d.accuracy));
-    fault(o.workRatio > mostWork, fmt::format("a step does {:.0f} times the work of the median one", o.workRatio));
+    fault(exceeds(o.workRatio, mostWork),
+          fmt::format("a step does {:.0f} times the work of the median one", o.workRatio));
     fault(o.repeated == 0, "a second run ends in other states");
     fault(o.capped > 0, fmt::format("speed was capped {} times", o.capped));
     fault(o.stopped > 0, fmt::format("{} bodies were stopped because they became non-finite", o.stopped));
     if (one.abuse) GradeAbuse(one, o, verdict);
-    if (!verdict.reasons.empty() && !exploded) verdict.grade = Grade::survives;
+    if (exploded) return verdict;
+    if (!verdict.reasons.empty()) verdict.grade = Grade::survives;
+    if (o.shortened) {
+        verdict.grade = Grade::notFinished;
+        verdict.reasons.insert(verdict.reasons.begin(), fmt::format("the time was over after {:.3g} s", o.seconds));
+    }
     return verdict;
 }
 

@@ -43,7 +43,7 @@ struct Outcome {
 };
 
 [[nodiscard]] nlohmann::ordered_json ToJson(const Outcome& outcome);
-/// Throws FileError.
+/// A number that is not finite is null in JSON and comes back as infinity, which no demand allows. Throws FileError.
 [[nodiscard]] Outcome OutcomeFromJson(const nlohmann::ordered_json& fields);
 
 /// How the process that ran a case ended.
@@ -54,9 +54,12 @@ struct Ending {
     bool output = true;  ///< it told its outcome
 };
 
-enum class Grade { abort = 0, nonFinite = 1, explodes = 2, survives = 3, accurate = 4 };
-/// "aborts or hangs", "non-finite", …
+/// `notFinished` is no grade: the time was over before the end, and nothing went wrong until then.
+enum class Grade { notFinished = -1, abort = 0, nonFinite = 1, explodes = 2, survives = 3, accurate = 4 };
+/// "not finished", "aborts or hangs", "non-finite", …
 [[nodiscard]] std::string NameGrade(Grade grade);
+/// "4" … "0"; empty for `notFinished`.
+[[nodiscard]] std::string PrintGrade(Grade grade);
 
 struct CaseGrade {
     Grade grade = Grade::accurate;

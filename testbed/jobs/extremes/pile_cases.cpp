@@ -133,26 +133,31 @@ std::vector<ExtremeCase> MakePileCases() {
     std::vector<ExtremeCase> cases;
     AddRatios(cases);
     for (const int count : {10, 50, 100, 200, 500}) {
-        cases.push_back({.name = fmt::format("column-{}", count),
-                         .group = "columns and pyramids",
-                         .what = fmt::format("a single column of {} boxes", count),
-                         .make = [=] { return MakeStack(count); },
-                         .quickSeconds = 2.5,
-                         .demands = {.bounds = Bounds{{-2.0, 0.0}, {2.0, 1.1 * count}}, .overlap = 0.02}});
+        cases.push_back(
+            {.name = fmt::format("column-{}", count),
+             .group = "columns and pyramids",
+             .what = fmt::format("a single column of {} boxes", count),
+             .make = [=] { return MakeStack(count); },
+             .quickSeconds = 2.5,
+             .demands = {.bounds = Bounds{{-2.0, 0.0}, {2.0, 1.1 * count}}, .overlap = 0.02, .restSpeed = 0.05}});
     }
     for (const int base : {10, 50, 100, 200}) {
-        cases.push_back({.name = fmt::format("pyramid-{}", base),
-                         .group = "columns and pyramids",
-                         .what = fmt::format("a pyramid of base {}", base),
-                         .make = [=] { return MakePyramid(base); },
-                         .demands = {.bounds = Bounds{{-1.5 * base, 0.0}, {1.5 * base, 1.2 * base}}, .overlap = 0.02}});
+        cases.push_back(
+            {.name = fmt::format("pyramid-{}", base),
+             .group = "columns and pyramids",
+             .what = fmt::format("a pyramid of base {}", base),
+             .make = [=] { return MakePyramid(base); },
+             .demands = {
+                 .bounds = Bounds{{-1.5 * base, 0.0}, {1.5 * base, 1.2 * base}}, .overlap = 0.02, .restSpeed = 0.05}});
     }
-    cases.push_back({.name = "card-house",
-                     .group = "columns and pyramids",
-                     .what = "a house of cards of 1 mm × 20 cm",
-                     .make = MakeCardHouse,
-                     .scale = 0.1,
-                     .demands = {.bounds = Bounds{{-3.0, -0.01}, {3.0, 2.0}}, .overlapShare = 0.0, .overlap = 0.02}});
+    cases.push_back(
+        {.name = "card-house",
+         .group = "columns and pyramids",
+         .what = "a house of cards of 1 mm × 20 cm",
+         .make = MakeCardHouse,
+         .scale = 0.1,
+         .demands = {
+             .bounds = Bounds{{-3.0, -0.01}, {3.0, 2.0}}, .overlapShare = 0.0, .overlap = 0.02, .restSpeed = 0.05}});
     for (const int count : {10, 100, 1000}) {
         cases.push_back({.name = fmt::format("one-point-{}", count),
                          .group = "overlap",

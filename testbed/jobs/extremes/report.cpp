@@ -38,9 +38,9 @@ bool IsOurs(const std::string& setting) { return setting.starts_with("scree"); }
 
 PageCell GradeCell(const ExtremeResult& result) {
     const int grade = static_cast<int>(result.verdict.grade);
-    PageCell cell(fmt::format("{}", grade));
+    PageCell cell(grade < 0 ? "–" : PrintGrade(result.verdict.grade));
     cell.value = grade;
-    cell.tone = grade == 4 ? PageTone::good : grade == 3 ? PageTone::warning : PageTone::bad;
+    cell.tone = grade == 4 ? PageTone::good : grade == 3 || grade < 0 ? PageTone::warning : PageTone::bad;
     cell.hint = fmt::format("{}{}{}", NameGrade(result.verdict.grade), result.verdict.reasons.empty() ? "" : ": ",
                             fmt::join(result.verdict.reasons, "; "));
     return cell;
@@ -82,24 +82,84 @@ PageTable MakeReasons(std::span<const ExtremeResult> results) {
     return table;
 }
 
-std::array<int, 5> CountGrades(std::span<const ExtremeResult> results, const std::string& setting) {
-    std::array<int, 5> counts{};
-    for (const ExtremeResult& result : results) {
-        if (result.setting == setting) ++counts[static_cast<std::size_t>(result.verdict.grade)];
-    }
-    return counts;
+/// From the best grade down, then what is no grade.
+constexpr std::array gradesInOrder{Grade::accurate,  Grade::survives, Grade::explodes,
+                                   Grade::nonFinite, Grade::abort,    Grade::notFinished};
+
+std::ptrdiff_t CountGrade(std::span<const ExtremeResult> results, const std::string& setting, Grade grade) {
+    return std::ranges::count_if(results, [&](const ExtremeResult& result) {
+        return result.setting == setting && result.verdict.grade == grade;
+    });
+}
+
+/// How many runs that could have been repeated were not, for lack of time.
+std::ptrdiff_t CountUnrepeated(std::span<const ExtremeResult> results, const std::string& setting) {
+    return std::ranges::count_if(results, [&](const ExtremeResult& result) {
+        const ExtremeCase* one = FindCase(result.name);
+        return result.setting == setting && one != nullptr && !one->abuse && result.verdict.grade >= Grade::survives &&
+               result.outcome.repeated < 0;
+    });
 }
 
 PageTable MakeCounts(std::span<const ExtremeResult> results) {
     PageTable table{.columns = {{.name = "setting"}}};
-    for (int grade = 4; grade >= 0; --grade) {
-        table.columns.push_back(
-            {.name = fmt::format("{}: {}", grade, NameGrade(static_cast<Grade>(grade))), .numeric = true});
+    for (const Grade grade : gradesInOrder) {
+        const std::string number = PrintGrade(grade);
+        table.columns.push_back({.name = (number.empty() ? "" : number + ": ") + NameGrade(grade), .numeric = true});
     }
+    table.columns.push_back({.name = "no second run", .numeric = true});
     for (const std::string& setting : SettingsOf(results)) {
         std::vector<PageCell> row{setting};
-        const std::array<int, 5> counts = CountGrades(results, setting);
-        for (std::size_t grade = 5; grade-- > 0;) row.push_back(PageCell::Number(counts[grade]));
+        for (const Grade grade : gradesInOrder) {
+            row.push_back(PageCell::Number(static_cast<double>(CountGrade(results, setting, grade))));
+        }
+        row.push_back(PageCell::Number(static_cast<double>(CountUnrepeated(results, setting))));
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
+/// How many runs of a group have which grade: "58 · 43 · 12 · 1 · 10", then those that were not finished.
+std::string CountGroup(std::span<const ExtremeResult> results, const std::string& group, const std::string& setting) {
+    std::string text;
+    std::ptrdiff_t unfinished = 0;
+    for (const Grade grade : gradesInOrder) {
+        const std::ptrdiff_t count = std::ranges::count_if(results, [&](const ExtremeResult& result) {
+            const ExtremeCase* one = FindCase(result.name);
+            const bool isOfGroup = one != nullptr && (group.empty() || one->group == group);
+            return isOfGroup && result.setting == setting && result.verdict.grade == grade;
+        });
+        if (grade == Grade::notFinished) {
+            unfinished = count;
+        } else {
+            text += fmt::format("{}{}", text.empty() ? "" : " · ", count);
+        }
+    }
+    return unfinished > 0 ? fmt::format("{} ({} not finished)", text, unfinished) : text;
+}
+
+PageTable MakeGroups(std::span<const ExtremeResult> results) {
+    PageTable table{.title = "By group",
+                    .caption = "Runs with grade 4 · 3 · 2 · 1 · 0.",
+                    .columns = {{.name = "group"}, {.name = "cases", .numeric = true}}};
+    const std::vector<std::string> settings = SettingsOf(results);
+    for (const std::string& setting : settings) table.columns.push_back({.name = setting});
+    std::vector<std::pair<std::string, int>> groups;
+    int all = 0;
+    for (const ExtremeCase& one : GetExtremeCases()) {
+        if (std::ranges::find(results, one.name, &ExtremeResult::name) == results.end()) continue;
+        const auto found = std::ranges::find(groups, one.group, &std::pair<std::string, int>::first);
+        ++all;
+        if (found == groups.end()) {
+            groups.emplace_back(one.group, 1);
+        } else {
+            ++found->second;
+        }
+    }
+    groups.emplace_back("", all);
+    for (const auto& [group, cases] : groups) {
+        std::vector<PageCell> row{group.empty() ? "all" : group, PageCell::Number(cases)};
+        for (const std::string& setting : settings) row.emplace_back(CountGroup(results, group, setting));
         table.rows.push_back(row);
     }
     return table;
@@ -128,9 +188,10 @@ PageTable MakeMeasurements(std::span<const ExtremeResult> results) {
 
 constexpr std::string_view meaning =
     "Every case runs in a process of its own with a limit of processor time. Grades: 0 the engine aborts or hangs, 1 a "
-    "state is no longer finite, 2 energy more than doubles, or a body passes a wall or leaves its place, 3 all "
-    "survives "
-    "but one of the questions is answered badly, 4 everything as asked.\n\n"
+    "state is no longer finite, 2 energy more than doubles, a body passes a wall or leaves its place, or the "
+    "scene is refused, 3 all survives but one of the questions is answered badly, 4 everything as asked. A run whose "
+    "time was over before its end, with nothing broken until then, is `not finished` and has no grade. Where our "
+    "engine is told a length scale, its line says so; Box2D has its scale compiled in.\n\n"
     "The questions: states are finite; energy rises by no more than 1 %; nobody escapes; two seconds after load nobody "
     "overlaps by more than a tenth of its size; no step does more than 50 times the usual work; what should come to "
     "rest "
@@ -143,7 +204,11 @@ nlohmann::ordered_json ToJson(const ExtremeResult& result) {
     nlohmann::ordered_json fields;
     fields["name"] = result.name;
     fields["setting"] = result.setting;
-    fields["grade"] = static_cast<int>(result.verdict.grade);
+    if (result.verdict.grade == Grade::notFinished) {
+        fields["grade"] = nullptr;
+    } else {
+        fields["grade"] = static_cast<int>(result.verdict.grade);
+    }
     fields["reasons"] = result.verdict.reasons;
     fields["timedOut"] = result.ending.timedOut;
     fields["signal"] = result.ending.signal;
@@ -180,7 +245,7 @@ std::string MakeExtremesCsv(std::span<const ExtremeResult> results) {
     for (const ExtremeResult& r : results) {
         const Outcome& o = r.outcome;
         const ExtremeCase* one = FindCase(r.name);
-        table.AddCells(r.name, one ? one->group : "", r.setting, static_cast<int>(r.verdict.grade),
+        table.AddCells(r.name, one ? one->group : "", r.setting, PrintGrade(r.verdict.grade),
                        fmt::format("{}", fmt::join(r.verdict.reasons, "; ")), r.ending.signal);
         table.AddCells(four(o.seconds), o.shortened ? 1 : 0, six(o.gain), o.escapes, six(o.maxSpeed), six(o.overlap),
                        six(o.overlapShare), six(o.jointGap), six(o.restSpeed), six(o.accuracy));
@@ -197,8 +262,9 @@ Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std
                   "What both engines do with masses, sizes, speeds, places, loads and input that no engine is made "
                   "for.",
               .facts = {{"command", command}, {"runs", fmt::format("{}", results.size())}}};
-    page.sections.push_back(
-        {.title = "Grades", .intro = std::string(meaning), .blocks = {MakeCounts(results), MakeMatrix(results)}});
+    page.sections.push_back({.title = "Grades",
+                             .intro = std::string(meaning),
+                             .blocks = {MakeCounts(results), MakeGroups(results), MakeMatrix(results)}});
     page.sections.push_back({.title = "Why not the full grade", .blocks = {MakeReasons(results)}});
     PageSection figures{.title = "Worst moments",
                         .intro =
@@ -222,13 +288,19 @@ Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std
 }
 
 std::string FormatExtremes(std::span<const ExtremeResult> results) {
-    std::string text = "runs by grade                4     3     2     1     0\n";
+    std::string text = "runs by grade                4     3     2     1     0  not finished  no second run\n";
     for (const std::string& setting : SettingsOf(results)) {
-        const std::array<int, 5> c = CountGrades(results, setting);
-        text += fmt::format("{:24} {:5} {:5} {:5} {:5} {:5}\n", setting, c[4], c[3], c[2], c[1], c[0]);
+        text += fmt::format("{:24}", setting);
+        for (const Grade grade : gradesInOrder) {
+            text += fmt::format(" {:{}}", CountGrade(results, setting, grade), grade == Grade::notFinished ? 13 : 5);
+        }
+        text += fmt::format(" {:14}\n", CountUnrepeated(results, setting));
     }
     for (const ExtremeResult& r : results) {
-        if (r.verdict.grade >= Grade::survives || !IsOurs(r.setting)) continue;
+        if (r.verdict.grade == Grade::notFinished && IsOurs(r.setting)) {
+            text += fmt::format("not finished: {}, {}: {:.3g} s\n", r.name, r.setting, r.outcome.seconds);
+        }
+        if (r.verdict.grade >= Grade::survives || r.verdict.grade == Grade::notFinished || !IsOurs(r.setting)) continue;
         text += fmt::format("below 3: {}, {}: {} ({})\n", r.name, r.setting, static_cast<int>(r.verdict.grade),
                             fmt::join(r.verdict.reasons, "; "));
     }

@@ -21,6 +21,7 @@ namespace testbed {
 namespace {
 
 constexpr double loadSeconds = 2.0;  ///< after which overlaps count
+constexpr double restSeconds = 5.0;  ///< after which rest counts
 
 double ReadProcessClock() {
     timespec now{};
@@ -166,10 +167,21 @@ private:
         KeepWorst(m_outcome.overlapShare);
     }
 
+    [[nodiscard]] std::vector<bool> FindJoined() const {
+        std::vector<bool> isJoined(m_bodies.size());
+        for (const scenes::Joint& joint : m_lab->GetScene().joints) {
+            isJoined[static_cast<size_t>(joint.bodyA)] = isJoined[static_cast<size_t>(joint.bodyB)] = true;
+        }
+        return isJoined;
+    }
+
     void MeasureEnd() {
-        if (m_case.demands.restSpeed > 0.0 && !m_outcome.shortened) {
+        const bool isRestDue = m_seconds >= std::min(m_case.seconds, restSeconds);  // not in a quick form
+        if (m_case.demands.restSpeed > 0.0 && !m_outcome.shortened && isRestDue) {
+            const std::vector<bool> isJoined = FindJoined();
             m_outcome.restSpeed = 0.0;
             for (size_t i = 0; i < m_bodies.size(); ++i) {
+                if (m_case.demands.restOfLoose && isJoined[i]) continue;
                 if (IsDynamic(i)) m_outcome.restSpeed = std::max(m_outcome.restSpeed, Length(m_bodies[i].velocity));
             }
         }

@@ -84,11 +84,11 @@ std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Sna
 void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<TimingSeries>& timing) {
     const std::filesystem::path folder(job.input.name);
     session.output.WriteText(folder / "timing.csv", WriteTimingCsv(timing));
-    const std::filesystem::path temporary = session.output.Prepare(folder / ".timing.tmp.png");
     const std::string title = fmt::format("{}, size {}: broad phase of steps 1-{}", job.input.name, job.input.size,
                                           timing.front().steps.size());
-    DrawPlot(MakeTimingPlot(timing, title), "pngcairo", temporary);
-    session.output.Adopt(temporary, folder / "timing.png");
+    session.output.WriteBy(folder / "timing.png", [&](const std::filesystem::path& place) {
+        DrawPlot(MakeTimingPlot(timing, title), "pngcairo", place);
+    });
 }
 
 void RunScene(PictureSession& session, const SceneJob& job, const Panes& panes) {

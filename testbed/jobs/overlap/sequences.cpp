@@ -30,7 +30,7 @@ const char* GetEnding(Animation animation) { return animation == Animation::apng
 }  // namespace
 
 struct PictureSequences::Sequence {
-    std::filesystem::path temporary;  ///< of the animation
+    std::optional<NewFile> file;  ///< of the animation
     std::unique_ptr<ApngWriter> apng;
     std::unique_ptr<VideoWriter> video;
     std::optional<ContactSheet> sheet;
@@ -83,16 +83,15 @@ bool PictureSequences::Add(OutputFolder& output, const FrameInfo& frame, const I
         sequence = std::make_unique<Sequence>();
         sequence->text = frame.text;
         if (m_options.contactSheet) sequence->sheet.emplace(m_expected, m_options.sheetWidth, m_options.theme);
-        const std::filesystem::path name =
-            "." + frame.stem.filename().string() + ".tmp" + GetEnding(m_options.animation);
         if (m_options.animation != Animation::none) {
-            sequence->temporary = output.Prepare(frame.stem.parent_path() / name);
+            sequence->file.emplace(output.Begin(frame.stem.string() + GetEnding(m_options.animation)));
         }
         if (m_options.animation == Animation::apng) {
-            sequence->apng = std::make_unique<ApngWriter>(sequence->temporary, m_options.framesPerSecond, frame.text);
+            sequence->apng =
+                std::make_unique<ApngWriter>(sequence->file->GetPlace(), m_options.framesPerSecond, frame.text);
         }
         if (m_options.animation == Animation::mp4) {
-            sequence->video = std::make_unique<VideoWriter>(sequence->temporary, m_options.framesPerSecond);
+            sequence->video = std::make_unique<VideoWriter>(sequence->file->GetPlace(), m_options.framesPerSecond);
         }
     }
     if (sequence->sheet) sequence->sheet->Add(image, frame.label);
@@ -105,9 +104,7 @@ void PictureSequences::Finish(OutputFolder& output) {
     for (const auto& [stem, sequence] : m_sequences) {
         if (sequence->apng) sequence->apng->Finish();
         if (sequence->video) sequence->video->Finish();
-        if (!sequence->temporary.empty()) {
-            output.Adopt(sequence->temporary, stem.string() + GetEnding(m_options.animation));
-        }
+        if (sequence->file) output.Finish(*sequence->file);
         if (sequence->sheet) WriteImage(output, stem.string() + "-sheet.png", sequence->sheet->Make(), sequence->text);
     }
     m_sequences.clear();

@@ -147,9 +147,7 @@ void AddPlot(Report& report, const std::string& name, Plot plot, const std::vect
         plot.curves[1].points.push_back({point.share, point.nsWith});
     }
     report.output.WriteText(name + ".csv", csv.GetText());
-    const std::filesystem::path temporary = report.output.Prepare(name + ".svg").string() + ".tmp";
-    DrawPlot(plot, "svg", temporary);
-    report.output.Adopt(temporary, name + ".svg");
+    report.output.WriteBy(name + ".svg", [&](const std::filesystem::path& place) { DrawPlot(plot, "svg", place); });
     figures.figures.push_back(
         {.title = plot.title, .caption = DescribeBreakEven(points), .file = report.output.Prepare(name + ".svg")});
 }

@@ -16,14 +16,15 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
-#include "testbed/base/json_lines.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/shard.h"
+#include "testbed/engines/provenance.h"
 #include "testbed/jobs/tradeoff/commands.h"
 #include "testbed/jobs/tradeoff/report.h"
 #include "testbed/options/options.h"
 #include "testbed/page/gnuplot.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -34,6 +35,7 @@ struct TradeArguments {
     bool count = false;
     std::string filter;
     std::string from;
+    std::string markdown;
     std::string output = "out/tradeoff";
     SettingArguments settings{.engines = ""};
     ShardArguments shard;
@@ -90,25 +92,34 @@ std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& li
 }
 
 /// The cases of a file that --json or `scree merge` wrote.
-std::vector<TradeCase> ReadCases(const std::string& file) {
+std::vector<TradeCase> ReadCases(const std::string& file, std::vector<nlohmann::ordered_json>& made) {
     std::vector<TradeCase> cases;
-    ReadJsonLines(file, "tradeoff", [&](const auto& fields) { cases.push_back(TradeCaseFromJson(fields)); });
+    made = ReadCaseLines(file, "tradeoff", [&](const auto& fields) {
+        const TradeCase one = TradeCaseFromJson(fields);
+        const bool isKnown = std::ranges::any_of(
+            cases, [&](const TradeCase& other) { return other.law == one.law && other.setting == one.setting; });
+        if (isKnown) throw FileError(fmt::format("law '{}' with this setting is there twice", one.law));
+        cases.push_back(one);
+    });
     return cases;
 }
 
-void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, const std::string& command) {
+void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, std::span<const nlohmann::ordered_json> made,
+                 const std::string& command, const std::string& markdown) {
     output.WriteText("cases.csv", MakeTradeCsv(cases));
     output.WriteText("bounds.csv", MakeBoundsCsv(cases));
     std::filesystem::path plots;
     for (const Law& law : GetLaws()) {
         if (std::ranges::find(cases, law.name, &TradeCase::law) == cases.end()) continue;
         const std::filesystem::path relative = std::filesystem::path("plots") / (law.name + ".svg");
-        const std::filesystem::path temporary = output.Prepare(relative).string() + ".tmp";
-        DrawPlot(MakeTradePlot(law, cases), "svg", temporary);
-        output.Adopt(temporary, relative);
+        output.WriteBy(relative,
+                       [&](const std::filesystem::path& place) { DrawPlot(MakeTradePlot(law, cases), "svg", place); });
         plots = output.Prepare(relative).parent_path();
     }
-    output.WriteText("index.html", MakePage(MakeTradePage(cases, plots, command)));
+    Page page = MakeTradePage(cases, plots, command);
+    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    output.WriteText("index.html", MakePage(page));
+    if (!markdown.empty()) WriteMarkdown(markdown, page);
 }
 
 int RunTradeoff(const TradeArguments& arguments, const Request& request) {
@@ -122,9 +133,10 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
     if (arguments.count) return exitDone;
     CheckGnuplot();
     OutputFolder output(arguments.output);
-    CaseLines lines("tradeoff", count);
+    std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
+    CaseLines lines("tradeoff", count, made.front());
     const std::vector<TradeCase> cases =
-        arguments.from.empty() ? MeasureAll(arguments, lines) : ReadCases(arguments.from);
+        arguments.from.empty() ? MeasureAll(arguments, lines) : ReadCases(arguments.from, made);
     if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
     if (shard.count > 1) {
         output.WriteText(fmt::format("cases-{}-of-{}.csv", shard.index, shard.count), MakeTradeCsv(cases));
@@ -132,18 +144,19 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
                    shard.index, shard.count, cases.size());
         return exitDone;
     }
-    WriteReport(output, cases, DescribeCommand(request.arguments));
+    WriteReport(output, cases, made, DescribeCommand(request.arguments), arguments.markdown);
     fmt::print("{}", FormatTrade(cases));
     for (const std::string& file : output.GetFiles()) {
         if (!file.ends_with(".svg")) fmt::print("{}\n", file);
     }
-    return exitDone;
+    return HasMiss(CheckBounds(cases)) ? exitDiffers : exitDone;
 }
 
 }  // namespace
 
 void AddTradeoffCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in both engines");
+    command->footer("Exits with 1 when a bound of the dial was missed.");
     auto arguments = std::make_shared<TradeArguments>();
     command->add_flag("--quick", arguments->quick, "Fewer settings, phases and repeats: under two minutes");
     command->add_flag("--count", arguments->count, "Only print the number of cases");
@@ -154,6 +167,8 @@ void AddTradeoffCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
+    command->add_option("--markdown", arguments->markdown, "Also write the report's text and tables as Markdown")
+        ->type_name("FILE");
     AddSetOption(*command, arguments->settings,
                  "Applied to all settings but Box2D's default, which they are compared with. A law about speed or "
                  "continuous collision keeps the caps it needs");

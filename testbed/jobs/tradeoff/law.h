@@ -21,6 +21,10 @@ namespace testbed {
 /// For a quantity without a bound.
 inline constexpr double noBound = std::numeric_limits<double>::infinity();
 
+// From where on a scenario is lost (LawError::failed), where several laws share it.
+inline constexpr double tornGap = 0.5;   ///< half a link of the chains and bridges, m
+inline constexpr double exploded = 1.0;  ///< a gain of energy, over that of the start
+
 /// One error that a law measures; 0 is exact.
 struct LawError {
     std::string name{};
@@ -29,6 +33,8 @@ struct LawError {
     double precise = noBound;  ///< at most this at the dial's `precise`
     /// Errors below are the rounding of floats: they differ by luck and are plotted and compared as if they were this.
     double rounding = 1e-6;
+    /// From here on the scenario is lost and the size of the error says nothing: a column lies on the floor.
+    double failed = noBound;
 };
 
 /// How thorough a measurement is.

@@ -6,7 +6,7 @@
 #include "testbed/jobs/tradeoff/pareto.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -29,16 +29,30 @@ std::vector<std::size_t> FindFront(std::span<const TradePoint> points) {
     return front;
 }
 
-Gain Compare(std::span<const TradePoint> points, const TradePoint& setting) {
+bool IsAsAccurate(const ErrorPoint& one, const ErrorPoint& other) {
+    return std::ranges::equal(one.errors, other.errors, std::less_equal{});
+}
+
+double CompareErrors(const ErrorPoint& one, const ErrorPoint& other) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < one.errors.size(); ++i) least = std::min(least, other.errors[i] / one.errors[i]);
+    return least;
+}
+
+Gain Compare(std::span<const ErrorPoint> points, const ErrorPoint& setting) {
     Gain gain;
+    if (setting.failed) return gain;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const TradePoint& p = points[i];
-        if (p.error <= setting.error && (!gain.cheapest || p.cost < points[*gain.cheapest].cost)) gain.cheapest = i;
-        if (p.cost <= setting.cost && (!gain.closest || p.error < points[*gain.closest].error)) gain.closest = i;
+        const ErrorPoint& p = points[i];
+        if (p.failed) continue;
+        if (IsAsAccurate(p, setting) && (!gain.cheapest || p.cost < points[*gain.cheapest].cost)) gain.cheapest = i;
+        if (p.cost > setting.cost) continue;
+        const double ratio = CompareErrors(p, setting);
+        if (gain.errorRatio && ratio <= *gain.errorRatio) continue;
+        gain.closest = i;
+        gain.errorRatio = ratio;
     }
-    // Where the setting itself failed, any point is as accurate and the ratio of errors says nothing.
     if (gain.cheapest) gain.speedUp = setting.cost / points[*gain.cheapest].cost;
-    if (gain.closest && std::isfinite(setting.error)) gain.errorRatio = setting.error / points[*gain.closest].error;
     return gain;
 }
 

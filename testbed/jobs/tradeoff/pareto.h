@@ -23,16 +23,26 @@ struct TradePoint {
 /// them.
 [[nodiscard]] std::vector<std::size_t> FindFront(std::span<const TradePoint> points);
 
-/// What a choice of settings gains over one setting.
+/// A setting by what it costs and all that it gets wrong.
+struct ErrorPoint {
+    double cost = 0.0;           ///< any unit, > 0
+    std::vector<double> errors;  ///< of every point the same ones, each > 0
+    bool failed = false;         ///< it is no worse or better than others: nothing of the scenario was left to measure
+};
+
+/// Whether no error of `one` is above that of `other`.
+[[nodiscard]] bool IsAsAccurate(const ErrorPoint& one, const ErrorPoint& other);
+/// How many times smaller the errors of `one` are than those of `other`: of the error that gains least.
+[[nodiscard]] double CompareErrors(const ErrorPoint& one, const ErrorPoint& other);
+
+/// What a choice of settings gains over one setting. Points that failed are never chosen, and nothing is gained over a
+/// setting that failed.
 struct Gain {
     std::optional<std::size_t> cheapest;  ///< the cheapest point that is at least as accurate; none: no point is
     std::optional<std::size_t> closest;   ///< the most accurate point that costs no more; none: all cost more
     std::optional<double> speedUp;        ///< cost of the setting over that of `cheapest`
-    std::optional<double> errorRatio;     ///< error of the setting over that of `closest`
-
-    /// Whether the setting is beaten in neither way, or one of them is out of reach.
-    [[nodiscard]] bool IsLost() const { return !speedUp || *speedUp < 1.0 || !errorRatio || *errorRatio < 1.0; }
+    std::optional<double> errorRatio;     ///< CompareErrors of `closest` and the setting
 };
-[[nodiscard]] Gain Compare(std::span<const TradePoint> points, const TradePoint& setting);
+[[nodiscard]] Gain Compare(std::span<const ErrorPoint> points, const ErrorPoint& setting);
 
 }  // namespace testbed

@@ -5,6 +5,9 @@
 
 #include "testbed/jobs/tradeoff/trade.h"
 #include "testbed/base/errors.h"
+#include "testbed/engines/engine_list.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,8 +52,8 @@ RunSpec GetSequential(std::string_view engine, int velocityIterations, int posit
     return spec;
 }
 
-RunSpec GetSoft(int substeps, int rate) {
-    RunSpec spec = GetSequential("scree", 8, 3, rate);
+RunSpec GetSoft(int substeps, int rate, std::string_view engine) {
+    RunSpec spec = GetSequential(engine, 8, 3, rate);
     spec.solver = SoftStep{substeps};
     return spec;
 }
@@ -90,6 +93,12 @@ std::vector<RunSpec> MakeGrid(Effort effort) {
     for (const int rate : rates) {
         for (const int n : substeps) add(GetSoft(n, rate));
     }
+    if (!IsBuilt("box2d3")) return grid;
+    for (const int rate : rates) {
+        for (const int n : quick ? std::vector<int>{4, 8} : std::vector<int>{1, 2, 4, 8, 16}) {
+            add(GetSoft(n, rate, "box2d3"));
+        }
+    }
     return grid;
 }
 
@@ -111,9 +120,9 @@ std::vector<RunSpec> ChooseGrid(Effort effort, std::string_view engines, std::sp
 }
 
 bool IsDefault(const RunSpec& setting) {
-    return setting == GetBaseline() || setting == GetSequential("scree") || setting == GetDial(Accuracy::draft) ||
-           setting == GetDial(Accuracy::game) || setting == GetDial(Accuracy::fine) ||
-           setting == GetDial(Accuracy::precise);
+    return setting == GetBaseline() || setting == GetSoft(4, 60, "box2d3") || setting == GetSequential("scree") ||
+           setting == GetDial(Accuracy::draft) || setting == GetDial(Accuracy::game) ||
+           setting == GetDial(Accuracy::fine) || setting == GetDial(Accuracy::precise);
 }
 
 Quartiles TradeCase::GetCost() const {
@@ -157,6 +166,14 @@ double FlooredError(const Law& law, const TradeCase& one, std::size_t index) {
                                 : std::numeric_limits<double>::infinity();
 }
 
+bool HasFailed(const Law& law, const TradeCase& one) {
+    for (std::size_t i = 0; i < law.errors.size(); ++i) {
+        const double error = one.errors.at(i);
+        if (!std::isfinite(error) || error >= law.errors[i].failed) return true;
+    }
+    return false;
+}
+
 nlohmann::ordered_json ToJson(const TradeCase& one) {
     nlohmann::ordered_json errors = nlohmann::ordered_json::array();
     for (const double error : one.errors) {
@@ -190,7 +207,7 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         one.law = fields.at("law").get<std::string>();
         const auto engine = fields.at("engine").get<std::string>();
         const int rate = fields.at("rate").get<int>();
-        one.setting = fields.at("solver") == "soft" ? GetSoft(fields.at("substeps").get<int>(), rate)
+        one.setting = fields.at("solver") == "soft" ? GetSoft(fields.at("substeps").get<int>(), rate, engine)
                                                     : GetSequential(engine, fields.at("velocityIterations").get<int>(),
                                                                     fields.at("positionIterations").get<int>(), rate);
         // Files of before have no settings: theirs are the grid's.
@@ -201,9 +218,17 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         for (const auto& error : fields.at("errors")) {
             one.errors.push_back(error.is_null() ? std::numeric_limits<double>::infinity() : error.get<double>());
         }
+        const auto law = std::ranges::find(GetLaws(), one.law, &Law::name);
+        if (law == GetLaws().end()) throw FileError(fmt::format("no law is called '{}'", one.law));
+        if (one.errors.size() != law->errors.size()) {
+            throw FileError(fmt::format("{} errors; law '{}' has {}", one.errors.size(), one.law, law->errors.size()));
+        }
         one.bodyFrames = fields.at("bodyFrames").get<double>();
         const auto& ms = fields.at("ms");
         one.milliseconds = {ms.at(0).get<double>(), ms.at(1).get<double>(), ms.at(2).get<double>()};
+        if (!(one.bodyFrames > 0.0 && one.milliseconds.median > 0.0)) {
+            throw FileError("a cost is above 0: \"bodyFrames\" and the middle one of \"ms\"");
+        }
         return one;
     } catch (const UsageError& error) {  // an engine or setting that is none
         throw FileError(std::string("not a line of `scree tradeoff --json`: ") + error.what());

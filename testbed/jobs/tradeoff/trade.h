@@ -23,12 +23,12 @@ namespace testbed {
 // The settings of the grid, in a laboratory: nothing falls asleep, and our engine keeps Box2D's caps of speed.
 [[nodiscard]] RunSpec GetSequential(std::string_view engine, int velocityIterations = 8, int positionIterations = 3,
                                     int rate = 60);
-[[nodiscard]] RunSpec GetSoft(int substeps, int rate = 60);
+[[nodiscard]] RunSpec GetSoft(int substeps, int rate = 60, std::string_view engine = "scree");
 /// What a mark of our accuracy dial stands for.
 [[nodiscard]] RunSpec GetDial(Accuracy mark, int rate = 60);
 
 /// All settings to try, Box2D's default first: Box2D's and our sequential impulses over iterations and steps, our soft
-/// steps over sub-steps and steps.
+/// steps and, where it is built in, Box2D 3 over sub-steps and steps.
 [[nodiscard]] std::vector<RunSpec> MakeGrid(Effort effort);
 /// The grid with `common` applied to all but Box2D's default, which everything is compared with; points that become the
 /// same count once. Where `engines` is given, as ParsePanes takes it, these settings instead of the grid's. Throws
@@ -67,7 +67,11 @@ struct TradePlan {
 /// Error of quantity `index`, floored at its rounding; what is not finite is infinity.
 [[nodiscard]] double FlooredError(const Law& law, const TradeCase& one, std::size_t index = 0);
 
-/// A case as the fields of a JSON line and back. Throws FileError for fields that are not there.
+/// Whether nothing of the scenario was left to measure: an error is not finite, or as large as a failure is.
+[[nodiscard]] bool HasFailed(const Law& law, const TradeCase& one);
+
+/// A case as the fields of a JSON line and back. Throws FileError for fields that are not there, for an unknown
+/// law and for another number of errors than its own.
 [[nodiscard]] nlohmann::ordered_json ToJson(const TradeCase& one);
 [[nodiscard]] TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields);
 

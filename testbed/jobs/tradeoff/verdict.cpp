@@ -17,7 +17,45 @@ const TradeCase* Find(std::span<const TradeCase> cases, const std::string& law, 
     return found == cases.end() ? nullptr : &*found;
 }
 
-TradePoint PointOf(const Law& law, const TradeCase& one) { return {one.GetCost().median, FlooredError(law, one)}; }
+ErrorPoint PointOf(const Law& law, const TradeCase& one) {
+    ErrorPoint point{one.GetCost().median, {}, HasFailed(law, one)};
+    for (std::size_t i = 0; i < law.errors.size(); ++i) point.errors.push_back(FlooredError(law, one, i));
+    return point;
+}
+
+/// The settings of one law in some families.
+struct Choice {
+    std::vector<ErrorPoint> points;
+    std::vector<RunSpec> settings;
+};
+
+Choice Collect(const Law& law, std::span<const TradeCase> cases, std::span<const Family> families) {
+    Choice choice;
+    for (const TradeCase& one : cases) {
+        if (one.law != law.name || std::ranges::find(families, FamilyOf(one.setting)) == families.end()) continue;
+        choice.points.push_back(PointOf(law, one));
+        choice.settings.push_back(one.setting);
+    }
+    return choice;
+}
+
+/// Whether Box2D's settings of the baseline's rate differ in no error by more than a hundredth.
+bool CannotTrade(const Choice& box2d, const ErrorPoint& baseline) {
+    constexpr double same = 1.01;
+    int others = 0;
+    for (std::size_t i = 0; i < box2d.points.size(); ++i) {
+        const RunSpec& setting = box2d.settings[i];
+        if (setting == GetBaseline() || GetRate(setting) != GetRate(GetBaseline())) continue;
+        ++others;
+        const ErrorPoint& point = box2d.points[i];
+        if (CompareErrors(point, baseline) < 1.0 / same || CompareErrors(baseline, point) < 1.0 / same) return false;
+    }
+    return others > 0;
+}
+
+std::optional<double> Divide(std::optional<double> one, std::optional<double> other) {
+    return one && other ? std::optional(*one / *other) : std::nullopt;
+}
 
 std::optional<bool> Meets(std::optional<double> error, double bound) {
     if (!error || bound == noBound) return std::nullopt;
@@ -28,6 +66,7 @@ std::optional<bool> Meets(std::optional<double> error, double bound) {
 
 Family FamilyOf(const RunSpec& setting) {
     if (setting.engine == "box2d") return Family::box2d;
+    if (setting.engine == "box2d3") return Family::box2d3;
     return IsSequential(setting) ? Family::sequential : Family::soft;
 }
 
@@ -35,6 +74,8 @@ std::string NameFamily(Family family) {
     switch (family) {
         case Family::box2d:
             return "Box2D 2.4.1";
+        case Family::box2d3:
+            return "Box2D 3";
         case Family::sequential:
             return "Scree, sequential impulses";
         case Family::soft:
@@ -43,34 +84,58 @@ std::string NameFamily(Family family) {
     return "Scree, soft step";
 }
 
+std::optional<double> LawGain::GetSpeedUp() const { return Divide(ours.speedUp, box2d.speedUp); }
+std::optional<double> LawGain::GetErrorRatio() const { return Divide(ours.errorRatio, box2d.errorRatio); }
+
+bool LawGain::IsLost() const {
+    return standing == Standing::compared && (GetSpeedUp().value_or(0.0) < 1.0 || GetErrorRatio().value_or(0.0) < 1.0);
+}
+
+bool LawGain::IsBox2d3Faster() const { return box2d3.speedUp.value_or(0.0) > ours.speedUp.value_or(0.0); }
+bool LawGain::IsBox2d3Closer() const { return box2d3.errorRatio.value_or(0.0) > ours.errorRatio.value_or(0.0); }
+
 std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases, std::span<const Family> families) {
+    constexpr Family theirs[] = {Family::box2d}, others[] = {Family::box2d3};
     std::vector<LawGain> gains;
     for (const Law& law : GetLaws()) {
-        const TradeCase* baseline = Find(cases, law.name, GetBaseline());
-        if (!baseline) continue;
-        std::vector<TradePoint> points;
-        std::vector<RunSpec> settings;
-        for (const TradeCase& one : cases) {
-            if (one.law != law.name || std::ranges::find(families, FamilyOf(one.setting)) == families.end()) continue;
-            points.push_back(PointOf(law, one));
-            settings.push_back(one.setting);
+        const TradeCase* found = Find(cases, law.name, GetBaseline());
+        if (found == nullptr) continue;
+        const ErrorPoint baseline = PointOf(law, *found);
+        const Choice ours = Collect(law, cases, families), box2d = Collect(law, cases, theirs);
+        LawGain gain{.law = &law,
+                     .ours = Compare(ours.points, baseline),
+                     .box2d = Compare(box2d.points, baseline),
+                     .box2d3 = Compare(Collect(law, cases, others).points, baseline),
+                     .cheapest = {},
+                     .closest = {}};
+        if (baseline.failed) {
+            gain.standing = Standing::baselineFails;
+        } else if (CannotTrade(box2d, baseline)) {
+            gain.standing = Standing::cannotTrade;
         }
-        LawGain gain{&law, Compare(points, PointOf(law, *baseline)), {}, {}};
-        if (gain.gain.cheapest) gain.cheapest = settings[*gain.gain.cheapest];
-        if (gain.gain.closest) gain.closest = settings[*gain.gain.closest];
+        if (gain.ours.cheapest) gain.cheapest = ours.settings[*gain.ours.cheapest];
+        if (gain.ours.closest) gain.closest = ours.settings[*gain.ours.closest];
         gains.push_back(gain);
     }
     return gains;
 }
 
 Headline Summarise(std::span<const LawGain> gains) {
+    Headline headline;
     std::vector<double> speedUps, ratios;
     for (const LawGain& gain : gains) {
-        if (gain.gain.speedUp) speedUps.push_back(*gain.gain.speedUp);
-        if (gain.gain.errorRatio) ratios.push_back(*gain.gain.errorRatio);
+        if (gain.standing != Standing::compared) continue;
+        speedUps.push_back(gain.GetSpeedUp().value_or(0.0));
+        ratios.push_back(gain.GetErrorRatio().value_or(0.0));
     }
-    return {GeometricMean(speedUps), GeometricMean(ratios), static_cast<int>(gains.size()),
-            static_cast<int>(speedUps.size()), static_cast<int>(ratios.size())};
+    const auto median = [](const std::vector<double>& values) -> std::optional<double> {
+        const double middle = NearestRankQuantile(values, 0.5);  // of an even number the lower one
+        return middle > 0.0 ? std::optional(middle) : std::nullopt;
+    };
+    const auto count = [](const std::vector<double>& values) {
+        return static_cast<int>(std::ranges::count_if(values, [](double value) { return value >= 1.0; }));
+    };
+    return {median(speedUps), median(ratios), static_cast<int>(speedUps.size()), count(speedUps), count(ratios)};
 }
 
 std::optional<bool> BoundRow::MeetsGame() const { return Meets(game, error->game); }
@@ -90,6 +155,12 @@ std::vector<BoundRow> CheckBounds(std::span<const TradeCase> cases) {
         }
     }
     return rows;
+}
+
+bool HasMiss(std::span<const BoundRow> rows) {
+    return std::ranges::any_of(rows, [](const BoundRow& row) {
+        return !row.MeetsGame().value_or(true) || !row.MeetsPrecise().value_or(true);
+    });
 }
 
 }  // namespace testbed

@@ -15,25 +15,45 @@
 namespace testbed {
 
 /// A family of settings that is compared as a whole.
-enum class Family { box2d, sequential, soft };
+enum class Family { box2d, box2d3, sequential, soft };
 [[nodiscard]] Family FamilyOf(const RunSpec& setting);
-/// "Box2D 2.4.1", "Scree, sequential impulses", "Scree, soft step".
+/// "Box2D 2.4.1", "Box2D 3", "Scree, sequential impulses", "Scree, soft step".
 [[nodiscard]] std::string NameFamily(Family family);
 
-/// Gains of our settings over Box2D at 8/3 and 60 Hz in one law.
+/// Why a law says nothing about the trade, or that it does.
+enum class Standing {
+    compared,
+    cannotTrade,    ///< no number of iterations changes Box2D's errors: what is measured is the speed of free bodies
+    baselineFails,  ///< nothing is as accurate as a column that has fallen
+};
+
+/// One law: what our settings and what Box2D's own gain by the same rule over Box2D at 8/3 and 60 Hz.
 struct LawGain {
     const Law* law = nullptr;
-    Gain gain;
-    std::optional<RunSpec> cheapest, closest;  ///< what Gain's indices stand for
+    Standing standing = Standing::compared;
+    Gain ours, box2d, box2d3;                  ///< of the last one nothing where it was not measured
+    std::optional<RunSpec> cheapest, closest;  ///< what the indices of `ours` stand for
+
+    /// Where both engines choose their settings: cost of Box2D's cheapest over that of ours, both at least as accurate
+    /// as Box2D at 8/3; none: ours reaches it with no setting.
+    [[nodiscard]] std::optional<double> GetSpeedUp() const;
+    /// Errors of Box2D's most accurate setting over those of ours, both at the cost of Box2D at 8/3 or less.
+    [[nodiscard]] std::optional<double> GetErrorRatio() const;
+    /// Whether the law is compared and one of both is below 1 or out of reach.
+    [[nodiscard]] bool IsLost() const;
+    /// Whether Box2D 3 is as accurate as Box2D at 8/3 for less than ours, and whether it is closer at that cost.
+    [[nodiscard]] bool IsBox2d3Faster() const;
+    [[nodiscard]] bool IsBox2d3Closer() const;
 };
-/// One per law whose baseline is among the cases, in the order of GetLaws. `families` are those to choose from.
+/// One per law whose baseline is among the cases, in the order of GetLaws. `families` are those of ours to choose from.
 [[nodiscard]] std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases,
                                                        std::span<const Family> families);
 
-/// Geometric means over the laws where there is a value, and how many those are.
+/// Medians over the laws that are compared. What is out of reach counts as below all others.
 struct Headline {
     std::optional<double> speedUp, errorRatio;
-    int laws = 0, withSpeedUp = 0, withErrorRatio = 0;
+    int laws = 0;                    ///< that are compared
+    int fasterIn = 0, closerIn = 0;  ///< of these: at least 1
 };
 [[nodiscard]] Headline Summarise(std::span<const LawGain> gains);
 
@@ -47,5 +67,7 @@ struct BoundRow {
     [[nodiscard]] std::optional<bool> MeetsPrecise() const;  ///< none: no bound or not measured
 };
 [[nodiscard]] std::vector<BoundRow> CheckBounds(std::span<const TradeCase> cases);
+/// Whether a bound was missed.
+[[nodiscard]] bool HasMiss(std::span<const BoundRow> rows);
 
 }  // namespace testbed

@@ -11,7 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/new_file.h"
 #include "testbed/base/shard.h"
+#include "tests/testbed/program.h"
 
 namespace testbed {
 namespace {
@@ -71,6 +73,46 @@ TEST(CaseLines, WrongFilesAreNamedWithTheirLine) {
               std::string::npos);
     EXPECT_TRUE(MessageOf({first, {"b.jsonl", "{\"command\": \"bench\"\n"}}).starts_with("b.jsonl:1: not a line"));
     EXPECT_TRUE(MessageOf({{"b.jsonl", R"({"command":"bench","case":9,"cases":9})"}}).starts_with("b.jsonl:1: case 9"));
+}
+
+TEST(CaseLines, AWholeRunIsReadAndNothingLess) {
+    const ScratchFolder folder;
+    const auto path = folder.GetPath() / "lines.jsonl";
+    const auto messageOf = [&](const std::string& text) -> std::string {
+        WriteTextFile(path, text);
+        try {
+            EXPECT_EQ(ReadCaseText(path, "bench").text, text);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(messageOf(MakeLines({})), "");
+    EXPECT_NE(messageOf(MakeLines({.index = 1, .count = 2})).find("11 of 23 cases are missing"), std::string::npos);
+    EXPECT_NE(messageOf(MakeLines({}, "extremes")).find("of `scree extremes`, not of `scree bench`"),
+              std::string::npos);
+    EXPECT_NE(messageOf("").find("no line in it"), std::string::npos);
+    EXPECT_NE(messageOf(MakeLines({}) + MakeLines({})).find("lines.jsonl:25: case 0 is in this file twice"),
+              std::string::npos);
+    EXPECT_THROW((void)ReadCaseText(folder.GetPath() / "none.jsonl", "bench"), FileError);
+}
+
+TEST(CaseLines, LinesOfAnotherBuildAreRefusedAndOtherMachinesNamed) {
+    const auto make = [](const Shard& shard, const std::string& commit, const std::string& processor) {
+        CaseLines lines("bench", caseCount, {{"processor", processor}, {"commit", commit}});
+        for (std::size_t number = 0; number < caseCount; ++number) {
+            if (shard.Contains(number)) lines.Add(number, {{"value", number}});
+        }
+        return lines.GetText();
+    };
+    const CaseFile first{"a.jsonl", make({.index = 1, .count = 2}, "abc", "fast")};
+    const MergedLines merged =
+        MergeCaseLines(std::vector<CaseFile>{first, {"b.jsonl", make({.index = 2, .count = 2}, "abc", "slow")}});
+    ASSERT_EQ(merged.made.size(), 2u);
+    EXPECT_EQ(merged.made[1]["processor"], "slow");
+    const std::string message = MessageOf({first, {"b.jsonl", make({.index = 2, .count = 2}, "def", "fast")}});
+    EXPECT_NE(message.find("b.jsonl:1: of another build: commit \"def\", before it \"abc\""), std::string::npos)
+        << message;
 }
 
 TEST(Shard, PartsOfNHaveEveryCaseOnce) {

@@ -7,14 +7,12 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "testbed/base/errors.h"
-#include "tests/testbed/program.h"
 
 namespace testbed {
 namespace {
@@ -42,16 +40,6 @@ TEST(JsonLines, ABadLineIsNamed) {
             EXPECT_NE(words.find(problem), std::string::npos) << words;
         }
     }
-}
-
-TEST(JsonLines, AFileThatIsNotThereIsNamed) {
-    const ScratchFolder folder;
-    std::ofstream(folder.GetPath() / "a.jsonl") << "{\"n\": 7}\n";
-    int sum = 0;
-    const auto add = [&](const nlohmann::ordered_json& object) { sum += object.at("n").get<int>(); };
-    ReadJsonLines(folder.GetPath() / "a.jsonl", "find", add);
-    EXPECT_EQ(sum, 7);
-    EXPECT_THROW(ReadJsonLines(folder.GetPath() / "b.jsonl", "find", add), FileError);
 }
 
 }  // namespace

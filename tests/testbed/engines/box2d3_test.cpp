@@ -12,10 +12,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "scenes/build.h"
 #include "scenes/catalog.h"
 #include "testbed/base/errors.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/engine_run.h"
+#include "testbed/engines/lab.h"
 #include "testbed/engines/pair_count.h"
 #include "tests/testbed/engines/run_checks.h"
 
@@ -157,6 +159,53 @@ TEST(Box2d3, AJointKeepsWhatItJoins) {
             EXPECT_LT(std::hypot(joint.anchorA.x - joint.anchorB.x, joint.anchorA.y - joint.anchorB.y), 0.1);
         }
     }
+}
+
+TEST(Box2d3, ItsLaboratoryIsTheSameWorld) {
+    if (!HasBox2d3()) return;
+    for (const char* name : {"pyramid", "bridge", "ragdolls", "falling-squares"}) {
+        SCOPED_TRACE(name);
+        const scenes::Scene scene = scenes::Build(name, checks::SmallSize(*scenes::Find(name)));
+        RunSpec spec = MakeSpec("box2d3");
+        spec.solver = SoftStep{6};
+        const auto lab = MakeLab(scene, spec);
+        for (int i = 0; i < 40; ++i) (void)lab->Step();
+        const Snapshot snapshot = RunFor(scene, 40, spec);
+        EXPECT_EQ(lab->GetStateHash(), snapshot.stateHash);
+        std::vector<ContactReading> contacts;
+        lab->GetContacts(contacts);
+        EXPECT_EQ(contacts.size(), snapshot.contacts.size());
+        for (int i = 0; i < lab->GetBodyCount(); ++i) {
+            EXPECT_EQ(static_cast<float>(lab->Read(i).origin.x),
+                      snapshot.bodies[static_cast<std::size_t>(i)].position.x);
+        }
+    }
+}
+
+TEST(Box2d3, ItsLaboratoryCountsTurnsAndForces) {
+    if (!HasBox2d3()) return;
+    scenes::Scene scene;
+    scene.gravity = {0.0f, -10.0f};
+    scenes::AddBody(scene, scenes::BodyType::isStatic, {0.0f, 0.0f});
+    scenes::AddBody(scene, scenes::BodyType::dynamic, {0.0f, 0.5f});
+    scenes::AddFixture(scene, scenes::Box(0.5, 0.5), 2.0);
+    scenes::Joint hinge;
+    hinge.type = scenes::JointType::revolute;
+    hinge.bodyA = 0;
+    hinge.bodyB = 1;
+    hinge.localAnchorA = {0.0f, 0.5f};
+    scene.joints.push_back(hinge);
+    scene.bodies[1].angularVelocity = 9.0f;
+    RunSpec spec = MakeSpec("box2d3");
+    const auto lab = MakeLab(scene, spec);
+    for (int i = 0; i < 180; ++i) (void)lab->Step();
+    // The hinge is at the centre: nothing turns it.
+    EXPECT_NEAR(lab->Read(1).angle, 27.0, 0.2);
+    EXPECT_NEAR(Length(lab->GetJointForce(0)), 20.0, 0.5) << "the weight of 2 kg";
+    EXPECT_NEAR(lab->Read(1).mass, 2.0, 1e-4);
+    EXPECT_NEAR(lab->Read(1).inertia, 2.0 / 6.0, 1e-4);
+    lab->DestroyBody(1);
+    EXPECT_THROW((void)lab->Read(1), std::invalid_argument);
 }
 
 }  // namespace

@@ -164,9 +164,14 @@ void ToiPairs::FindTimes() {
 
 /// Gives the dynamic bodies boxes that cover their motion, when someone can hit them.
 void ToiPairs::SweepBoxes() {
+    m_s.sweptBoxes.clear();
     for (const int body : m_bodies.Listed()) {
-        if (m_bodies.IsActive(body)) SweepBoxesOf(body);
+        if (!m_bodies.IsActive(body)) continue;
+        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, static_cast<uint32_t>(f)});
+        }
     }
+    m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
 }
 
 void ToiPairs::SweepBoxesOf(int body) {
@@ -308,7 +313,7 @@ void ToiPairs::Add(int fixture, int other) {
     m_s.pairs.back().nextB = m_s.firstPair[Row(otherBody)];
     m_s.firstPair[Row(body)] = index;
     m_s.firstPair[Row(otherBody)] = index;
-    if (!m_timesFollow) UpdateTime(index);
+    if (!m_timesFollow) UpdateEvent(index);
 }
 
 /// Neither refused by a filter or a joint nor disabled by a listener.
@@ -378,9 +383,9 @@ float ToiPairs::FirstTimeOf(const ToiPair& pair, TOIStats& work) const {
 }
 
 /// Computes when the pair meets and puts, moves or takes out its event.
-void ToiPairs::UpdateTime(int pair) {
-    const float alpha = FirstTimeOf(m_s.pairs[Row(pair)], *m_events.work);
-    alpha < 1.0f ? SetEvent(pair, alpha) : m_s.events.Remove(pair);
+void ToiPairs::UpdateEvent(int index) {
+    const float alpha = FirstTimeOf(m_s.pairs[Row(index)], *m_events.work);
+    alpha < 1.0f ? SetEvent(index, alpha) : m_s.events.Remove(index);
 }
 
 void ToiPairs::SetEvent(int index, float alpha) {
@@ -424,7 +429,7 @@ float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
 }
 
 void ToiPairs::UpdateTimes(int body) {
-    for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateTime(p);
+    for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateEvent(p);
 }
 
 void ToiPairs::Complete(int body) {

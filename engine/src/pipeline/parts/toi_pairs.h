@@ -71,6 +71,7 @@ struct ToiScratch {
     std::vector<int> lookers;              ///< bodies whose ways are looked at
     std::vector<ToiCandidate> candidates;  ///< of one body
     std::vector<ScreenedBody> screened;    ///< by place among the lookers
+    std::vector<BoxUpdate> sweptBoxes;     ///< when someone can hit moving bodies
     std::vector<uint8_t> isPassedOver;     ///< per body: 1 if it has no pairs because it meets nothing static
     std::vector<float> times;              ///< per pair
     std::vector<int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -81,8 +82,8 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times,
-                       knownTo) +
+        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver,
+                       times, knownTo) +
                nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
@@ -105,10 +106,10 @@ public:
     void FindAll();
     /// Makes the pairs of a body that was passed over: it takes part in an event.
     void Complete(int body);
-    /// A new time for one pair.
-    void UpdateTime(int pair);
     /// New times for all pairs of a body.
     void UpdateTimes(int body);
+    /// The same of one pair.
+    void UpdateEvent(int index);
     /// The same after its motion changed, and pairs with what has come into its way.
     void Refresh(int body);
 

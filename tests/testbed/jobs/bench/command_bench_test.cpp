@@ -9,7 +9,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/new_file.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/jobs/bench/object_bytes.h"
 #include "testbed/jobs/bench/plan.h"
@@ -183,7 +185,9 @@ TEST(BenchCommand, AMissEndsInOne) {
     BenchRow box2d = row;
     box2d.engine = "box2d";
     box2d.peakBytes = 1;
-    std::ofstream(folder.GetPath() / "rows.json") << MakeBenchJson(row).dump() << '\n' << MakeBenchJson(box2d).dump();
+    CaseLines lines("bench", 1);
+    for (const BenchRow& one : {row, box2d}) lines.Add(0, MakeBenchJson(one));
+    WriteTextFile(folder.GetPath() / "rows.json", lines.GetText());
     const ProgramResult result = folder.Run("bench --targets --from rows.json");
     EXPECT_EQ(result.exitCode, 1) << result.output;
     EXPECT_NE(result.output.find("MISSED"), std::string::npos);

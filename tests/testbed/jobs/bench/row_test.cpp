@@ -92,7 +92,7 @@ TEST(BenchComparison, RatiosAreBox2dsTimeOverOurs) {
     std::vector<BenchRow> rows = {MakeRow("scree", 10), MakeRow("box2d", 55), MakeRow("scree", 5)};
     rows[2].size = 100;  // no Box2D run of that size
     rows[0].cpuMs = 11;
-    CompareWithBaseline(rows);
+    CompareWithBaseline(rows, std::vector<std::vector<WorkCounts>>(3));
     EXPECT_EQ(rows[0].ratio, 5.5);
     EXPECT_EQ(rows[0].cpuRatio, 10.0);
     EXPECT_EQ(rows[1].ratio, 1.0);
@@ -102,12 +102,17 @@ TEST(BenchComparison, RatiosAreBox2dsTimeOverOurs) {
 }
 
 TEST(BenchComparison, IsVoidBeyondTheTolerances) {
-    const auto reason = [](int64_t awake, int64_t touching, int steps = 100) {
+    // Every step adds as much to both counts; the baseline's are 10,000 and 1,000 after 100 steps.
+    const auto countUpTo = [](int64_t awake, int64_t touching, int steps) {
+        std::vector<WorkCounts> work;
+        for (int i = 1; i <= steps; ++i) work.push_back({awake * i / 100, touching * i / 100});
+        return work;
+    };
+    const auto reason = [&](int64_t awake, int64_t touching, int steps = 100, int baselineSteps = 100) {
         std::vector<BenchRow> rows = {MakeRow("scree", 10), MakeRow("box2d", 50)};
-        rows[0].awakeBodySteps = awake;
-        rows[0].touchingSum = touching;
-        rows[0].steps = steps;
-        CompareWithBaseline(rows);
+        const std::vector<WorkCounts> work[] = {countUpTo(awake, touching, steps),
+                                                countUpTo(10000, 1000, baselineSteps)};
+        CompareWithBaseline(rows, work);
         return rows[0].voidReason;
     };
     EXPECT_EQ(reason(10200, 1200), "");
@@ -117,7 +122,22 @@ TEST(BenchComparison, IsVoidBeyondTheTolerances) {
     EXPECT_NE(reason(10000, 1201).find("touching"), std::string::npos);
     EXPECT_NE(reason(10000, 799).find("touching"), std::string::npos);
     EXPECT_NE(reason(5000, 500).find("; touching"), std::string::npos) << "both";
-    EXPECT_EQ(reason(5000, 500, 50), "") << "a run cut short cannot be compared";
+    // A run that was cut short did the same work as far as it went, or it did not.
+    EXPECT_EQ(reason(10000, 1000, 50), "");
+    EXPECT_EQ(reason(10000, 1000, 100, 30), "");
+    EXPECT_NE(reason(5000, 1000, 50).find("awake body-steps differ by 50.0 % in the first 50 steps"), std::string::npos)
+        << reason(5000, 1000, 50);
+    EXPECT_NE(reason(10000, 500, 100, 40).find("touching"), std::string::npos);
+}
+
+TEST(BenchComparison, ABusyMachineIsNoticed) {
+    BenchRow row = MakeRow("scree", 10);
+    row.cpuMs = 9.9;
+    EXPECT_FALSE(WasBusy(row));
+    row.totalMs = 20;
+    EXPECT_TRUE(WasBusy(row));
+    row.threads = 2;
+    EXPECT_FALSE(WasBusy(row)) << "threads wait for each other";
 }
 
 TEST(BenchFiles, CsvHasOneCellPerColumn) {

@@ -69,7 +69,7 @@ TEST(ExtremeGrade, EveryFaultHasItsGrade) {
     EXPECT_EQ(with(&Outcome::repeated, 1), Grade::accurate);
     EXPECT_EQ(with(&Outcome::capped, 1), Grade::survives);
     EXPECT_EQ(with(&Outcome::stopped, 1), Grade::survives);
-    EXPECT_EQ(with(&Outcome::refusal, std::string("no")), Grade::survives);
+    EXPECT_EQ(with(&Outcome::refusal, std::string("no")), Grade::explodes) << "no better than what was tried";
 }
 
 TEST(ExtremeGrade, WhatIsNotAskedIsNotGraded) {
@@ -113,8 +113,36 @@ TEST(ExtremeOutcome, ComesBackFromJsonAsItWent) {
     const Outcome back = OutcomeFromJson(nlohmann::ordered_json::parse(ToJson(o).dump()));
     EXPECT_EQ(ToJson(back).dump(), ToJson(o).dump());
     EXPECT_EQ(back.note, o.note);
-    o.maxSpeed = std::numeric_limits<double>::infinity();  // no number in JSON: it keeps its default
-    EXPECT_EQ(OutcomeFromJson(nlohmann::ordered_json::parse(ToJson(o).dump())).maxSpeed, 0.0);
+}
+
+TEST(ExtremeOutcome, WhatIsNoNumberIsTheWorst) {
+    constexpr double infinity = std::numeric_limits<double>::infinity(),
+                     none = std::numeric_limits<double>::quiet_NaN();
+    for (const auto field : {&Outcome::gain, &Outcome::maxSpeed, &Outcome::overlapShare, &Outcome::overlap,
+                             &Outcome::jointGap, &Outcome::restSpeed, &Outcome::accuracy, &Outcome::workRatio}) {
+        for (const double value : {infinity, none}) {
+            Outcome o;
+            o.*field = value;
+            EXPECT_LT(GradeOf(o), Grade::accurate);
+            const Outcome back = OutcomeFromJson(nlohmann::ordered_json::parse(ToJson(o).dump()));
+            EXPECT_EQ(back.*field, infinity);
+            EXPECT_EQ(GradeOf(back), GradeOf(o));
+        }
+    }
+}
+
+TEST(ExtremeGrade, ACaseCutShortHasNoGradeUnlessItBrokeBefore) {
+    Outcome o;
+    o.shortened = true;
+    o.seconds = 0.05;
+    EXPECT_EQ(GradeOf(o), Grade::notFinished);
+    EXPECT_EQ(PrintGrade(GradeOf(o)), "");
+    o.jointGap = 1.0;
+    EXPECT_EQ(GradeOf(o), Grade::notFinished) << "the end may be worse";
+    o.escapes = 1;
+    EXPECT_EQ(GradeOf(o), Grade::explodes);
+    o.finite = false;
+    EXPECT_EQ(GradeOf(o), Grade::nonFinite);
 }
 
 }  // namespace
