@@ -16,11 +16,16 @@
 
 namespace testbed {
 
-// Both engines wrap polygons and edges in a skin of 1 cm and let surfaces overlap by half a centimetre at rest.
+// Sequential impulses wrap polygons and edges in a skin of 1 cm and let surfaces overlap by half a centimetre at rest.
 inline constexpr double skin = 0.01;                 ///< m
 inline constexpr double slop = 0.005;                ///< m
 inline constexpr double boxGap = 2.0 * skin - slop;  ///< between two polygons at rest, m
 inline constexpr double diskGap = skin - slop;       ///< between a disk and a polygon at rest, m
+
+/// The gap of two polygons at rest under a setting: sequential impulses keep skins apart, soft steps outlines.
+[[nodiscard]] inline double BoxGapAtRest(const RunSpec& setting) { return IsSequential(setting) ? boxGap : 0.0; }
+/// The same of a disk and a polygon.
+[[nodiscard]] inline double DiskGapAtRest(const RunSpec& setting) { return IsSequential(setting) ? diskGap : 0.0; }
 
 struct Material {
     double density = 1.0, friction = 0.2, restitution = 0.0;

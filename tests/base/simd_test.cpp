@@ -236,6 +236,61 @@ TEST(Simd, IntegersAddAndCompare) {
     EXPECT_EQ(two[1], -9);
 }
 
+TEST(Simd, DoublesAreThoseOfNumbers) {
+    constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    constexpr double odd[] = {0.0, -0.0, 1.0, 5e-324, infinite, -infinite, notANumber, DBL_MAX, 0.1};
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> any(-10.0, 10.0);
+    const auto isSame = [](double x, double y) {
+        return (std::isnan(x) && std::isnan(y)) || std::bit_cast<uint64_t>(x) == std::bit_cast<uint64_t>(y);
+    };
+    for (int n = 0; n < 400; ++n) {
+        alignas(32) double x[4], y[4], out[4];
+        for (double* p : {x, y}) {
+            for (int i = 0; i < 4; ++i) p[i] = random() % 3 == 0 ? odd[random() % std::size(odd)] : any(random);
+        }
+        const D4 a = LoadD4(x), b = LoadD4(y);
+        const auto expect = [&](D4 actual, auto&& lane, const char* what) {
+            StoreD4(out, actual);
+            for (int i = 0; i < 4; ++i) EXPECT_TRUE(isSame(out[i], lane(i))) << what << ", lane " << i;
+        };
+        expect(
+            a + b, [&](int i) { return x[i] + y[i]; }, "sum");
+        expect(
+            a - b, [&](int i) { return x[i] - y[i]; }, "difference");
+        expect(
+            a * b, [&](int i) { return x[i] * y[i]; }, "product");
+        expect(
+            a / b, [&](int i) { return x[i] / y[i]; }, "quotient");
+        expect(
+            KeepD4(GreaterD4(a, b), a), [&](int i) { return x[i] > y[i] ? x[i] : 0.0; }, "kept");
+        uint32_t bits = 0;
+        for (uint32_t i = 0; i < 4; ++i) bits |= x[i] > y[i] ? 1u << i : 0u;
+        EXPECT_EQ(BitsD4(GreaterD4(a, b)), bits);
+        if (HasFailure()) return;
+    }
+}
+
+TEST(Simd, RowsOfDoublesAreGatheredAndScattered) {
+    alignas(32) double rows[6][4], copy[6][4] = {};
+    for (int r = 0; r < 6; ++r) {
+        for (int c = 0; c < 4; ++c) rows[r][c] = 10.0 * r + c;
+    }
+    const int32_t index[4] = {4, 0, 5, 2};
+    D4 column[4];
+    GatherD4(rows[0], index, column[0], column[1], column[2], column[3]);
+    for (int c = 0; c < 4; ++c) {
+        alignas(32) double lanes[4];
+        StoreD4(lanes, column[c]);
+        for (int i = 0; i < 4; ++i) EXPECT_EQ(lanes[i], rows[index[i]][c]);
+    }
+    ScatterD4(copy[0], index, column[0], column[1], column[2], column[3]);
+    for (int r = 0; r < 6; ++r) {
+        for (int c = 0; c < 4; ++c) EXPECT_EQ(copy[r][c], r == 1 || r == 3 ? 0.0 : rows[r][c]);
+    }
+}
+
 TEST(Simd, VectorsAndPlacementsAreThoseOfTheScalarHeader) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> any(-10.0f, 10.0f);

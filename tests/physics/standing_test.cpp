@@ -55,6 +55,51 @@ TEST(Standing, FlushColumnsStandAtEveryMark) {
     }
 }
 
+struct Column {
+    int count;
+    double width, height, gap;  ///< of a box, and between two at the start, m
+    double topDensity;          ///< of the others 1
+};
+
+/// Whether a column still stands after some seconds.
+bool Stands(const Column& column, int substeps) {
+    Lab<Ours> lab;
+    lab.Ground(0.6);
+    Body* top = nullptr;
+    for (int i = 0; i < column.count; ++i) {
+        const double y = column.height * (i + 0.5) + column.gap * i;
+        top = AddBlock(lab, 0.0, y, column.width, column.height, i + 1 == column.count ? column.topDensity : 1.0);
+    }
+    for (int i = 0; i < 10 * stepRate; ++i) StepSoft(lab, substeps);
+    return Centre(top).y > 0.8 * column.height * (column.count - 1);
+}
+
+TEST(Standing, ColumnsThatCloseTheirGapsStand) {
+    Dice dice(11);
+    for (int i = 0; i < 6; ++i) {
+        const Column column{.count = static_cast<int>(dice.In(8.0, 28.0)),
+                            .width = dice.In(0.7, 1.1),
+                            .height = dice.In(0.6, 0.9),
+                            .gap = dice.In(0.005, 0.12),
+                            .topDensity = 1.0};
+        for (const int substeps : marks)
+            EXPECT_TRUE(Stands(column, substeps)) << column.count << " " << column.gap << " " << substeps;
+    }
+}
+
+TEST(Standing, ColumnsBearAHeavyTop) {
+    Dice dice(12);
+    for (int i = 0; i < 6; ++i) {
+        const Column column{.count = static_cast<int>(dice.In(6.0, 14.0)),
+                            .width = dice.In(0.7, 1.1),
+                            .height = dice.In(0.6, 0.9),
+                            .gap = 0.0,
+                            .topDensity = std::pow(10.0, dice.In(1.0, 2.0))};
+        for (const int substeps : marks)
+            EXPECT_TRUE(Stands(column, substeps)) << column.count << " " << column.topDensity << " " << substeps;
+    }
+}
+
 TEST(Standing, FlushPyramidsFallAsleepWhereTheyWereBuilt) {
     Dice dice(2);
     for (const int substeps : marks) {

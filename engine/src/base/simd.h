@@ -11,9 +11,10 @@
 // SCREE_FORCE_PORTABLE chooses the loops on every target.
 //
 //   F4, F8        floats             Load, Store, Splat, + − · /, Min, Max, Sqrt, …
-//   Mask4, Mask8  per lane yes or no from comparisons; And, Or, Not, Select, Keep, Bits. No number becomes a mask or
-//   back. U4            four uint32_t      Load, Store, Splat, + S8            eight int16_t      Load, Min, Max: keys
-//   of boxes
+//   D4            doubles           Load, Store, Splat, + − · /, Greater, Keep, Transpose; two times D2 or AVX
+//   Mask4, Mask8, MaskD4  per lane yes or no from comparisons; And, Or, Not, Select, Keep, Bits. No number becomes a
+//   mask or back. U4            four uint32_t      Load, Store, Splat, + S8            eight int16_t      Load, Min,
+//   Max: keys of boxes
 //
 // Min(a, b) is a < b ? a : b and Max(a, b) is a > b ? a : b, so that b is the answer where one is not a number.
 
@@ -90,6 +91,19 @@ SCREE_KERNEL void Gather8(const float* rows, const int32_t* index, F8& x, F8& y,
 /// The same rows with 0 as the fourth number.
 SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z) {
     Scatter8(rows, index, x, y, z, Splat8(0.0f));
+}
+
+/// The numbers of four rows of four doubles, by their indices; rows begin at multiples of 32 bytes.
+SCREE_KERNEL void GatherD4(const double* rows, const int32_t* index, D4& x, D4& y, D4& z, D4& w) {
+    x = LoadD4(rows + 4 * static_cast<int64_t>(index[0])), y = LoadD4(rows + 4 * static_cast<int64_t>(index[1]));
+    z = LoadD4(rows + 4 * static_cast<int64_t>(index[2])), w = LoadD4(rows + 4 * static_cast<int64_t>(index[3]));
+    TransposeD4(x, y, z, w);
+}
+/// Writes four rows of four doubles, the last lane last.
+SCREE_KERNEL void ScatterD4(double* rows, const int32_t* index, D4 x, D4 y, D4 z, D4 w) {
+    TransposeD4(x, y, z, w);
+    StoreD4(rows + 4 * static_cast<int64_t>(index[0]), x), StoreD4(rows + 4 * static_cast<int64_t>(index[1]), y);
+    StoreD4(rows + 4 * static_cast<int64_t>(index[2]), z), StoreD4(rows + 4 * static_cast<int64_t>(index[3]), w);
 }
 
 }  // namespace SCREE_SIMD_SET

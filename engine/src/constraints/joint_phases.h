@@ -21,12 +21,16 @@ struct JointTask {
 struct JointPhases {
     /// Appends the constraint of one joint and returns its number.
     int (*prepare)(const JointTask& task, int joint);
+    /// The same of a joint that a direct solve holds, for its limits, motors and springs.
+    int (*prepareBounds)(const JointTask& task, int joint);
     void (*warmStart)(const JointTask& task, const JointRun& run);
     void (*solveVelocity)(const JointTask& task, const JointRun& run);
     /// Only limits, motors and springs; null for types that no direct solve takes over.
     void (*solveBounds)(const JointTask& task, const JointRun& run);
     /// True if every joint of the run is within tolerance.
     bool (*solvePosition)(const JointTask& task, const JointRun& run);
+    /// The same of joints that a direct solve holds, where something besides that is out of bounds.
+    bool (*solveBoundPosition)(const JointTask& task, const JointRun& run);
 };
 
 template <typename Row>
@@ -48,19 +52,32 @@ void ForEach(const JointTask& task, const JointRun& run, Visit&& visit) {
     }
 }
 
+template <typename Row, typename Make>
+int AppendConstraint(const JointTask& task, int joint, Make&& make) {
+    const JointInfo& info = task.joints.info[static_cast<size_t>(joint)];
+    std::vector<ConstraintOf<Row>>& constraints = ConstraintsOf<Row>(task);
+    ConstraintOf<Row>& c = constraints.emplace_back();
+    c.row = info.row;
+    const JointInput input{task.step, task.bodies, info};
+    make(input, task.joints.Store<Row>().rows[static_cast<size_t>(info.row)], c);
+    return static_cast<int>(constraints.size()) - 1;
+}
+
 template <typename Row>
 constexpr JointPhases MakePhases() {
     using Constraint = ConstraintOf<Row>;
     JointPhases phases;
     phases.prepare = [](const JointTask& task, int joint) {
-        const JointInfo& info = task.joints.info[static_cast<size_t>(joint)];
-        std::vector<Constraint>& constraints = ConstraintsOf<Row>(task);
-        Constraint& c = constraints.emplace_back();
-        c.row = info.row;
-        const JointInput input{task.step, task.bodies, info};
-        Prepare(input, task.joints.Store<Row>().rows[static_cast<size_t>(info.row)], c);
-        return static_cast<int>(constraints.size()) - 1;
+        return AppendConstraint<Row>(task, joint,
+                                     [](const JointInput& in, Row& row, Constraint& c) { Prepare(in, row, c); });
     };
+    phases.prepareBounds = phases.prepare;
+    if constexpr (requires(const JointInput& in, Row& row, Constraint& c) { PrepareBounds(in, row, c); }) {
+        phases.prepareBounds = [](const JointTask& task, int joint) {
+            return AppendConstraint<Row>(
+                task, joint, [](const JointInput& in, Row& row, Constraint& c) { PrepareBounds(in, row, c); });
+        };
+    }
     phases.warmStart = [](const JointTask& task, const JointRun& run) {
         ForEach<Row>(task, run, [&](const Constraint& c, Row& row) { WarmStart(c, row, task.bodies.velocity); });
     };
@@ -84,6 +101,19 @@ constexpr JointPhases MakePhases() {
         });
         return solved;
     };
+    phases.solveBoundPosition = phases.solvePosition;
+    if constexpr (requires(const Constraint& c, Row& row, const JointStep& step, BodyTable& bodies) {
+                      KeepsBounds(c, row, step, bodies);
+                  }) {
+        phases.solveBoundPosition = [](const JointTask& task, const JointRun& run) {
+            bool solved = true;
+            ForEach<Row>(task, run, [&](const Constraint& c, Row& row) {
+                if (!KeepsBounds(c, row, task.step, task.bodies))
+                    solved = SolvePosition(c, row, task.step, task.bodies) && solved;
+            });
+            return solved;
+        };
+    }
     return phases;
 }
 

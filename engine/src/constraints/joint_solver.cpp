@@ -33,16 +33,16 @@ void ScaleJointImpulses(const JointTask& task, std::span<const int> joints) {
 
 void PrepareJoints(const JointTask& task, std::span<const int> joints, std::span<const int> bounded) {
     task.scratch.Clear();
-    const auto add = [&task](int joint, std::vector<JointRun>& runs) {
+    const auto add = [&task](int joint, std::vector<JointRun>& runs, auto phase) {
         const JointType type = task.joints.info[static_cast<size_t>(joint)].type;
-        const int number = PhasesOf(type).prepare(task, joint);
+        const int number = (PhasesOf(type).*phase)(task, joint);
         if (runs.empty() || runs.back().type != type) runs.push_back({type, number, number});
         runs.back().end = number + 1;
     };
-    for (const int joint : joints) add(joint, task.scratch.runs);
+    for (const int joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
     for (const int joint : bounded) {
         ForgetExactImpulse(joint, task.joints);
-        add(joint, task.scratch.bounds);
+        add(joint, task.scratch.bounds, &JointPhases::prepareBounds);
     }
     WarmStartJoints(task);
 }
@@ -60,7 +60,7 @@ void SolveJointVelocities(const JointTask& task) {
 bool SolveJointPositions(const JointTask& task) {
     bool solved = true;
     for (const JointRun& run : task.scratch.runs) solved = PhasesOf(run.type).solvePosition(task, run) && solved;
-    for (const JointRun& run : task.scratch.bounds) solved = PhasesOf(run.type).solvePosition(task, run) && solved;
+    for (const JointRun& run : task.scratch.bounds) solved = PhasesOf(run.type).solveBoundPosition(task, run) && solved;
     return solved;
 }
 

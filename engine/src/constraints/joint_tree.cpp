@@ -40,7 +40,7 @@ JointTree::~JointTree() = default;
 void JointTree::Build(const JointTreeInput& input) {
     m->Build(input.bodies, input.joints, input.list, double{input.substepScale});
 }
-bool JointTree::IsEmpty() const { return m->joints.empty(); }
+bool JointTree::IsEmpty() const { return m->IsEmpty(); }
 std::span<const int> JointTree::GetOthers() const { return m->others; }
 std::span<const int> JointTree::GetBounded() const { return m->bounded; }
 size_t JointTree::GetMemoryBytes() const { return m->GetMemoryBytes(); }
@@ -71,17 +71,12 @@ void SteadyPulled(JointForest& forest, double h) {
 }  // namespace
 
 void JointTree::Factorize(const Poses& poses, float h) {
+    m->trees.Factorize(poses.bodies, poses.delta, double{h});
+    if (m->joints.empty()) return;
     for (TreeBody& b : m->bodies) {
-        const Position& start = poses.bodies.startPosition[At(b.body)];
-        const bool isStatic = poses.bodies.type[At(b.body)] == staticBody;
-        const Velocity delta = isStatic ? Velocity{} : poses.delta[At(b.body)];
-        const Position& from = isStatic ? poses.bodies.position[At(b.body)] : start;
-        const PositionRest& rests = poses.bodies.IsFar() ? poses.bodies.rest[At(b.body)] : PositionRest{};
-        const Vec2 rest = isStatic ? rests.end : rests.start;
-        b.pose.x = double{from.c.x} + (double{rest.x} + double{delta.v.x});
-        b.pose.y = double{from.c.y} + (double{rest.y} + double{delta.v.y});
-        b.pose.angle = double{from.a} + (double{from.aRest} + double{delta.w});
-        Turn(b.startCos, b.startSin, double{delta.w}, b.pose);
+        const TreeStart start = StartOf(poses.bodies, poses.delta, b.body);
+        b.pose.x = start.x, b.pose.y = start.y, b.pose.angle = start.angle;
+        Turn(b.startCos, b.startSin, start.turn, b.pose);
     }
     for (TreeJoint& joint : m->joints) {
         MakeRows<true>(joint.shape, m->bodies[At(joint.a)].pose, m->bodies[At(joint.b)].pose, joint.rows);
@@ -91,6 +86,8 @@ void JointTree::Factorize(const Poses& poses, float h) {
 }
 
 void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& velocity) {
+    m->trees.SolveBeforeMove(velocity);
+    if (m->joints.empty()) return;
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
     constexpr int iterations = 2;
     const double step = double{h}, inverse = 1.0 / step;
@@ -118,6 +115,8 @@ void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& ve
 }
 
 void JointTree::SolveAfterMove(std::vector<Velocity>& velocity) {
+    m->trees.SolveAfterMove(velocity);
+    if (m->joints.empty()) return;
     LoadVelocities(m->bodies, velocity);
     for (TreeJoint& joint : m->joints) {
         const double(&a)[3] = m->bodies[At(joint.a)].v;
@@ -133,27 +132,28 @@ void JointTree::SolveAfterMove(std::vector<Velocity>& velocity) {
 }
 
 void JointTree::NotePullRates(float dt, std::vector<BodyDemand>& demand) const {
-    for (const TreeJoint& joint : m->joints) {
-        if (joint.rows.count < 2) continue;
-        const double pull = std::sqrt(joint.total[0] * joint.total[0] + joint.total[1] * joint.total[1]) / double{dt};
-        const auto note = [&](const TreeBody& body, double x, double y) {
-            if (body.invMass == 0.0 || body.invI == 0.0) return;
+    m->ForEachResult([&](const TreeResult& result) {
+        if (result.rows.count < 2) return;
+        const double(&impulse)[maxTreeRows] = result.impulse;
+        const double pull = std::sqrt(impulse[0] * impulse[0] + impulse[1] * impulse[1]) / double{dt};
+        const auto note = [&](const TreeResult::Side& side, double x, double y) {
+            if (side.invMass == 0.0 || side.invI == 0.0) return;
             // A rod pulled at its end: inertia m·l²/3 about the other end of the arm l/2.
-            const double arm = std::sqrt(x * x + y * y), inertia = 1.0 / body.invI + arm * arm / body.invMass;
-            float& rate = demand[At(body.body)].pullRate;
+            const double arm = std::sqrt(x * x + y * y), inertia = 1.0 / side.invI + arm * arm / side.invMass;
+            float& rate = demand[At(side.body)].pullRate;
             rate = std::max(rate, static_cast<float>(std::sqrt(pull * arm / (1.5 * inertia))));
         };
-        note(m->bodies[At(joint.a)], joint.shape.ax, joint.shape.ay);
-        note(m->bodies[At(joint.b)], joint.shape.bx, joint.shape.by);
-    }
+        note(result.a, result.shape.ax, result.shape.ay);
+        note(result.b, result.shape.bx, result.shape.by);
+    });
 }
 
 void JointTree::Store(float scale, JointTable& joints) const {
-    for (const TreeJoint& joint : m->joints) {
+    m->ForEachResult([&](const TreeResult& result) {
         float impulse[maxTreeRows] = {};
-        for (int i = 0; i < joint.rows.count; ++i) impulse[i] = scale * static_cast<float>(joint.total[i]);
-        StoreImpulse(joint.shape, joint.rows, impulse, joint.joint, joints);
-    }
+        for (int i = 0; i < result.rows.count; ++i) impulse[i] = scale * static_cast<float>(result.impulse[i]);
+        StoreImpulse(result.shape, result.rows, impulse, result.joint, joints);
+    });
 }
 
 }  // namespace scree

@@ -12,9 +12,6 @@ namespace scree {
 
 namespace {
 
-/// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
-constexpr double leastPivot = 1e-9;
-
 size_t At(int index) { return static_cast<size_t>(index); }
 
 /// Calls use(n) with the number of rows of a joint as a constant, so that the loops over rows unroll.

@@ -14,6 +14,8 @@ namespace scree {
 /// which does not show; but rows that repeat others are shared out, and a tight rope with a load on it, which no finite
 /// force holds straight, has a solution.
 inline constexpr double jointCompliance = 1e-5;
+/// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
+inline constexpr double leastPivot = 1e-9;
 
 /// From the rows of all joints at the present poses: their pivots' inverses and the blocks of L.
 void FactorizeForest(JointForest& forest);

@@ -24,9 +24,11 @@ size_t At(int index) { return static_cast<size_t>(index); }
 }  // namespace
 
 size_t JointForest::GetMemoryBytes() const {
-    size_t bytes = bodies.capacity() * sizeof(TreeBody) + joints.capacity() * sizeof(TreeJoint) +
-                   links.capacity() * sizeof(TreeLink) + m_candidates.capacity() * sizeof(Candidate) +
-                   m_rowOf.capacity() * sizeof(int) + (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
+    size_t bytes = trees.GetMemoryBytes() + bodies.capacity() * sizeof(TreeBody) +
+                   joints.capacity() * sizeof(TreeJoint) + links.capacity() * sizeof(TreeLink) +
+                   m_candidates.capacity() * sizeof(Candidate) + m_shapes.capacity() * sizeof(TreeShape) +
+                   m_links.capacity() * sizeof(TreeEdge) + m_rowOf.capacity() * sizeof(int) +
+                   (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
     for (const auto* lists : {&m_near, &m_ofBody, &m_waiting}) {
         for (const std::vector<int>& list : *lists) bytes += list.capacity() * sizeof(int);
     }
@@ -50,19 +52,22 @@ int JointForest::RowOf(const BodyTable& table, int body) {
 bool JointForest::Moves(int row) const { return bodies[At(row)].invMass > 0.0 || bodies[At(row)].invI > 0.0; }
 
 void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list) {
-    for (const TreeBody& b : bodies) m_rowOf[At(b.body)] = -1;
-    m_rowOf.resize(At(bodyTable.slots.Size()), -1);
-    bodies.clear(), m_candidates.clear();
+    m_candidates.clear(), m_shapes.clear();
     m_keys.clear();
+    const auto moves = [&](int body) {
+        const MassRow& mass = bodyTable.mass[At(body)];
+        return bodyTable.type[At(body)] == dynamicBody && (mass.invMass > 0.0f || mass.invI > 0.0f);
+    };
     for (const int joint : list) {
-        Candidate c{joint, -1, -1, {}, false, false, -1};
-        if (!MakeTreeShape(bodyTable, jointTable, joint, c.shape, c.bounded)) continue;
+        TreeShape shape;
+        bool isBounded = false;
+        if (!MakeTreeShape(bodyTable, jointTable, joint, shape, isBounded)) continue;
         const JointInfo& info = jointTable.info[At(joint)];
-        c.a = RowOf(bodyTable, info.bodyA);
-        c.b = RowOf(bodyTable, info.bodyB);
-        if (!Moves(c.a) && !Moves(c.b)) continue;
-        m_candidates.push_back(c);
-        m_keys.push_back({joint, info.bodyA, info.bodyB, c.shape.kind, Moves(c.a), Moves(c.b)});
+        const bool movesA = moves(info.bodyA), movesB = moves(info.bodyB);
+        if (!movesA && !movesB) continue;
+        m_candidates.push_back({joint, -1, -1, isBounded, false, -1});
+        m_shapes.push_back(shape);
+        m_keys.push_back({joint, info.bodyA, info.bodyB, shape.kind, movesA, movesB});
     }
 }
 
@@ -73,6 +78,25 @@ bool JointForest::IsKnown() {
     return false;
 }
 
+void JointForest::PlanTrees() {
+    m_links.clear();
+    for (const Key& key : m_keys)
+        m_links.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, key.kind});
+    trees.Plan(m_links);
+}
+
+/// Rows of the bodies of joints that belong to no tree.
+void JointForest::CollectBodies(const BodyTable& bodyTable) {
+    for (const TreeBody& b : bodies) m_rowOf[At(b.body)] = -1;
+    m_rowOf.resize(At(bodyTable.slots.Size()), -1);
+    bodies.clear();
+    for (size_t i = 0; i < m_candidates.size(); ++i) {
+        if (m_links[i].isTree) continue;
+        m_candidates[i].a = RowOf(bodyTable, m_keys[i].bodyA);
+        m_candidates[i].b = RowOf(bodyTable, m_keys[i].bodyB);
+    }
+}
+
 /// Which candidates are used, and with which others of them each is coupled.
 void JointForest::Couple() {
     for (std::vector<int>& list : m_ofBody) list.clear();
@@ -80,10 +104,11 @@ void JointForest::Couple() {
     if (m_near.size() < m_candidates.size()) m_near.resize(m_candidates.size());
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         Candidate& c = m_candidates[i];
-        c.used = true;
+        m_near[i].clear();
+        c.used = !m_links[i].isTree;
+        if (!c.used) continue;
         for (const int row : {c.a, c.b})
             c.used = c.used && (!Moves(row) || m_ofBody[At(row)].size() < mostJointsOfBody);
-        m_near[i].clear();
         if (!c.used) continue;
         for (const int row : {c.a, c.b}) {
             if (!Moves(row)) continue;
@@ -164,7 +189,7 @@ void JointForest::MakeLinks() {
         TreeJoint& joint = joints.emplace_back();
         joint.joint = c.joint;
         joint.a = c.a, joint.b = c.b;
-        joint.rows.count = RowCount(c.shape.kind);
+        joint.rows.count = RowCount(m_keys[At(candidate)].kind);
         joint.linkBegin = static_cast<int>(links.size());
         for (const int later : near) links.push_back({later, {}});
         joint.linkEnd = static_cast<int>(links.size());
@@ -172,10 +197,11 @@ void JointForest::MakeLinks() {
 }
 
 /// What may change from step to step under the same order.
-void JointForest::Refresh(const JointTable& jointTable, double recentScale) {
+void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale) {
+    trees.Refresh(bodyTable, jointTable, m_shapes, recentScale);
     for (size_t i = 0; i < joints.size(); ++i) {
         TreeJoint& joint = joints[i];
-        joint.shape = m_candidates[At(m_order[i])].shape;
+        joint.shape = m_shapes[At(m_order[i])];
         for (double& t : joint.total) t = 0.0;
         LoadImpulse(joint.joint, jointTable, recentScale, joint.recent);
     }
@@ -184,14 +210,18 @@ void JointForest::Refresh(const JointTable& jointTable, double recentScale) {
 void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list,
                         double recentScale) {
     Collect(bodyTable, jointTable, list);
-    if (!IsKnown()) {
+    const bool isKnown = IsKnown();
+    if (!isKnown) PlanTrees();
+    CollectBodies(bodyTable);
+    if (!isKnown) {
         Couple();
         Order();
         MakeLinks();
         m_isUsed.clear();
-        for (const Candidate& c : m_candidates) m_isUsed.push_back(c.used ? 1 : 0);
+        for (size_t i = 0; i < m_candidates.size(); ++i)
+            m_isUsed.push_back(m_links[i].isTree || m_candidates[i].used ? 1 : 0);
     }
-    Refresh(jointTable, recentScale);
+    Refresh(bodyTable, jointTable, recentScale);
     others.clear(), bounded.clear();
     size_t next = 0;
     for (const int joint : list) {

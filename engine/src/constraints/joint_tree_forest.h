@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The joints that a direct solve takes over and the order in which it eliminates them: which are coupled with which
-// later ones, and the numbers of each that factors and motion work on.
+// The joints that a direct solve takes over. Trees go to the batches; of loops, and what hangs on them, the order in
+// which they are eliminated, which are coupled with which later ones, and the numbers that factors and motion work on.
 
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "constraints/joint_batches.h"
 #include "constraints/joint_tree_rows.h"
 
 namespace scree {
@@ -43,8 +44,9 @@ struct TreeJoint {
 
 class JointForest {
 public:
-    std::vector<TreeBody> bodies;
-    std::vector<TreeJoint> joints;  ///< in the order of elimination
+    JointBatches trees;
+    std::vector<TreeBody> bodies;   ///< of `joints`
+    std::vector<TreeJoint> joints;  ///< not of trees, in the order of elimination
     std::vector<TreeLink> links;    ///< of each joint, [linkBegin, linkEnd)
     std::vector<int> others;        ///< joints of the list that are left to rows
     std::vector<int> bounded;       ///< joints held directly that have limits, motors or springs besides
@@ -52,12 +54,25 @@ public:
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. `recentScale`
     /// makes impulses of a sub-step of the stored ones. O(bodies + joints) for trees.
     void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list, double recentScale);
+    [[nodiscard]] bool IsEmpty() const { return trees.IsEmpty() && joints.empty(); }
     [[nodiscard]] size_t GetMemoryBytes() const;
+
+    /// Calls visit(const TreeResult&) for each joint.
+    template <typename Visit>
+    void ForEachResult(Visit&& visit) const {
+        trees.ForEachResult(visit);
+        const auto side = [&](int row) {
+            const TreeBody& b = bodies[static_cast<size_t>(row)];
+            return TreeResult::Side{b.body, b.invMass, b.invI};
+        };
+        for (const TreeJoint& joint : joints)
+            visit(TreeResult{joint.joint, joint.shape, joint.rows, joint.total, side(joint.a), side(joint.b)});
+    }
 
 private:
     struct Candidate {
-        int joint, a, b;
-        TreeShape shape;
+        int joint;
+        int a, b;  ///< rows of its bodies; not of trees
         bool bounded, used;
         int place;  ///< in the order of elimination
     };
@@ -73,15 +88,19 @@ private:
     [[nodiscard]] bool Moves(int row) const;
     void Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list);
     bool IsKnown();
+    void PlanTrees();
+    void CollectBodies(const BodyTable& bodyTable);
     void Couple();
     void Order();
     void Enqueue(int candidate);
     int TakeLeast();
     void Eliminate(int candidate);
     void MakeLinks();
-    void Refresh(const JointTable& jointTable, double recentScale);
+    void Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale);
 
     std::vector<Candidate> m_candidates;
+    std::vector<TreeShape> m_shapes;  ///< of these
+    std::vector<TreeEdge> m_links;    ///< of these
     std::vector<Key> m_keys, m_oldKeys;
     std::vector<int> m_rowOf;                 ///< per body of the world, −1: none
     std::vector<std::vector<int>> m_near;     ///< per candidate: those it is coupled with, rising
@@ -89,7 +108,7 @@ private:
     std::vector<std::vector<int>> m_waiting;  ///< candidates by how many they are coupled with; some out of date
     std::vector<int> m_order;                 ///< candidates as they are eliminated
     std::vector<int> m_merged;                ///< scratch of Eliminate
-    std::vector<uint8_t> m_isUsed;            ///< per candidate: held directly
+    std::vector<uint8_t> m_isUsed;            ///< per candidate: held directly, in a tree or not
 };
 
 }  // namespace scree

@@ -42,6 +42,19 @@ struct TreeShape {
     double shortest;        ///< of rod: has no direction below, m
 };
 
+/// What the solves of a step did to a joint, and to whom.
+struct TreeResult {
+    struct Side {
+        int body;
+        double invMass, invI;  ///< 0 if joints cannot push it
+    };
+    int joint;
+    const TreeShape& shape;
+    const struct TreeRows& rows;
+    const double (&impulse)[maxTreeRows];
+    Side a, b;
+};
+
 /// Constraints at one pose. A row's speed is a·(vx, vy, w) of A plus b·(…) of B.
 struct TreeRows {
     int count;
@@ -59,6 +72,22 @@ void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&im
 void LoadImpulse(int joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]);
 /// Sets the impulses of the exact rows to 0, so that warm starting leaves them out.
 void ForgetExactImpulse(int joint, JointTable& joints);
+
+/// Where a body stands within a step, and how far it has turned in it.
+struct TreeStart {
+    double x, y, angle, turn;
+};
+inline TreeStart StartOf(const BodyTable& bodies, const std::vector<Velocity>& motion, int body) {
+    const auto b = static_cast<size_t>(body);
+    const bool isStatic = bodies.type[b] == staticBody;
+    const Velocity delta = isStatic ? Velocity{} : motion[b];
+    const Position& from = isStatic ? bodies.position[b] : bodies.startPosition[b];
+    const PositionRest& rests = bodies.IsFar() ? bodies.rest[b] : PositionRest{};
+    const Vec2 rest = isStatic ? rests.end : rests.start;
+    return {double{from.c.x} + (double{rest.x} + double{delta.v.x}),
+            double{from.c.y} + (double{rest.y} + double{delta.v.y}),
+            double{from.a} + (double{from.aRest} + double{delta.w}), double{delta.w}};
+}
 
 /// Rotates (cos, sin) by `angle`: the Taylor series of a part small enough, doubled back.
 inline void Turn(double cos, double sin, double angle, TreePose& pose) {

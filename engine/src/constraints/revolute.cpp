@@ -10,11 +10,10 @@
 
 namespace scree {
 
-void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
+void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
     c.pair = MakePair(in);
     const PairPosition pose = PoseOf(c.pair, in.bodies);
-    c.arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    c.k = PointMatrix(c.pair, c.arms);
+    c.arms = {};
     c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
     c.angle = pose.b.a - pose.a.a - row.referenceAngle;
     if (!row.limit.enabled || c.turnMass == 0.0f) ClearLimit(row.limit);
@@ -22,6 +21,13 @@ void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
     row.impulse = Scaled(row.impulse, in.step.impulseScale);
     row.motor.impulse = Scaled(row.motor.impulse, in.step.impulseScale);
     ScaleLimit(row.limit, in.step.impulseScale);
+}
+
+void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
+    PrepareBounds(in, row, c);
+    const PairPosition pose = PoseOf(c.pair, in.bodies);
+    c.arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    c.k = PointMatrix(c.pair, c.arms);
 }
 
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity) {
@@ -62,24 +68,34 @@ void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointSte
     Store(c.pair, v, velocity);
 }
 
+namespace {
+
+/// How far the angle is outside its range, within what one correction may do.
+float RangeError(const RevoluteConstraint& c, const RevoluteRow& row, const PairPosition& pose) {
+    if (!row.limit.enabled || c.turnMass <= 0.0f) return 0.0f;
+    const float angle = pose.b.a - pose.a.a - row.referenceAngle;
+    float error = LimitError(row.limit, angle, angularSlop);
+    // A range keeps one slop of overshoot, so that a resting limit stays pressed and warm; a single angle does not.
+    if (row.limit.upper - row.limit.lower >= 2.0f * angularSlop) {
+        error = error < 0.0f ? Min(error + angularSlop, 0.0f) : Max(error - angularSlop, 0.0f);
+    }
+    return Clamp(error, -maxAngularCorrection, maxAngularCorrection);
+}
+
+}  // namespace
+
+bool KeepsBounds(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep&, const BodyTable& bodies) {
+    return RangeError(c, row, Load(c.pair, bodies)) == 0.0f;
+}
+
 bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
-    float angularError = 0.0f;
-    if (row.limit.enabled && c.turnMass > 0.0f) {
-        const float angle = pose.b.a - pose.a.a - row.referenceAngle;
-        float error = LimitError(row.limit, angle, angularSlop);
-        // A range keeps one slop of overshoot, so that a resting limit stays pressed and warm; a single angle does not.
-        if (row.limit.upper - row.limit.lower >= 2.0f * angularSlop) {
-            error = error < 0.0f ? Min(error + angularSlop, 0.0f) : Max(error - angularSlop, 0.0f);
-        }
-        error = Clamp(error, -maxAngularCorrection, maxAngularCorrection);
-        Apply(c.pair, turning, -c.turnMass * error, pose);
-        angularError = Abs(error);
-    }
+    const float error = RangeError(c, row, pose);
+    if (error != 0.0f) Apply(c.pair, turning, -c.turnMass * error, pose);
     const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
     ApplyPoint(c.pair, arms, PointMatrix(c.pair, arms).Solve(-arms.gap), pose);
     Store(c.pair, pose, bodies);
-    return arms.gap.Length() <= step.slop && angularError <= angularSlop;
+    return arms.gap.Length() <= step.slop && Abs(error) <= angularSlop;
 }
 
 const JointPhases& JointTraits<RevoluteRow>::GetPhases() {

@@ -21,11 +21,15 @@ struct RevoluteConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
+/// The same for limits and motors alone.
+void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity);
 /// Only limits, motors and springs.
 void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
                    std::vector<Velocity>& velocity);
+/// True if SolvePosition finds nothing to do for limits.
+bool KeepsBounds(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep& step, const BodyTable& bodies);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep& step, BodyTable& bodies);
 

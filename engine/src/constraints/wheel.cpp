@@ -71,6 +71,13 @@ void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& ste
     Store(c.pair, v, velocity);
 }
 
+bool KeepsBounds(const WheelConstraint& c, const WheelRow& row, const JointStep& step, const BodyTable& bodies) {
+    if (!row.limit.enabled) return true;
+    const PairPosition pose = Load(c.pair, bodies);
+    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+    return LimitError(row.limit, Dot(Mul(Rot(pose.a.a), row.localAxisA), arms.gap), step.slop) == 0.0f;
+}
+
 bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     float limitError = 0.0f;

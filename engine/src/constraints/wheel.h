@@ -26,6 +26,8 @@ void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Veloci
 /// Only limits, motors and springs.
 void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
 void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+/// True if SolvePosition finds nothing to do for limits.
+bool KeepsBounds(const WheelConstraint& c, const WheelRow& row, const JointStep& step, const BodyTable& bodies);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointStep& step, BodyTable& bodies);
 

@@ -94,6 +94,7 @@ void SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fix
     own.dt = dt;
     own.substeps = std::max(1, static_cast<int>(std::lround(share * static_cast<float>(settings.substeps))));
     own.impulseScale = settings.impulseScale > 0.0f ? share : 0.0f;
+    tables.isRest = true;
     SolveSoft(own, fixtures, lists, events, tables, scratch);
     // Impulses are to be those of a whole step; of a very short rest they are those of a blow.
     const float whole = Min(1.0f / share, static_cast<float>(2 * settings.substeps) / static_cast<float>(own.substeps));

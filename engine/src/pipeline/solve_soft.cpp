@@ -148,6 +148,7 @@ public:
           m_bodies(tables.bodies),
           m_tables(tables),
           m_s(scratch),
+          m_tree(tables.isRest ? scratch.restTree : scratch.tree),
           m_kernels(GetContactKernels()) {}
 
     void Prepare(const FixtureTable& fixtures, bool report) {
@@ -157,7 +158,7 @@ public:
         if (HasJoints()) EnsureRows(m_s.startVelocity, m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.before.resize(m_s.jointed.size());
-        m_s.tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
+        m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
                           m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady,
@@ -166,12 +167,12 @@ public:
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
         m_task.sumImpulses = report || m_s.blocks.Bounces();
-        const bool hasRows = !m_s.tree.GetOthers().empty() || !m_s.tree.GetBounded().empty();
+        const bool hasRows = !m_tree.GetOthers().empty() || !m_tree.GetBounded().empty();
         m_plan = {.warmStarts = m_settings.impulseScale > 0.0f,
                   .hasContacts = !m_s.blocks.IsEmpty(),
                   .bounces = m_s.blocks.Bounces(),
                   .hasRows = hasRows,
-                  .hasTrees = !m_s.tree.IsEmpty()};
+                  .hasTrees = !m_tree.IsEmpty()};
     }
 
     void Substep(int index) {
@@ -197,10 +198,10 @@ public:
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
         if (m_plan.hasRows) {
             const JointTask whole = JointWork(2.0f * static_cast<float>(m_settings.substeps));
-            ScaleJointImpulses(whole, m_s.tree.GetOthers());
-            ScaleJointImpulses(whole, m_s.tree.GetBounded());
+            ScaleJointImpulses(whole, m_tree.GetOthers());
+            ScaleJointImpulses(whole, m_tree.GetBounded());
         }
-        m_s.tree.Store(1.0f, m_tables.joints);
+        m_tree.Store(1.0f, m_tables.joints);
         return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
             return CountOver(Pool(), m_s.soft.size(), [&](size_t i) {
                 const auto b = static_cast<size_t>(m_s.soft[i].body);
@@ -290,13 +291,13 @@ private:
     /// Joints are solved twice in a sub-step, with half of its forces each time.
     void PrepareRows(bool isFirst) {
         if (!m_plan.hasRows) return;
-        PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_s.tree.GetOthers(), m_s.tree.GetBounded());
+        PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers(), m_tree.GetBounded());
     }
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
-        if (isFirst) m_s.tree.Factorize(Poses(), m_h);
-        if (m_plan.hasContacts || m_plan.hasRows) m_s.tree.SolveAfterMove(m_bodies.velocity);
+        if (isFirst) m_tree.Factorize(Poses(), m_h);
+        if (m_plan.hasContacts || m_plan.hasRows) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
         if (m_plan.hasRows) SolveJointVelocities(JointWork(1.0f));
@@ -320,7 +321,7 @@ private:
     }
     /// Velocities with which the trees' joints are closed after the move.
     void AimTrees() {
-        if (m_plan.hasTrees) m_s.tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
+        if (m_plan.hasTrees) m_tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
     }
     void DriftAll() {
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
@@ -341,18 +342,18 @@ private:
     /// No speed is left along the trees' joints.
     void StopTrees() {
         if (!m_plan.hasTrees) return;
-        m_s.tree.Factorize(Poses(), m_h);
-        m_s.tree.SolveAfterMove(m_bodies.velocity);
+        m_tree.Factorize(Poses(), m_h);
+        m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
         if (!m_plan.hasRows) return;
         SolveJointVelocities(JointWork(1.0f));
-        if (m_plan.hasTrees) m_s.tree.SolveAfterMove(m_bodies.velocity);
+        if (m_plan.hasTrees) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     /// Contacts once more, without pushing apart.
     void Relax() {
         NoteContacts([&] { RunKernel(Pool(), m_task, m_kernels.relax); });
-        ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
+        if (m_plan.hasContacts) ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
     }
 
     /// What is repeated comes from differences of velocities. Their rounding errors, which differ from body to body,
@@ -381,6 +382,7 @@ private:
     /// only what contacts did is to be repeated. For other bodies the velocities before and after tell.
     template <typename Pass>
     void NoteContacts(Pass&& pass) {
+        if (!m_plan.hasContacts) return;
         for (size_t i = 0; i < m_s.jointed.size(); ++i) {
             const Velocity& v = VelocityOf(Jointed(i));
             m_s.before[i] = {v.v, v.w};
@@ -428,6 +430,7 @@ private:
     BodyTable& m_bodies;
     SolverTables m_tables;
     SolverScratch& m_s;
+    JointTree& m_tree;
     const ContactKernels& m_kernels;
     KernelTask m_task{};
     Plan m_plan;

@@ -54,7 +54,7 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     s.isEdited = false;
     r.profile.broadPhase = watch.Lap();
     s.contacts.keepsSteady = request.substeps > 0;
-    s.contacts.steadyReach = 8.0f * linearSlop * s.def.lengthScale;
+    s.contacts.steadyReach = 10.0f * linearSlop * s.def.lengthScale;
     const PoolRegion region(*s.pool, HasWorkToShare(s));
     r.touchingCount =
         UpdateManifolds(events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);

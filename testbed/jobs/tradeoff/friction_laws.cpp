@@ -16,12 +16,12 @@ namespace {
 
 const double inclineAngle = std::atan(0.5);
 
-/// A box (half extents) at rest on an incline through the origin, both of friction μ. The box is body 1.
-scenes::Scene MakeIncline(double alpha, double mu, Point half) {
+/// A box (half extents) on an incline through the origin, both of friction μ. The box is body 1.
+scenes::Scene MakeIncline(double alpha, double mu, Point half, double gap = boxGap) {
     scenes::Scene scene = MakeEmptyScene();
     const Material rough{1.0, mu};
     AddStatic(scene, {}, scenes::Box(50.0, 0.5), rough, alpha);
-    const double height = 0.5 + half.y + boxGap;
+    const double height = 0.5 + half.y + gap;
     AddDynamic(scene, {-std::sin(alpha) * height, std::cos(alpha) * height}, scenes::Box(half.x, half.y), rough, alpha);
     return scene;
 }
@@ -31,7 +31,7 @@ struct Slide {
     double way = 0.0, acceleration = 0.0;
 };
 Slide MeasureSlide(const RunSpec& setting, double factor, double seconds) {
-    const auto lab = MakeLab(MakeIncline(inclineAngle, 0.5 * factor, {0.5, 0.5}), setting);
+    const auto lab = MakeLab(MakeIncline(inclineAngle, 0.5 * factor, {0.5, 0.5}, BoxGapAtRest(setting)), setting);
     Run(*lab, setting, 0.5);
     const BodyReading start = lab->Read(1);
     Run(*lab, setting, seconds);
@@ -115,18 +115,19 @@ std::vector<double> MeasureBraking(const RunSpec& setting, Effort) {
 constexpr double pullForce = 130.0, pullFriction = 0.3, topRadius = 0.3;
 constexpr int topDisks = 10;
 
-scenes::Scene MakePull() {
+scenes::Scene MakePull(double restOfBox, double restOfDisks) {
     scenes::Scene scene = MakeEmptyScene();
     AddFloor(scene, 30.0, {0.0, pullFriction * pullFriction / 0.5});  // friction mixes by the geometric mean
-    AddDynamic(scene, {0.0, 0.5 + boxGap}, scenes::Box(8.0, 0.5), {1.0, 0.5});
+    AddDynamic(scene, {0.0, 0.5 + restOfBox}, scenes::Box(8.0, 0.5), {1.0, 0.5});
     for (int i = 0; i < topDisks; ++i) {
-        AddDynamic(scene, {1.2 * i - 5.4, 1.0 + boxGap + topRadius + diskGap}, scenes::Circle(topRadius), {1.0, 0.5});
+        AddDynamic(scene, {1.2 * i - 5.4, 1.0 + restOfBox + topRadius + restOfDisks}, scenes::Circle(topRadius),
+                   {1.0, 0.5});
     }
     return scene;
 }
 
 std::vector<double> MeasurePull(const RunSpec& setting, Effort) {
-    const auto lab = MakeLab(MakePull(), setting);
+    const auto lab = MakeLab(MakePull(BoxGapAtRest(setting), DiskGapAtRest(setting)), setting);
     Run(*lab, setting, 1.0);
     const int steps = 3 * GetRate(setting) / 2;
     const double before = lab->Read(1).velocity.x, time = steps * GetTimeStep(setting);
@@ -150,7 +151,7 @@ std::vector<double> MeasureTipping(const RunSpec& setting, Effort effort) {
     for (const double width : {0.3, 0.6}) {  // of a box 1 m high
         const double slope = Bisect(0.8 * width, 1.2 * width, effort == Effort::quick ? 7 : 10, [&](double tangent) {
             const double tilt = std::atan(tangent);
-            const auto lab = MakeLab(MakeIncline(tilt, 2.0, {0.5 * width, 0.5}), setting);
+            const auto lab = MakeLab(MakeIncline(tilt, 2.0, {0.5 * width, 0.5}, BoxGapAtRest(setting)), setting);
             Run(*lab, setting, 4.0);
             return std::abs(lab->Read(1).angle - tilt) > 0.3;
         });
@@ -190,7 +191,7 @@ std::vector<Law> MakeFrictionLaws() {
          .errors = {{.name = "acceleration, relative", .game = 2e-2, .precise = 5e-3, .rounding = 1e-4},
                     {.name = "acceleration of the disks, relative", .game = 2e-2, .precise = 5e-3, .rounding = 1e-4}},
          .measure = MeasurePull,
-         .costScene = MakePull,
+         .costScene = [] { return MakePull(boxGap, diskGap); },
          .pitch = {65.0, 5.0}},
         {.name = "tipping",
          .title = "Boxes of 0.3 and 0.6 × 1 m on slopes: where they tip",

@@ -40,8 +40,9 @@ bool StaysSteady(int contact, const BodyTable& bodies, const ContactTable& conta
     const float turnB = bodies.position[static_cast<size_t>(b)].a - row.turnB;
     if (!(Abs(turnA) < mostTurn && Abs(turnB) < mostTurn)) return false;
     const Vec2 frame = FrameOf(bodies, a, b);
-    const Vec2 way = CentreIn(frame, bodies, b) - CentreIn(frame, bodies, a) - row.between;
-    return Abs(way.x) + Abs(way.y) + Abs(turnB - turnA) * row.reach < mostWay;
+    // As A sees it: a tower that leans as a whole keeps all its contacts.
+    const Vec2 way = CentreIn(frame, bodies, b) - CentreIn(frame, bodies, a) - Mul(Rot(turnA), row.between);
+    return way.Length() + Abs(turnB - turnA) * row.reach < mostWay;
 }
 
 bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,

@@ -63,6 +63,7 @@ static_assert(sizeof(SoftBody) == 64);
 struct SolverScratch {
     bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
     JointTree tree;
+    JointTree restTree;  ///< of `rest`; each keeps its order while its joints stay the same
     ContactRows contacts;
     ContactBlocks blocks;
     JointConstraints joints;
@@ -79,8 +80,8 @@ struct SolverScratch {
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(contacts.velocity, contacts.position, delta, soft, startVelocity, jointed, before, islandSolved,
                        impulses) +
-               rest.GetMemoryBytes() + tree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() +
-               wide.GetMemoryBytes();
+               rest.GetMemoryBytes() + tree.GetMemoryBytes() + restTree.GetMemoryBytes() + blocks.GetMemoryBytes() +
+               joints.GetMemoryBytes() + wide.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
@@ -165,6 +166,7 @@ struct SolverTables {
     BodyTable& bodies;
     ContactTable& contacts;
     JointTable& joints;
+    bool isRest = false;      ///< the rest of a step after a time of impact
     bool noteDemand = false;  ///< the soft step notes pull rates in BodyTable::demand
 };
 

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The arithmetic of joint_batches.h, four joints or four bodies at a time. Plain data only, because translation units
+// for different instruction sets share it.
+
+#pragma once
+
+#include <cstdint>
+
+namespace scree {
+
+inline constexpr int jointLanes = 4;
+
+/// Four numbers of one body.
+struct alignas(32) BodyRow {
+    double v[4];
+};
+/// One number of four joints.
+struct alignas(32) LaneRow {
+    double v[jointLanes];
+};
+
+/// Four joints at a point. `child` is the body that is eliminated with the joint, `parent` the one that remains.
+struct PointBatch {
+    LaneRow anchorChild[2], anchorParent[2];        ///< from the centres of mass, in the bodies' frames, m
+    LaneRow armChild[2], armParent[2];              ///< in world coordinates
+    LaneRow inverse[3];                             ///< of the joint's inverse mass: xx, xy, yy
+    LaneRow response[2][3];                         ///< of the parent's velocity, to impulses along x and y
+    LaneRow right[2];                               ///< right side
+    LaneRow total[2], recent[2], aim[2];            ///< impulses on the child: of the step, since bodies last moved,
+                                                    ///< and of the last solve before a move
+    int32_t child[jointLanes], parent[jointLanes];  ///< rows of the bodies
+};
+
+inline constexpr int rowLimit = 3;
+
+/// Four joints of any kind, of up to three rows each; rows that a joint lacks are zeros.
+struct RowBatch {
+    LaneRow rowChild[rowLimit][3], rowParent[rowLimit][3];  ///< Jacobians
+    LaneRow inverse[rowLimit][rowLimit];
+    LaneRow response[rowLimit][3];
+    LaneRow right[rowLimit];
+    LaneRow total[rowLimit], recent[rowLimit], aim[rowLimit];
+    int32_t child[jointLanes], parent[jointLanes];
+};
+
+struct JointBatchTask {
+    int32_t bodyCount;  ///< a multiple of four; row 0 is nothing, for lanes without a joint
+    BodyRow* pose;      ///< x, y of the centre of mass, cos, sin
+    BodyRow* aimed;     ///< velocity to be
+    BodyRow* next;      ///< `pose` where that leads
+    BodyRow* angle;     ///< angle, that of `next`, turn since the start of the step, –
+    BodyRow* start;     ///< cos and sin at the start of the step
+    BodyRow* velocity;  ///< x, y, turning
+    BodyRow* mass;      ///< 1/mass, 1/inertia, the same as the solve takes it, –
+    double* stiffness;  ///< sub-step times what recent pulls turn a body back with; 0 but between reach and factorize
+    BodyRow* mobility;  ///< two rows a body: xx, xy, xt, – and yy, yt, tt, –
+    BodyRow* shift;     ///< velocity as joints so far want it
+    BodyRow* impulse;   ///< on the body
+    PointBatch* points;
+    int32_t pointCount;
+    RowBatch* rows;
+    int32_t rowCount;
+    const int32_t* order;  ///< of elimination: batches of points, or ~ those of rows
+    int32_t batchCount;
+    double h;           ///< sub-step, s
+    double compliance;  ///< of a row, in shares of its own inverse mass
+    double leastPivot;  ///< in the same shares: less is rounding, the row repeats others
+    /// Rotates (cos, sin) by any angle.
+    void (*turnFar)(double cos, double sin, double angle, double* cosSin);
+};
+
+struct JointBatchKernels {
+    /// `start` and turns → `pose`.
+    void (*turn)(const JointBatchTask& task);
+    /// Arms of points, and what their recent pulls make of the bodies' inertia; forgets these pulls.
+    void (*reach)(const JointBatchTask& task);
+    /// Mobilities, inverses and responses.
+    void (*factorize)(const JointBatchTask& task);
+    /// What the impulses of the last aim would make of the velocities, and where these lead.
+    void (*guess)(const JointBatchTask& task);
+    /// Errors of points at `next` → right sides.
+    void (*measure)(const JointBatchTask& task);
+    /// Velocities and impulses with which these errors are closed, by the Jacobians of `pose`, and where they lead.
+    /// Returns the most that the new turns may leave of an error, in shares of an arm.
+    double (*aim)(const JointBatchTask& task);
+    /// Takes over what was aimed.
+    void (*keep)(const JointBatchTask& task);
+    /// Removes all speed along the joints.
+    void (*stop)(const JointBatchTask& task);
+};
+
+/// The best form this processor has. All forms give the same bits.
+const JointBatchKernels& GetJointBatchKernels();
+
+}  // namespace scree

@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Which links form trees, who is whose child, what is solved side by side; poses and velocities in and out.
+
+#include "constraints/joint_batches.h"
+
+#include <algorithm>
+
+#include "constraints/joint_tree_factors.h"
+
+namespace scree {
+
+namespace {
+
+size_t At(int index) { return static_cast<size_t>(index); }
+
+/// The graph of moving bodies with links as edges.
+struct LinkGraph {
+    std::vector<int> bodies;        ///< per node
+    std::vector<int> a, b;          ///< per link: nodes, −1: does not move
+    std::vector<int> begin, edges;  ///< links of each node that join two moving bodies
+    std::vector<int> degree;        ///< of these, how many are left
+    std::vector<int> linkOfChild;   ///< per node: with which it is eliminated, −1: none
+    std::vector<uint8_t> isGone, isLooped;
+
+    explicit LinkGraph(std::span<const TreeEdge> links) {
+        std::vector<std::pair<int, int>> byBody;  // body, 2·link + side
+        a.assign(links.size(), -1), b.assign(links.size(), -1);
+        for (size_t i = 0; i < links.size(); ++i) {
+            const auto at = static_cast<int>(i);
+            if (links[i].movesA) byBody.emplace_back(links[i].bodyA, 2 * at);
+            if (links[i].movesB) byBody.emplace_back(links[i].bodyB, 2 * at + 1);
+        }
+        std::sort(byBody.begin(), byBody.end());
+        for (const auto& [body, side] : byBody) {
+            if (bodies.empty() || bodies.back() != body) bodies.push_back(body);
+            (side % 2 == 0 ? a : b)[At(side / 2)] = static_cast<int>(bodies.size()) - 1;
+        }
+        begin.assign(bodies.size() + 1, 0);
+        for (const auto& [body, side] : byBody) {
+            if (IsEdge(side / 2)) ++begin[At((side % 2 == 0 ? a : b)[At(side / 2)]) + 1];
+        }
+        for (size_t n = 0; n < bodies.size(); ++n) begin[n + 1] += begin[n];
+        for (const auto& [body, side] : byBody) {
+            if (IsEdge(side / 2)) edges.push_back(side / 2);
+        }
+        for (size_t n = 0; n < bodies.size(); ++n) degree.push_back(begin[n + 1] - begin[n]);
+        linkOfChild.assign(bodies.size(), -1);
+        isGone.assign(bodies.size(), 0), isLooped.assign(bodies.size(), 0);
+    }
+
+    [[nodiscard]] bool IsEdge(int link) const { return a[At(link)] >= 0 && b[At(link)] >= 0; }
+    [[nodiscard]] int Other(int link, int node) const { return a[At(link)] == node ? b[At(link)] : a[At(link)]; }
+    [[nodiscard]] std::span<const int> EdgesOf(int node) const {
+        return std::span(edges).subspan(At(begin[At(node)]), At(begin[At(node) + 1] - begin[At(node)]));
+    }
+
+    /// Takes leaves off until only loops are left; what hangs on these is marked with them.
+    void Peel() {
+        std::vector<int> queue;
+        for (size_t n = 0; n < bodies.size(); ++n) {
+            if (degree[n] <= 1) queue.push_back(static_cast<int>(n));
+        }
+        for (size_t next = 0; next < queue.size(); ++next) {
+            const int node = queue[next];
+            isGone[At(node)] = 1;
+            for (const int link : EdgesOf(node)) {
+                const int other = Other(link, node);
+                if (isGone[At(other)] != 0) continue;
+                linkOfChild[At(node)] = link;
+                if (--degree[At(other)] == 1) queue.push_back(other);
+            }
+        }
+        queue.clear();
+        for (size_t n = 0; n < bodies.size(); ++n) {
+            if (isGone[n] == 0) isLooped[n] = 1, queue.push_back(static_cast<int>(n));
+        }
+        for (size_t next = 0; next < queue.size(); ++next) {
+            for (const int link : EdgesOf(queue[next])) {
+                const int other = Other(link, queue[next]);
+                if (isLooped[At(other)] == 0) isLooped[At(other)] = 1, queue.push_back(other);
+            }
+        }
+    }
+};
+
+/// Links become ready once all that hang on their child are done.
+class LinkQueue {
+public:
+    void Push(int place) { m_ready.push_back(place); }
+    [[nodiscard]] size_t Size() const { return m_ready.size() - m_next; }
+    /// Up to four with different parents, in their order.
+    template <typename ParentOf>
+    std::vector<int> TakeFour(ParentOf&& parentOf) {
+        constexpr size_t window = 64;  // of links that are looked at
+        std::vector<int> taken;
+        const size_t end = std::min(m_ready.size(), m_next + window);
+        size_t kept = m_next;
+        std::vector<int> left;
+        for (size_t i = m_next; i < end; ++i) {
+            const int place = m_ready[i];
+            const bool isFree =
+                std::none_of(taken.begin(), taken.end(), [&](int other) { return parentOf(other) == parentOf(place); });
+            (isFree && taken.size() < At(jointLanes) ? taken : left).push_back(place);
+        }
+        kept = end - left.size();
+        std::copy(left.begin(), left.end(), m_ready.begin() + static_cast<std::ptrdiff_t>(kept));
+        m_next = kept;
+        return taken;
+    }
+
+private:
+    std::vector<int> m_ready;
+    size_t m_next = 0;
+};
+
+}  // namespace
+
+size_t JointBatches::GetMemoryBytes() const {
+    size_t bytes = m_bodies.capacity() * sizeof(int) + m_places.capacity() * sizeof(Place) +
+                   m_points.capacity() * sizeof(PointBatch) + m_rows.capacity() * sizeof(RowBatch) +
+                   m_order.capacity() * sizeof(int32_t) + m_stiffness.capacity() * sizeof(LaneRow);
+    for (const auto* rows :
+         {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_mobility, &m_shift, &m_impulse}) {
+        bytes += rows->capacity() * sizeof(BodyRow);
+    }
+    return bytes;
+}
+
+int JointBatches::AddRow(int body) {
+    m_bodies.push_back(body);
+    return static_cast<int>(m_bodies.size()) - 1;
+}
+
+void JointBatches::Plan(std::span<TreeEdge> links) {
+    LinkGraph graph(links);
+    graph.Peel();
+    m_bodies.assign(1, -1);
+    m_places.clear();
+    std::vector<int> rowOf(graph.bodies.size(), -1);
+    for (size_t n = 0; n < graph.bodies.size(); ++n) {
+        if (graph.isLooped[n] == 0) rowOf[n] = AddRow(graph.bodies[n]);
+    }
+    for (size_t i = 0; i < links.size(); ++i) {
+        TreeEdge& link = links[i];
+        const int a = graph.a[i], b = graph.b[i];
+        link.isTree = graph.isLooped[At(a >= 0 ? a : b)] == 0;
+        if (!link.isTree) continue;
+        Place& place = m_places.emplace_back();
+        place.link = static_cast<int>(i), place.joint = link.joint;
+        place.isPoint = link.kind == TreeKind::point;
+        place.rows.count = RowCount(link.kind);
+        // What is fixed is a leaf.
+        place.childIsB = a >= 0 && (b < 0 || graph.linkOfChild[At(b)] == place.link);
+        const int rowA = a >= 0 ? rowOf[At(a)] : AddRow(link.bodyA);
+        const int rowB = b >= 0 ? rowOf[At(b)] : AddRow(link.bodyB);
+        place.child = place.childIsB ? rowB : rowA;
+        place.parent = place.childIsB ? rowA : rowB;
+    }
+    while (m_bodies.size() % At(jointLanes) != 0) AddRow(-1);
+    PutIntoLanes();
+    for (auto* rows : {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_shift, &m_impulse}) {
+        rows->assign(m_bodies.size(), BodyRow{});
+    }
+    m_stiffness.assign(m_bodies.size() / At(jointLanes), LaneRow{});
+    m_mobility.assign(2 * m_bodies.size(), BodyRow{});
+}
+
+void JointBatches::PutIntoLanes() {
+    m_points.clear(), m_rows.clear(), m_order.clear();
+    std::vector<int> waiting(m_bodies.size(), 0), placeOfChild(m_bodies.size(), -1);
+    for (size_t i = 0; i < m_places.size(); ++i) {
+        ++waiting[At(m_places[i].parent)];
+        placeOfChild[At(m_places[i].child)] = static_cast<int>(i);
+    }
+    LinkQueue points, rows;
+    const auto push = [&](int place) { (m_places[At(place)].isPoint ? points : rows).Push(place); };
+    for (size_t i = 0; i < m_places.size(); ++i) {
+        if (waiting[At(m_places[i].child)] == 0) push(static_cast<int>(i));
+    }
+    while (points.Size() + rows.Size() > 0) {
+        const bool isPoint = points.Size() >= rows.Size();
+        const std::vector<int> taken =
+            (isPoint ? points : rows).TakeFour([&](int place) { return m_places[At(place)].parent; });
+        const auto fill = [&](auto& batches) {
+            auto& batch = batches.emplace_back();
+            batch = {};
+            for (size_t lane = 0; lane < taken.size(); ++lane) {
+                Place& place = m_places[At(taken[lane])];
+                place.batch = static_cast<int>(batches.size()) - 1, place.lane = static_cast<int>(lane);
+                batch.child[lane] = place.child, batch.parent[lane] = place.parent;
+            }
+            return static_cast<int32_t>(batches.size()) - 1;
+        };
+        m_order.push_back(isPoint ? fill(m_points) : ~fill(m_rows));
+        for (const int place : taken) {
+            const int parent = m_places[At(place)].parent;
+            if (--waiting[At(parent)] == 0 && placeOfChild[At(parent)] >= 0) push(placeOfChild[At(parent)]);
+        }
+    }
+}
+
+void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
+                           double recentScale) {
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (m_bodies[row] < 0) continue;
+        const size_t body = At(m_bodies[row]);
+        const bool moves = bodies.type[body] == dynamicBody;
+        const double invMass = moves ? double{bodies.mass[body].invMass} : 0.0;
+        const double invI = moves ? double{bodies.mass[body].invI} : 0.0;
+        m_mass[row] = {{invMass, invI, invI, 0.0}};
+        const Rot& q = bodies.transform[body].q;
+        m_start[row] = {{double{q.c}, double{q.s}, 0.0, 0.0}};
+    }
+    for (Place& place : m_places) {
+        place.shape = shapes[At(place.link)];
+        const size_t lane = At(place.lane);
+        double recent[maxTreeRows];
+        LoadImpulse(place.joint, joints, recentScale, recent);
+        const auto begin = [&](auto& batch, double sign, int count) {
+            for (int i = 0; i < count; ++i) {
+                batch.total[i].v[lane] = 0.0;
+                batch.recent[i].v[lane] = sign * recent[i];
+                batch.aim[i].v[lane] = 0.5 * sign * recent[i];
+            }
+        };
+        if (!place.isPoint) {
+            begin(m_rows[At(place.batch)], 1.0, RowCount(place.shape.kind));
+            continue;
+        }
+        PointBatch& batch = m_points[At(place.batch)];
+        const TreeShape& s = place.shape;
+        batch.anchorChild[0].v[lane] = place.childIsB ? s.bx : s.ax,
+        batch.anchorChild[1].v[lane] = place.childIsB ? s.by : s.ay;
+        batch.anchorParent[0].v[lane] = place.childIsB ? s.ax : s.bx,
+        batch.anchorParent[1].v[lane] = place.childIsB ? s.ay : s.by;
+        begin(batch, place.childIsB ? 1.0 : -1.0, 2);
+    }
+}
+
+JointBatchTask JointBatches::Task() {
+    const auto turnFar = [](double cos, double sin, double angle, double* cosSin) {
+        TreePose pose;
+        Turn(cos, sin, angle, pose);
+        cosSin[0] = pose.cos, cosSin[1] = pose.sin;
+    };
+    return {.bodyCount = static_cast<int32_t>(m_bodies.size()),
+            .pose = m_pose.data(),
+            .aimed = m_aimed.data(),
+            .next = m_next.data(),
+            .angle = m_angle.data(),
+            .start = m_start.data(),
+            .velocity = m_velocity.data(),
+            .mass = m_mass.data(),
+            .stiffness = &m_stiffness.data()->v[0],
+            .mobility = m_mobility.data(),
+            .shift = m_shift.data(),
+            .impulse = m_impulse.data(),
+            .points = m_points.data(),
+            .pointCount = static_cast<int32_t>(m_points.size()),
+            .rows = m_rows.data(),
+            .rowCount = static_cast<int32_t>(m_rows.size()),
+            .order = m_order.data(),
+            .batchCount = static_cast<int32_t>(m_order.size()),
+            .h = m_h,
+            .compliance = jointCompliance,
+            .leastPivot = leastPivot,
+            .turnFar = turnFar};
+}
+
+TreePose JointBatches::PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const {
+    const double(&p)[4] = poses[At(row)].v;
+    return {p[0], p[1], m_angle[At(row)].v[angle], p[2], p[3]};
+}
+
+/// Jacobians of joints that are not points.
+void JointBatches::MakeJacobians() {
+    for (Place& place : m_places) {
+        if (place.isPoint) continue;
+        const TreePose child = PoseOf(place.child, m_pose, 0), parent = PoseOf(place.parent, m_pose, 0);
+        MakeRows<true>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, place.rows);
+        RowBatch& batch = m_rows[At(place.batch)];
+        const size_t lane = At(place.lane);
+        for (int i = 0; i < place.rows.count; ++i) {
+            for (int k = 0; k < 3; ++k) {
+                batch.rowChild[i][k].v[lane] = (place.childIsB ? place.rows.b : place.rows.a)[i][k];
+                batch.rowParent[i][k].v[lane] = (place.childIsB ? place.rows.a : place.rows.b)[i][k];
+            }
+        }
+        // A pull at the end of an arm, as of points.
+        if (place.shape.kind == TreeKind::pointAndAngle) {
+            const double x = batch.recent[0].v[lane], y = batch.recent[1].v[lane];
+            const auto note = [&](int row, const double(&jacobian)[maxTreeRows][3], double sign) {
+                m_stiffness[At(row) / At(jointLanes)].v[At(row) % At(jointLanes)] +=
+                    sign * (jacobian[1][2] * x - jacobian[0][2] * y);
+            };
+            note(place.childIsB ? place.parent : place.child, place.rows.a, 1.0);
+            note(place.childIsB ? place.child : place.parent, place.rows.b, 1.0);
+        }
+        for (LaneRow& recent : batch.recent) recent.v[lane] = 0.0;
+    }
+}
+
+void JointBatches::MeasureRows() {
+    for (const Place& place : m_places) {
+        if (place.isPoint) continue;
+        const TreePose child = PoseOf(place.child, m_next, 1), parent = PoseOf(place.parent, m_next, 1);
+        TreeRows rows;
+        MakeRows<false>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, rows);
+        RowBatch& batch = m_rows[At(place.batch)];
+        for (int i = 0; i < place.rows.count; ++i) batch.right[i].v[place.lane] = -rows.error[i] / m_h;
+    }
+}
+
+void JointBatches::Factorize(const BodyTable& bodies, const std::vector<Velocity>& delta, double h) {
+    m_h = h;
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (m_bodies[row] < 0) continue;
+        const TreeStart from = StartOf(bodies, delta, m_bodies[row]);
+        m_pose[row].v[0] = from.x, m_pose[row].v[1] = from.y;
+        m_angle[row].v[0] = from.angle, m_angle[row].v[2] = from.turn;
+    }
+    const JointBatchKernels& kernels = GetJointBatchKernels();
+    const JointBatchTask task = Task();
+    kernels.turn(task);
+    kernels.reach(task);
+    MakeJacobians();
+    kernels.factorize(task);
+}
+
+void JointBatches::LoadVelocities(const std::vector<Velocity>& velocity) {
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (m_bodies[row] < 0) continue;
+        const Velocity& v = velocity[At(m_bodies[row])];
+        m_velocity[row] = {{double{v.v.x}, double{v.v.y}, double{v.w}, 0.0}};
+    }
+}
+
+void JointBatches::StoreVelocities(std::vector<Velocity>& velocity) const {
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (m_bodies[row] < 0 || (m_mass[row].v[0] == 0.0 && m_mass[row].v[1] == 0.0)) continue;
+        const double(&from)[4] = m_velocity[row].v;
+        Velocity& v = velocity[At(m_bodies[row])];
+        v.v = {static_cast<float>(from[0]), static_cast<float>(from[1])};
+        v.w = static_cast<float>(from[2]);
+    }
+}
+
+void JointBatches::SolveBeforeMove(std::vector<Velocity>& velocity) {
+    // The Jacobians of the present pose stand for those of the next one. What that leaves of an error, in shares of an
+    // arm, is the turn of a body times what the solve changes of it; each iteration gains two orders in h. The errors
+    // are taken where the impulses of the last time lead, which makes one enough where motion is smooth.
+    constexpr double mostLeft = 1e-5;  // rad²
+    constexpr int mostIterations = 4;
+    LoadVelocities(velocity);
+    // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        const double(&mass)[4] = m_mass[row].v;
+        if (mass[2] < mass[1]) m_velocity[row].v[2] *= mass[2] / mass[1];
+    }
+    const JointBatchKernels& kernels = GetJointBatchKernels();
+    const JointBatchTask task = Task();
+    kernels.guess(task);
+    for (int iteration = 0; iteration < mostIterations; ++iteration) {
+        kernels.measure(task);
+        MeasureRows();
+        if (!(kernels.aim(task) > mostLeft)) break;
+    }
+    kernels.keep(task);
+    StoreVelocities(velocity);
+}
+
+void JointBatches::SolveAfterMove(std::vector<Velocity>& velocity) {
+    LoadVelocities(velocity);
+    GetJointBatchKernels().stop(Task());
+    StoreVelocities(velocity);
+}
+
+}  // namespace scree

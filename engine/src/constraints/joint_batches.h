@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The direct solve of joints whose bodies form trees, statics not counted: chains, bridges between fixed points,
+// mobiles, ragdolls, cars. Four joints that do not depend on each other are taken side by side. Each hands its parent
+// the mobility that is left to it, so that a tree takes time in proportion to its joints, however many meet in a body
+// (Featherstone, "A Divide-and-Conquer Articulated-Body Algorithm", Int. J. Robotics Research 18, 1999; Drumwright,
+// "Fast Dynamic Simulation of Highly Articulated Robots with Contact via Θ(n²) Time Dense Generalized Inertia Matrix
+// Inversion", 2012). The same system as that of the forest beside it.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "constraints/joint_batch_kernels.h"
+#include "constraints/joint_tree_rows.h"
+
+namespace scree {
+
+/// A joint that may be taken over.
+struct TreeEdge {
+    int joint;
+    int bodyA, bodyB;
+    bool movesA, movesB;
+    TreeKind kind;
+    bool isTree = false;  ///< it was
+};
+
+class JointBatches {
+public:
+    /// Takes over the links whose bodies form trees, and puts them into an order that stays until the next call. Links
+    /// are those of the calls of Refresh by their indices.
+    void Plan(std::span<TreeEdge> links);
+    /// What may change from step to step. `shapes` by link; `recentScale` makes impulses of a sub-step of the stored
+    /// ones.
+    void Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
+                 double recentScale);
+    [[nodiscard]] bool IsEmpty() const { return m_order.empty(); }
+    [[nodiscard]] size_t GetMemoryBytes() const;
+
+    // As of JointTree.
+    void Factorize(const BodyTable& bodies, const std::vector<Velocity>& delta, double h);
+    void SolveBeforeMove(std::vector<Velocity>& velocity);
+    void SolveAfterMove(std::vector<Velocity>& velocity);
+
+    /// Calls visit(const TreeResult&) for each joint.
+    template <typename Visit>
+    void ForEachResult(Visit&& visit) const {
+        for (const Place& place : m_places) {
+            double impulse[maxTreeRows] = {};
+            const auto lane = static_cast<size_t>(place.lane);
+            if (place.isPoint) {
+                const PointBatch& batch = m_points[static_cast<size_t>(place.batch)];
+                const double sign = place.childIsB ? 1.0 : -1.0;
+                for (int i = 0; i < 2; ++i) impulse[i] = sign * batch.total[i].v[lane];
+            } else {
+                const RowBatch& batch = m_rows[static_cast<size_t>(place.batch)];
+                for (int i = 0; i < place.rows.count; ++i) impulse[i] = batch.total[i].v[lane];
+            }
+            const TreeResult::Side child = SideOf(place.child), parent = SideOf(place.parent);
+            visit(TreeResult{place.joint, place.shape, place.rows, impulse, place.childIsB ? parent : child,
+                             place.childIsB ? child : parent});
+        }
+    }
+
+private:
+    /// Where a joint is.
+    struct Place {
+        int link, joint;
+        int batch, lane;
+        bool isPoint;
+        bool childIsB;
+        int child, parent;  ///< rows of bodies
+        TreeShape shape;
+        TreeRows rows;  ///< of points only their count
+    };
+
+    int AddRow(int body);
+    [[nodiscard]] TreeResult::Side SideOf(int row) const {
+        const double(&mass)[4] = m_mass[static_cast<size_t>(row)].v;
+        return {m_bodies[static_cast<size_t>(row)], mass[0], mass[1]};
+    }
+    void PutIntoLanes();
+    [[nodiscard]] JointBatchTask Task();
+    [[nodiscard]] TreePose PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const;
+    void LoadVelocities(const std::vector<Velocity>& velocity);
+    void StoreVelocities(std::vector<Velocity>& velocity) const;
+    void MakeJacobians();
+    void MeasureRows();
+
+    std::vector<int> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
+    std::vector<Place> m_places;
+    std::vector<PointBatch> m_points;
+    std::vector<RowBatch> m_rows;
+    std::vector<int32_t> m_order;
+    std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_aimed, m_mass, m_mobility, m_shift, m_impulse;
+    std::vector<LaneRow> m_stiffness;  ///< per row of bodies
+    double m_h = 1.0;
+};
+
+}  // namespace scree
