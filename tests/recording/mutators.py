@@ -30,6 +30,8 @@ EXEMPT = {
     'World::PrepareQueries': 'changes no result',
     'World::TrimMemory': 'changes no result',
     'World::SetMeasureErrors': 'changes no result, only what a report tells',
+    'World::SetReportMoves': 'changes no result, only what events tell',
+    'World::SetHitSpeed': 'changes no result, only what events tell',
     'World::SetFeatures': 'changes no result, only which calls are refused',
     'World::GetState': READS,
     'World::Find': READS,

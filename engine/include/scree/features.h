@@ -36,7 +36,7 @@ enum class Feature : uint8_t {
     continuousBullet,  ///< bullets, with continuous collision on
     sensors,           ///< sensor fixtures
     filters,           ///< fixtures whose filter is not the default; a contact filter (the world)
-    events,            ///< a contact listener (the world)
+    events,            ///< a contact listener (the world), or a fixture that reports
     polygons,          ///< fixtures with a PolygonShape or a ConvexShape
     edges,             ///< fixtures with an EdgeShape, those of chains included
     kinematicBodies,   ///< all kinematic bodies

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "scree/errors.h"
+#include "scree/events.h"
 #include "scree/shape.h"
 
 namespace scree {
@@ -37,6 +38,7 @@ struct FixtureDef {
     float density = 0.0f;               ///< kg/m², ≥ 0
     bool isSensor = false;              ///< reports contacts but never pushes
     Filter filter;
+    uint8_t reports = 0;  ///< what World::GetEvents tells of it: bits of Report
 };
 
 /// A thin, stable handle on a fixture; made by Body::CreateFixture, dead after DestroyFixture or DestroyBody: then
@@ -59,6 +61,10 @@ public:
     /// New filter; contacts are re-examined in the next step.
     ErrorCode SetFilterData(const Filter& filter);
     [[nodiscard]] Filter GetFilterData() const;
+    /// What World::GetEvents tells of this fixture from now on: bits of Report. Refused: others, and in a world whose
+    /// features are fixed without `events`.
+    ErrorCode SetReports(uint8_t reports);
+    [[nodiscard]] uint8_t GetReports() const;
     /// Re-examines the filters of this fixture's contacts in the next step.
     void Refilter();
     [[nodiscard]] Body* GetBody();

@@ -17,6 +17,7 @@
 #include "scree/draw.h"
 #include "scree/dynamic_tree.h"
 #include "scree/errors.h"
+#include "scree/events.h"
 #include "scree/far_position.h"
 #include "scree/features.h"
 #include "scree/fixed_world.h"

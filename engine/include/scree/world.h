@@ -17,6 +17,7 @@
 #include "scree/contact.h"
 #include "scree/draw.h"
 #include "scree/errors.h"
+#include "scree/events.h"
 #include "scree/features.h"
 #include "scree/fixture.h"
 #include "scree/function_ref.h"
@@ -118,6 +119,14 @@ public:
     /// error and an unchanged world.
     StepReport Step(float timeStep, const Tolerance& tolerance);
     [[nodiscard]] const StepReport& GetReport() const;
+    /// What happened in the last step to the fixtures that report.
+    [[nodiscard]] Events GetEvents() const;
+    /// Blows slower than this are not reported, m/s; 1 at first. Refused: negative or not finite.
+    ErrorCode SetHitSpeed(float speed);
+    [[nodiscard]] float GetHitSpeed() const;
+    /// Events tell which bodies were simulated, and which of them fell asleep. Off by default, and then free.
+    void SetReportMoves(bool flag);
+    [[nodiscard]] bool GetReportMoves() const;
     /// Every step ends with MeasureErrors and reports the result. Off by default, and then free.
     void SetMeasureErrors(bool flag);
     [[nodiscard]] bool GetMeasureErrors() const;

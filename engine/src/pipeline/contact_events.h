@@ -13,6 +13,7 @@
 
 namespace scree {
 
+class EventLog;
 struct WorldState;
 
 struct ContactEvents {
@@ -23,6 +24,7 @@ struct ContactEvents {
     ContactListener* const& listener;
     const HeardCalls& heard;  ///< by the listener
     ContactFilter* const& filter;
+    EventLog* log;   ///< of World::GetEvents; null: no fixture reports
     TOIStats* work;  ///< distance and time-of-impact work of the step
     /// A contact that begins or ends restarts the sleep timers of bodies that are
     /// awake, too, as in Box2D 2.4. Without it such a contact wakes sleepers

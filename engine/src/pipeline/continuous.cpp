@@ -10,6 +10,7 @@
 
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/make_contact.h"
+#include "pipeline/parts/note_events.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/toi_pairs.h"
 #include "state/frames.h"
@@ -146,6 +147,7 @@ private:
         for (const int body : {pair.bodyA, pair.bodyB}) {
             if (m_toi.IsDynamic(body)) JoinTouching(pair, body, index, alpha);
         }
+        NoteHits();
         SolveEvent(pair, alpha);
         for (size_t i = 0; i < m_s.islandBodies.size(); ++i) {
             // A kinematic body goes on as it did, so what is known of its pairs stays true: a drum has thousands.
@@ -238,6 +240,7 @@ private:
                 m_bodies.Wake(m_t.contacts.pair[Row(contact)].bodyB);
             }
         }
+        NoteHits();
         m_settings.solveRest({m_s.islandBodies, m_s.islandContacts, m_s.islandJoints, (1.0f - alpha) * m_settings.dt});
         for (size_t i = 0; i < m_s.islandBodies.size(); ++i) m_toi.Refresh(m_s.islandBodies[i]);
         ForgetMembers();
@@ -276,6 +279,13 @@ private:
             return std::pair(isA ? pair.fixtureA : pair.fixtureB, -(isA ? pair.fixtureB : pair.fixtureA));
         };
         std::ranges::sort(m_s.pairsInOrder, {}, key);
+    }
+
+    /// The blows of an event that is going to be solved.
+    void NoteHits() {
+        if (m_events.log == nullptr) return;
+        for (const int contact : m_s.islandContacts)
+            NoteHit(contact, m_t.fixtures, m_bodies, m_t.contacts, *m_events.log);
     }
 
     void AddMember(int body) {

@@ -11,6 +11,7 @@
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/destroy_contact.h"
 #include "pipeline/parts/make_contact.h"
+#include "pipeline/parts/note_events.h"
 #include "pipeline/parts/rouse.h"
 #include "state/frames.h"
 
@@ -200,6 +201,7 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
         bool touching = (finding & NarrowPhaseScratch::touching) != 0;
         if (finding != NarrowPhaseScratch::nothing && (!isTold || Holds(finding, contact, t))) {
             const bool changed = NoteTouching(contact, touching, events.restartsTimers, t.bodies, t.contacts);
+            if (changed && events.log != nullptr) NoteChange(contact, t.contacts, *events.log);
             if (events.listener != nullptr && (changed || (touching && events.heard.preSolve))) {
                 isTold = true;
                 const std::vector<Manifold>& old = keepsOld ? scratch.old : t.contacts.manifold;
@@ -210,6 +212,8 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
             touching = IsActive(contact, t) ? UpdateContact(contact, t.fixtures, events, t.bodies, t.contacts)
                                             : t.contacts.Has(contact, ContactFlag::touching);
         }
+        if (touching && events.log != nullptr && IsActive(contact, t))
+            NoteHit(contact, t.fixtures, t.bodies, t.contacts, *events.log);
         if (touching) ++touchingCount;
     }
     return touchingCount;

@@ -33,6 +33,7 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     next[i] = -1;
     info[i] = FixtureInfo{};
     info[i].density = def.density;
+    info[i].reports = def.reports;
     info[i].userData = def.userData;
     return index;
 }

@@ -33,6 +33,7 @@ struct FixtureInfo {
     int chainId = -1;     ///< shared by the edges of one chain
     int chainIndex = -1;  ///< of this edge in it
     bool inBroadPhase = false;
+    uint8_t reports = 0;  ///< bits of Report
     FixtureUserData userData;
 };
 

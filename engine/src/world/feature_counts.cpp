@@ -53,12 +53,14 @@ struct FixtureFacts {
     bool isSensor;
     float friction, restitution;
     const Filter& filter;
+    uint8_t reports;
 };
 Features FeaturesOf(const FixtureFacts& fixture) {
     Features f;
     f.Add(Feature::polygons, fixture.shape == Shape::e_polygon || fixture.shape == Shape::e_convex)
         .Add(Feature::edges, fixture.shape == Shape::e_edge || fixture.shape == Shape::e_chain)
         .Add(Feature::filters, !IsDefault(fixture.filter))
+        .Add(Feature::events, fixture.reports != 0)
         .Add(Feature::friction, fixture.friction != 0.0f)
         .Add(Feature::restitution, fixture.restitution != 0.0f)
         .Add(Feature::sensors, fixture.isSensor)
@@ -89,8 +91,8 @@ Features FeaturesOf(const BodyDef& def) {
 }
 
 Features FeaturesOf(const FixtureDef& def, BodyType bodyType) {
-    return FeaturesOf(
-        FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, def.friction, def.restitution, def.filter});
+    return FeaturesOf(FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, def.friction, def.restitution,
+                                   def.filter, def.reports});
 }
 
 Features FeaturesOfBody(const BodyTable& bodies, int body) {
@@ -105,7 +107,8 @@ Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies
     const size_t f = Row(fixture);
     const Material& material = fixtures.material[f];
     return FeaturesOf(FixtureFacts{fixtures.type[f], bodies.type[Row(fixtures.body[f])], fixtures.isSensor[f] != 0,
-                                   material.friction, material.restitution, fixtures.filter[f]});
+                                   material.friction, material.restitution, fixtures.filter[f],
+                                   fixtures.info[f].reports});
 }
 
 Features FeaturesOfJoint(const JointTable& joints, int joint) {

@@ -207,6 +207,20 @@ float Fixture::GetRestitutionThreshold() const {
                                                      : 0.0f;
 }
 
+ErrorCode Fixture::SetReports(uint8_t reports) {
+    Guard guard(*m_state, "Fixture::SetReports");
+    guard.Living(m_state->fixtures.slots, m_index).Accept(CheckReports(reports, "reports"));
+    if (reports != 0) guard.Uses({Feature::events});
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, reports);
+    const FixtureFeatureEdit edit(*m_state, m_index);
+    m_state->fixtures.info[Row(m_index)].reports = reports;
+    return ErrorCode::ok;
+}
+uint8_t Fixture::GetReports() const {
+    return Lives("Fixture::GetReports") ? m_state->fixtures.info[Row(m_index)].reports : uint8_t{0};
+}
+
 AABB Fixture::GetAABB() const {
     if (!Lives("Fixture::GetAABB")) return AABB{};
     if (m_state->fixtures.info[Row(m_index)].inBroadPhase)

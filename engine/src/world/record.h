@@ -44,8 +44,9 @@ void Fields(Self& def, Visit& visit) {
 /// The shape is written behind it.
 template <Is<FixtureDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
-    auto& [shape, userData, friction, restitution, restitutionThreshold, density, isSensor, filter] = def;
-    visit(userData, friction, restitution, restitutionThreshold, density, isSensor, filter), visit.LeftOut(shape);
+    auto& [shape, userData, friction, restitution, restitutionThreshold, density, isSensor, filter, reports] = def;
+    visit(userData, friction, restitution, restitutionThreshold, density, isSensor, filter, reports),
+        visit.LeftOut(shape);
 }
 template <Is<Tolerance> Self, typename Visit>
 void Fields(Self& tolerance, Visit& visit) {

@@ -209,6 +209,7 @@ constexpr Row calls[] = {
     SCREE_CALL(Fixture::SetFriction),
     SCREE_CALL(Fixture::SetRestitution),
     SCREE_CALL(Fixture::SetRestitutionThreshold),
+    SCREE_CALL(Fixture::SetReports),
     SCREE_CALL(Contact::SetEnabled),
     SCREE_CALL(Contact::SetFriction),
     SCREE_CALL(Contact::ResetFriction),

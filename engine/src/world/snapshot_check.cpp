@@ -89,6 +89,7 @@ bool AreFixturesConsistent(const FixtureTable& t, const BodyTable& bodies) {
         for (const int f : t.From(bodies.fixtureHead[Row(body)])) {
             if (!t.slots.IsAlive(f) || t.body[Row(f)] != body || ++count > t.slots.Count()) return false;
             if (t.info[Row(f)].inBroadPhase != bodies.Has(body, BodyFlag::enabled)) return false;
+            if ((t.info[Row(f)].reports & ~Report::all) != 0) return false;
         }
         if (count != bodies.info[Row(body)].fixtureCount) return false;
         listed += count;

@@ -24,6 +24,7 @@ bool HasWorkToShare(const WorldState& s) {
 /// Moves the bodies. With sub-stepping a step may end after an event; the next one then only goes on with its rest.
 void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents& events, Stopwatch& watch,
              StepResults& r) {
+    s.log.NoteAwake(s.bodies);
     if (!s.continuousScratch.resuming) {
         GatherLists(settings, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
         r.profile.islands = watch.Lap();
@@ -36,6 +37,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts);
     FindPairsOfMoved({&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, s.FarDistance(),
                      events, s.ForPairs());
+    s.log.NoteMoves(s.bodies);
     RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
@@ -49,6 +51,7 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     const WorldLock lock(s);
     const ContactEvents events = s.Events(request.substeps == 0);  // Box2D's rule for Box2D's solver
     s.distanceWork = {};
+    s.log.BeginStep();
     RouseContacts(s.bodies, s.contacts);
     if (s.isEdited) FindPairsOfEdited(s.edited, events, s.ForPairs());
     s.isEdited = false;
@@ -61,6 +64,7 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     r.profile.narrowPhase = watch.Lap();
     PrepareKernels(s);  // listeners of contacts have had their say
     if (request.dt >= shortestStep) Advance(s, MakeSettings(s, request), events, watch, r);
+    s.log.EndStep();
     s.broadPhase->PrepareQueries();
     if (s.autoClearForces) s.world->ClearForces();
     r.profile.step = total.Lap();

@@ -126,13 +126,18 @@ Finding Check(const BodyDef& def) {
                  CheckFinite(std::isfinite(def.gravityScale), "BodyDef::gravityScale"));
 }
 
+Finding CheckReports(uint8_t reports, const char* field) {
+    if ((reports & ~Report::all) == 0) return {};
+    return {ErrorCode::outOfRange, field, "use bits of Report"};
+}
+
 Finding Check(const FixtureDef& def) {
     if (def.shape == nullptr) return {ErrorCode::nullArgument, "FixtureDef::shape", "point it at a shape"};
     if (const Finding shape = Check(*def.shape)) return shape;
     return First(CheckAmount(def.friction, "FixtureDef::friction"),
                  CheckFinite(std::isfinite(def.restitution), "FixtureDef::restitution"),
                  CheckAmount(def.restitutionThreshold, "FixtureDef::restitutionThreshold"),
-                 CheckAmount(def.density, "FixtureDef::density"),
+                 CheckAmount(def.density, "FixtureDef::density"), CheckReports(def.reports, "FixtureDef::reports"),
                  CheckMass(*def.shape, def.density, "FixtureDef::density"));
 }
 

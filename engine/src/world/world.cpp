@@ -159,6 +159,19 @@ ErrorCode World::SetContactListener(ContactListener* listener) {
     return ErrorCode::ok;
 }
 
+Events World::GetEvents() const { return m_state->log.Get(); }
+
+ErrorCode World::SetHitSpeed(float speed) {
+    Guard guard(*m_state, "World::SetHitSpeed");
+    if (guard.Amount(speed, "speed").Failed()) return guard.Code();
+    m_state->log.hitSpeed = speed;
+    return ErrorCode::ok;
+}
+float World::GetHitSpeed() const { return m_state->log.hitSpeed; }
+
+void World::SetReportMoves(bool flag) { m_state->log.reportsMoves = flag; }
+bool World::GetReportMoves() const { return m_state->log.reportsMoves; }
+
 ErrorCode World::SetContactFilter(ContactFilter* filter) {
     Guard guard(*m_state, "World::SetContactFilter");
     if (filter != nullptr && guard.Uses({Feature::filters}).Failed()) return guard.Code();

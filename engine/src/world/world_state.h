@@ -19,6 +19,7 @@
 #include "state/bodies.h"
 #include "state/contacts.h"
 #include "state/edited_proxies.h"
+#include "state/event_log.h"
 #include "state/fixtures.h"
 #include "state/islands.h"
 #include "state/joints.h"
@@ -51,6 +52,8 @@ struct WorldState {
     SolverScratch solverScratch;
     ContinuousScratch continuousScratch;
 
+    EventLog log{fixtures};
+
     DestructionListener* destructionListener = nullptr;
     ContactListener* listener = nullptr;
     HeardCalls heard;                 ///< by the listener
@@ -73,7 +76,8 @@ struct WorldState {
     IsolatedPath isolatedPath = IsolatedPath::apart;  ///< changes no bit
 
     [[nodiscard]] ContactEvents Events(bool restartsTimers = true) {
-        return {this, listener, heard, filter, &distanceWork, restartsTimers};
+        const bool someReport = featureCounts.users[static_cast<size_t>(Feature::events)] > 0;
+        return {this, listener, heard, filter, someReport ? &log : nullptr, &distanceWork, restartsTimers};
     }
     [[nodiscard]] SolveLists Lists() { return {islands, active, substepGroups}; }
     [[nodiscard]] PairTables ForPairs() {

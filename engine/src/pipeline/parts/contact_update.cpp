@@ -7,6 +7,7 @@
 #include "pipeline/parts/contact_update.h"
 
 #include "geometry/collide.h"
+#include "pipeline/parts/note_events.h"
 #include "state/frames.h"
 
 namespace scree {
@@ -102,6 +103,7 @@ bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvent
     if (events.HearsPreSolve()) old = contacts.manifold[static_cast<size_t>(contact)];
     const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
     const bool hasChanged = NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts);
+    if (hasChanged && events.log != nullptr) NoteChange(contact, contacts, *events.log);
     if (events.listener != nullptr) TellAbout(contact, isTouching, hasChanged, old, events, contacts);
     return isTouching;
 }

@@ -5,6 +5,8 @@
 
 #include "pipeline/parts/destroy_contact.h"
 
+#include "state/event_log.h"
+
 namespace scree {
 
 void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts) {
@@ -17,6 +19,8 @@ void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyT
         contacts.flags[c] = static_cast<uint8_t>(contacts.flags[c] & ~ContactFlag::touching);
         contacts.manifold[c].pointCount = 0;
     }
+    if (touched && events.log != nullptr)
+        events.log->NoteChange(pair, contacts.Has(contact, ContactFlag::sensor), false);
     if (touched && events.HearsEnd()) {
         events.listener->EndContact(contacts.Handle(events.state, contact));
     }

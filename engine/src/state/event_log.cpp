@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Events into their arrays.
+
+#include "state/event_log.h"
+
+namespace scree {
+
+void EventLog::BeginStep() {
+    m_inStep = true;
+    m_begun.clear(), m_entered.clear(), m_hits.clear(), m_moved.clear();
+    m_ended.swap(m_laterEnded), m_laterEnded.clear();
+    m_left.swap(m_laterLeft), m_laterLeft.clear();
+}
+
+void EventLog::NoteChange(const ContactPair& pair, bool isSensor, bool begins) {
+    if (!Wants(pair, Report::contacts)) return;
+    const FixtureId a = IdOf(pair.fixtureA), b = IdOf(pair.fixtureB);
+    if (!isSensor) {
+        (begins ? m_begun : m_inStep ? m_ended : m_laterEnded).push_back({a, b});
+        return;
+    }
+    const bool isA = m_fixtures.isSensor[pair.fixtureA] != 0;
+    (begins ? m_entered : m_inStep ? m_left : m_laterLeft).push_back({isA ? a : b, isA ? b : a});
+}
+
+void EventLog::NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float speed) {
+    m_hits.push_back({IdOf(pair.fixtureA), IdOf(pair.fixtureB), point, normal, speed});
+}
+
+void EventLog::NoteAwake(const BodyTable& bodies) {
+    m_awake.clear();
+    if (!reportsMoves) return;
+    for (const int body : bodies.Listed()) {
+        if (bodies.IsActive(body)) m_awake.push_back(body);
+    }
+}
+
+void EventLog::NoteMoves(const BodyTable& bodies) {
+    if (!reportsMoves) return;
+    const auto note = [&](int body, bool fellAsleep) {
+        m_moved.push_back({{body, bodies.slots.GetGeneration(body)}, fellAsleep});
+    };
+    for (const int body : bodies.Listed()) {
+        if (bodies.IsActive(body)) note(body, false);
+    }
+    for (const int body : m_awake) {
+        if (!bodies.Has(body, BodyFlag::awake)) note(body, true);
+    }
+}
+
+Events EventLog::Get() const { return {m_begun, m_ended, m_entered, m_left, m_hits, m_moved}; }
+
+}  // namespace scree

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The events of a step for World::GetEvents, kept as they come. Ends that come between steps wait for the next step.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/bytes.h"
+#include "scree/events.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+#include "state/fixtures.h"
+
+namespace scree {
+
+class EventLog {
+public:
+    explicit EventLog(const FixtureTable& fixtures) : m_fixtures(fixtures) {}
+
+    float hitSpeed = 1.0f;      ///< m/s
+    bool reportsMoves = false;  ///< which bodies were simulated
+
+    void BeginStep();
+    void EndStep() { m_inStep = false; }
+    /// Whether a fixture of the pair reports this.
+    [[nodiscard]] bool Wants(const ContactPair& pair, uint8_t report) const {
+        return ((m_fixtures.info[pair.fixtureA].reports | m_fixtures.info[pair.fixtureB].reports) & report) != 0;
+    }
+    /// A contact has begun or ended.
+    void NoteChange(const ContactPair& pair, bool isSensor, bool begins);
+    /// `normal` from A to B.
+    void NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float speed);
+    /// The bodies that the step is going to simulate.
+    void NoteAwake(const BodyTable& bodies);
+    /// At its end, while what fell asleep in it is listed.
+    void NoteMoves(const BodyTable& bodies);
+
+    [[nodiscard]] Events Get() const;
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(m_begun, m_ended, m_laterEnded, m_entered, m_left, m_laterLeft, m_hits, m_moved, m_awake);
+    }
+
+private:
+    [[nodiscard]] FixtureId IdOf(uint32_t fixture) const {
+        return {static_cast<int32_t>(fixture), m_fixtures.slots.GetGeneration(static_cast<int>(fixture))};
+    }
+
+    const FixtureTable& m_fixtures;
+    std::vector<ContactEvent> m_begun, m_ended, m_laterEnded;
+    std::vector<SensorEvent> m_entered, m_left, m_laterLeft;
+    std::vector<HitEvent> m_hits;
+    std::vector<MoveEvent> m_moved;
+    std::vector<int> m_awake;
+    bool m_inStep = false;
+};
+
+}  // namespace scree
