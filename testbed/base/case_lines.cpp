@@ -8,13 +8,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/json_lines.h"
+#include "testbed/base/new_file.h"
 #include "testbed/base/text.h"
 
 namespace testbed {
@@ -40,6 +43,15 @@ struct Merger {
     void AddMade(const CaseFile& file, std::size_t lineNumber, const Json& own);
 };
 
+/// In what two builds differ, empty if in nothing.
+std::string FindOtherBuild(const Json& own, const Json& before) {
+    for (const char* key : {"commit", "compiler", "flags", "versions"}) {
+        const Json a = own.value(key, Json()), b = before.value(key, Json());
+        if (a != b) return fmt::format("{} {}, before it {}", key, a.dump(), b.dump());
+    }
+    return "";
+}
+
 [[noreturn]] void Refuse(const CaseFile& file, std::size_t lineNumber, const std::string& problem) {
     throw FileError(fmt::format("{}:{}: {}", file.name, lineNumber, problem));
 }
@@ -47,11 +59,9 @@ struct Merger {
 void Merger::AddMade(const CaseFile& file, std::size_t lineNumber, const Json& own) {
     if (!own.is_object()) Refuse(file, lineNumber, "\"made\" is no object");
     if (std::ranges::find(made, own) != made.end()) return;
-    for (const char* key : {"commit", "compiler", "flags", "versions"}) {
-        if (made.empty() || own.value(key, Json()) == made.front().value(key, Json())) continue;
-        Refuse(file, lineNumber,
-               fmt::format("of another build: {} {}, before it {}; measure both with one build", key,
-                           own.value(key, Json()).dump(), made.front().value(key, Json()).dump()));
+    const std::string problem = made.empty() ? "" : FindOtherBuild(own, made.front());
+    if (!problem.empty()) {
+        Refuse(file, lineNumber, fmt::format("of another build: {}; measure both with one build", problem));
     }
     made.push_back(own);
 }
@@ -93,11 +103,68 @@ void Merger::Add(const CaseFile& file, std::size_t lineNumber, std::string_view 
 CaseLines::CaseLines(std::string command, std::size_t caseCount, Json made)
     : m_command(std::move(command)), m_caseCount(caseCount), m_made(std::move(made)) {}
 
+void CaseLines::Keep(const std::filesystem::path& file, bool resume) {
+    m_file = file;
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(file, ignored);
+    const bool isPlace = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+    if (file.empty() || file == "-" || isPlace) return;
+    m_part = file;
+    m_part += ".part";
+    if (!resume || !std::filesystem::exists(m_part)) return WriteTextFile(m_part, "");
+    std::string text = ReadText(m_part, "run without --resume");
+    text.resize(text.rfind('\n') + 1);  // a line that was cut
+    const CaseFile own{m_part.string(), text};
+    const MergedLines merged = MergeCaseLines(std::span(&own, 1));
+    const std::string cure = "; give the same options, or run without --resume";
+    if (merged.caseCount != 0 && (merged.command != m_command || merged.caseCount != m_caseCount)) {
+        throw FileError(fmt::format("{}: of `{}` with {} cases, not of `{}` with {}{}", own.name, merged.command,
+                                    merged.caseCount, m_command, m_caseCount, cure));
+    }
+    for (const Json& made : merged.made) {
+        if (const std::string problem = FindOtherBuild(made, m_made); !problem.empty()) {
+            throw FileError(fmt::format("{}: of another build: {}{}", own.name, problem, cure));
+        }
+    }
+    std::set<std::size_t> missing(merged.missing.begin(), merged.missing.end());
+    for (std::size_t i = 0; i < merged.caseCount; ++i) {
+        if (!missing.contains(i)) m_cases.insert(i);
+    }
+    m_text = merged.text;
+    WriteTextFile(m_part, m_text);
+}
+
 void CaseLines::Add(std::size_t caseNumber, const Json& fields) {
     Json line = {{"command", m_command}, {"case", caseNumber}, {"cases", m_caseCount}};
     for (const auto& [key, value] : fields.items()) line[key] = value;
     if (!m_made.is_null()) line["made"] = m_made;
-    m_text += line.dump() + "\n";
+    if (caseNumber != m_last) AppendPending();
+    m_last = caseNumber;
+    m_cases.insert(caseNumber);
+    m_pending += line.dump() + "\n";
+}
+
+void CaseLines::AppendPending() {
+    m_text += m_pending;
+    if (!m_part.empty()) {
+        std::ofstream stream(m_part, std::ios::binary | std::ios::app);
+        stream << m_pending;
+        stream.close();
+        if (!stream) throw FileError(fmt::format("cannot write {}: is the disk full?", m_part.string()));
+    }
+    m_pending.clear();
+}
+
+std::string CaseLines::GetText() const {
+    const CaseFile all{m_command, m_text + m_pending};
+    return MergeCaseLines(std::span(&all, 1)).text;
+}
+
+void CaseLines::Finish() {
+    if (m_file.empty()) return;
+    WriteTextFile(m_file, GetText());
+    std::error_code ignored;
+    if (!m_part.empty()) std::filesystem::remove(m_part, ignored);
 }
 
 MergedLines MergeCaseLines(std::span<const CaseFile> files) {

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,22 +21,39 @@
 
 namespace testbed {
 
-/// Lines as they are collected; write them with WriteTextFile when the run is over.
+/// Lines as they are collected.
 class CaseLines {
 public:
     /// `command` without options; `caseCount` of the whole run, not of the shard.
     /// `made` says where measurements come from (engines/provenance.h) and stands in every line; null for results that
     /// are the same everywhere.
     CaseLines(std::string command, std::size_t caseCount, nlohmann::ordered_json made = {});
-    /// `fields` is an object; its fields follow the common ones. `caseNumber` < caseCount.
+
+    /// What is added from here on is also kept in `file` + ".part", each case when the next one begins: a run that is
+    /// stopped loses the case under way alone. With `resume` the cases of such a file are taken over. Empty names,
+    /// devices and "-" have no such file. Throws FileError, also for lines of another run or build.
+    void Keep(const std::filesystem::path& file, bool resume);
+
+    /// `fields` is an object; its fields follow the common ones. `caseNumber` < caseCount. Throws FileError.
     void Add(std::size_t caseNumber, const nlohmann::ordered_json& fields);
-    [[nodiscard]] const std::string& GetText() const { return m_text; }
+    /// Whether the case was added or taken over.
+    [[nodiscard]] bool Has(std::size_t caseNumber) const { return m_cases.contains(caseNumber); }
+    /// In the order of cases.
+    [[nodiscard]] std::string GetText() const;
+    /// Writes the kept file whole and removes its part. Nothing without Keep or for an empty name.
+    void Finish();
 
 private:
+    void AppendPending();
+
     std::string m_command;
     std::size_t m_caseCount;
     nlohmann::ordered_json m_made;
     std::string m_text;
+    std::set<std::size_t> m_cases;
+    std::filesystem::path m_file, m_part;
+    std::string m_pending;   ///< of the case under way
+    std::size_t m_last = 0;  ///< the case of the last line
 };
 
 /// The content of one file of lines.

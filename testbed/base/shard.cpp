@@ -32,4 +32,15 @@ void AddShardOptions(CLI::App& app, ShardArguments& arguments) {
     app.add_option("--json", arguments.json, "Write the results here, one JSON object per line")->type_name("FILE");
 }
 
+void AddResumeOption(CLI::App& app, ShardArguments& arguments) {
+    app.add_flag("--resume", arguments.resume,
+                 "Go on after a run that was stopped: its cases are those in the file of --json with .part behind it");
+}
+
+void CheckResume(const ShardArguments& arguments) {
+    if (arguments.resume && arguments.json.empty()) {
+        throw UsageError("--resume: give the --json FILE of the run that was stopped");
+    }
+}
+
 }  // namespace testbed

@@ -43,9 +43,14 @@ inline constexpr int maxShards = 100'000;
 /// As typed.
 struct ShardArguments {
     std::string shard = "1/1";
-    std::string json;  ///< file for the JSON lines; empty: none
+    std::string json;     ///< file for the JSON lines; empty: none
+    bool resume = false;  ///< take over what a stopped run left of that file
 };
 /// --shard I/N and --json FILE.
 void AddShardOptions(CLI::App& app, ShardArguments& arguments);
+/// --resume, for commands whose cases take long.
+void AddResumeOption(CLI::App& app, ShardArguments& arguments);
+/// Throws UsageError for --resume without --json.
+void CheckResume(const ShardArguments& arguments);
 
 }  // namespace testbed

@@ -55,14 +55,14 @@ struct Api {
     static int TypeOf(const Body& body) { return body.GetType(); }
 
     static std::uint64_t QuickIdentityOf(const World& world, const Body& body) {
-        return std::uint64_t{world.GetId(&body).generation} << 8 | body.GetType();
+        const std::uint64_t own = std::uint64_t{world.GetId(&body).generation} << 8 | body.GetType();
+        const Fixture* newest = body.GetFixtureList();
+        return newest == nullptr ? own : Mix(own, world.GetId(newest));
     }
     static std::uint64_t IdentityOf(const World& world, const Body& body) {
         std::uint64_t hash = QuickIdentityOf(world, body);
         for (const Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) {
-            const scree::FixtureId id = world.GetId(f);
-            hash = (hash ^ (std::uint64_t{id.generation} << 32 | static_cast<std::uint32_t>(id.index))) *
-                   0x9E3779B97F4A7C15u;
+            hash = Mix(hash, world.GetId(f));
         }
         return hash;
     }
@@ -205,6 +205,10 @@ struct Api {
     }
 
 private:
+    static std::uint64_t Mix(std::uint64_t hash, scree::FixtureId id) {
+        return (hash ^ (std::uint64_t{id.generation} << 32 | static_cast<std::uint32_t>(id.index))) *
+               0x9E3779B97F4A7C15u;
+    }
     template <typename Scene>
     static void WriteChain(Scene& scene, const std::vector<const Fixture*>& group) {
         std::vector<const Edge*> edges;

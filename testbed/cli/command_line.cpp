@@ -23,6 +23,7 @@
 #include "testbed/cli/commands.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/extremes/commands.h"
+#include "testbed/jobs/files/commands.h"
 #include "testbed/jobs/overlap/commands.h"
 #include "testbed/jobs/requires/commands.h"
 #include "testbed/jobs/snapshot/commands.h"
@@ -125,6 +126,8 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
         "77 no backend with --skip-missing-backend.");
     Request request{arguments, contextOptions, {}};
     AddListCommand(app, request);
+    AddInfoCommand(app, request);
+    AddConvertCommand(app, request);
     AddOverlapCommand(app, request);
     AddRenderCommand(app, request);
     AddMetricsCommand(app, request);

@@ -14,6 +14,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/nearest.h"
 #include "testbed/engines/poses.h"
+#include "testbed/engines/track_run.h"
 #ifdef SCREE_HAS_BOX2D3
 #include "testbed/engines/box2d3/box2d3_engine.h"
 #endif
@@ -108,10 +109,19 @@ std::unique_ptr<InteractiveRun> MakeRun(const scenes::Scene& scene, const RunSpe
     return FindBuilt(spec.engine).makeRun(scene, spec, needs);
 }
 
-std::unique_ptr<EngineRun> MakeFollower(const scenes::Scene& scene, const RunSpec& spec, const RunSpec& source,
+std::unique_ptr<InteractiveRun> MakeRun(const RunStart& start, const RunSpec& spec, const RunNeeds& needs) {
+    if (start.world != nullptr && spec.engine == "scree") return MakeScreeRun(*start.world, spec, needs);
+    return MakeRun(start.scene, spec, needs);
+}
+
+std::unique_ptr<EngineRun> MakeFollower(const RunStart& start, const RunSpec& spec, const RunSpec& source,
                                         const RunNeeds& needs) {
-    if (spec == source) return MakeRun(scene, spec, needs);
-    return FindBuilt(spec.engine).makeFollower(scene, spec, MakeRun(scene, source, needs));
+    if (spec == source) return MakeRun(start, spec, needs);
+    return FindBuilt(spec.engine).makeFollower(start.scene, spec, MakeRun(start, source, needs));
+}
+
+std::unique_ptr<EngineRun> MakeFollower(const RunStart& start, const RunSpec& spec) {
+    return FindBuilt(spec.engine).makeFollower(start.scene, spec, MakeTrackRun(start.motion, start.step));
 }
 
 std::unique_ptr<LabWorld> MakeLab(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs) {

@@ -7,6 +7,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "scenes/scene.h"
@@ -14,6 +16,9 @@
 #include "testbed/engines/snapshot.h"
 
 namespace testbed {
+
+class TrackFile;
+struct SavedWorld;
 
 /// What a capture must contain beyond bodies, counts, times and hash; leaving a part out saves its time.
 struct CaptureParts {
@@ -77,10 +82,25 @@ public:
     /// Adds a small heavy circle that nothing lets through; returns its body index. It takes the index of the scene's
     /// next spawn, and those that are still to come move up.
     virtual int ShootBullet(Vec2 position, Vec2 velocity) = 0;
+    /// Writes all steps from now on as a track, with contacts, in place of one that was written before. Throws
+    /// std::invalid_argument for an engine that no capture header records.
+    virtual void Record(const std::string& path) = 0;
+    /// The track is whole afterwards. Throws std::runtime_error if it could not be written.
+    virtual void EndRecord() = 0;
 };
 
 /// Radius of a bullet, m.
 inline constexpr float bulletRadius = 0.25f;
+
+/// What runs start from: a scene, and where there is more of it, the exact world of our engine or a recorded motion.
+struct RunStart {
+    RunStart(scenes::Scene start) : scene(std::move(start)) {}  // NOLINT: a scene is a start
+
+    scenes::Scene scene;                        ///< beside a motion: all bodies that ever were (TrackFile::GetParts)
+    std::shared_ptr<const SavedWorld> world{};  ///< our engine goes on with it bit for bit; null: it makes the scene
+    std::shared_ptr<TrackFile> motion{};        ///< broad phases follow it; null: engines simulate
+    int step = 0;                               ///< of the motion, from which it is followed
+};
 
 /// Loads a copy of a scene. Throws std::invalid_argument for a spec that the engine cannot run, or a scene that it
 /// refuses.
@@ -89,12 +109,21 @@ std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const R
 std::unique_ptr<InteractiveRun> MakeBox2dRun(const scenes::Scene& scene, const RunSpec& spec,
                                              const RunNeeds& needs = {});
 
+/// Goes on with a saved world of our engine. Throws std::invalid_argument also for a setting that is another one in the
+/// world and cannot change there.
+std::unique_ptr<InteractiveRun> MakeScreeRun(const SavedWorld& world, const RunSpec& spec, const RunNeeds& needs = {});
+
 /// By the spec's engine; UsageError for one that is not in engine_list.h.
 std::unique_ptr<InteractiveRun> MakeRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs = {});
 
+/// The same from a start without a motion.
+std::unique_ptr<InteractiveRun> MakeRun(const RunStart& start, const RunSpec& spec, const RunNeeds& needs = {});
+
 /// The engine's broad phase alone, following the motion of `source`, which it simulates besides: bodies, contacts and
 /// hash are the source's; nodes, times, pairs and memory its own. The run itself where both are the same.
-std::unique_ptr<EngineRun> MakeFollower(const scenes::Scene& scene, const RunSpec& spec, const RunSpec& source,
+std::unique_ptr<EngineRun> MakeFollower(const RunStart& start, const RunSpec& spec, const RunSpec& source,
                                         const RunNeeds& needs = {});
+/// The same following a recorded motion.
+std::unique_ptr<EngineRun> MakeFollower(const RunStart& start, const RunSpec& spec);
 
 }  // namespace testbed

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What both followers of poses.h share: stepping the source, telling which bodies are new and which moved, and a
-// capture that is the source's in everything but the broad phase. Times and memory are those of the broad phase alone.
+// What the followers of poses.h share: stepping the source, telling which bodies are new, which are gone and which
+// moved, and a capture that is the source's in everything but the broad phase. Times and memory are those of the broad
+// phase alone.
 
 #pragma once
 
@@ -29,8 +30,18 @@ protected:
     void Load();
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
 
-    /// Adds the fixtures of a new body at its pose.
+    /// A fixture, or an edge of one, has a slot; those of a body follow each other.
+    struct Slots {
+        size_t begin = 0, end = 0;
+    };
+    [[nodiscard]] Slots SlotsOf(const BodyState& body) const { return m_slots[static_cast<size_t>(body.index)]; }
+    /// Index into Snapshot::fixtures of what a slot holds; −1: its body is gone.
+    [[nodiscard]] int FixtureOf(size_t slot) const { return m_fixtureOf[slot]; }
+
+    /// Adds the fixtures of a new body at its pose, in the next free slots.
     virtual void Create(const BodyState& body) = 0;
+    /// Removes the fixtures of a body that is gone.
+    virtual void Destroy(const BodyState& body) = 0;
     /// Moves the fixtures of the bodies that were simulated in this step, and finds pairs. `before` and `after` hold
     /// the same bodies. A body that was simulated and fell asleep counts as standing still at its new pose, as in
     /// Box2D.
@@ -39,9 +50,14 @@ protected:
     virtual void CaptureBroadPhase(Snapshot& snapshot, bool nodes) = 0;
 
 private:
+    void CreateIn(const BodyState& body);
+    void ListFixtures();
+
     scenes::Scene m_scene;
     std::unique_ptr<EngineRun> m_source;
-    std::vector<BodyState> m_bodies;  ///< as of the last step
+    std::vector<BodyState> m_bodies;  ///< as of the last step, by growing index
+    std::vector<Slots> m_slots;       ///< by index of a body in the scene
+    std::vector<int> m_fixtureOf;     ///< by slot
     HeapMeter m_heap;
     StepTimes m_times;
 };

@@ -24,9 +24,9 @@ b2Transform TransformOf(const BodyState& body) {
     return xf;
 }
 
-// Index + 1, since Box2D gives null to inner nodes.
-void* ToUserData(size_t fixture) { return reinterpret_cast<void*>(fixture + 1); }
-int FixtureOf(void* userData) { return static_cast<int>(reinterpret_cast<uintptr_t>(userData)) - 1; }
+// Slot + 1, since Box2D gives null to inner nodes.
+void* ToUserData(size_t slot) { return reinterpret_cast<void*>(slot + 1); }
+size_t SlotOf(void* userData) { return reinterpret_cast<uintptr_t>(userData) - 1; }
 
 /// Receives the pairs; creating contacts is not part of this run.
 struct PairSink {
@@ -39,12 +39,12 @@ public:
     Box2dFollower(const scenes::Scene& scene, std::unique_ptr<EngineRun> source)
         : FollowingRun(scene, std::move(source)) {
         m_proxies.reserve(scene.fixtures.size());
-        m_bodyBegin.reserve(scene.bodies.size());
         Load();
     }
 
 protected:
     void Create(const BodyState& body) override;
+    void Destroy(const BodyState& body) override;
     void Move(const std::vector<BodyState>& before, const std::vector<BodyState>& after) override;
     void CaptureBroadPhase(Snapshot& snapshot, bool nodes) override;
 
@@ -58,13 +58,11 @@ private:
     void MoveProxy(const Proxy& proxy, const b2Transform& from, const b2Transform& to);
 
     b2BroadPhase m_broadPhase;
-    std::vector<Proxy> m_proxies;     ///< by index into Snapshot::fixtures
-    std::vector<size_t> m_bodyBegin;  ///< by body: its first entry in m_proxies
+    std::vector<Proxy> m_proxies;  ///< by slot
     bool m_newProxies = false;
 };
 
 void Box2dFollower::Create(const BodyState& body) {
-    m_bodyBegin.push_back(m_proxies.size());
     const b2Transform xf = TransformOf(body);
     for (const scenes::Fixture& fixture : GetScene().FixturesOf(body.index)) {
         for (int child = 0; child < fixture.shape.ChildCount(); ++child) {
@@ -76,6 +74,15 @@ void Box2dFollower::Create(const BodyState& body) {
             m_proxies.push_back(proxy);
         }
         m_newProxies = true;
+    }
+}
+
+void Box2dFollower::Destroy(const BodyState& body) {
+    const Slots slots = SlotsOf(body);
+    for (size_t last = slots.end; last > slots.begin;) {
+        const size_t first = last - 1 - static_cast<size_t>(m_proxies[last - 1].child);
+        for (size_t k = first; k < last; ++k) m_broadPhase.DestroyProxy(m_proxies[k].id);
+        last = first;
     }
 }
 
@@ -97,8 +104,8 @@ void Box2dFollower::Move(const std::vector<BodyState>& before, const std::vector
         if (!WasSimulated(before[i], after[i])) continue;
         const b2Transform to = TransformOf(after[i]);
         const b2Transform from = after[i].awake ? TransformOf(before[i]) : to;
-        const size_t end = i + 1 < m_bodyBegin.size() ? m_bodyBegin[i + 1] : m_proxies.size();
-        for (size_t last = end; last > m_bodyBegin[i];) {
+        const Slots slots = SlotsOf(after[i]);
+        for (size_t last = slots.end; last > slots.begin;) {
             const size_t first = last - 1 - static_cast<size_t>(m_proxies[last - 1].child);
             for (size_t k = first; k < last; ++k) MoveProxy(m_proxies[k], from, to);
             last = first;
@@ -112,7 +119,8 @@ void Box2dFollower::CaptureBroadPhase(Snapshot& snapshot, bool nodes) {
     snapshot.broadPhase = "b2DynamicTree";
     snapshot.pairsReported = 0;
     if (!nodes) return;
-    DumpBox2dTree(m_broadPhase, FixtureOf, snapshot.nodes);
+    DumpBox2dTree(
+        m_broadPhase, [this](void* userData) { return FixtureOf(SlotOf(userData)); }, snapshot.nodes);
     snapshot.treeHeight = m_broadPhase.GetTreeHeight();
     snapshot.leafSize = snapshot.nodes.empty() ? 0 : 1;
     if (!snapshot.fixtures.empty()) snapshot.pairsReported = CountPairs(LeafBoxes(snapshot));

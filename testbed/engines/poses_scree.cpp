@@ -46,25 +46,23 @@ public:
     ScreeFollower(const scenes::Scene& scene, scree::BroadPhaseKind kind, std::unique_ptr<EngineRun> source)
         : FollowingRun(scene, std::move(source)), m_kind(kind), m_broadPhase(scree::CreateBroadPhase(kind)) {
         m_shapes.reserve(scene.fixtures.size());
-        m_bodyBegin.reserve(scene.bodies.size());
         Load();
     }
 
 protected:
     void Create(const BodyState& body) override;
+    void Destroy(const BodyState& body) override;
     void Move(const std::vector<BodyState>& before, const std::vector<BodyState>& after) override;
     void CaptureBroadPhase(Snapshot& snapshot, bool nodes) override;
 
 private:
     scree::BroadPhaseKind m_kind;
     std::unique_ptr<scree::BroadPhase> m_broadPhase;
-    std::vector<ScreeShape> m_shapes;  ///< by index into Snapshot::fixtures
-    std::vector<size_t> m_bodyBegin;   ///< by body: its first entry in m_shapes
+    std::vector<ScreeShape> m_shapes;  ///< by slot
     std::vector<scree::Pair> m_pairs;  ///< of the last step
 };
 
 void ScreeFollower::Create(const BodyState& body) {
-    m_bodyBegin.push_back(m_shapes.size());
     const scree::Transform xf = TransformOf(body);
     for (const scenes::Fixture& fixture : GetScene().FixturesOf(body.index)) {
         for (int child = 0; child < fixture.shape.ChildCount(); ++child) {
@@ -78,13 +76,18 @@ void ScreeFollower::Create(const BodyState& body) {
     }
 }
 
+void ScreeFollower::Destroy(const BodyState& body) {
+    const Slots slots = SlotsOf(body);
+    for (size_t k = slots.begin; k < slots.end; ++k) m_broadPhase->Remove(static_cast<uint32_t>(k));
+}
+
 void ScreeFollower::Move(const std::vector<BodyState>& before, const std::vector<BodyState>& after) {
     for (size_t i = 0; i < after.size(); ++i) {
         if (!WasSimulated(before[i], after[i])) continue;
         const scree::Transform xf = TransformOf(after[i]);
         const scree::Vec2 displacement = xf.p - ToScree(before[i].position);
-        const size_t end = i + 1 < m_bodyBegin.size() ? m_bodyBegin[i + 1] : m_shapes.size();
-        for (size_t k = m_bodyBegin[i]; k < end; ++k) {
+        const Slots slots = SlotsOf(after[i]);
+        for (size_t k = slots.begin; k < slots.end; ++k) {
             scree::AABB box;
             AsShape(m_shapes[k]).ComputeAABB(&box, xf);
             m_broadPhase->Update(static_cast<uint32_t>(k), box, displacement);
@@ -103,7 +106,8 @@ void ScreeFollower::CaptureBroadPhase(Snapshot& snapshot, bool nodes) {
     snapshot.leafSize = m_broadPhase->GetLeafSize();
     snapshot.nodes.reserve(tree.size());
     for (const scree::BvhNode& n : tree) {
-        snapshot.nodes.push_back({FromScree(n.box), n.parent, n.child1, n.child2, n.fixture, n.level});
+        const int fixture = n.fixture < 0 ? -1 : FixtureOf(static_cast<size_t>(n.fixture));
+        snapshot.nodes.push_back({FromScree(n.box), n.parent, n.child1, n.child2, fixture, n.level});
         snapshot.treeHeight = std::max(snapshot.treeHeight, n.level);
     }
 }

@@ -11,10 +11,12 @@
 #include <algorithm>
 
 #include "testbed/base/stopwatch.h"
+#include "testbed/capture/scree_capture_box2d.h"
 #include "testbed/engines/box2d_joint.h"
 #include "testbed/engines/box2d_shape.h"
 #include "testbed/engines/capture_box2d.h"
 #include "testbed/engines/scene_run.h"
+#include "testbed/engines/track_output.h"
 
 namespace testbed {
 namespace {
@@ -86,6 +88,9 @@ public:
         NoteAwake();
     }
 
+    void Record(const std::string& path) override { m_track.Begin(*m_world, path, GetSpec()); }
+    void EndRecord() override { m_track.End(); }
+
     [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
     [[nodiscard]] StepCounts CountStep() override;
 
@@ -98,6 +103,7 @@ protected:
     void CreateDrag(int body, Vec2 localPoint) override;
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToB2(target)); }
     void DestroyDrag() override;
+    void RecordStep() override { m_track.Step(GetTimeStep()); }
 
 private:
     /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
@@ -127,6 +133,7 @@ private:
     std::vector<bool> m_wasAwake;       ///< by body index, after the step that was counted last
     b2Body* m_dragGround = nullptr;     ///< carries the spring that drags
     b2MouseJoint* m_drag = nullptr;
+    TrackOutput<scree_capture::Track, b2World> m_track;  ///< ends before the world
 };
 
 void Box2dRun::CreateFixture(b2Body& body, int sceneIndex) {

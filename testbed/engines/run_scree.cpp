@@ -4,21 +4,28 @@
 // A scene running in our engine, through its public headers alone: loading, stepping, times by stage, capture. The
 // solver's time includes finding islands, as Box2D's does.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "scenes/outline.h"
 #include "scree/inspect.h"
 #include "scree/mouse_joint.h"
+#include "scree/snapshot.h"
 #include "scree/world.h"
 #include "testbed/base/stopwatch.h"
+#include "testbed/capture/scree_capture.h"
 #include "testbed/engines/capture_scree.h"
 #include "testbed/engines/feature_facts.h"
+#include "testbed/engines/saved_world.h"
 #include "testbed/engines/scene_run.h"
 #include "testbed/engines/scree_joint.h"
 #include "testbed/engines/scree_shape.h"
 #include "testbed/engines/scree_step.h"
+#include "testbed/engines/track_output.h"
 
 namespace testbed {
 namespace {
@@ -110,6 +117,23 @@ public:
         });
     }
 
+    ScreeRun(const SavedWorld& saved, const RunSpec& spec, const RunNeeds& needs)
+        : SceneRun(saved.scene, spec, needs), m_conveyor(GetScene()) {
+        Create([&] {
+            m_world = scree::LoadWorld(*saved.image);
+            if (m_world == nullptr) throw std::invalid_argument("the image of the world cannot be read");
+            m_world->SetErrorHandler(ThrowError, nullptr);
+        });
+        CheckSettings();
+        m_world->SetWorkers(GetSpec().threads);
+        ApplyToWorld(GetSpec());
+        FindObjects();
+        SetLoaded();
+    }
+
+    void Record(const std::string& path) override { m_track.Begin(*m_world, path, GetSpec()); }
+    void EndRecord() override { m_track.End(); }
+
     [[nodiscard]] const scree::World& GetWorld() const { return *m_world; }
     [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
     [[nodiscard]] StepCounts CountStep() override {
@@ -126,9 +150,15 @@ protected:
     void CreateDrag(int body, Vec2 localPoint) override;
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToScree(target)); }
     void DestroyDrag() override;
+    void RecordStep() override { m_track.Step(GetTimeStep()); }
 
 private:
+    /// Those of a saved world that cannot change any more are as wanted.
+    void CheckSettings() const;
+    /// Bodies, fixtures and joints of a saved world, in the order of its scene.
+    void FindObjects();
     void CreateFixture(scree::Body& body, int sceneIndex);
+    void AddOutline(ScreeProxy& proxy) const;
     void AddProxy(ScreeProxy proxy);
 
     Conveyor m_conveyor;
@@ -139,6 +169,7 @@ private:
     ScreeJoints m_joints;                 ///< by joint index
     scree::Body* m_dragGround = nullptr;  ///< carries the spring that drags
     scree::MouseJoint* m_drag = nullptr;
+    TrackOutput<scree_capture::Track, scree::World> m_track;  ///< ends before the world
 };
 
 void ScreeRun::AddProxy(ScreeProxy proxy) {
@@ -148,6 +179,44 @@ void ScreeRun::AddProxy(ScreeProxy proxy) {
     m_proxies.push_back(std::move(proxy));
 }
 
+void ScreeRun::CheckSettings() const {
+    const RunSpec own = DescribeScreeWorld(*m_world);
+    for (const std::string_view name : {"caps", "lengthScale", "features", "broadPhase"}) {
+        const SettingKey& key = FindSettingKey(name);
+        if (key.print(own) == key.print(GetSpec())) continue;
+        throw std::invalid_argument(fmt::format(
+            "{}={}: the saved world has {}, which cannot change in it; `scree convert` makes a scene of it, "
+            "which any setting can run",
+            name, key.print(GetSpec()), key.print(own)));
+    }
+}
+
+void ScreeRun::FindObjects() {
+    using Writer = scree_capture::detail::SceneWriter<scree_capture::Api, scree_capture::detail::JsonWriter>;
+    for (scree::Body* body = m_world->GetBodyList(); body; body = body->GetNext()) m_bodies.push_back(body);
+    scree_capture::Api::SortByAge(m_bodies);
+    for (size_t i = 0; i < m_bodies.size(); ++i) {
+        m_bodies[i]->SetUserData({i});
+        int sceneIndex = GetScene().bodies[i].firstFixture;
+        for (const auto& group : Writer::FixturesOf(*m_bodies[i])) {
+            for (size_t child = 0; child < group.size(); ++child) {
+                ScreeProxy proxy{group[child], sceneIndex, static_cast<int>(child)};
+                AddOutline(proxy);
+                AddProxy(std::move(proxy));
+            }
+            ++sceneIndex;
+        }
+    }
+    for (scree::Joint* joint = m_world->GetJointList(); joint; joint = joint->GetNext()) m_joints.push_back(joint);
+    std::ranges::reverse(m_joints);
+}
+
+void ScreeRun::AddOutline(ScreeProxy& proxy) const {
+    const scenes::Shape& shape = GetScene().fixtures[static_cast<size_t>(proxy.sceneIndex)].shape;
+    if (scenes::IsFurtherConvex(shape.type))
+        proxy.outline = scenes::SampleOutline(GetScene(), shape, outlineDirections);
+}
+
 void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
     const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(sceneIndex)];
     const auto index = static_cast<size_t>(sceneIndex);
@@ -155,9 +224,7 @@ void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
         const ScreeShape shape = MakeScreeShape(GetScene(), fixture.shape);
         const scree::FixtureDef def = MakeFixtureDef(fixture, AsShape(shape), index);
         ScreeProxy proxy{body.CreateFixture(&def), sceneIndex, 0};
-        if (scenes::IsFurtherConvex(fixture.shape.type)) {
-            proxy.outline = scenes::SampleOutline(GetScene(), fixture.shape, outlineDirections);
-        }
+        AddOutline(proxy);
         AddProxy(std::move(proxy));
         return;
     }
@@ -262,6 +329,10 @@ FeatureFacts GetFeatureFacts(const EngineRun& run) {
 
 std::unique_ptr<InteractiveRun> MakeScreeRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs) {
     return std::make_unique<ScreeRun>(scene, spec, needs);
+}
+
+std::unique_ptr<InteractiveRun> MakeScreeRun(const SavedWorld& world, const RunSpec& spec, const RunNeeds& needs) {
+    return std::make_unique<ScreeRun>(world, spec, needs);
 }
 
 }  // namespace testbed

@@ -76,6 +76,11 @@ void SceneRun::Step() {
         due = m_scene.spawns[m_spawnCount++].body + 1;
     }
     if (due > m_bodyCount) Create([&] { CreateBodiesUpTo(due); });
+    RecordStep();
+}
+
+void SceneRun::Record(const std::string&) {
+    throw std::invalid_argument(m_spec.engine + " cannot be recorded here: scree and box2d can");
 }
 
 void SceneRun::Apply(const RunSpec& spec) {

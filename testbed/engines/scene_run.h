@@ -27,11 +27,15 @@ public:
     void MoveDrag(Vec2 target) final;
     void EndDrag() final;
     int ShootBullet(Vec2 position, Vec2 velocity) final;
+    void Record(const std::string& path) override;
+    void EndRecord() override {}
 
 protected:
     SceneRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs);
     /// Creates what exists before the first step; for the constructor of the engine's class, inside Create.
     void Load();
+    /// Instead of Load, where the world is there already.
+    void SetLoaded() { m_bodyCount = m_scene.InitialBodyCount(); }
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
     [[nodiscard]] float GetTimeStep() const { return static_cast<float>(*m_spec.timeStep); }
     /// Whether any surface of the scene moves what touches it.
@@ -54,6 +58,8 @@ protected:
     virtual StepTimes StepEngine(bool newFixtures) = 0;
     /// All that the world itself knows, in the order of the scene.
     virtual void CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) = 0;
+    /// The state after a step and its spawns, into the track that Record has begun, if any.
+    virtual void RecordStep() {}
     /// Gravity, sleeping, warm starting and continuous collision into the world; steps read the rest.
     virtual void ApplyToWorld(const RunSpec& spec) = 0;
     /// A mouse joint on the body at `localPoint`; none exists. Its strength is that of the dragSpring… below.

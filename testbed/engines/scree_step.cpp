@@ -5,9 +5,14 @@
 
 #include "testbed/engines/scree_step.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <string>
 #include <string_view>
 
+#include "scree/inspect.h"
 #include "testbed/engines/scree_shape.h"
 
 namespace testbed {
@@ -45,6 +50,15 @@ scree::Features ParseFeatures(std::string_view names) {
     return features;
 }
 
+std::string PrintFeatures(scree::Features features) {
+    std::string names;
+    for (std::size_t i = 0; i < scree::featureNames.size(); ++i) {
+        if (!features.Has(static_cast<scree::Feature>(i))) continue;
+        names += fmt::format("{}{}", names.empty() ? "" : "+", scree::featureNames[i]);
+    }
+    return names.empty() ? "none" : names;
+}
+
 }  // namespace
 
 scree::WorldDef MakeScreeWorldDef(const RunSpec& spec) {
@@ -67,6 +81,20 @@ scree::WorldDef MakeScreeWorldDef(const RunSpec& spec) {
         def.maxRotation = scree::maxRotation;
     }
     return def;
+}
+
+RunSpec DescribeScreeWorld(const scree::World& world) {
+    const scree::WorldDef& def = scree::inspect::GetDefinition(world);
+    RunSpec spec = MakeSpec("scree");
+    spec.sleeping = def.allowSleep;
+    spec.warmStarting = def.warmStarting;
+    spec.continuous = def.continuousPhysics;
+    spec.caps = std::isfinite(def.maxTranslation);
+    spec.lengthScale = def.lengthScale;
+    spec.broadPhase = scree::GetName(def.broadPhase);
+    if (def.featureMode == scree::FeatureMode::full) spec.features = "full";
+    if (def.featureMode == scree::FeatureMode::fixed) spec.features = PrintFeatures(def.features);
+    return spec;
 }
 
 scree::StepReport StepScree(scree::World& world, const Solver& solver, float timeStep) {

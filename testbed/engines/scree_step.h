@@ -13,6 +13,9 @@ namespace testbed {
 /// What every world of ours takes of a spec; gravity must be known (Resolve).
 [[nodiscard]] scree::WorldDef MakeScreeWorldDef(const RunSpec& spec);
 
+/// The spec that makes such a world; solver, time step and gravity stay the scene's.
+[[nodiscard]] RunSpec DescribeScreeWorld(const scree::World& world);
+
 /// One step of `timeStep` seconds; iterations must be known (Resolve).
 scree::StepReport StepScree(scree::World& world, const Solver& solver, float timeStep);
 

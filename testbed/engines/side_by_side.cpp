@@ -7,11 +7,16 @@
 
 namespace testbed {
 
-SideBySide::SideBySide(const scenes::Scene& scene, const Panes& panes, const RunNeeds& needs) : m_panes(panes) {
+SideBySide::SideBySide(const RunStart& start, const Panes& panes, const RunNeeds& needs) : m_panes(panes) {
     for (const Pane& pane : panes.panes) {
-        // A source is a run of its own, not the one shown: simulation is deterministic, so the motion is the same.
-        m_runs.push_back(panes.source ? MakeFollower(scene, pane.spec, *panes.source, needs)
-                                      : MakeRun(scene, pane.spec, needs));
+        if (start.motion != nullptr) {
+            m_runs.push_back(MakeFollower(start, pane.spec));
+        } else if (panes.source) {
+            // A source is a run of its own, not the one shown: simulation is deterministic, so the motion is the same.
+            m_runs.push_back(MakeFollower(start, pane.spec, *panes.source, needs));
+        } else {
+            m_runs.push_back(MakeRun(start, pane.spec, needs));
+        }
         m_timing.push_back({pane.name, pane.spec.engine, {}});
     }
 }
@@ -19,13 +24,13 @@ SideBySide::SideBySide(const scenes::Scene& scene, const Panes& panes, const Run
 void SideBySide::StepRun(std::size_t index) {
     EngineRun& run = *m_runs[index];
     run.Step();
-    m_timing[index].steps.push_back({m_step, run.GetTimes(), run.GetContactCount()});
+    m_timing[index].steps.push_back({run.GetStep(), run.GetTimes(), run.GetContactCount()});
 }
 
 void SideBySide::Step() {
-    ++m_step;
+    ++m_steps;
     const std::size_t count = m_runs.size();
-    for (std::size_t i = 0; i < count; ++i) StepRun(m_step % 2 != 0 ? i : count - 1 - i);
+    for (std::size_t i = 0; i < count; ++i) StepRun(m_steps % 2 != 0 ? i : count - 1 - i);
 }
 
 std::vector<Snapshot> SideBySide::Capture(const CaptureParts& parts) {

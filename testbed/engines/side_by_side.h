@@ -18,11 +18,12 @@ namespace testbed {
 
 class SideBySide {
 public:
-    SideBySide(const scenes::Scene& scene, const Panes& panes, const RunNeeds& needs = {});
+    SideBySide(const RunStart& start, const Panes& panes, const RunNeeds& needs = {});
 
     /// One step in every pane; odd steps begin with the first pane, even ones with the last.
     void Step();
-    [[nodiscard]] int GetStep() const { return m_step; }
+    /// Of a motion: as it was recorded.
+    [[nodiscard]] int GetStep() const { return m_runs.front()->GetStep(); }
     [[nodiscard]] const Panes& GetPanes() const { return m_panes; }
 
     /// One snapshot per pane, in their order.
@@ -37,7 +38,7 @@ private:
     Panes m_panes;
     std::vector<std::unique_ptr<EngineRun>> m_runs;
     std::vector<TimingSeries> m_timing;
-    int m_step = 0;
+    int m_steps = 0;  ///< taken
 };
 
 }  // namespace testbed

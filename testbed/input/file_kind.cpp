@@ -19,7 +19,10 @@ namespace testbed {
 namespace {
 
 constexpr std::array kinds{
-    FileKindInfo{FileKind::scene, "scene", ".scene.json", "a world at one moment"},
+    FileKindInfo{FileKind::scene, "scene", ".scene.json", "{", "a world at one moment"},
+    FileKindInfo{FileKind::track, "track", ".track", "\x89TRACK\r\n", "a world and its motion"},
+    FileKindInfo{FileKind::image, "image", ".world", "screewld", "a saved world of our engine"},
+    FileKindInfo{FileKind::recording, "recording", ".recording", "screrec", "a program's calls of our engine"},
 };
 
 }  // namespace
@@ -31,6 +34,13 @@ const FileKindInfo& GetInfo(FileKind kind) { return *std::ranges::find(kinds, ki
 std::optional<FileKind> KindOfEnding(std::string_view path) {
     for (const FileKindInfo& info : kinds) {
         if (path.size() > info.ending.size() && path.ends_with(info.ending)) return info.kind;
+    }
+    return std::nullopt;
+}
+
+std::optional<FileKind> KindOfBytes(std::string_view bytes) {
+    for (const FileKindInfo& info : kinds) {
+        if (bytes.starts_with(info.beginning)) return info.kind;
     }
     return std::nullopt;
 }

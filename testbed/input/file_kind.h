@@ -13,12 +13,13 @@
 
 namespace testbed {
 
-enum class FileKind : std::uint8_t { scene };
+enum class FileKind : std::uint8_t { scene, track, image, recording };
 
 struct FileKindInfo {
     FileKind kind = FileKind::scene;
-    std::string_view name;    ///< what --format takes
-    std::string_view ending;  ///< of its files' names
+    std::string_view name;       ///< what --format takes
+    std::string_view ending;     ///< of its files' names
+    std::string_view beginning;  ///< of their bytes
     std::string_view what;
 };
 
@@ -29,6 +30,9 @@ struct FileKindInfo {
 
 /// The kind whose ending a path has.
 [[nodiscard]] std::optional<FileKind> KindOfEnding(std::string_view path);
+
+/// The kind that bytes begin like.
+[[nodiscard]] std::optional<FileKind> KindOfBytes(std::string_view bytes);
 
 /// The kind of that name. Throws UsageError with the nearest one.
 [[nodiscard]] FileKind ParseFileKind(std::string_view name);

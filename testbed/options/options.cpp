@@ -15,6 +15,7 @@
 #include "testbed/base/nearest.h"
 #include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
+#include "testbed/engines/saved_world.h"
 
 namespace testbed {
 
@@ -31,8 +32,9 @@ void CheckKnown(std::string_view what, std::string_view word, std::span<const st
 }
 
 /// An engine that is not shown but moves what is.
-RunSpec MakeSource(std::string_view engine, std::span<const TypedSetting> typed) {
-    RunSpec spec = MakeSpec(engine, likeBox2dPreset);
+RunSpec MakeSource(std::string_view engine, std::span<const TypedSetting> typed, std::string_view base) {
+    RunSpec spec = MakeSpec(engine);
+    ApplySettings(spec, base);
     for (const TypedSetting& one : typed) (void)ApplySetting(spec, one.setting, one.source);
     return spec;
 }
@@ -141,24 +143,24 @@ void AddRunOptions(CLI::App& app, SceneArguments& arguments) {
         ->type_name("NAME");
     AddSetOption(app, arguments.settings, comparisonNote);
     AddSettingFlags(app, arguments.settings, {"broadPhase", "threads"});
-    app.add_option("--poses", arguments.poses,
-                   "Motion that drives the trees: own (every engine simulates for itself), scree or box2d (one motion "
-                   "drives all, so that pictures differ by the tree alone)")
-        ->capture_default_str();
+    AddPosesOption(app, arguments.input);
     app.add_option("-o,--output", arguments.output, "Folder for the files")->capture_default_str()->type_name("DIR");
 }
 
-Panes MakePanes(const SceneArguments& arguments) {
+std::string FindPoses(const SceneArguments& arguments, const SceneInput& input) {
+    if (input.motion != nullptr) return "track";
+    return arguments.input.poses.empty() ? "own" : arguments.input.poses;
+}
+
+Panes MakePanes(const SceneArguments& arguments, const SceneInput& input) {
     const std::vector<TypedSetting> typed = GetTypedSettings(arguments.settings);
-    Panes panes{.panes = ParsePanes(arguments.settings.engines, typed, comparisonBase)};
+    const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : comparisonBase;
+    Panes panes{.panes = ParsePanes(arguments.settings.engines, typed, base)};
     panes.baseline = FindBaseline(panes.panes, arguments.settings.baseline);
-    std::vector<std::string_view> names{"own"};
-    for (const EngineInfo& engine : GetEngines()) names.push_back(engine.name);
-    CheckKnown("kind of poses", arguments.poses, names);
-    if (arguments.poses == "own") return panes;
-    const auto shown =
-        std::ranges::find_if(panes.panes, [&](const Pane& pane) { return pane.spec.engine == arguments.poses; });
-    panes.source = shown != panes.panes.end() ? shown->spec : MakeSource(arguments.poses, typed);
+    const std::string poses = FindPoses(arguments, input);
+    if (poses == "own" || poses == "track") return panes;
+    const auto shown = std::ranges::find_if(panes.panes, [&](const Pane& pane) { return pane.spec.engine == poses; });
+    panes.source = shown != panes.panes.end() ? shown->spec : MakeSource(poses, typed, base);
     return panes;
 }
 

@@ -71,11 +71,13 @@ struct SceneArguments {
     std::optional<int> size;
     InputArguments input;
     SettingArguments settings;
-    std::string poses = "own";
     std::string output = "out";
 };
 void AddRunOptions(CLI::App& app, SceneArguments& arguments);
-[[nodiscard]] Panes MakePanes(const SceneArguments& arguments);
+/// What runs beside each other from an input.
+[[nodiscard]] Panes MakePanes(const SceneArguments& arguments, const SceneInput& input);
+/// own, track or an engine's name: whose motion the trees follow.
+[[nodiscard]] std::string FindPoses(const SceneArguments& arguments, const SceneInput& input);
 
 /// How pictures look, as typed.
 struct PictureArguments {

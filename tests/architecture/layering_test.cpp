@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Includes point one way: base ← geometry ← broad_phase ← state ← constraints ← pipeline ← world in the engine, and in
-// the testbed base, capture ← input, picture, engines ← gl, page ← view ← options ← jobs ← cli, where no job includes
+// the testbed base, capture ← input, picture ← engines ← gl, page ← view ← options ← jobs ← cli, where no job includes
 // another. Scenes know nothing of this project, pictures and views no engine, and only engines/, what records one and
 // what abuses one see an engine.
 
@@ -176,7 +176,7 @@ constexpr std::array<Folder, 11> folders = {{{"base", ""},
                                              {"capture", ""},
                                              {"input", "base capture"},
                                              {"picture", "base"},
-                                             {"engines", "base"},
+                                             {"engines", "base capture input"},
                                              {"gl", "base picture"},
                                              {"page", "base picture"},
                                              {"view", "base picture engines gl"},

@@ -26,6 +26,21 @@ b2Body* MakeBox(b2World& world, float x, float y) {
     return body;
 }
 
+TEST(BadInput, AWorldWithoutAValidGravityHasNone) {
+    for (const b2Vec2 gravity : {b2Vec2(nan, -10.0f), b2Vec2(0.0f, std::numeric_limits<float>::infinity())}) {
+        testing::internal::CaptureStderr();
+        b2World world(gravity);
+        EXPECT_NE(testing::internal::GetCapturedStderr().find("gravity"), std::string::npos);
+        EXPECT_EQ(world.GetGravity(), b2Vec2(0.0f, 0.0f));
+        b2Body* box = MakeBox(world, 3.0f, 4.0f);
+        for (int i = 0; i < 10; ++i) world.Step(1.0f / 60.0f, 8, 3);
+        EXPECT_EQ(box->GetPosition(), b2Vec2(3.0f, 4.0f));
+        world.SetGravity(b2Vec2(0.0f, -10.0f));
+        world.Step(1.0f / 60.0f, 8, 3);
+        EXPECT_LT(box->GetPosition().y, 4.0f);
+    }
+}
+
 TEST(BadInput, MakesNoObjects) {
     b2World world(b2Vec2(0.0f, -10.0f));
     EXPECT_EQ(world.CreateBody(nullptr), nullptr);

@@ -42,7 +42,7 @@ EXEMPT = {
     'Body::SetUserData': PROGRAM,
     'Body::VisitContacts': READS,
     'Body::VisitJoints': READS,
-    'Fixture::GetShape': READS + ' (writes are not recorded: engine/README.md)',
+    'Fixture::GetShape': READS + ' (writes are not recorded, Fixture::SetShape is: engine/README.md)',
     'Fixture::GetBody': READS,
     'Fixture::GetNext': READS,
     'Fixture::SetUserData': PROGRAM,

@@ -176,24 +176,37 @@ TEST_F(BadWorldInput, DeadBodiesAndFixtures) {
     StepFor(world, 2);
 }
 
-TEST(BadWorldDef, WrongFieldsAreNamedAndTheDefaultsUsed) {
-    // A constructor has no handler yet: the message goes to stderr.
-    const auto made = [](auto change) {
+TEST(BadWorldDef, MakesNoWorld) {
+    const auto expectNone = [](const char* field, auto change) {
         WorldDef def;
-        def.gravity = {0, -1};
         change(def);
+        Error heard{ErrorCode::ok, "", "", ""};
+        const auto hear = [](const Error& error, void* to) { *static_cast<Error*>(to) = error; };
+        EXPECT_EQ(CreateWorld(def, hear, &heard), nullptr);
+        EXPECT_NE(heard.code, ErrorCode::ok);
+        EXPECT_STREQ(heard.field, field);
         testing::internal::CaptureStderr();
-        const World world(def);
-        EXPECT_EQ(world.GetGravity().y, -10.0f);  // the default
-        return testing::internal::GetCapturedStderr();
+        EXPECT_EQ(CreateWorld(def), nullptr);
+        EXPECT_THROW(World{def}, std::invalid_argument);
+        const std::string told = testing::internal::GetCapturedStderr();
+        EXPECT_NE(told.find(field), told.rfind(field)) << "both tell: " << told;
     };
-    EXPECT_NE(made([](WorldDef& d) { d.gravity.x = nan; }).find("WorldDef::gravity"), std::string::npos);
-    EXPECT_NE(made([](WorldDef& d) { d.maxTranslation = -1; }).find("WorldDef::maxTranslation"), std::string::npos);
-    EXPECT_NE(made([](WorldDef& d) { d.maxRotation = nan; }).find("WorldDef::maxRotation"), std::string::npos);
-    EXPECT_NE(made([](WorldDef& d) { d.staticShareThreshold = -1; }).find("WorldDef::staticShareThreshold"),
-              std::string::npos);
-    EXPECT_NE(made([](WorldDef& d) { d.broadPhase = static_cast<BroadPhaseKind>(77); }).find("WorldDef::broadPhase"),
-              std::string::npos);
+    expectNone("WorldDef::gravity", [](WorldDef& d) { d.gravity.x = nan; });
+    expectNone("WorldDef::maxTranslation", [](WorldDef& d) { d.maxTranslation = -1; });
+    expectNone("WorldDef::maxRotation", [](WorldDef& d) { d.maxRotation = nan; });
+    expectNone("WorldDef::staticShareThreshold", [](WorldDef& d) { d.staticShareThreshold = -1; });
+    expectNone("WorldDef::broadPhase", [](WorldDef& d) { d.broadPhase = static_cast<BroadPhaseKind>(77); });
+    EXPECT_THROW(World(Vec2{0.0f, infinity}), std::invalid_argument);
+}
+
+TEST(BadWorldDef, AGoodOneMakesAWorldThatTellsTheHandler) {
+    Error heard{ErrorCode::ok, "", "", ""};
+    const auto hear = [](const Error& error, void* to) { *static_cast<Error*>(to) = error; };
+    const std::unique_ptr<World> world = CreateWorld({}, hear, &heard);
+    ASSERT_NE(world, nullptr);
+    EXPECT_EQ(heard.code, ErrorCode::ok);
+    EXPECT_EQ(world->CreateBody(nullptr), nullptr);
+    EXPECT_EQ(heard.code, ErrorCode::nullArgument);
 }
 
 }  // namespace

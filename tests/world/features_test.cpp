@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "scree/snapshot.h"
@@ -230,10 +231,10 @@ TEST(Features, ADefinitionThatAsksForMoreThanItsSetIsRefused) {
     def.featureMode = FeatureMode::fixed;
     def.features = {};
     def.maxTranslation = 2.0f;
-    testing::internal::CaptureStderr();
-    const World world(def);
-    EXPECT_NE(testing::internal::GetCapturedStderr().find("speedLimit"), std::string::npos);
-    EXPECT_EQ(world.GetFeatureMode(), FeatureMode::automatic);
+    std::string field;
+    const auto hear = [](const Error& error, void* to) { *static_cast<std::string*>(to) = error.field; };
+    EXPECT_EQ(CreateWorld(def, hear, &field), nullptr);
+    EXPECT_EQ(field, "speedLimit");
 }
 
 TEST(Features, NamesAreFoundAgain) {

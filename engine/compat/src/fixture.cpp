@@ -134,7 +134,7 @@ void b2Bridge::SyncShapes(b2WorldData& data) {
                     return Complain("b2Fixture::GetShape",
                                     "a polygon in use cannot go from 8 to more vertices or back: make a new fixture");
                 }
-                if (!Equal(shape, static_cast<const S&>(present))) static_cast<S&>(*handle.GetShape()) = shape;
+                if (!Equal(shape, static_cast<const S&>(present))) handle.SetShape(shape);
             });
         }
     }

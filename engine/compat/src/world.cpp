@@ -15,9 +15,9 @@ using namespace scree::box2d;
 namespace {
 
 /// Box2D 2.4 has a speed cap; the engine has none unless told.
-scree::WorldDef MakeDef(const b2Vec2& gravity) {
+scree::WorldDef MakeDef() {
     scree::WorldDef def;
-    def.gravity = ToScree(gravity);
+    def.gravity = scree::vec2Zero;
     def.maxTranslation = b2_maxTranslation;
     def.maxRotation = b2_maxRotation;
     def.lengthScale = b2_lengthUnitsPerMeter;
@@ -44,7 +44,10 @@ scree::BodyDef ToScree(const b2BodyDef& def) {
 
 }  // namespace
 
-b2WorldData::b2WorldData(b2World* owner, const b2Vec2& gravity) : world(owner), engine(MakeDef(gravity)) {}
+b2WorldData::b2WorldData(b2World* owner, const b2Vec2& gravity) : world(owner), engine(MakeDef()) {
+    engine.SetGravity(ToScree(gravity));  // where that is refused there is none: a constructor of Box2D's cannot refuse
+    callFile = scree::box2d::CallFile::OpenIfAsked(engine);
+}
 
 b2ContactManager::b2ContactManager()
     : m_contactList(nullptr),
@@ -135,6 +138,7 @@ void b2World::Step(float timeStep, int32 velocityIterations, int32 positionItera
     const scree::StepReport report =
         data.engine.Step(timeStep, b2Max(velocityIterations, 0), b2Max(positionIterations, 0));
     data.stepping = false;
+    if (data.callFile != nullptr) data.callFile->Write();
     for (b2Fixture* fixture : data.refilters) b2Bridge::ApplyFilter(*fixture);
     data.refilters.clear();
     b2Bridge::Touch(data);

@@ -7,11 +7,13 @@
 
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <unordered_set>
 #include <vector>
 
 #include "../box2d/box2d.h"
+#include "call_file.h"
 #include "scree/scree.h"
 
 namespace scree::box2d {
@@ -38,6 +40,7 @@ struct b2WorldData {
 
     b2World* world;
     scree::World engine;
+    std::unique_ptr<scree::box2d::CallFile> callFile;  ///< null: nobody asked for one
     scree::box2d::Events events{*this};
     b2BlockAllocator allocator;  ///< of shapes
 

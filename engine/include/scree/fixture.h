@@ -50,6 +50,9 @@ public:
     [[nodiscard]] Shape* GetShape();
     /// Valid until the fixture is destroyed or the form above is first called on it.
     [[nodiscard]] const Shape* GetShape() const;
+    /// Another form of the same type, as if it was written through GetShape; recordings hold this call and no such
+    /// writes. Refused: another type, a degenerate shape, inside callbacks.
+    ErrorCode SetShape(const Shape& shape);
     /// Sensors stop (or start) pushing at once; the body wakes up.
     ErrorCode SetSensor(bool sensor);
     [[nodiscard]] bool IsSensor() const;

@@ -22,6 +22,8 @@ void GetNodes(const World& world, std::vector<BvhNode>& nodes);
 int GetLeafSize(const World& world);
 /// True while static fixtures have a tree of their own.
 bool IsStaticTreeSeparate(const World& world);
+/// What the world was made with, and what was set since then.
+const WorldDef& GetDefinition(const World& world);
 /// The algorithm in use (`automatic` resolved).
 BroadPhaseKind GetBroadPhase(const World& world);
 /// Box–box comparisons of the last pair finding.

@@ -18,9 +18,11 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "scree/errors.h"
+#include "scree/snapshot.h"
 #include "scree/world.h"
 
 namespace scree {
@@ -48,13 +50,48 @@ ErrorCode StartRecording(World& world, Recorder& recorder);
 /// Ends the recording; nothing happens without one.
 void StopRecording(World& world);
 
+/// How a Step was called.
+struct RecordedStep {
+    float timeStep = 0.0f;                               ///< s
+    int velocityIterations = 0, positionIterations = 0;  ///< of sequential impulses; 0, 0: another call
+    int substeps = 0;                                    ///< of the soft step; 0: another call
+};
+
 /// What a replay came to.
 struct ReplayReport {
-    bool valid = false;            ///< the bytes are a recording and every call in it could be made
-    int calls = 0;                 ///< made
-    int steps = 0;                 ///< calls of Step among them
-    int firstDifference = 0;       ///< the step (the first is 1) after which the hash was another one; 0: none
-    std::unique_ptr<World> world;  ///< as it is after the last call made; null if there is none
+    bool valid = false;       ///< the bytes are a recording and every call in it could be made
+    int calls = 0;            ///< made
+    int steps = 0;            ///< calls of Step among them
+    int firstDifference = 0;  ///< the step (the first is 1) after which the hash was another one; 0: none
+    size_t position = 0;      ///< the byte behind the last call made: where a recording that is not valid is damaged
+    SnapshotError image = SnapshotError::notASnapshot;  ///< ok: the world at the start could be read
+    RecordedStep lastStep;                              ///< of the last Step made
+    std::unique_ptr<World> world;                       ///< as it is after the last call made; null if there is none
+};
+
+/// Makes the calls of a recording step by step on a world of its own.
+class Player {
+public:
+    /// The bytes must outlive the player. `prepare` (may be null) gets the world before the first call, to set
+    /// listeners.
+    explicit Player(std::span<const std::byte> recording, const std::function<void(World&)>& prepare = nullptr);
+
+    /// Makes the calls up to the next Step and that one. False if there is none: the calls behind the last Step are
+    /// made then, or the report says why the replay has ended before: damaged bytes, or a state that differs.
+    bool Step();
+    /// What the replay came to so far; `valid` only once Step has returned false.
+    [[nodiscard]] const ReplayReport& GetReport() const { return m_report; }
+    /// Null if the bytes are no recording. A program may change it; later steps then differ.
+    [[nodiscard]] World* GetWorld() { return m_report.world.get(); }
+    [[nodiscard]] ReplayReport TakeReport() { return std::move(m_report); }
+
+private:
+    enum class Entry : uint8_t { call, step, hash, end };
+    Entry Next();
+
+    std::span<const std::byte> m_bytes;
+    ReplayReport m_report;
+    bool m_hasEnded = false;
 };
 
 /// Makes all calls of a recording on a world of its own, up to the end or the first difference. `prepare` (may be null)

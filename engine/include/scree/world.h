@@ -89,6 +89,8 @@ struct WorldState;
 
 class World {
 public:
+    /// A world of these settings. Of settings that cannot be there is no world: stderr gets one line with the field and
+    /// the cure, and the constructor throws std::invalid_argument. CreateWorld, below, gives null instead.
     explicit World(Vec2 gravity);
     explicit World(const WorldDef& def);
     ~World();
@@ -244,5 +246,10 @@ public:
 private:
     std::unique_ptr<WorldState> m_state;
 };
+
+/// Makes a world. Of settings that cannot be there is none: null, and the handler hears the field and the cure. It
+/// becomes the world's (World::SetErrorHandler; null: one line on stderr).
+[[nodiscard]] std::unique_ptr<World> CreateWorld(const WorldDef& def, ErrorHandler handler = nullptr,
+                                                 void* context = nullptr);
 
 }  // namespace scree

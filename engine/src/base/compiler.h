@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What standard C++20 cannot say to a compiler or a processor: inlining by force, no inlining, fetching ahead, the
-// pause of a waiting loop, and which vector instructions there are. Outside base/ nothing names a compiler.
+// pause of a waiting loop, which vector instructions there are, and where virtual functions stand. Outside base/
+// nothing names a compiler.
 
 #pragma once
 
@@ -34,6 +35,12 @@
 #if defined(__SSE2__) || defined(_M_X64)
 #define SCREE_HAS_SSE2
 #include <immintrin.h>
+#endif
+
+/// The first word of an object with virtual functions points to their addresses, in the order of declaration
+/// (Itanium C++ ABI: GCC and Clang but on Windows, where pointers are not signed).
+#if defined(__GXX_ABI_VERSION) && !defined(_MSC_VER) && !defined(__Fuchsia__) && !defined(__arm64e__)
+#define SCREE_HAS_PLAIN_VIRTUAL_TABLES
 #endif
 
 namespace scree {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "base/shared_count.h"
+#include "pipeline/parts/heard_calls.h"
 #include "scree/time_of_impact.h"
 #include "scree/world_callbacks.h"
 
@@ -20,12 +21,18 @@ struct ContactEvents {
     /// Null listener: nobody is told; null filter: the fixtures' filter data
     /// decide alone.
     ContactListener* const& listener;
+    const HeardCalls& heard;  ///< by the listener
     ContactFilter* const& filter;
     TOIStats* work;  ///< distance and time-of-impact work of the step
     /// A contact that begins or ends restarts the sleep timers of bodies that are
     /// awake, too, as in Box2D 2.4. Without it such a contact wakes sleepers
     /// only: one that flickers would keep its island awake for ever.
     bool restartsTimers = true;
+
+    [[nodiscard]] bool HearsBegin() const { return listener != nullptr && heard.begin; }
+    [[nodiscard]] bool HearsEnd() const { return listener != nullptr && heard.end; }
+    [[nodiscard]] bool HearsPreSolve() const { return listener != nullptr && heard.preSolve; }
+    [[nodiscard]] bool HearsPostSolve() const { return listener != nullptr && heard.postSolve; }
 };
 
 /// Counts one run of GJK. Sums and a maximum: the same in any order, from any thread.

@@ -6,6 +6,7 @@
 #include "pipeline/narrow_phase.h"
 
 #include "base/compiler.h"
+#include "base/slots.h"
 #include "geometry/collide_quads.h"
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/destroy_contact.h"
@@ -57,8 +58,8 @@ constexpr int leastContactsToShare = 128;
 /// Computes the manifolds that are sure to be wanted of a range of contacts.
 class AheadOfOrder {
 public:
-    AheadOfOrder(const NarrowPhaseTables& tables, TOIStats& work, std::vector<uint8_t>& findings)
-        : m_t(tables), m_isFar(tables.bodies.IsFar()), m_work(work), m_findings(findings) {}
+    AheadOfOrder(const NarrowPhaseTables& tables, bool keepsOld, TOIStats& work, NarrowPhaseScratch& scratch)
+        : m_t(tables), m_isFar(tables.bodies.IsFar()), m_keepsOld(keepsOld), m_work(work), m_scratch(scratch) {}
 
     void Compute(int begin, int end) {
         for (int contact = end; (contact = m_t.contacts.Before(contact)) >= begin;) {
@@ -66,6 +67,8 @@ public:
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
             const uint8_t flags = m_t.contacts.flags[static_cast<size_t>(contact)];
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
+            const auto c = static_cast<size_t>(contact);
+            if (m_keepsOld) m_scratch.old[c] = m_t.contacts.manifold[c];
             if (StaysSteady(contact, m_t.bodies, m_t.contacts)) {
                 Note(contact, true);
                 continue;
@@ -141,29 +144,41 @@ private:
     }
 
     void Note(int contact, bool touches) {
-        m_findings[static_cast<size_t>(contact)] = touches ? NarrowPhaseScratch::touching : NarrowPhaseScratch::apart;
+        m_scratch.findings[static_cast<size_t>(contact)] =
+            static_cast<uint8_t>(NarrowPhaseScratch::known | (touches ? NarrowPhaseScratch::touching : 0) |
+                                 (m_t.contacts.Has(contact, ContactFlag::sensor) ? NarrowPhaseScratch::asSensor : 0));
     }
 
     const NarrowPhaseTables& m_t;
-    const bool m_isFar;
+    const bool m_isFar, m_keepsOld;
     TOIStats& m_work;
-    std::vector<uint8_t>& m_findings;
+    NarrowPhaseScratch& m_scratch;
     Lanes<QuadBatch> m_quads;
     Lanes<QuadDiskBatch> m_disks;
 };
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order.
-void ComputeAhead(const NarrowPhaseTables& t, TOIStats& work, std::vector<uint8_t>& findings) {
-    findings.assign(static_cast<size_t>(t.contacts.Size()), NarrowPhaseScratch::nothing);
+void ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, TOIStats& work, NarrowPhaseScratch& scratch) {
+    const auto rows = static_cast<size_t>(t.contacts.Size());
+    scratch.findings.assign(rows, NarrowPhaseScratch::nothing);
+    if (keepsOld) EnsureRows(scratch.old, rows);
     t.pool.For(t.contacts.Size(), leastContactsToShare,
-               [&](int begin, int end, int) { AheadOfOrder(t, work, findings).Compute(begin, end); });
+               [&](int begin, int end, int) { AheadOfOrder(t, keepsOld, work, scratch).Compute(begin, end); });
+}
+
+/// Whether what was found ahead of a contact still holds: callbacks may have put its bodies to sleep, or made one of
+/// its fixtures a sensor.
+bool Holds(uint8_t finding, int contact, const NarrowPhaseTables& t) {
+    const bool isSensor = t.contacts.Has(contact, ContactFlag::sensor);
+    return isSensor == ((finding & NarrowPhaseScratch::asSensor) != 0) && IsActive(contact, t);
 }
 
 }  // namespace
 
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
-    const bool ahead = events.listener == nullptr && t.contacts.active.Count() >= leastContacts;
-    if (ahead) ComputeAhead(t, *events.work, scratch.findings);
+    const bool ahead = t.contacts.active.Count() >= leastContacts;
+    const bool keepsOld = events.HearsPreSolve();
+    if (ahead) ComputeAhead(t, keepsOld, *events.work, scratch);
     int touchingCount = t.contacts.RestingTouchingCount(), contact = t.contacts.Size();
     // Contacts of a body that wakes on the way are looked at, too, if they come later in the order.
     const auto goOn = [&] {
@@ -171,19 +186,27 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
         contact = t.contacts.Before(contact);
         return contact >= 0;
     };
+    bool isTold = false;  // the listener has been called, and may have changed what was found ahead
     while (goOn()) {
         if (!ahead) Fetch(contact, t);
         if (!t.contacts.Has(contact, ContactFlag::alive)) continue;
         if (!Stays(contact, events, t)) {
+            isTold = isTold || events.listener != nullptr;
             DestroyContact(contact, !t.contacts.Has(contact, ContactFlag::marked), events, t.bodies, t.contacts);
             continue;
         }
         uint8_t finding = NarrowPhaseScratch::nothing;
         if (ahead) finding = scratch.findings[static_cast<size_t>(contact)];
-        bool touching = finding == NarrowPhaseScratch::touching;
-        if (finding != NarrowPhaseScratch::nothing) {
-            NoteTouching(contact, touching, events.restartsTimers, t.bodies, t.contacts);
+        bool touching = (finding & NarrowPhaseScratch::touching) != 0;
+        if (finding != NarrowPhaseScratch::nothing && (!isTold || Holds(finding, contact, t))) {
+            const bool changed = NoteTouching(contact, touching, events.restartsTimers, t.bodies, t.contacts);
+            if (events.listener != nullptr && (changed || (touching && events.heard.preSolve))) {
+                isTold = true;
+                const std::vector<Manifold>& old = keepsOld ? scratch.old : t.contacts.manifold;
+                TellAbout(contact, touching, changed, old[static_cast<size_t>(contact)], events, t.contacts);
+            }
         } else {
+            isTold = isTold || events.listener != nullptr;
             touching = IsActive(contact, t) ? UpdateContact(contact, t.fixtures, events, t.bodies, t.contacts)
                                             : t.contacts.Has(contact, ContactFlag::touching);
         }

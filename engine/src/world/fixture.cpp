@@ -45,6 +45,20 @@ const Shape* Fixture::GetShape() const {
     return Lives("Fixture::GetShape") ? m_state->fixtures.shape[Row(m_index)] : nullptr;
 }
 
+ErrorCode Fixture::SetShape(const Shape& shape) {
+    Guard guard(*m_state, "Fixture::SetShape");
+    guard.Living(m_state->fixtures.slots, m_index).Unlocked("set shapes outside of Step and callbacks");
+    if (guard.Failed()) return guard.Code();
+    guard.Require(shape.GetType() == m_state->fixtures.type[Row(m_index)], ErrorCode::badShape, "shape",
+                  "give one of the fixture's type, or make a new fixture");
+    if (guard.Failed() || guard.Accept(Check(shape)).Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, shape);
+    WithShapeType(shape.GetType(), [&]<typename T>(std::type_identity<T>) {
+        static_cast<T&>(*GetShape()) = static_cast<const T&>(shape);
+    });
+    return ErrorCode::ok;
+}
+
 ErrorCode Fixture::SetSensor(bool sensor) {
     Guard guard(*m_state, "Fixture::SetSensor");
     if (guard.Living(m_state->fixtures.slots, m_index).Failed()) return guard.Code();

@@ -12,6 +12,7 @@ namespace scree::inspect {
 void GetNodes(const World& world, std::vector<BvhNode>& nodes) { world.GetState().broadPhase->GetNodes(nodes); }
 int GetLeafSize(const World& world) { return world.GetState().broadPhase->GetLeafSize(); }
 bool IsStaticTreeSeparate(const World& world) { return world.GetState().broadPhase->GetStats().staticTreeSeparate; }
+const WorldDef& GetDefinition(const World& world) { return world.GetState().def; }
 BroadPhaseKind GetBroadPhase(const World& world) { return world.GetState().broadPhaseKind; }
 uint64_t GetBoxTests(const World& world) { return world.GetState().broadPhase->GetStats().boxTests; }
 int GetListedCount(const World& world) { return static_cast<int>(world.GetState().bodies.Listed().size()); }
@@ -55,7 +56,8 @@ MemoryUse GetMemoryUse(const World& world) {
     use.broadPhase = s.broadPhase->GetMemoryBytes() + BytesOf(s.pairs, s.editedPairs) + s.edited.GetMemoryBytes();
     use.solverScratch = s.solverScratch.GetMemoryBytes() + s.islandScratch.GetMemoryBytes() +
                         s.islands.GetMemoryBytes() + s.active.GetMemoryBytes() + s.substepGroups.GetMemoryBytes() +
-                        BytesOf(s.narrowPhaseScratch.findings) + s.continuousScratch.GetMemoryBytes();
+                        BytesOf(s.narrowPhaseScratch.findings, s.narrowPhaseScratch.old) +
+                        s.continuousScratch.GetMemoryBytes();
     return use;
 }
 

@@ -35,12 +35,15 @@ void Recording::NoteHash(uint64_t hash) const {
     m_recorder->Append(hashRecord, out.Bytes());
 }
 
-void Recording::Write(ImageWriter& out, const FixtureDef& def) {
-    const Shape& shape = *def.shape;
-    out(def);
+void Recording::Write(ImageWriter& out, const Shape& shape) {
     out(shape.GetType());
     if (shape.GetType() == Shape::e_chain) return out(static_cast<const ChainShape&>(shape));
     WithShapeType(shape.GetType(), [&]<typename T>(std::type_identity<T>) { out(static_cast<const T&>(shape)); });
+}
+
+void Recording::Write(ImageWriter& out, const FixtureDef& def) {
+    out(def);
+    Write(out, *def.shape);
 }
 
 void Recording::Write(ImageWriter& out, const JointDef& def) {

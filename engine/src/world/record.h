@@ -81,6 +81,8 @@ private:
     static void Write(ImageWriter& out, const T& value) {
         out(value);
     }
+    /// Its type in front.
+    static void Write(ImageWriter& out, const Shape& shape);
     /// A definition with its shape.
     static void Write(ImageWriter& out, const FixtureDef& def);
     /// A definition of any type, with bodies and joints as indices.

@@ -7,7 +7,6 @@
 #include <tuple>
 
 #include "scree/inspect.h"
-#include "scree/snapshot.h"
 #include "world/guard.h"
 #include "world/record.h"
 
@@ -88,6 +87,20 @@ bool CallCreateFixture(World& world, ImageReader& in) {
     };
     type == Shape::e_chain ? create(std::type_identity<ChainShape>{}) : void(WithShapeType(type, create));
     return made;
+}
+
+bool CallSetShape(World& world, ImageReader& in) {
+    auto* fixture = ReadObject<Fixture>(world, in);
+    Shape::Type type = Shape::e_circle;
+    in(type);
+    if (fixture == nullptr || in.Failed()) return false;
+    bool isSet = false;
+    WithShapeType(type, [&]<typename T>(std::type_identity<T>) {
+        T shape;
+        in(shape);
+        isSet = !in.Failed() && IsSafe(shape) && fixture->SetShape(shape) == ErrorCode::ok;
+    });
+    return isSet;
 }
 
 bool CallDestroyFixture(World& world, ImageReader& in) {
@@ -188,6 +201,7 @@ constexpr Row calls[] = {
     SCREE_CALL(Body::SetAwake),
     SCREE_CALL(Body::SetEnabled),
     SCREE_CALL(Body::SetFixedRotation),
+    {"Fixture::SetShape", CallSetShape},
     SCREE_CALL(Fixture::SetSensor),
     SCREE_CALL(Fixture::SetFilterData),
     SCREE_CALL(Fixture::Refilter),
@@ -252,13 +266,11 @@ bool MakeCall(uint32_t number, World& world, std::span<const std::byte> argument
     return false;
 }
 
-std::unique_ptr<World> ReadWorld(ImageReader& in) {
-    uint64_t magic = 0, size = 0;
-    in(magic);
-    in(size);
-    if (in.Failed() || magic != recordingMagic) return nullptr;
-    return LoadWorld(in.Take(size));
-}
+/// What stands in front of the calls.
+struct Head {
+    uint64_t magic, size;  ///< of the image
+};
+static_assert(sizeof(Head) == 16);
 
 bool IsHash(std::span<const std::byte> bytes, uint64_t hash) {
     ImageReader in(bytes);
@@ -267,35 +279,81 @@ bool IsHash(std::span<const std::byte> bytes, uint64_t hash) {
     return !in.Failed() && recorded == hash;
 }
 
+constexpr uint32_t stepCall = CallNumber("World::Step");
+constexpr uint32_t subStepsCall = CallNumber("World::Step (sub-steps)");
+constexpr uint32_t toleranceCall = CallNumber("World::Step (tolerance)");
+
+RecordedStep ReadStep(uint32_t number, std::span<const std::byte> arguments) {
+    RecordedStep step;
+    ImageReader in(arguments);
+    in(step.timeStep);
+    if (number == stepCall) in(step.velocityIterations, step.positionIterations);
+    if (number == subStepsCall) in(step.substeps);
+    return step;
+}
+
 }  // namespace
 
-ReplayReport Replay(std::span<const std::byte> recording, const std::function<void(World&)>& prepare) {
-    ReplayReport report;
+Player::Player(std::span<const std::byte> recording, const std::function<void(World&)>& prepare) : m_bytes(recording) {
     ImageReader in(recording);
-    report.world = ReadWorld(in);
-    if (report.world == nullptr) return report;
-    report.world->SetErrorHandler([](const Error&, void*) {}, nullptr);  // the report tells of a refused call
-    if (prepare) prepare(*report.world);
-    while (!in.AtEnd()) {
-        uint32_t number = 0, size = 0, checksum = 0;
-        in(number);
-        in(size);
-        in(checksum);
-        const std::span<const std::byte> arguments = in.Take(size);
-        if (in.Failed() || checksum != EntryChecksum(number, arguments)) return report;
-        if (number == hashRecord) {
-            if (IsHash(arguments, inspect::GetStateHash(*report.world))) continue;
-            report.firstDifference = report.steps;
-            break;
-        }
-        if (!MakeCall(number, *report.world, arguments)) return report;
-        ++report.calls;
-        const bool isStep = number == CallNumber("World::Step") || number == CallNumber("World::Step (sub-steps)") ||
-                            number == CallNumber("World::Step (tolerance)");
-        if (isStep) ++report.steps;
+    Head head{};
+    in(head.magic);
+    in(head.size);
+    if (!in.Failed() && head.magic == recordingMagic && head.size <= recording.size() - sizeof(Head)) {
+        m_report.world = LoadWorld(in.Take(head.size), &m_report.image);
     }
-    report.valid = true;
-    return report;
+    m_hasEnded = m_report.world == nullptr;
+    if (m_hasEnded) return;
+    m_report.position = sizeof(Head) + head.size;
+    m_report.world->SetErrorHandler([](const Error&, void*) {}, nullptr);  // the report tells of a refused call
+    if (prepare) prepare(*m_report.world);
+}
+
+Player::Entry Player::Next() {
+    ImageReader in(m_bytes.subspan(m_report.position));
+    m_hasEnded = true;
+    if (in.AtEnd()) {
+        m_report.valid = true;
+        return Entry::end;
+    }
+    uint32_t number = 0, size = 0, checksum = 0;
+    in(number);
+    in(size);
+    in(checksum);
+    const std::span<const std::byte> arguments = in.Take(size);
+    if (in.Failed() || checksum != EntryChecksum(number, arguments)) return Entry::end;
+    if (number == hashRecord) {
+        const bool isSame = IsHash(arguments, inspect::GetStateHash(*m_report.world));
+        if (!isSame) m_report.firstDifference = m_report.steps;
+        m_report.valid = !isSame;
+        m_hasEnded = !isSame;
+    } else {
+        if (!MakeCall(number, *m_report.world, arguments)) return Entry::end;
+        ++m_report.calls;
+        m_hasEnded = false;
+    }
+    m_report.position += 3 * sizeof(uint32_t) + size;
+    if (number == hashRecord) return Entry::hash;
+    if (number != stepCall && number != subStepsCall && number != toleranceCall) return Entry::call;
+    ++m_report.steps;
+    m_report.lastStep = ReadStep(number, arguments);
+    return Entry::step;
+}
+
+bool Player::Step() {
+    while (!m_hasEnded) {
+        if (Next() != Entry::step) continue;
+        (void)Next();  // the hash of the state that it led to
+        return true;
+    }
+    return false;
+}
+
+ReplayReport Replay(std::span<const std::byte> recording, const std::function<void(World&)>& prepare) {
+    Player player(recording, prepare);
+    while (player.Step()) {
+    }
+    return player.TakeReport();
 }
 
 std::vector<std::string_view> GetRecordedCalls() {

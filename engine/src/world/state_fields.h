@@ -257,14 +257,15 @@ template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
     auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, editedPairs,
            isEdited, edited, islands, active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch,
-           continuousScratch, destructionListener, listener, filter, errorHandler, errorContext, draw, recorder,
+           continuousScratch, destructionListener, listener, heard, filter, errorHandler, errorContext, draw, recorder,
            featureCounts, kernels, locks, autoClearForces, lastInverseDt, report, distanceWork, measureErrors,
            isolatedPath] = s;
     visit(isEdited, autoClearForces, lastInverseDt);
     std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
     visit(toi);
     visit.LeftOut(def, bodies, fixtures, contacts, joints);  // walked by themselves
-    visit.LeftOut(world, pool, destructionListener, listener, filter, errorHandler, errorContext, draw, recorder);
+    visit.LeftOut(world, pool, destructionListener, listener, heard, filter, errorHandler, errorContext, draw,
+                  recorder);
     // Made anew from the rest, of the last step only, or without a bearing on results.
     visit.LeftOut(broadPhase, broadPhaseKind, pairs, editedPairs, edited, islands, active, substepGroups,
                   narrowPhaseScratch, islandScratch, solverScratch, featureCounts, kernels, locks, report, distanceWork,

@@ -6,6 +6,8 @@
 #include "scree/world.h"
 
 #include <cstdio>
+#include <stdexcept>
+#include <string>
 
 #include "pipeline/measure_errors.h"
 #include "world/guard.h"
@@ -54,11 +56,10 @@ World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
     WorldState& s = *m_state;
     s.world = this;
     if (const Finding bad = Check(def)) {
-        // A constructor cannot refuse: the world is made with the defaults, and the handler (stderr) says so.
         s.Refuse(bad.code, "World::World", bad.field, bad.cure);
-    } else {
-        s.def = def;
+        throw std::invalid_argument(std::string("scree: World::World: ") + bad.field + ": " + bad.cure);
     }
+    s.def = def;
     s.broadPhaseKind = s.def.broadPhase == BroadPhaseKind::automatic ? BroadPhaseKind::keys : s.def.broadPhase;
     s.broadPhase = CreateBroadPhase(
         s.broadPhaseKind, {.staticShareThreshold = s.def.staticShareThreshold, .lengthScale = s.def.lengthScale});
@@ -66,6 +67,16 @@ World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
 }
 
 World::~World() = default;
+
+std::unique_ptr<World> CreateWorld(const WorldDef& def, ErrorHandler handler, void* context) {
+    if (const Finding bad = Check(def)) {
+        (handler != nullptr ? handler : WriteError)({bad.code, "CreateWorld", bad.field, bad.cure}, context);
+        return nullptr;
+    }
+    auto world = std::make_unique<World>(def);
+    world->SetErrorHandler(handler, context);
+    return world;
+}
 
 Body* World::CreateBody(const BodyDef* def) {
     WorldState& s = *m_state;
@@ -144,6 +155,7 @@ ErrorCode World::SetContactListener(ContactListener* listener) {
     Guard guard(*m_state, "World::SetContactListener");
     if (listener != nullptr && guard.Uses({Feature::events}).Failed()) return guard.Code();
     m_state->listener = listener;
+    if (listener != nullptr) m_state->heard = FindHeardCalls(*listener);
     return ErrorCode::ok;
 }
 

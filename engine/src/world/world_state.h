@@ -53,6 +53,7 @@ struct WorldState {
 
     DestructionListener* destructionListener = nullptr;
     ContactListener* listener = nullptr;
+    HeardCalls heard;                 ///< by the listener
     ContactFilter* filter = nullptr;  ///< null: filter data decide
     ErrorHandler errorHandler = nullptr;
     void* errorContext = nullptr;
@@ -72,7 +73,7 @@ struct WorldState {
     IsolatedPath isolatedPath = IsolatedPath::apart;  ///< changes no bit
 
     [[nodiscard]] ContactEvents Events(bool restartsTimers = true) {
-        return {this, listener, filter, &distanceWork, restartsTimers};
+        return {this, listener, heard, filter, &distanceWork, restartsTimers};
     }
     [[nodiscard]] SolveLists Lists() { return {islands, active, substepGroups}; }
     [[nodiscard]] PairTables ForPairs() {

@@ -21,7 +21,6 @@ public:
 
 protected:
     void Create(const BodyState& body) override {
-        m_bodyBegin.push_back(m_trees.GetCount());
         for (const scenes::Fixture& fixture : GetScene().FixturesOf(body.index)) {
             for (int child = 0; child < fixture.shape.ChildCount(); ++child) {
                 m_trees.Add(body.type, MakeShape(GetScene(), scenes::ChildOf(GetScene(), fixture.shape, child)),
@@ -29,24 +28,27 @@ protected:
             }
         }
     }
+    void Destroy(const BodyState& body) override {
+        const Slots slots = SlotsOf(body);
+        for (size_t k = slots.begin; k < slots.end; ++k) m_trees.Remove(k);
+    }
     void Move(const std::vector<BodyState>& before, const std::vector<BodyState>& after) override {
         m_trees.Rebuild();
         for (size_t i = 0; i < after.size(); ++i) {
             if (!WasSimulated(before[i], after[i])) continue;
-            const size_t end = i + 1 < m_bodyBegin.size() ? m_bodyBegin[i + 1] : m_trees.GetCount();
-            for (size_t k = m_bodyBegin[i]; k < end; ++k) m_trees.Move(k, PoseOf(after[i]));
+            const Slots slots = SlotsOf(after[i]);
+            for (size_t k = slots.begin; k < slots.end; ++k) m_trees.Move(k, PoseOf(after[i]));
         }
     }
     void CaptureBroadPhase(Snapshot& snapshot, bool nodes) override {
         snapshot.engine = "box2d3";
         snapshot.broadPhase = "b2DynamicTree x 3";
         snapshot.pairsReported = 0;
-        if (nodes) m_trees.Dump(snapshot, true);
+        if (nodes) m_trees.Dump(snapshot, true, [this](size_t number) { return FixtureOf(number); });
     }
 
 private:
     Trees m_trees;
-    std::vector<size_t> m_bodyBegin;  ///< by body: its first box
 };
 
 }  // namespace

@@ -65,6 +65,11 @@ void Trees::Add(scenes::BodyType type, const Shape& shape, b2WorldTransform pose
     m_proxies.push_back({tree, id, margin, shape, fat});
 }
 
+void Trees::Remove(size_t number) {
+    const Proxy& proxy = m_proxies[number];
+    b2DynamicTree_DestroyProxy(&m_trees[proxy.tree], proxy.id);
+}
+
 void Trees::Move(size_t number, b2WorldTransform pose) {
     Proxy& proxy = m_proxies[number];
     const b2AABB box = Widen(ComputeBox(proxy.shape, pose), B2_SPECULATIVE_DISTANCE);
@@ -82,7 +87,7 @@ void Trees::Rebuild() {
     b2DynamicTree_Rebuild(&m_trees[1], false);
 }
 
-void Trees::Dump(Snapshot& snapshot, bool pairs) const {
+void Trees::Dump(Snapshot& snapshot, bool pairs, const std::function<int(size_t)>& fixtureOf) const {
     /// A node of a tree still to be written; `node` −1: what joins this tree and those after it.
     struct Pending {
         size_t tree;
@@ -126,7 +131,8 @@ void Trees::Dump(Snapshot& snapshot, bool pairs) const {
         snapshot.nodes.push_back({FromB2(node.aabb), top.parent, -1, -1, -1, level});
         snapshot.treeHeight = std::max(snapshot.treeHeight, level);
         if ((node.flags & b2_leafNode) != 0) {
-            snapshot.nodes.back().fixture = static_cast<int>(node.userData);
+            const auto number = static_cast<size_t>(node.userData);
+            snapshot.nodes.back().fixture = fixtureOf ? fixtureOf(number) : static_cast<int>(number);
         } else {
             stack.push_back({top.tree, node.children.child2, index, false});
             stack.push_back({top.tree, node.children.child1, index, true});

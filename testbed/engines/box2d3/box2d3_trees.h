@@ -10,6 +10,7 @@
 #include <box2d/box2d.h>
 #include <box2d/collision.h>
 
+#include <functional>
 #include <vector>
 
 #include "testbed/engines/box2d3/box2d3_shape.h"
@@ -25,14 +26,17 @@ public:
 
     /// Adds a box; its number counts up from 0.
     void Add(scenes::BodyType type, const Shape& shape, b2WorldTransform pose);
+    void Remove(size_t number);
+    /// Of all that were added.
     [[nodiscard]] size_t GetCount() const { return m_proxies.size(); }
     /// After a step.
     void Move(size_t number, b2WorldTransform pose);
     /// What Box2D 3 does before it searches pairs.
     void Rebuild();
     /// The three as one tree: nodes that the library does not have join their roots. `pairs`: counts the pairs of their
-    /// boxes too, of a snapshot with bodies and fixtures.
-    void Dump(Snapshot& snapshot, bool pairs) const;
+    /// boxes too, of a snapshot with bodies and fixtures. `fixtureOf` maps a box's number to an index into
+    /// Snapshot::fixtures; null: they are the same.
+    void Dump(Snapshot& snapshot, bool pairs, const std::function<int(size_t)>& fixtureOf = nullptr) const;
 
 private:
     struct Proxy {

@@ -50,8 +50,12 @@ void Print(const std::string& text) {
 /// Runs the shard's cases, printing each as it is done.
 void RunCases(const BenchPlan& plan, BenchFiles& files, CaseLines& lines) {
     Print(FormatBenchHeader());
+    if (const std::vector<BenchRow> before = ReadBenchRows("--resume", lines.GetText()); !before.empty()) {
+        Print(FormatBenchRows(before));
+        files.Add({before, {}});
+    }
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
-        if (!plan.shard.Contains(i)) continue;
+        if (!plan.shard.Contains(i) || lines.Has(i)) continue;
         const BenchResult result = RunOne(plan.cases[i], plan.effort);
         Print(FormatBenchRows(result.rows));
         for (const BenchRow& row : result.rows) lines.Add(i, MakeBenchJson(row));
@@ -75,6 +79,8 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
     BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});
     std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
     CaseLines lines("bench", plan.cases.size(), made.front());
+    CheckResume(arguments.shard);
+    if (arguments.from.empty()) lines.Keep(arguments.shard.json, arguments.shard.resume);
     std::string notes = FormatBenchNotes();
     if (arguments.from.empty()) {
         RunCases(plan, files, lines);
@@ -92,7 +98,7 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
         targets = JudgeTargets(files.GetRows());
         Print(FormatTargets(targets));
     }
-    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    lines.Finish();
     const BenchReport report{DescribeCommand(request.arguments), files.GetRows(), targets, {}, notes, made};
     Print(files.Write(report));
     if (!arguments.markdown.empty()) WriteMarkdown(arguments.markdown, MakeBenchPage(report));

@@ -117,7 +117,7 @@ BenchEffort MakeEffort(const BenchArguments& arguments) {
 void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("SCENE", arguments.scenes,
                    DescribeSceneArgument("Scenes") + "; the whole published suite if none is given");
-    AddInputOptions(app, arguments.input);
+    AddFormatOption(app, arguments.input);
     app.add_option("--sizes", arguments.sizes, "default, sweep (the published sizes), or sizes with commas")
         ->capture_default_str();
     AddEnginesOption(app, arguments.settings, "");
@@ -153,6 +153,7 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--from", arguments.from, "Show and judge the rows of a --json file instead of running")
         ->type_name("FILE");
     AddShardOptions(app, arguments.shard);
+    AddResumeOption(app, arguments.shard);
 }
 
 BenchPlan MakeBenchPlan(const BenchArguments& arguments) {

@@ -16,6 +16,7 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/json_lines.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
@@ -130,7 +131,7 @@ ExtremeResult JudgeEnd(const Job& job, ChildEnd end, std::string& picture) {
     return result;
 }
 
-std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<const Job> jobs,
+std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<const Job> jobs, CaseLines& lines,
                                   std::map<std::string, std::string>& pictures) {
     const double limit = FindLimit(arguments);
     std::vector<ChildJob> children;
@@ -148,15 +149,18 @@ std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<
         }
         children.push_back(child);
     }
-    std::vector<ExtremeResult> results(jobs.size());
     Progress progress("extremes", static_cast<double>(std::max<std::size_t>(1, jobs.size())));
     RunChildren(children, arguments.jobs, [&](std::size_t i, const ChildEnd& end) {
         std::string picture;
-        results[i] = JudgeEnd(jobs[i], end, picture);
-        if (!picture.empty()) pictures[results[i].name + "/" + results[i].setting] = picture;
+        const ExtremeResult result = JudgeEnd(jobs[i], end, picture);
+        lines.Add(jobs[i].number, ToJson(result));
+        if (!picture.empty()) pictures[result.name + "/" + result.setting] = picture;
         progress.Advance(1.0);
     });
-    progress.Finish(fmt::format("{} runs", results.size()));
+    progress.Finish(fmt::format("{} runs", jobs.size()));
+    std::vector<ExtremeResult> results;
+    ParseJsonLines("--resume", lines.GetText(), "extremes",
+                   [&](const auto& fields) { results.push_back(ExtremeResultFromJson(fields)); });
     return results;
 }
 
@@ -197,15 +201,13 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
     OutputFolder output(arguments.output);
     std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
     std::map<std::string, std::string> pictures;
+    CaseLines lines("extremes", number, made.front());
+    CheckResume(arguments.shard);
+    if (arguments.from.empty()) lines.Keep(arguments.shard.json, arguments.shard.resume);
+    std::erase_if(jobs, [&](const Job& job) { return lines.Has(job.number); });
     const std::vector<ExtremeResult> results =
-        arguments.from.empty() ? RunAll(arguments, jobs, pictures) : ReadResults(arguments.from, made);
-    if (!arguments.shard.json.empty()) {
-        CaseLines lines("extremes", number, made.front());
-        for (std::size_t i = 0; i < jobs.size() && arguments.from.empty(); ++i) {
-            lines.Add(jobs[i].number, ToJson(results[i]));
-        }
-        WriteTextFile(arguments.shard.json, lines.GetText());
-    }
+        arguments.from.empty() ? RunAll(arguments, jobs, lines, pictures) : ReadResults(arguments.from, made);
+    lines.Finish();
     output.WriteText("cases.csv", MakeExtremesCsv(results));
     Page page = MakeExtremesPage(results, pictures, DescribeCommand(request.arguments));
     for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
@@ -243,6 +245,7 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     AddSetOption(*command, arguments->settings, "Applied in all engines. A case keeps the settings that it is about");
     AddEnginesOption(*command, arguments->settings, "Instead of box2d 8/3, scree 8/3 and scree soft 4");
     AddShardOptions(*command, arguments->shard);
+    AddResumeOption(*command, arguments->shard);
     command->footer("Exits with 1 when our engine aborts, hangs or goes non-finite in a case.");
     command->add_option("--run-case", arguments->runCase)->group("");
     command->add_option("--setting", arguments->setting)->group("");

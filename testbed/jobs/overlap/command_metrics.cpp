@@ -33,15 +33,15 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
     std::vector<std::string> names;
     if (!arguments.scene.empty()) names.push_back(arguments.scene);
     SceneJob job = MakeJobs(names, arguments.run, {}).front();
-    job.selection.range =
-        arguments.steps.empty() ? StepRange{1, job.input.steps, 1} : ParseSteps(arguments.steps, true);
-    const Panes panes = MakePanes(arguments.run);
+    job.selection.range = arguments.steps.empty() ? FullRun(job.input) : ParseSteps(arguments.steps, true);
+    CheckSteps(job.selection.range, job.input);
+    const Panes panes = MakePanes(arguments.run, job.input);
     const PictureOptions options = MakePictureOptions(arguments.picture);
     OutputFolder output(arguments.run.output);
 
     const std::string& name = job.input.name;
     Progress progress(name, job.selection.range.last + workPerPicture * job.selection.Count());
-    SideBySide engines(job.input.Build(), panes);
+    SideBySide engines(job.input.Start(), panes);
     RunSummary summary{name, job.input.size, {}, {}, panes.baseline};
     ShowSteps(engines, job.selection, 1, progress, [&](std::span<const Snapshot> snapshots) {
         std::vector<const Snapshot*> pointers;

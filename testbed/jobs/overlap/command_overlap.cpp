@@ -84,20 +84,23 @@ std::vector<MetricsRow> SaveOverlap(PictureSession& session, std::span<const Sna
 void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<TimingSeries>& timing) {
     const std::filesystem::path folder(job.input.name);
     session.output.WriteText(folder / "timing.csv", WriteTimingCsv(timing));
-    const std::string title = fmt::format("{}, size {}: broad phase of steps 1-{}", job.input.name, job.input.size,
-                                          timing.front().steps.size());
+    const std::string title = fmt::format("{}, size {}: broad phase of steps {}-{}", job.input.name, job.input.size,
+                                          timing.front().steps.front().step, timing.front().steps.back().step);
     session.output.WriteBy(folder / "timing.png", [&](const std::filesystem::path& place) {
         DrawPlot(MakeTimingPlot(timing, title), "pngcairo", place);
     });
 }
 
-void RunScene(PictureSession& session, const SceneJob& job, const Panes& panes) {
+void RunScene(PictureSession& session, const OverlapArguments& arguments, const SceneJob& job) {
+    const Panes panes = MakePanes(arguments.run, job.input);
+    const int runTo = job.input.motion == nullptr ? plotSteps : std::min(plotSteps, job.input.steps);
     Progress progress(job.input.name,
-                      std::max(plotSteps, job.selection.range.last) + workPerPicture * job.selection.Count());
+                      std::max(runTo, job.selection.range.last) + workPerPicture * job.selection.Count());
     session.Begin(job.selection.Count());
-    SideBySide engines(job.input.Build(), panes);
+    session.origin.poses = FindPoses(arguments.run, job.input);
+    SideBySide engines(job.input.Start(), panes);
     RunSummary summary{job.input.name, job.input.size, {}, {}, panes.baseline};
-    ShowSteps(engines, job.selection, plotSteps, progress, [&](std::span<const Snapshot> snapshots) {
+    ShowSteps(engines, job.selection, runTo, progress, [&](std::span<const Snapshot> snapshots) {
         session.Make([&] {
             const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots, panes.baseline);
             summary.rows.insert(summary.rows.end(), rows.begin(), rows.end());
@@ -114,7 +117,7 @@ void RunScene(PictureSession& session, const SceneJob& job, const Panes& panes) 
 
 int RunOverlap(const OverlapArguments& arguments, const Request& request) {
     const std::vector<SceneJob> jobs = MakeJobs(arguments.scenes, arguments.run, arguments.steps);
-    const Panes panes = MakePanes(arguments.run);
+    for (const SceneJob& job : jobs) (void)MakePanes(arguments.run, job.input);
     const PictureOptions options = MakePictureOptions(arguments.picture);
     const SequenceOptions sequence = MakeSequenceOptions(arguments.sequence, options.width, options.theme);
     for (const SceneJob& job : jobs) CheckSheet(sequence, job.selection.Count());
@@ -122,7 +125,7 @@ int RunOverlap(const OverlapArguments& arguments, const Request& request) {
     PictureSession session = MakePictureSession(
         {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
         request.contextOptions);
-    for (const SceneJob& job : jobs) RunScene(session, job, panes);
+    for (const SceneJob& job : jobs) RunScene(session, arguments, job);
     fmt::print("{}", FormatFiles(session.output.GetFiles()));
     return exitDone;
 }

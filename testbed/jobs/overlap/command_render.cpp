@@ -49,7 +49,7 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
     std::vector<std::string> names;
     if (!arguments.scene.empty()) names.push_back(arguments.scene);
     const SceneJob job = MakeJobs(names, arguments.run, arguments.steps).front();
-    const Panes panes = MakePanes(arguments.run);
+    const Panes panes = MakePanes(arguments.run, job.input);
     PictureOptions options = MakePictureOptions(arguments.picture);
     options.layers = ParseLayers(arguments.layers);
     options.legend = !arguments.noLegend;
@@ -59,8 +59,9 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
         request.contextOptions);
 
     session.Begin(job.selection.Count());
+    session.origin.poses = FindPoses(arguments.run, job.input);
     Progress progress(job.input.name, job.selection.range.last + workPerPicture * job.selection.Count());
-    SideBySide engines(job.input.Build(), panes, {.sweptBoxes = options.layers.Has(Layer::swept)});
+    SideBySide engines(job.input.Start(), panes, {.sweptBoxes = options.layers.Has(Layer::swept)});
     ShowSteps(engines, job.selection, 1, progress,
               [&](std::span<const Snapshot> snapshots) { session.Make([&] { SaveRender(session, snapshots); }); });
     session.Finish();

@@ -77,8 +77,8 @@ PictureSession MakePictureSession(const SessionRequest& request, const ContextOp
         MakeSequenceOptions(request.sequence, request.options.width, request.options.theme);
     OutputFolder output(request.run.output);
     PictureMaker maker(backend, contextOptions);
-    PictureOrigin origin{request.command, request.run.poses, GetBackendName(maker.GetBackend()),
-                         maker.GetRendererName(), maker.GetVersion()};
+    PictureOrigin origin{request.command, "", GetBackendName(maker.GetBackend()), maker.GetRendererName(),
+                         maker.GetVersion()};
     return {std::move(output),
             std::move(maker),
             request.options,

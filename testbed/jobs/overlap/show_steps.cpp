@@ -72,7 +72,7 @@ StepSelection SelectSteps(const StepArguments& arguments, const SceneInput& inpu
         }
         selection.range = {*arguments.step, *arguments.step, 1};
     }
-    if (arguments.worst) selection.range = {1, input.steps, 1};
+    if (arguments.worst) selection.range = FullRun(input);
     if (!arguments.steps.empty()) selection.range = ParseSteps(arguments.steps, false);
     if (arguments.worst) {
         if (*arguments.worst < 1 || *arguments.worst > maxWorst) {
@@ -84,7 +84,16 @@ StepSelection SelectSteps(const StepArguments& arguments, const SceneInput& inpu
         selection.worst = *arguments.worst;
         selection.worstBy = arguments.worstBy == "time" ? WorstBy::time : WorstBy::overlap;
     }
+    CheckSteps(selection.range, input);
     return selection;
+}
+
+StepRange FullRun(const SceneInput& input) { return {input.firstStep + 1, input.steps, 1}; }
+
+void CheckSteps(const StepRange& range, const SceneInput& input) {
+    if (input.HasStep(range.first) && input.HasStep(range.last)) return;
+    throw UsageError(fmt::format("{}: steps {}:{} are not in its motion; give some from {} to {}", input.name,
+                                 range.first, range.last, input.firstStep + 1, input.steps));
 }
 
 std::vector<SceneJob> MakeJobs(const std::vector<std::string>& names, const SceneArguments& run,

@@ -36,6 +36,10 @@ inline constexpr int maxWorst = 20;
 /// The default is the scene's showStep; --worst without --steps searches its full run. Throws UsageError.
 [[nodiscard]] StepSelection SelectSteps(const StepArguments& arguments, const SceneInput& input);
 
+[[nodiscard]] StepRange FullRun(const SceneInput& input);
+/// UsageError unless a run can come to all of these steps: a motion ends somewhere.
+void CheckSteps(const StepRange& range, const SceneInput& input);
+
 /// A scene to run, checked.
 struct SceneJob {
     SceneInput input;

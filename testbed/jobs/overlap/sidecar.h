@@ -18,7 +18,7 @@ namespace testbed {
 /// Everything that the pictures of one run share.
 struct PictureOrigin {
     std::string command;  ///< the command line, without the output folder
-    std::string poses;    ///< own, scree or box2d
+    std::string poses;    ///< own, track or an engine's name
     std::string backend;
     std::string renderer;  ///< GL_RENDERER
     std::string version;   ///< GL_VERSION

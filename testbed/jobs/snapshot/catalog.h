@@ -21,6 +21,7 @@ struct SnapshotCase {
     std::string kind;            ///< overlap or render
     std::string layers;          ///< render: layers, as --layers takes them; overlap: nodes, as --nodes takes them
     std::string theme = "dark";  ///< as --theme takes it
+    std::string settings{};      ///< how the scene is run, as --set takes it; empty: as all references without it
 
     /// <scene>/<name>: the reference's path without extension.
     [[nodiscard]] std::string GetId() const { return scene + "/" + name; }
@@ -29,7 +30,7 @@ struct SnapshotCase {
 /// Pictures are this large: small files, and every scene still shows what it does.
 inline constexpr int snapshotWidth = 480, snapshotHeight = 300;
 
-/// All pictures; those of one scene follow each other, in the order of their steps.
+/// All pictures; those of one scene and settings follow each other, in the order of their steps.
 [[nodiscard]] std::vector<SnapshotCase> GetSnapshotCatalog();
 
 }  // namespace testbed

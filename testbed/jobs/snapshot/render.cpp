@@ -86,7 +86,7 @@ SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& sn
     } else {
         picture.image = maker.MakeRender(input, options);
     }
-    // References have none: theirs are the catalogue's.
+    // References have the catalogue's, which most have none of.
     if (!snapshot.settings.empty()) picture.sidecar["settings"] = snapshot.settings;
     picture.sidecar["structure"] = DescribeStructure(snapshot);
     picture.renderMs = MillisecondsSince(start);
@@ -102,9 +102,12 @@ void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotMaking& 
     if (making.perturb) making.perturb(scene);
     const bool hasSwept = std::ranges::any_of(
         cases, [](const SnapshotCase& c) { return c.kind == "render" && ParseLayers(c.layers).Has(Layer::swept); });
-    const std::unique_ptr<EngineRun> engine = MakeRun(scene, making.spec, {.sweptBoxes = hasSwept});
+    RunSpec spec = making.spec;
+    ApplySettings(spec, cases.front().settings);
+    const std::unique_ptr<EngineRun> engine = MakeRun(scene, spec, {.sweptBoxes = hasSwept});
     Snapshot snapshot;
-    const std::string settings = making.spec == SnapshotMaking{}.spec ? "" : PrintSettings(making.spec);
+    const bool isReference = making.spec == SnapshotMaking{}.spec;
+    const std::string settings = isReference ? cases.front().settings : PrintSettings(spec);
     for (const SnapshotCase& snapshotCase : cases) {
         const Clock::time_point start = Clock::now();
         const bool isNew = engine->GetStep() < snapshotCase.step || snapshot.step != snapshotCase.step;
@@ -134,7 +137,10 @@ std::vector<std::span<const SnapshotCase>> GroupByScene(std::span<const Snapshot
     std::vector<std::span<const SnapshotCase>> groups;
     for (std::size_t begin = 0; begin < cases.size();) {
         std::size_t end = begin;
-        while (end < cases.size() && cases[end].scene == cases[begin].scene) ++end;
+        const auto isSame = [&](const SnapshotCase& c) {
+            return c.scene == cases[begin].scene && c.settings == cases[begin].settings;
+        };
+        while (end < cases.size() && isSame(cases[end])) ++end;
         groups.push_back(cases.subspan(begin, end - begin));
         begin = end;
     }

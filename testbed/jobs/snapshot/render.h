@@ -31,14 +31,14 @@ struct SnapshotMaking {
     std::function<void(scenes::Scene&)> perturb = {};   ///< applied to every scene before it is loaded
 };
 
-/// Calls `take` for every case in order; the cases are of one scene, sorted by step.
+/// Calls `take` for every case in order; the cases are of one scene and settings, sorted by step.
 void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotMaking& making, PictureMaker& maker,
                      const std::function<void(const SnapshotCase&, SnapshotPicture)>& take);
 
 /// The largest number of threads up to `wanted` that the engine takes.
 [[nodiscard]] int SupportedThreads(int wanted);
 
-/// Cases that follow each other and share a scene.
+/// Cases that follow each other and share a scene and settings.
 [[nodiscard]] std::vector<std::span<const SnapshotCase>> GroupByScene(std::span<const SnapshotCase> cases);
 
 }  // namespace testbed

@@ -16,6 +16,7 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/json_lines.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/shard.h"
@@ -69,13 +70,12 @@ std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& li
     const TradePlan plan{.effort = GetEffort(arguments), .repeats = arguments.quick ? 3 : 9};
     const std::vector<RunSpec> grid = ChooseGrid(arguments);
     const Shard shard = ParseShard(arguments.shard.shard);
-    std::vector<TradeCase> all;
     std::size_t number = 0;
     for (const Law* law : ChooseLaws(arguments.filter)) {
         std::vector<RunSpec> settings;
         std::vector<std::size_t> numbers;
         for (const RunSpec& setting : grid) {
-            if (shard.Contains(number)) {
+            if (shard.Contains(number) && !lines.Has(number)) {
                 settings.push_back(setting);
                 numbers.push_back(number);
             }
@@ -86,8 +86,10 @@ std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& li
         const std::vector<TradeCase> cases = MeasureTrade(*law, settings, plan, [&] { progress.Advance(1.0); });
         progress.Finish(fmt::format("{} settings", cases.size()));
         for (std::size_t i = 0; i < cases.size(); ++i) lines.Add(numbers[i], ToJson(cases[i]));
-        all.insert(all.end(), cases.begin(), cases.end());
     }
+    std::vector<TradeCase> all;
+    ParseJsonLines("--resume", lines.GetText(), "tradeoff",
+                   [&](const auto& fields) { all.push_back(TradeCaseFromJson(fields)); });
     return all;
 }
 
@@ -135,9 +137,11 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
     OutputFolder output(arguments.output);
     std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
     CaseLines lines("tradeoff", count, made.front());
+    CheckResume(arguments.shard);
+    if (arguments.from.empty()) lines.Keep(arguments.shard.json, arguments.shard.resume);
     const std::vector<TradeCase> cases =
         arguments.from.empty() ? MeasureAll(arguments, lines) : ReadCases(arguments.from, made);
-    if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
+    lines.Finish();
     if (shard.count > 1) {
         output.WriteText(fmt::format("cases-{}-of-{}.csv", shard.index, shard.count), MakeTradeCsv(cases));
         fmt::print("shard {} of {}: {} cases; join the --json files with `scree merge` and give them to --from\n",
@@ -174,6 +178,7 @@ void AddTradeoffCommand(CLI::App& app, Request& request) {
                  "continuous collision keeps the caps it needs");
     AddEnginesOption(*command, arguments->settings, "Instead of the grid of settings, beside Box2D's default");
     AddShardOptions(*command, arguments->shard);
+    AddResumeOption(*command, arguments->shard);
     command->callback(
         [&request, arguments] { request.action = [&request, arguments] { return RunTradeoff(*arguments, request); }; });
 }

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "testbed/base/errors.h"
@@ -113,6 +115,37 @@ TEST(CaseLines, LinesOfAnotherBuildAreRefusedAndOtherMachinesNamed) {
     const std::string message = MessageOf({first, {"b.jsonl", make({.index = 2, .count = 2}, "def", "fast")}});
     EXPECT_NE(message.find("b.jsonl:1: of another build: commit \"def\", before it \"abc\""), std::string::npos)
         << message;
+}
+
+TEST(CaseLines, AStoppedRunIsTakenOver) {
+    const ScratchFolder folder;
+    const auto file = folder.GetPath() / "lines.jsonl", part = folder.GetPath() / "lines.jsonl.part";
+    const nlohmann::ordered_json made = {{"commit", "abc"}}, other = {{"commit", "def"}};
+    {
+        CaseLines stopped("bench", 4, made);
+        stopped.Keep(file, false);
+        stopped.Add(0, {{"value", 0}});
+        stopped.Add(0, {{"value", "second line"}});
+        stopped.Add(2, {{"value", 2}});
+        stopped.Add(1, {{"value", 1}});  // under way when the run was stopped
+    }
+    EXPECT_FALSE(folder.Has("lines.jsonl"));
+    std::ofstream(part, std::ios::app) << "{\"command\": \"ben";  // half a line
+    EXPECT_THROW(CaseLines("bench", 5, made).Keep(file, true), FileError);
+    EXPECT_THROW(CaseLines("extremes", 4, made).Keep(file, true), FileError);
+    EXPECT_THROW(CaseLines("bench", 4, other).Keep(file, true), FileError);
+    CaseLines lines("bench", 4, made);
+    lines.Keep(file, true);
+    EXPECT_TRUE(lines.Has(0) && lines.Has(2));
+    EXPECT_FALSE(lines.Has(1) || lines.Has(3));
+    for (const std::size_t number : {3u, 1u}) lines.Add(number, {{"value", number}});
+    lines.Finish();
+    EXPECT_FALSE(std::filesystem::exists(part));
+    CaseLines whole("bench", 4, made);
+    whole.Add(0, {{"value", 0}});
+    whole.Add(0, {{"value", "second line"}});
+    for (const std::size_t number : {1u, 2u, 3u}) whole.Add(number, {{"value", number}});
+    EXPECT_EQ(folder.Read("lines.jsonl"), whole.GetText());
 }
 
 TEST(Shard, PartsOfNHaveEveryCaseOnce) {

@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -177,6 +178,26 @@ TEST(Outputs, SignalsLeaveNoUnfinishedFiles) {
         EXPECT_EQ(StopWhileItWrites(folder, signal).GetSignal(), signal);
         EXPECT_EQ(FilesBelow(folder.GetPath()), std::set<std::string>());
     }
+}
+
+TEST(Outputs, AStoppedBenchGoesOnWithTheSameNumbers) {
+    const ScratchFolder folder;
+    const std::string command = "bench tiles pyramid --sizes 5,10,20 --solver si --steps 20 --repeat 1 --json ";
+    ASSERT_EQ(folder.Run(command + "whole.jsonl").exitCode, 0);
+    // What a run leaves that was stopped in its fourth case.
+    std::string text = folder.Read("whole.jsonl");
+    std::size_t end = 0;
+    for (int line = 0; line < 6; ++line) end = text.find('\n', end) + 1;
+    WriteTextFile(folder.GetPath() / "half.jsonl.part", text.substr(0, end + 20));
+    const ProgramResult resumed = folder.Run(command + "half.jsonl --resume --csv half.csv");
+    ASSERT_EQ(resumed.exitCode, 0) << resumed.output;
+    const std::string half = folder.Read("half.jsonl");
+    EXPECT_EQ(half.substr(0, end), text.substr(0, end)) << "measured once";
+    EXPECT_EQ(std::count(half.begin(), half.end(), '\n'), std::count(text.begin(), text.end(), '\n'));
+    const std::string csv = folder.Read("half.csv");
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + std::count(text.begin(), text.end(), '\n'));
+    EXPECT_FALSE(folder.Has("half.jsonl.part"));
+    EXPECT_EQ(folder.Run("bench tiles --resume").exitCode, exitUsage);
 }
 
 TEST(Outputs, TwoRunsIntoOneFolderBothComplete) {

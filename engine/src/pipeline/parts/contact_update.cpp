@@ -25,12 +25,6 @@ void Collide(Manifold& manifold, const Shape& shapeA, const Transform& xfA, cons
     }
 }
 
-void Tell(const ContactEvents& events, Contact* contact, bool wasTouching, bool isTouching, const Manifold* old) {
-    if (!wasTouching && isTouching) events.listener->BeginContact(contact);
-    if (wasTouching && !isTouching) events.listener->EndContact(contact);
-    if (old != nullptr && isTouching && events.listener != nullptr) events.listener->PreSolve(contact, old);
-}
-
 }  // namespace
 
 bool StaysSteady(int contact, const BodyTable& bodies, const ContactTable& contacts) {
@@ -92,20 +86,23 @@ bool NoteTouching(int contact, bool isTouching, bool restartsTimers, BodyTable& 
     return wasTouching != isTouching;
 }
 
+void TellAbout(int contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,
+               ContactTable& contacts) {
+    if (hasChanged && isTouching && events.HearsBegin())
+        events.listener->BeginContact(contacts.Handle(events.state, contact));
+    if (hasChanged && !isTouching && events.HearsEnd())
+        events.listener->EndContact(contacts.Handle(events.state, contact));
+    if (!isTouching || !events.HearsPreSolve() || contacts.Has(contact, ContactFlag::sensor)) return;
+    events.listener->PreSolve(contacts.Handle(events.state, contact), &old);
+}
+
 bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
                    ContactTable& contacts) {
-    if (events.listener == nullptr) {
-        const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
-        NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts);
-        return isTouching;
-    }
-    const Manifold old = contacts.manifold[static_cast<size_t>(contact)];
+    Manifold old;
+    if (events.HearsPreSolve()) old = contacts.manifold[static_cast<size_t>(contact)];
     const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
-    const bool wasTouching = NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts) != isTouching;
-    if (wasTouching || isTouching) {
-        const bool isSensor = contacts.Has(contact, ContactFlag::sensor);
-        Tell(events, contacts.Handle(events.state, contact), wasTouching, isTouching, isSensor ? nullptr : &old);
-    }
+    const bool hasChanged = NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts);
+    if (events.listener != nullptr) TellAbout(contact, isTouching, hasChanged, old, events, contacts);
     return isTouching;
 }
 

@@ -52,7 +52,12 @@ bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable&
 /// (ContactEvents::restartsTimers). True if it did.
 bool NoteTouching(int contact, bool isTouching, bool restartsTimers, BodyTable& bodies, ContactTable& contacts);
 
-/// Both, then the listener is told (begin, end, pre-solve). Returns true if the fixtures touch.
+/// Tells the listener of a contact that began or ended (`hasChanged`), and of one that is going to be solved; `old` is
+/// its manifold before that was computed, of interest only where somebody hears of pre-solve.
+void TellAbout(int contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,
+               ContactTable& contacts);
+
+/// All of this: computes, notes and tells. Returns true if the fixtures touch.
 bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
                    ContactTable& contacts);
 

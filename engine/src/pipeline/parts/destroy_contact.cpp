@@ -17,7 +17,7 @@ void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyT
         contacts.flags[c] = static_cast<uint8_t>(contacts.flags[c] & ~ContactFlag::touching);
         contacts.manifold[c].pointCount = 0;
     }
-    if (touched && events.listener != nullptr) {
+    if (touched && events.HearsEnd()) {
         events.listener->EndContact(contacts.Handle(events.state, contact));
     }
     if (pushed) {

@@ -8,7 +8,7 @@
 namespace scree {
 
 void ReportImpulses(const ContactRows& rows, const ContactEvents& events, ContactTable& contacts) {
-    if (events.listener == nullptr) return;
+    if (!events.HearsPostSolve()) return;
     for (const ContactVelocityRow& row : rows.velocity) {
         if (events.listener == nullptr) return;  // it took itself away
         ContactImpulse impulse{};
@@ -23,7 +23,7 @@ void ReportImpulses(const ContactRows& rows, const ContactEvents& events, Contac
 
 void ReportBlockImpulses(SolverScratch& scratch, bool summed, std::span<const int> list, const ContactEvents& events,
                          ContactTable& contacts) {
-    if (events.listener == nullptr) return;
+    if (!events.HearsPostSolve()) return;
     scratch.blocks.GetImpulses(summed, scratch.impulses);
     for (size_t i = 0; i < list.size() && events.listener != nullptr; ++i) {
         events.listener->PostSolve(contacts.Handle(events.state, list[i]), &scratch.impulses[i]);

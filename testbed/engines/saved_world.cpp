@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of saved_world.h. Worlds are described by the headers that programs record with, so that a file from
+// here says what a program's own capture would have said.
+
+#include "testbed/engines/saved_world.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include "scree/inspect.h"
+#include "scree/recording.h"
+#include "scree/snapshot.h"
+#include "testbed/base/errors.h"
+#include "testbed/base/input.h"
+#include "testbed/capture/scree_capture.h"
+#include "testbed/engines/engine_run.h"
+#include "testbed/engines/scree_step.h"
+#include "testbed/input/scene_file.h"
+
+namespace testbed {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::span<const std::byte> AsBytes(std::string_view text) {
+    return {reinterpret_cast<const std::byte*>(text.data()), text.size()};
+}
+
+std::string SettingsOf(const scree::World& world, const scree::RecordedStep& step) {
+    RunSpec spec = DescribeScreeWorld(world);
+    if (step.substeps > 0) spec.solver = SoftStep{step.substeps};
+    return PrintSettings(spec);
+}
+
+scenes::Scene SceneOf(scree::World& world, const scree::RecordedStep& step, std::string_view source) {
+    scree_capture::Options options;
+    if (step.velocityIterations > 0) {
+        options.velocityIterations = step.velocityIterations;
+        options.positionIterations = step.positionIterations;
+    }
+    scree_capture::detail::JsonWriter text;
+    scree_capture::detail::Numbers bodies, joints;
+    (void)scree_capture::detail::WriteWorld<scree_capture::Api>(text, world, options, bodies, joints);
+    scenes::Scene scene = ReadScene(text.GetText(), source);
+    if (step.timeStep > 0.0f) scene.timeStep = step.timeStep;
+    return scene;
+}
+
+SavedWorld Describe(scree::World& world, const scree::RecordedStep& step, std::string_view source) {
+    return {std::make_shared<const WorldImage>(scree::SaveWorld(world)), SceneOf(world, step, source),
+            SettingsOf(world, step)};
+}
+
+/// A file name that is free, removed with the object.
+class TemporaryFile {
+public:
+    TemporaryFile() {
+        std::string name = (fs::temp_directory_path() / "scree-replay-XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr) throw FileError(fmt::format("{}: cannot make this folder", name));
+        m_folder = name;
+    }
+    ~TemporaryFile() {
+        std::error_code ignored;
+        fs::remove_all(m_folder, ignored);
+    }
+    TemporaryFile(const TemporaryFile&) = delete;
+    TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+    [[nodiscard]] std::string GetPath() const { return (m_folder / "replay.track").string(); }
+
+private:
+    fs::path m_folder;
+};
+
+/// The motion of a replay, as it is recorded.
+class Motion {
+public:
+    explicit Motion(scree::World& world) : m_track(world, m_file.GetPath(), GetOptions()) {}
+    void Step(float timeStep) { m_track.Step(timeStep); }
+    [[nodiscard]] std::string Take() {
+        m_track.Close();
+        if (const std::string error = m_track.GetError(); !error.empty()) throw FileError(error);
+        return ReadText(m_file.GetPath(), "");
+    }
+
+private:
+    static scree_capture::Options GetOptions() {
+        scree_capture::Options options;
+        options.contacts = true;
+        options.memory = std::size_t{1} << 40;  // no step is left out
+        return options;
+    }
+    TemporaryFile m_file;
+    scree_capture::Track m_track;
+};
+
+std::string DescribeEnd(const scree::ReplayReport& report) {
+    if (report.firstDifference > 0) {
+        return fmt::format(
+            "replays differently from step {} on: a listener that is not in the recording, another version, or a fault",
+            report.firstDifference);
+    }
+    if (report.valid) return "";
+    return fmt::format("is damaged at byte {}, after call {}: replayed up to step {}", report.position, report.calls,
+                       report.steps);
+}
+
+}  // namespace
+
+SavedWorld ReadWorldImage(std::string_view bytes, std::string_view source) {
+    scree::SnapshotError error = scree::SnapshotError::ok;
+    const std::unique_ptr<scree::World> world = scree::LoadWorld(AsBytes(bytes), &error);
+    if (world == nullptr) {
+        throw FileError(fmt::format("{}: no image of a world: {}; give what scree::SaveWorld of this version wrote",
+                                    source, scree::GetName(error)));
+    }
+    return Describe(*world, {}, source);
+}
+
+Replayed ReplayRecording(std::string_view bytes, std::string_view source, const ReplayRequest& request) {
+    scree::Player player(AsBytes(bytes));
+    if (player.GetWorld() == nullptr) {
+        throw FileError(
+            fmt::format("{}: no recording: the world at its start: {}; give what scree::StartRecording or "
+                        "SCREE_RECORD of this version wrote",
+                        source, scree::GetName(player.GetReport().image)));
+    }
+    Replayed replayed;
+    replayed.start = SceneOf(*player.GetWorld(), {}, source);
+    std::optional<Motion> motion;
+    if (request.wantsTrack) motion.emplace(*player.GetWorld());
+    const int wanted = request.worldAt.value_or(-1);
+    if (wanted == 0) replayed.world = Describe(*player.GetWorld(), {}, source);
+    while (player.Step()) {
+        const scree::ReplayReport& report = player.GetReport();
+        if (motion) motion->Step(report.lastStep.timeStep);
+        if (report.steps == wanted) replayed.world = Describe(*player.GetWorld(), report.lastStep, source);
+    }
+    const scree::ReplayReport& report = player.GetReport();
+    if (request.worldAt && !replayed.world) {
+        throw UsageError(fmt::format("{} has no step {}: give one from 0 to {}", source, wanted, report.steps));
+    }
+    replayed.calls = report.calls;
+    replayed.steps = report.steps;
+    replayed.damage = DescribeEnd(report);
+    if (motion) replayed.track = motion->Take();
+    return replayed;
+}
+
+}  // namespace testbed

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree info`: what is in a file that can be given in place of a scene.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/input.h"
+#include "testbed/engines/saved_world.h"
+#include "testbed/input/scene_file.h"
+#include "testbed/input/track_file.h"
+#include "testbed/jobs/files/commands.h"
+#include "testbed/options/scene_input.h"
+
+namespace testbed {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoArguments {
+    std::vector<std::string> files;
+    InputArguments input;
+    bool json = false;
+};
+
+/// What a file is said to hold, in the order in which it is printed.
+using Facts = Json;
+
+void AddWorld(Facts& facts, const scenes::Scene& scene) {
+    const scenes::SceneCounts counts = scenes::Count(scene);
+    facts["bodies"] = counts.Bodies();
+    facts["static_bodies"] = counts.staticBodies;
+    facts["kinematic_bodies"] = counts.kinematicBodies;
+    facts["dynamic_bodies"] = counts.dynamicBodies;
+    facts["fixtures"] = counts.Fixtures();
+    facts["joints"] = counts.joints;
+    facts["gravity"] = {scene.gravity.x, scene.gravity.y};
+}
+
+Facts FactsOfScene(const scenes::Scene& scene) {
+    Facts facts;
+    facts["version"] = sceneVersion;
+    facts["name"] = scene.name;
+    AddWorld(facts, scene);
+    facts["steps"] = scene.steps;
+    facts["time_step"] = scene.timeStep;
+    facts["spawned_later"] = scene.spawns.size();
+    return facts;
+}
+
+Facts FactsOfTrack(const TrackFile& track) {
+    const TrackInfo& info = track.GetInfo();
+    Facts facts;
+    facts["version"] = info.version;
+    facts["writer"] = info.writer;
+    facts["engine"] = info.engine;
+    AddWorld(facts, track.GetParts());
+    const std::vector<int>& steps = track.GetSteps();
+    facts["steps"] = steps.size();
+    if (!steps.empty()) {
+        facts["first_step"] = steps.front();
+        facts["last_step"] = steps.back();
+    }
+    facts["time_step"] = info.timeStep;
+    facts["created_later"] = std::ranges::count_if(track.GetBodies(), [](const auto& b) { return b.createdAfter > 0; });
+    facts["destroyed"] = std::ranges::count_if(track.GetBodies(), [](const auto& b) { return b.destroyedAfter >= 0; });
+    facts["contacts"] = info.hasContacts;
+    facts["tree"] = info.hasNodes;
+    Json names = Json::array();
+    for (const TrackBody& body : track.GetBodies()) {
+        const bool isKnown = std::find(names.begin(), names.end(), Json(body.name)) != names.end();
+        if (!body.name.empty() && !isKnown) names.push_back(body.name);
+    }
+    facts["names"] = names;
+    facts["damage"] = info.damage;
+    return facts;
+}
+
+Facts FactsOfImage(const SavedWorld& world) {
+    Facts facts;
+    facts["engine"] = "scree";
+    AddWorld(facts, world.scene);
+    facts["settings"] = world.settings;
+    return facts;
+}
+
+Facts FactsOfRecording(std::string_view bytes, const std::string& file) {
+    const Replayed replayed = ReplayRecording(bytes, file, {.wantsTrack = true});
+    Facts facts = FactsOfTrack(TrackFile(replayed.track, file));
+    for (const char* key : {"version", "writer", "contacts", "tree", "names"}) facts.erase(key);
+    facts["calls"] = replayed.calls;
+    facts["damage"] = replayed.damage;
+    return facts;
+}
+
+/// What a file says it is, though its ending says nothing.
+InputFile ReadAnyFile(const std::string& path, const InputArguments& given) {
+    InputArguments input = given;
+    if (input.format.empty() && !KindOfEnding(path)) {
+        const std::optional<FileKind> kind = KindOfBytes(ReadText(path, "give a file"));
+        if (!kind) {
+            throw FileError(fmt::format("{}: it neither ends nor begins like any of {}", path, DescribeFileKinds()));
+        }
+        input.format = GetInfo(*kind).name;
+    }
+    return ReadInputFile(path, input);
+}
+
+Facts ReadFacts(const std::string& path, const InputArguments& input) {
+    const InputFile file = ReadAnyFile(path, input);
+    const FileKindInfo& info = GetInfo(file.kind);
+    Facts facts{{"file", path}, {"kind", info.name}, {"what", info.what}, {"bytes", file.bytes.size()}};
+    switch (file.kind) {
+        case FileKind::scene:
+            facts.update(FactsOfScene(ReadScene(file.bytes, path)));
+            break;
+        case FileKind::track:
+            facts.update(FactsOfTrack(TrackFile(file.bytes, path)));
+            break;
+        case FileKind::image:
+            facts.update(FactsOfImage(ReadWorldImage(file.bytes, path)));
+            break;
+        case FileKind::recording:
+            facts.update(FactsOfRecording(file.bytes, path));
+            break;
+    }
+    return facts;
+}
+
+/// A value for readers; empty: not worth a line.
+std::string Print(const Json& value) {
+    if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_number_float()) return fmt::format("{}", value.get<float>());
+    if (!value.is_array()) return value.dump();
+    std::string text;
+    for (const Json& item : value) text += (text.empty() ? "" : ", ") + Print(item);
+    return text;
+}
+
+void PrintFacts(const Facts& facts) {
+    for (const auto& [key, value] : facts.items()) {
+        const std::string text = Print(value);
+        std::string name = key;
+        std::ranges::replace(name, '_', ' ');
+        if (!text.empty()) fmt::print("{:<17}{}\n", name, text);
+    }
+}
+
+int RunInfo(const InfoArguments& arguments) {
+    if (arguments.files.empty()) throw UsageError(fmt::format("which file? Give {}", DescribeFileKinds()));
+    Json list = Json::array();
+    for (const std::string& file : arguments.files) list.push_back(ReadFacts(file, arguments.input));
+    if (arguments.json) {
+        fmt::print("{}\n", Json{{"schema", 1}, {"files", list}}.dump(2));
+        return exitDone;
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (i > 0) fmt::print("\n");
+        PrintFacts(list[i]);
+    }
+    return exitDone;
+}
+
+}  // namespace
+
+void AddInfoCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("info", "What is in a file: kind, version, bodies, steps, who wrote it");
+    auto arguments = std::make_shared<InfoArguments>();
+    command->add_option("FILE", arguments->files, "Files: " + DescribeFileKinds());
+    AddFormatOption(*command, arguments->input);
+    command->add_flag("--json", arguments->json, "As JSON");
+    command->callback([&request, arguments] { request.action = [arguments] { return RunInfo(*arguments); }; });
+}
+
+}  // namespace testbed

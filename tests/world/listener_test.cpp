@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A listener changes nothing by listening: the same bits, the same calls with any number of workers, and only those
+// functions are called that its class has replaced.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <memory>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/compiler.h"
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree {
+namespace {
+
+using test::AddBody;
+using test::AddBox;
+using test::AddCircle;
+using test::AddGround;
+
+/// Boxes, disks and capsules that fall into a bin, with a sensor across it.
+struct Heap {
+    Heap(int count, unsigned seed, int workers) : world(Define(workers)) {
+        AddGround(world);
+        for (const float x : {-4.5f, 4.5f}) AddBox(AddBody(world, staticBody, {x, 10.0f}), 0.5f, 10.0f);
+        FixtureDef sensor;
+        PolygonShape across;
+        across.SetAsBox(4.0f, 0.5f, {0.0f, 2.0f}, 0.0f);
+        sensor.shape = &across;
+        sensor.isSensor = true;
+        AddBody(world, staticBody, {0.0f, 0.0f})->CreateFixture(&sensor);
+        std::mt19937 random(seed);
+        for (int i = 0; i < count; ++i) {
+            const float jitter = static_cast<float>(random() % 100) * 0.002f;
+            const Vec2 place{static_cast<float>(i % 8) - 3.5f + jitter, 1.0f + 1.1f * static_cast<float>(i / 8)};
+            Body* body = AddBody(world, dynamicBody, place);
+            random() % 2 == 0 ? AddBox(body, 0.4f, 0.3f) : AddCircle(body, 0.4f);
+        }
+    }
+    static WorldDef Define(int workers) {
+        WorldDef def;
+        def.workerCount = workers;
+        return def;
+    }
+    void Step(int substeps) { substeps > 0 ? world.Step(test::frame, substeps) : world.Step(test::frame, 8, 3); }
+
+    World world;
+};
+
+/// Writes down every call, and compares old manifolds with those of the last step.
+struct Log : ContactListener {
+    void BeginContact(Contact* c) override { Write('b', c); }
+    void EndContact(Contact* c) override {
+        Write('e', c);
+        last.erase(PairOf(c));
+    }
+    void PreSolve(Contact* c, const Manifold* old) override {
+        Write('p', c);
+        const auto before = last.find(PairOf(c));
+        if (before == last.end()) return;
+        const Manifold expected = before->second;
+        last.erase(before);  // at a time of impact the contact may be told of again
+        ++compared;
+        ASSERT_EQ(old->pointCount, expected.pointCount);
+        for (int i = 0; i < old->pointCount; ++i) {
+            EXPECT_EQ(old->points[i].id.key, expected.points[i].id.key);
+            EXPECT_EQ(old->points[i].localPoint, expected.points[i].localPoint);
+            EXPECT_EQ(old->points[i].normalImpulse, expected.points[i].normalImpulse);
+        }
+    }
+    void PostSolve(Contact* c, const ContactImpulse*) override { Write('s', c); }
+    void Write(char what, Contact* c) {
+        calls += what + std::to_string(c->GetFixtureA()->GetIndex()) + "-" +
+                 std::to_string(c->GetFixtureB()->GetIndex()) + " ";
+    }
+    static std::pair<int, int> PairOf(Contact* c) {
+        return {c->GetFixtureA()->GetIndex(), c->GetFixtureB()->GetIndex()};
+    }
+    /// After a step.
+    void Remember(World& world) {
+        last.clear();
+        for (Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) last[PairOf(c)] = c->GetManifold();
+    }
+
+    std::string calls;
+    std::map<std::pair<int, int>, Manifold> last;  ///< by fixtures
+    int compared = 0;
+};
+
+TEST(Listener, ChangesNoBitAndHearsTheSameFromAnyNumberOfWorkers) {
+    for (const int substeps : {0, 4}) {
+        for (const int count : {6, 200}) {
+            Heap none(count, 3, 1), empty(count, 3, 1);
+            ContactListener silent;
+            empty.world.SetContactListener(&silent);
+            std::vector<std::unique_ptr<Heap>> heaps;
+            std::vector<Log> logs(3);
+            for (size_t i = 0; i < logs.size(); ++i) {
+                heaps.push_back(std::make_unique<Heap>(count, 3, static_cast<int>(i) + 1));
+                heaps.back()->world.SetContactListener(&logs[i]);
+            }
+            for (int step = 0; step < 120; ++step) {
+                none.Step(substeps);
+                empty.Step(substeps);
+                const uint64_t expected = inspect::GetStateHash(none.world);
+                ASSERT_EQ(inspect::GetStateHash(empty.world), expected) << "step " << step;
+                for (size_t i = 0; i < logs.size(); ++i) {
+                    heaps[i]->Step(substeps);
+                    logs[i].Remember(heaps[i]->world);
+                    ASSERT_EQ(inspect::GetStateHash(heaps[i]->world), expected) << "step " << step;
+                    ASSERT_EQ(logs[i].calls, logs[0].calls);
+                }
+            }
+            EXPECT_GT(logs[0].compared, 100);
+            for (const char what : {'b', 'e', 'p', 's'}) {
+                if (what == 'e' && count < 100) continue;
+                EXPECT_NE(logs[0].calls.find(what), std::string::npos) << what;
+            }
+        }
+    }
+}
+
+struct Begins : ContactListener {
+    int count = 0;
+    void BeginContact(Contact*) override { ++count; }
+};
+struct Ends : ContactListener {
+    int count = 0;
+    void EndContact(Contact*) override { ++count; }
+};
+struct PreSolves : ContactListener {
+    int count = 0;
+    void PreSolve(Contact*, const Manifold*) override { ++count; }
+};
+struct PostSolves : Begins {
+    int count = 0;
+    void PostSolve(Contact*, const ContactImpulse*) override { ++count; }
+};
+
+TEST(Listener, OnlyReplacedFunctionsAreCalled) {
+#if defined(SCREE_HAS_PLAIN_VIRTUAL_TABLES)
+    const auto isHeard = [](const ContactListener& listener, bool begin, bool end, bool preSolve, bool postSolve) {
+        const HeardCalls heard = FindHeardCalls(listener);
+        return heard.begin == begin && heard.end == end && heard.preSolve == preSolve && heard.postSolve == postSolve;
+    };
+    EXPECT_TRUE(isHeard(ContactListener(), false, false, false, false));
+    EXPECT_TRUE(isHeard(Begins(), true, false, false, false));
+    EXPECT_TRUE(isHeard(Ends(), false, true, false, false));
+    EXPECT_TRUE(isHeard(PreSolves(), false, false, true, false));
+    EXPECT_TRUE(isHeard(PostSolves(), true, false, false, true));
+    EXPECT_TRUE(isHeard(Log(), true, true, true, true));
+#endif
+    const auto count = [](auto listener) {
+        Heap heap(80, 5, 1);
+        heap.world.SetContactListener(&listener);
+        for (int step = 0; step < 60; ++step) heap.Step(0);
+        return listener.count;
+    };
+    EXPECT_GT(count(Begins()), 0);
+    EXPECT_GT(count(Ends()), 0);
+    EXPECT_GT(count(PreSolves()), 0);
+    EXPECT_GT(count(PostSolves()), 0);
+}
+
+/// What a callback does to contacts that come later in the same pass holds for them at once.
+TEST(Listener, CallbacksChangeWhatComesLater) {
+    struct Turns : ContactListener {
+        void BeginContact(Contact* c) override {
+            for (Fixture* f : {c->GetFixtureA(), c->GetFixtureB()}) {
+                if (f->GetBody()->GetType() == dynamicBody && f->GetIndex() % 3 == 0) f->SetSensor(true);
+            }
+        }
+        void PreSolve(Contact* c, const Manifold*) override {
+            presolvedSensors += c->GetFixtureA()->IsSensor() || c->GetFixtureB()->IsSensor() ? 1 : 0;
+        }
+        int presolvedSensors = 0;
+    } turns;
+    Heap heap(120, 11, 1);
+    heap.world.SetContactListener(&turns);
+    for (int step = 0; step < 90; ++step) heap.Step(0);
+    // The contact that turned them is told of its own pre-solve no more either.
+    EXPECT_EQ(turns.presolvedSensors, 0);
+}
+
+}  // namespace
+}  // namespace scree
