@@ -235,15 +235,13 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
     task.soft = {240.0f, 9.0f, {9.0f, 0.94f, 0.06f}, {12.0f, 0.96f, 0.04f}};
     task.sumImpulses = true;
     kernels.warmStart(task);
-    kernels.approach(task);
+    kernels.bounce(task);
     for (int i = 0; i < 3; ++i) {
         kernels.solveRigid(task);
         kernels.pushApart(task, 0.2f);
         kernels.solveSoft(task);
         kernels.relax(task);
     }
-    kernels.bounce(task);
-    kernels.endBounce(task);
     std::vector<Manifold> manifold = s.contacts.manifold;
     blocks.Store(1.0f, manifold);
     std::vector<std::byte> bytes;

@@ -299,5 +299,41 @@ TEST(Standing, AFallingLimbDoesNotTearItsJoints) {
     }
 }
 
+/// How high the last ball of a cradle swings at first, in shares of how high the first ones were lifted (angles).
+double Cradle(int count, int lifted, double radius, double gap, int substeps) {
+    Lab<Ours> lab;
+    Body* frame = lab.Static();
+    const double length = 2.0, lift = 0.5;
+    std::vector<Body*> balls;
+    for (int i = 0; i < count; ++i) {
+        const double x = (2.0 * radius + gap) * i, angle = i < lifted ? -lift : 0.0;
+        Body* ball = lab.Dynamic(x + length * std::sin(angle), -length * std::cos(angle));
+        AttachDisk<Ours>(ball, radius,
+                         {.density = 1.0, .friction = 0.0, .restitution = 1.0, .restitutionThreshold = 0.0});
+        DistanceJointDef def;
+        def.Initialize(frame, ball, Lab<Ours>::At(x, 0.0), ball->GetPosition());
+        def.minLength = def.maxLength = def.length;
+        lab.world.CreateJoint(&def);
+        balls.push_back(ball);
+    }
+    double most = 0.0;
+    for (int i = 0; i < 2 * stepRate; ++i) {
+        StepSoft(lab, substeps);
+        const Point c = Centre(balls.back());
+        most = std::max(most, std::atan2(c.x - (2.0 * radius + gap) * (count - 1), -c.y));
+    }
+    return most / lift;
+}
+
+TEST(Standing, ACradleHandsItsBlowOn) {
+    Dice dice(13);
+    for (const int lifted : {1, 2}) {
+        const int count = static_cast<int>(dice.In(3.0, 7.0)) + lifted;
+        const double radius = dice.In(0.15, 0.4), gap = dice.In(0.0, 0.02);
+        for (const int substeps : marks)
+            EXPECT_GT(Cradle(count, lifted, radius, gap, substeps), 0.9) << count << " " << gap << " " << substeps;
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

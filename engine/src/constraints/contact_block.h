@@ -34,7 +34,6 @@ struct alignas(32) ContactBlock {
     /// Speed that the normal row asks for, m/s: restitution (sequential impulses), or how fast the gap may still close
     /// (soft step).
     Row bias[2];
-    Row bounceSpeed[2];                ///< soft step: to leave with, m/s; negated while the bounce is solved
     Row totalNormal[2], totalTangent;  ///< soft step: sums over the sub-steps, N·s
 };
 
@@ -128,12 +127,9 @@ struct ContactKernels {
     /// Soft step: one iteration with soft rows, then, after positions have moved, one without push.
     void (*solveSoft)(const KernelTask& task);
     void (*relax)(const KernelTask& task);
-    /// Soft step, at the start of a sub-step: finds the bounceSpeed of contacts that do not push yet.
-    void (*approach)(const KernelTask& task);
-    /// One iteration for contacts that push and have a bounceSpeed to leave with; true if there are any. At
-    /// last, endBounce: friction up to that of the blow; it is over, and the impulses are forgotten.
+    /// Soft step, at the start of a sub-step: contacts that are met in it leave with their share of the speed at which
+    /// they close, with friction up to that of the blow. One pass; true if there are any.
     bool (*bounce)(const KernelTask& task);
-    void (*endBounce)(const KernelTask& task);
 };
 
 /// The best set this processor has.

@@ -15,8 +15,7 @@
 // they are solved rigidly on velocities, and their position error is removed after each move, as in sequential
 // impulses.
 //
-// A contact bounces in the sub-step in which it is hit, with the speed at which its bodies met at the start of the
-// step.
+// A contact bounces in the sub-step in which it is met, before anything else.
 
 #include "pipeline/solve_soft.h"
 
@@ -177,14 +176,13 @@ public:
 
     void Substep(int index) {
         const bool isFirst = index == 0;
+        Bounce();
         ExpectContacts(index);
-        NoteApproach();
         KickAll();
         PrepareRows(isFirst);
         ProjectTrees(isFirst);
         SolveRows();
         SolveContacts(isFirst);
-        Bounce();
         AimTrees();
         DriftAll();
         CorrectRows();
@@ -278,8 +276,14 @@ private:
 
     // The phases of a sub-step, in order.
 
-    void NoteApproach() {
-        if (m_plan.bounces) RunKernel(Pool(), m_task, m_kernels.approach);
+    /// Contacts bounce one after the other, as in a row of balls each hands on what it got, until none is left (Smith,
+    /// Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on Simultaneous Impact", SIGGRAPH 2012).
+    void Bounce() {
+        constexpr int mostPasses = 32;
+        if (!m_plan.bounces) return;
+        for (int pass = 0; pass < mostPasses; ++pass) {
+            if (!RunBounce(Pool(), m_task, m_kernels)) return;
+        }
     }
     void KickAll() {
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
@@ -310,14 +314,6 @@ private:
         NoteContacts([&] {
             for (int i = 0; i < iterations; ++i) RunKernel(Pool(), m_task, m_kernels.solveSoft);
         });
-    }
-    /// Blows that meet in one body are solved together.
-    void Bounce() {
-        constexpr int iterations = 8;
-        m_bounced = m_plan.bounces && RunBounce(Pool(), m_task, m_kernels);
-        if (!m_bounced) return;
-        for (int i = 1; i < iterations; ++i) RunBounce(Pool(), m_task, m_kernels);
-        RunKernel(Pool(), m_task, m_kernels.endBounce);
     }
     /// Velocities with which the trees' joints are closed after the move.
     void AimTrees() {
@@ -363,7 +359,7 @@ private:
     /// What contacts will do to each body in this sub-step: by their accumulated impulses where those are needed, else
     /// what they did in the last one.
     void ExpectContacts(int substep) {
-        const bool isNeeded = substep == 0 ? m_plan.warmStarts : m_bounced || RenewsExpected(substep);
+        const bool isNeeded = substep == 0 ? m_plan.warmStarts : RenewsExpected(substep);
         if (!isNeeded) return;
         ForEachSoft([&](SoftBody& soft) {
             const Velocity& v = VelocityOf(soft);
@@ -434,7 +430,6 @@ private:
     const ContactKernels& m_kernels;
     KernelTask m_task{};
     Plan m_plan;
-    bool m_bounced = false;  ///< in this sub-step: impulses of contacts were reset
 };
 
 }  // namespace
