@@ -24,6 +24,7 @@
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/extremes/commands.h"
 #include "testbed/jobs/files/commands.h"
+#include "testbed/jobs/find/commands.h"
 #include "testbed/jobs/overlap/commands.h"
 #include "testbed/jobs/requires/commands.h"
 #include "testbed/jobs/snapshot/commands.h"
@@ -128,6 +129,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddListCommand(app, request);
     AddInfoCommand(app, request);
     AddConvertCommand(app, request);
+    AddFindCommand(app, request);
     AddOverlapCommand(app, request);
     AddRenderCommand(app, request);
     AddMetricsCommand(app, request);
