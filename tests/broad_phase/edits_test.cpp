@@ -139,10 +139,12 @@ TEST(KeptSplits, AJumpOfEverythingCostsWhatANewTreeDoes) {
     std::vector<Pair> pairs;
     for (uint32_t i = 0; i < count; ++i) kept->Insert(i, i, Motion::dynamic, CellBox(i));
     for (int step = 0; step < 3; ++step) kept->FindPairs(pairs);
+    std::vector<BoxUpdate> updates;
     for (uint32_t i = 0; i < count; ++i) {
-        kept->Update(i, jumped(i), vec2Zero);
+        updates.push_back({jumped(i), vec2Zero, i});
         fresh->Insert(i, i, Motion::dynamic, jumped(i));
     }
+    kept->UpdateMany(updates);
     kept->FindPairs(pairs);
     fresh->FindPairs(pairs);
     EXPECT_EQ(kept->GetStats().boxTests, fresh->GetStats().boxTests);
@@ -159,11 +161,14 @@ TEST_P(Edits, WarmFindPairsAllocatesNothing) {
         // The world breathes: two poses in turn, so every buffer reaches its full size.
         std::vector<Pair> pairs;
         const auto pose = [&](bool shifted) {
+            std::vector<BoxUpdate> updates;
             for (const TestFixture& fixture : world.Fixtures()) {
                 if (fixture.motion == Motion::isStatic) continue;
                 const Vec2 d{shifted ? 0.3f : 0.0f, 0.0f};
-                broadPhase->Update(fixture.fixture, {fixture.box.lowerBound + d, fixture.box.upperBound + d}, vec2Zero);
+                updates.push_back(
+                    {{fixture.box.lowerBound + d, fixture.box.upperBound + d}, vec2Zero, fixture.fixture});
             }
+            broadPhase->UpdateMany(updates);
         };
         for (int step = 0; step < 4; ++step) {
             pose(step % 2 == 1);

@@ -102,6 +102,7 @@ TEST_P(Queries, EqualALinearScanBetweenEdits) {
             if (*rc::gen::inRange(0, 3) == 0) broadPhase->FindPairs(pairs);
             // Few edits leave a tree in use beside them, many make it stale.
             world.Edit(*broadPhase, *rc::gen::element(0, 1, 5, 40, 200));
+            world.Rest(*broadPhase, *rc::gen::element(0, 1, 50));
             CheckQuery(world, *broadPhase, world.RandomBox());
             const AABB from = world.RandomBox(), to = world.RandomBox();
             CheckRay(world, *broadPhase, {from.lowerBound, to.lowerBound, 1.0f});

@@ -8,6 +8,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <set>
 #include <unordered_map>
 
 namespace scree::test {
@@ -107,13 +108,33 @@ void TestWorld::Edit(BroadPhase& broadPhase, int edits) {
     }
 }
 
-void TestWorld::Drift(BroadPhase& broadPhase, float step) {
-    for (TestFixture& fixture : m_fixtures) {
+void TestWorld::Rest(BroadPhase& broadPhase, int count) {
+    for (int i = 0; i < count && !m_fixtures.empty(); ++i) {
+        TestFixture& fixture = m_fixtures[static_cast<size_t>(Index(static_cast<int>(m_fixtures.size())))];
         if (fixture.motion == Motion::isStatic) continue;
+        fixture.isResting = Index(3) != 0;
+        broadPhase.SetResting(fixture.fixture, fixture.isResting);
+    }
+}
+
+void TestWorld::Drift(BroadPhase& broadPhase, float step) {
+    std::vector<BoxUpdate> updates;
+    for (TestFixture& fixture : m_fixtures) {
+        if (fixture.motion == Motion::isStatic || fixture.isResting) continue;
         const Vec2 d{Uniform(-step, step), Uniform(-step, step)};
         fixture.box = {fixture.box.lowerBound + d, fixture.box.upperBound + d};
-        broadPhase.Update(fixture.fixture, fixture.box, d);
+        updates.push_back({fixture.box, d, fixture.fixture});
     }
+    broadPhase.UpdateMany(updates);
+}
+
+std::vector<Pair> TestWorld::WithoutResting(std::vector<Pair> pairs) const {
+    std::set<uint32_t> resting;
+    for (const TestFixture& fixture : m_fixtures) {
+        if (fixture.isResting || fixture.motion == Motion::isStatic) resting.insert(fixture.fixture);
+    }
+    std::erase_if(pairs, [&](const Pair& pair) { return resting.contains(pair.a) && resting.contains(pair.b); });
+    return pairs;
 }
 
 std::vector<Pair> TestWorld::TruePairs() const {

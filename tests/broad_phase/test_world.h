@@ -23,6 +23,7 @@ struct TestFixture {
     uint32_t fixture, body;
     Motion motion;
     AABB box;
+    bool isResting = false;
 };
 
 /// How boxes are laid out.
@@ -46,7 +47,9 @@ public:
     void Fill(BroadPhase& broadPhase);
     /// Random updates, removals and insertions: `edits` of them. Statics are updated rarely.
     void Edit(BroadPhase& broadPhase, int edits);
-    /// Moves every mover by a small random step.
+    /// Lets some movers rest and rouses others: `count` at random.
+    void Rest(BroadPhase& broadPhase, int count);
+    /// Moves every mover by a small random step, all at once as a step of a world does.
     void Drift(BroadPhase& broadPhase, float step);
     void InsertOne(BroadPhase& broadPhase);
     void RemoveOne(BroadPhase& broadPhase);
@@ -60,6 +63,8 @@ public:
     [[nodiscard]] const std::vector<TestFixture>& Fixtures() const { return m_fixtures; }
     /// The true pairs by the rule of broad_phase.h, sorted.
     [[nodiscard]] std::vector<Pair> TruePairs() const;
+    /// Leaves out the pairs of movers that rest with each other and with statics, which may or may not be reported.
+    [[nodiscard]] std::vector<Pair> WithoutResting(std::vector<Pair> pairs) const;
     /// Those pairs whose tight boxes overlap, sorted.
     [[nodiscard]] std::vector<Pair> TightOnly(const std::vector<Pair>& pairs) const;
 

@@ -118,6 +118,28 @@ TEST(SparedSearches, AreThoseOfWhatRests) {
     }
 }
 
+TEST(SparedSearches, OfOneBodyOnManyEdgesGrowWithTheirNumber) {
+    // Each edge that the contacts hold asked for the times of all others once.
+    constexpr int edges = 2000, steps = 4;
+    for (const int substeps : {2, 4, 8}) {
+        World world(Vec2{0.0f, -10.0f});
+        Body* ground = AddBody(world, staticBody, {});
+        for (int i = 0; i < edges; ++i) {
+            const float x = 0.01f * static_cast<float>(i - edges / 2);
+            EdgeShape edge;
+            edge.SetTwoSided({x, 0.0f}, {x + 0.01f, 0.0f});
+            ground->CreateFixture(&edge, 0.0f);
+        }
+        AddBox(AddBody(world, dynamicBody, {0.0f, 1.01f}), 0.005f * edges, 1.0f);
+        int64_t searches = 0;
+        for (int i = 0; i < steps; ++i) {
+            world.Step(1.0f / 60.0f, substeps);
+            searches += world.GetState().distanceWork.calls;
+        }
+        EXPECT_LT(searches, int64_t{20} * steps * edges) << substeps;
+    }
+}
+
 /// Crates that slide and are shaken: still next to none.
 TEST(SparedSearches, AreMostOfThoseOfWhatSlides) {
     for (const bool isSoft : {false, true}) {

@@ -39,7 +39,7 @@ struct StepReport {
                                 ///< tolerance looks for islands only when something may fall asleep or wake: 0 else
     int contactCount = 0;
     int touchingCount = 0;         ///< as found by this step's narrow phase
-    int64_t pairCount = 0;         ///< pairs reported by the broad phase
+    int64_t pairCount = 0;         ///< pairs of awake bodies that the broad phase reported last
     int cappedCount = 0;           ///< times a body was slowed by WorldDef::maxTranslation or maxRotation
     int continuousEventCount = 0;  ///< times a body was stopped at an impact on its way
     int abandonedCount = 0;        ///< bodies held at an impact because their pair had maxSubSteps events in the step

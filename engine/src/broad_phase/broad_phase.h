@@ -4,7 +4,8 @@
 // The one interface of all broad-phase algorithms: boxes of fixtures in, overlapping pairs out.
 // A PAIR is two fixtures of different bodies, at least one of them dynamic, whose closed boxes overlap. Tight
 // algorithms report exactly the pairs of the boxes given; the fattened tree reports a superset. Every call of FindPairs
-// reports the COMPLETE set of current pairs, each once, in an order that depends only on the calls made before.
+// reports the COMPLETE set of current pairs, each once, in an order that depends only on the calls made before; pairs
+// of movers that rest, with each other and with statics, may be left out.
 
 #pragma once
 
@@ -42,7 +43,7 @@ struct BroadPhaseStats {
 
 /// Knobs shared by the algorithms.
 struct BroadPhaseConfig {
-    /// Static fixtures get a tree of their own above this share of all fixtures.
+    /// Fixtures that rest, statics and sleepers, get a tree of their own above this share of all fixtures.
     float staticShareThreshold = 1.0f / 8.0f;
     /// Most boxes in a leaf where the algorithm allows more than one; 0: the algorithm's own best.
     int leafSize = 0;
@@ -89,6 +90,10 @@ public:
     }
     /// O(1).
     virtual void Remove(uint32_t fixture) = 0;
+    /// A mover's fixture rests: its box will stay where it is for some time. Or does so no longer. O(1).
+    virtual void SetResting(uint32_t /*fixture*/, bool /*resting*/) {}
+    /// False if every fixture and box is what it was when FindPairs was called last.
+    [[nodiscard]] virtual bool HasChanged() const { return true; }
     /// Lets FindPairs share its work, which leaves every result as it is. The pool must outlive the calls of FindPairs.
     virtual void ShareWork(TaskPool& /*pool*/) {}
     /// Writes the complete pair set into `pairs` (cleared first).

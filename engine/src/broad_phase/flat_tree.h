@@ -31,12 +31,16 @@ struct alignas(32) TreeNode {
     [[nodiscard]] bool IsLeaf() const { return child == noChild; }
 };
 
+/// At a position whose box is gone.
+inline constexpr ItemId nobody{0xFFFFFFFFu, fixedGroup};
+
 class FlatTree {
 public:
     std::vector<TreeNode> nodes;  ///< root first; empty without boxes
 
-    /// Makes room for `positions` boxes and forgets the old ones. Allocates only when there are more than ever before.
-    void Reset(uint32_t positions);
+    /// Makes room for `positions` boxes and forgets the old ones. Allocates only when `most`, which there may come to
+    /// be, is more than ever before.
+    void Reset(uint32_t positions, uint32_t most);
 
     [[nodiscard]] bool Empty() const { return nodes.empty(); }
     /// Positions in use.
@@ -59,6 +63,9 @@ public:
         Lane(3)[position] = box.nuy;
         m_ids[position] = id;
     }
+
+    /// The position has no box any more: nothing finds it.
+    void Kill(uint32_t position) { SetItem(position, emptyBounds, nobody); }
 
     /// Calls `visit(ItemId)` for each box that overlaps, until it returns false; false if it did. Adds to `boxTests`.
     template <class Visit>

@@ -81,14 +81,14 @@ SCREE_NOINLINE uint32_t Partition(const KeyItem* in, uint32_t count, KeyItem* ou
     return static_cast<uint32_t>(left);
 }
 
-/// Fetches the boxes of a leaf, four at a time. `slotOf(i)` gives the slot of its i-th position.
-template <typename SlotOf>
-void FillLeafBoxes(const AABB* boxes, FlatTree& tree, TreeNode& node, SlotOf slotOf) {
+/// Fetches the boxes of a leaf, four at a time. `boxOf(i)` gives that of its i-th position.
+template <typename BoxOf>
+void FillLeafBoxes(FlatTree& tree, TreeNode& node, BoxOf boxOf) {
     F4 sum = Load(emptyBounds);
     float* const lanes[4] = {tree.Lane(0) + node.first, tree.Lane(1) + node.first, tree.Lane(2) + node.first,
                              tree.Lane(3) + node.first};
     const auto fetch = [&](uint32_t index) {
-        const F4 box = Load(boxes[slotOf(index)]);
+        const F4 box = Load(boxOf(index));
         sum = Min4(sum, box);
         return box;
     };
@@ -172,10 +172,10 @@ struct KeysPass {
 
     void FillLeaf(TreeNode& node, const KeyItem* items) {
         ItemId* const outIds = tree.Ids() + node.first;
-        FillLeafBoxes(boxes, tree, node, [&](uint32_t index) {
+        FillLeafBoxes(tree, node, [&](uint32_t index) -> const AABB& {
             const uint32_t slot = items[index].slot;
             outIds[index] = ids[slot];
-            return slot;
+            return boxes[slot];
         });
     }
 
@@ -213,7 +213,7 @@ struct KeysPass {
 }  // namespace
 
 void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, FlatTree& tree) {
-    tree.Reset(slots.count);
+    tree.Reset(slots.count, store.Size());
     if (slots.count == 0) return;
     // The odd part keeps both arrays from starting at the same page offset.
     constexpr size_t odd = 200;
@@ -231,17 +231,23 @@ void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafS
 }
 
 void KeysBuilder::Refit(const ProxyStore& store, FlatTree& tree) {
+    static constexpr AABB noBox = ToAabb(emptyBounds);  // of positions whose proxies have left
     for (TreeNode& node : tree.nodes) {
         if (!node.IsLeaf()) continue;
         const ItemId* const ids = tree.Ids() + node.first;
-        FillLeafBoxes(store.Boxes(), tree, node, [&](uint32_t index) { return store.Find(ids[index].fixture); });
+        FillLeafBoxes(tree, node, [&](uint32_t index) -> const AABB& {
+            const uint32_t slot = store.Find(ids[index].fixture);
+            return slot == noSlot ? noBox : store.Box(slot);
+        });
     }
     JoinBoxes(tree);
 }
 
 float KeysBuilder::SumHalfPerimeters(const FlatTree& tree) {
     float sum = 0.0f;
-    for (const TreeNode& node : tree.nodes) sum += HalfPerimeter(node.box);
+    for (const TreeNode& node : tree.nodes) {
+        if (node.box.lx < infinity) sum += HalfPerimeter(node.box);
+    }
     return sum;
 }
 

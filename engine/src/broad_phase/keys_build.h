@@ -26,9 +26,9 @@ class KeysBuilder {
 public:
     /// Builds the tree over a range of slots.
     void Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, FlatTree& tree);
-    /// Gives a tree over the same proxies, built earlier, the present boxes.
+    /// Gives a tree built earlier the present boxes of its proxies.
     static void Refit(const ProxyStore& store, FlatTree& tree);
-    /// Of all nodes: the measure of how well splits fit.
+    /// Of all nodes with a box: the measure of how well splits fit.
     [[nodiscard]] static float SumHalfPerimeters(const FlatTree& tree);
     [[nodiscard]] size_t GetMemoryBytes() const { return (m_items.capacity() + m_other.capacity()) * sizeof(KeyItem); }
 

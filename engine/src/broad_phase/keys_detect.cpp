@@ -196,6 +196,12 @@ struct KeysWalk {
         buffers.boxes.resize(2 * count);
         buffers.ids.resize(2 * count);
     }
+    void PutCandidates(size_t first, std::span<const BuildItem> items) {
+        for (size_t i = 0; i < items.size(); ++i) {
+            buffers.boxes[first + i] = items[i].box;
+            buffers.ids[first + i] = items[i].id;
+        }
+    }
     void ReserveHits(size_t count) {
         if (buffers.hitsFirst.size() >= count) return;
         buffers.hitsFirst.resize(2 * count);
@@ -274,25 +280,24 @@ struct KeysWalk {
     }
 };
 
-uint64_t KeysDetector::DetectSelf(const FlatTree& tree, const ProxyStore& store, SlotRange outside, TaskPool* pool,
-                                  PairSink& sink) {
+uint64_t KeysDetector::DetectSelf(const FlatTree& tree, std::span<const BuildItem> resting,
+                                  std::span<const BuildItem> outside, TaskPool* pool, PairSink& sink) {
     if (tree.Empty()) return 0;
     const bool isShared = pool != nullptr && pool->IsOpen() && tree.Size() >= leastBoxesToShare;
     KeysWalk<true> walk{tree, m_buffers[0], sink, isShared ? &m_cut : nullptr};
-    walk.ReserveCandidates(outside.count);
-    for (uint32_t i = 0; i < outside.count; ++i) {
-        m_buffers[0].boxes[i] = ToBounds(store.Box(outside.first + i));
-        m_buffers[0].ids[i] = store.Id(outside.first + i);
-    }
+    const auto count = static_cast<uint32_t>(resting.size() + outside.size());
+    walk.ReserveCandidates(count);
+    walk.PutCandidates(0, resting);
+    walk.PutCandidates(resting.size(), outside);
     if (!isShared) {
-        walk.Recurse(tree.nodes[0], 0, outside.count);
+        walk.Recurse(tree.nodes[0], 0, count);
         return walk.boxTests;
     }
     m_cut.largest = tree.Size() / (partsPerWorker * static_cast<uint32_t>(pool->GetWorkerCount()));
     m_cut.parts.clear();
     m_cut.boxes.clear();
     m_cut.ids.clear();
-    walk.Recurse(tree.nodes[0], 0, outside.count);
+    walk.Recurse(tree.nodes[0], 0, count);
     return walk.boxTests + FinishParts(tree, *pool, sink);
 }
 
@@ -330,15 +335,18 @@ uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSin
     return boxTests;
 }
 
-uint64_t KeysDetector::DetectBetween(const FlatTree& batch, const FlatTree& tree, PairSink& sink) {
-    if (batch.Empty() || tree.Empty()) return 0;
+uint64_t KeysDetector::DetectBetween(const FlatTree& batch, std::span<const BuildItem> more, const FlatTree& tree,
+                                     PairSink& sink) {
+    const auto count = batch.Size() + static_cast<uint32_t>(more.size());
+    if (count == 0 || tree.Empty()) return 0;
     KeysWalk<false> walk{tree, m_buffers[0], sink};
-    walk.ReserveCandidates(batch.Size());
+    walk.ReserveCandidates(count);
     for (uint32_t i = 0; i < batch.Size(); ++i) {
         m_buffers[0].boxes[i] = batch.Box(i);
         m_buffers[0].ids[i] = batch.Ids()[i];
     }
-    walk.Recurse(tree.nodes[0], 0, batch.Size());
+    walk.PutCandidates(batch.Size(), more);
+    walk.Recurse(tree.nodes[0], 0, count);
     return walk.boxTests;
 }
 

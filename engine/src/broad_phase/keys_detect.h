@@ -12,11 +12,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/task_pool.h"
 #include "broad_phase/flat_tree.h"
-#include "broad_phase/proxy_store.h"
+#include "broad_phase/split_rules.h"
 
 namespace scree::broadphase {
 
@@ -50,12 +51,13 @@ struct KeysCut {
 
 class KeysDetector {
 public:
-    /// Pairs inside the tree, and between it and the slots given (which are not in it). Returns the box tests. The pool
-    /// may be null.
-    uint64_t DetectSelf(const FlatTree& tree, const ProxyStore& store, SlotRange outside, TaskPool* pool,
-                        PairSink& sink);
-    /// Pairs between the boxes of two trees.
-    uint64_t DetectBetween(const FlatTree& batch, const FlatTree& tree, PairSink& sink);
+    /// Pairs inside the tree, and between it and the boxes given in two parts (which are not in it). Returns the box
+    /// tests. The pool may be null.
+    uint64_t DetectSelf(const FlatTree& tree, std::span<const BuildItem> resting, std::span<const BuildItem> outside,
+                        TaskPool* pool, PairSink& sink);
+    /// Pairs of the boxes of one tree, and of others, with those of another tree.
+    uint64_t DetectBetween(const FlatTree& batch, std::span<const BuildItem> more, const FlatTree& tree,
+                           PairSink& sink);
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The proxies of a broad phase as dense arrays: movers (kinematic and dynamic) in slots [0, moverCount), statics
-// behind them. Insert and Remove keep both parts dense by moving at most two proxies, so every algorithm can walk
-// either part, or both, as one range of slots.
+// The proxies of a broad phase as dense arrays: movers (kinematic and dynamic) that may move, movers that rest,
+// statics. Edits keep the parts dense by moving at most three proxies, so every algorithm can walk a part, or
+// neighbouring ones, as one range of slots.
 
 #pragma once
 
@@ -21,8 +21,8 @@ struct SlotRange {
     uint32_t first = 0, count = 0;
 };
 
-/// Marks a proxy whose box in the tree is up to date.
-inline constexpr uint32_t notPending = 0xFFFFFFFFu;
+/// Of a proxy that has no place yet.
+inline constexpr uint32_t noPlace = 0xFFFFFFFFu;
 
 class ProxyStore {
 public:
@@ -30,9 +30,13 @@ public:
     [[nodiscard]] uint32_t MoverCount() const { return m_moverCount; }
     [[nodiscard]] uint32_t StaticCount() const { return Size() - m_moverCount; }
     [[nodiscard]] SlotRange Movers() const { return {0, m_moverCount}; }
+    /// The movers that do not rest, and all that does.
+    [[nodiscard]] SlotRange Moving() const { return {0, m_movingCount}; }
+    [[nodiscard]] SlotRange Resting() const { return {m_movingCount, Size() - m_movingCount}; }
     [[nodiscard]] SlotRange Statics() const { return {m_moverCount, StaticCount()}; }
     [[nodiscard]] SlotRange All() const { return {0, Size()}; }
     [[nodiscard]] bool IsStatic(uint32_t slot) const { return slot >= m_moverCount; }
+    [[nodiscard]] bool IsResting(uint32_t slot) const { return slot >= m_movingCount; }
 
     /// The slot of a fixture, noSlot if it is not here.
     [[nodiscard]] uint32_t Find(uint32_t fixture) const { return m_table.Find(fixture); }
@@ -40,12 +44,14 @@ public:
     [[nodiscard]] const ItemId* Ids() const { return m_ids.data(); }
     [[nodiscard]] const AABB& Box(uint32_t slot) const { return m_boxes[slot]; }
     [[nodiscard]] ItemId Id(uint32_t slot) const { return m_ids[slot]; }
-    /// A free field for the algorithm, moved along with the proxy; notPending at first.
-    [[nodiscard]] uint32_t& Pending(uint32_t slot) { return m_pending[slot]; }
-    [[nodiscard]] uint32_t Pending(uint32_t slot) const { return m_pending[slot]; }
+    /// A free field for the algorithm, moved along with the proxy; noPlace at first.
+    [[nodiscard]] uint32_t& Place(uint32_t slot) { return m_places[slot]; }
+    [[nodiscard]] uint32_t Place(uint32_t slot) const { return m_places[slot]; }
 
-    /// Returns the slot.
+    /// Returns the slot. A mover does not rest at first.
     uint32_t Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box);
+    /// Lets a mover rest, or rouses it. Returns its new slot.
+    uint32_t SetResting(uint32_t slot, bool resting);
     void SetBox(uint32_t slot, const AABB& box) { m_boxes[slot] = box; }
     void Remove(uint32_t slot);
 
@@ -53,12 +59,13 @@ public:
 
 private:
     void Move(uint32_t from, uint32_t to);
+    void Swap(uint32_t slot1, uint32_t slot2);
 
     std::vector<AABB> m_boxes;
     std::vector<ItemId> m_ids;
-    std::vector<uint32_t> m_pending;
+    std::vector<uint32_t> m_places;
     FixtureTable m_table;
-    uint32_t m_moverCount = 0;
+    uint32_t m_movingCount = 0, m_moverCount = 0;
 };
 
 }  // namespace scree::broadphase

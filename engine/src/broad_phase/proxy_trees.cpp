@@ -8,28 +8,33 @@
 namespace scree::broadphase {
 
 void ProxyTrees::Choose() {
-    const float limit = m_staticShareThreshold * static_cast<float>(m_store.Size());
-    const bool apart = static_cast<float>(m_store.StaticCount()) > limit;
-    if (apart == m_areStaticsApart) return;
-    m_areStaticsApart = apart;
-    moverEdits.Forget(true);
-    staticEdits.Forget(true);
-    statics.Reset(0);
+    const float limit = m_restingShareThreshold * static_cast<float>(m_store.Size());
+    const bool apart = static_cast<float>(m_store.Resting().count) > limit;
+    if (apart == m_isRestingApart) return;
+    m_isRestingApart = apart;
+    mainEdits.Lose();
+    restingEdits.Lose();
+    resting.Reset(0, 0);
 }
 
-void ProxyTrees::NoteMainBuilt() {
-    moverEdits.Forget(false);
-    if (!m_areStaticsApart) staticEdits.Forget(false);
+void ProxyTrees::SetResting(uint32_t slot, bool isResting) {
+    if (!m_isRestingApart) {
+        m_store.SetResting(slot, isResting);
+        return;
+    }
+    EditsOf(slot).Leave(slot);
+    slot = m_store.SetResting(slot, isResting);
+    EditsOf(slot).Add(slot);
 }
 
 void ProxyTrees::RefuseEdits() {
-    if (moverEdits.Count() > 0) moverEdits.Forget(true);
-    if (staticEdits.Count() > 0) staticEdits.Forget(true);
+    if (mainEdits.Count() > 0) mainEdits.Lose();
+    if (restingEdits.Count() > 0) restingEdits.Lose();
 }
 
 size_t ProxyTrees::GetMemoryBytes() const {
-    return main.GetMemoryBytes() + statics.GetMemoryBytes() + moverEdits.GetMemoryBytes() +
-           staticEdits.GetMemoryBytes();
+    return main.GetMemoryBytes() + resting.GetMemoryBytes() + mainEdits.GetMemoryBytes() +
+           restingEdits.GetMemoryBytes();
 }
 
 }  // namespace scree::broadphase

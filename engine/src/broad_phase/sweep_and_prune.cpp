@@ -70,20 +70,20 @@ private:
     /// Drops removed proxies, takes over new boxes and new proxies, chooses the axis; true if it changed.
     bool Refresh() {
         // The store's free field tells which slots have been met in this pass; what is left over is new.
-        m_pass = m_pass + 1 == notPending ? 0 : m_pass + 1;
+        m_pass = m_pass + 1 == noPlace ? 0 : m_pass + 1;
         Spread spread;
         size_t kept = 0;
         for (const Entry& entry : m_entries) {
             const uint32_t slot = m_store.Find(entry.id.fixture);
             if (slot == noSlot) continue;
-            m_store.Pending(slot) = m_pass;
+            m_store.Place(slot) = m_pass;
             m_entries[kept++] = {ToBounds(m_store.Box(slot)), m_store.Id(slot)};
             spread.Add(m_entries[kept - 1].box);
         }
         m_entries.resize(kept);
         for (uint32_t slot = 0; slot < m_store.Size() && m_entries.size() < m_store.Size(); ++slot) {
-            if (m_store.Pending(slot) == m_pass) continue;
-            m_store.Pending(slot) = m_pass;
+            if (m_store.Place(slot) == m_pass) continue;
+            m_store.Place(slot) = m_pass;
             m_entries.push_back({ToBounds(m_store.Box(slot)), m_store.Id(slot)});
             spread.Add(m_entries.back().box);
         }

@@ -45,7 +45,7 @@ struct Builder {
 
 void BuildTopDown(std::vector<BuildItem>& items, SplitRule rule, uint32_t leafSize, FlatTree& tree) {
     const auto count = static_cast<uint32_t>(items.size());
-    tree.Reset(count);
+    tree.Reset(count, count);
     if (count == 0) return;
     const RangeBounds bounds = Measure(items.data(), count);
     tree.nodes.push_back({bounds.box, 0, count});

@@ -8,6 +8,11 @@
 #include "broad_phase/tree_nodes.h"
 
 namespace scree::broadphase {
+namespace {
+
+bool IsSame(const AABB& a, const AABB& b) { return a.lowerBound == b.lowerBound && a.upperBound == b.upperBound; }
+
+}  // namespace
 
 TreeBroadPhase::TreeBroadPhase(const BroadPhaseConfig& config, SplitRule rule, int leafSize)
     : m_rule(rule),
@@ -15,33 +20,55 @@ TreeBroadPhase::TreeBroadPhase(const BroadPhaseConfig& config, SplitRule rule, i
       m_trees(m_store, config.staticShareThreshold) {}
 
 void TreeBroadPhase::Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) {
+    m_hasChanged = true;
     m_isStaticIndexStale = m_isStaticIndexStale || motion == Motion::isStatic;
     const uint32_t slot = m_store.Insert(fixture, body, motion, box);
-    m_trees.EditsOf(slot).Mark(slot);
+    m_trees.EditsOf(slot).Add(slot);
 }
 
 void TreeBroadPhase::Update(uint32_t fixture, const AABB& box, Vec2 /*displacement*/) {
     const uint32_t slot = m_store.Find(fixture);
-    m_isStaticIndexStale = m_isStaticIndexStale || m_store.IsStatic(slot);
+    const bool isSame = IsSame(m_store.Box(slot), box);
     m_store.SetBox(slot, box);
-    m_trees.EditsOf(slot).Mark(slot);
+    if (isSame) return;
+    m_hasChanged = true;
+    m_isStaticIndexStale = m_isStaticIndexStale || m_store.IsStatic(slot);
+    m_trees.EditsOf(slot).Change(slot);
 }
 
 void TreeBroadPhase::UpdateMany(std::span<const BoxUpdate> updates) {
-    m_trees.moverEdits.Expect(updates.size());
     for (const BoxUpdate& update : updates) {
         const uint32_t slot = m_store.Find(update.fixture);
+        if (m_store.IsResting(slot)) {
+            Update(update.fixture, update.box, update.displacement);
+            continue;
+        }
+        m_hasChanged = m_hasChanged || !IsSame(m_store.Box(slot), update.box);
         m_store.SetBox(slot, update.box);
-        if (m_trees.moverEdits.IsStale() && !m_store.IsStatic(slot)) continue;
-        m_isStaticIndexStale = m_isStaticIndexStale || m_store.IsStatic(slot);
-        m_trees.EditsOf(slot).Mark(slot);
     }
+    if (m_hasChanged) m_trees.mainEdits.NoteMoved();
 }
 
 void TreeBroadPhase::Remove(uint32_t fixture) {
+    m_hasChanged = true;
     const uint32_t slot = m_store.Find(fixture);
     m_isStaticIndexStale = m_isStaticIndexStale || m_store.IsStatic(slot);
-    m_trees.EditsOf(slot).Remove(slot);
+    m_trees.EditsOf(slot).Leave(slot);
+    m_store.Remove(slot);
+}
+
+void TreeBroadPhase::SetResting(uint32_t fixture, bool resting) {
+    const uint32_t slot = m_store.Find(fixture);
+    if (m_store.IsStatic(slot) || m_store.IsResting(slot) == resting) return;
+    m_trees.SetResting(slot, resting);
+}
+
+void TreeBroadPhase::Collect(std::span<const uint32_t> fixtures, std::vector<BuildItem>& items) const {
+    items.clear();
+    for (const uint32_t fixture : fixtures) {
+        const uint32_t slot = m_store.Find(fixture);
+        items.push_back({ToBounds(m_store.Box(slot)), m_store.Id(slot)});
+    }
 }
 
 void TreeBroadPhase::Build(SlotRange slots, FlatTree& tree) {
@@ -49,44 +76,69 @@ void TreeBroadPhase::Build(SlotRange slots, FlatTree& tree) {
     BuildTopDown(m_items, m_rule, m_leafSize, tree);
 }
 
-void TreeBroadPhase::DetectBetween(const FlatTree& movers, const FlatTree& statics, PairSink& sink) {
-    m_stats.boxTests += QueryBatch(movers, statics, m_batch, sink);
+void TreeBroadPhase::DetectBetween(const FlatTree& moving, std::span<const BuildItem> /*outside*/,
+                                   const FlatTree& resting, PairSink& sink) {
+    m_stats.boxTests += QueryBatch(moving, resting, m_batch, sink);
 }
 
 void TreeBroadPhase::NoteMainBuilt() {
     m_stats.rebuiltProxies += m_trees.MainSlots().count;
-    m_trees.NoteMainBuilt();
+    m_trees.mainEdits.NoteBuilt();
 }
 
-void TreeBroadPhase::BuildStatics() {
-    Build(m_store.Statics(), m_trees.statics);
-    m_stats.rebuiltProxies += m_store.StaticCount();
-    m_trees.NoteStaticsBuilt();
+void TreeBroadPhase::BuildMain() {
+    m_trees.Choose();
+    Build(m_trees.MainSlots(), m_trees.main);
+    NoteMainBuilt();
+}
+
+void TreeBroadPhase::BuildResting() {
+    Build(m_store.Resting(), m_trees.resting);
+    m_stats.rebuiltProxies += m_store.Resting().count;
+    m_trees.restingEdits.NoteBuilt();
 }
 
 void TreeBroadPhase::PrepareQueries() {
-    if (m_trees.IsMainStale()) {
-        m_trees.Choose();
-        Build(m_trees.MainSlots(), m_trees.main);
-        NoteMainBuilt();
+    if (TreeEdits& edits = m_trees.mainEdits; edits.IsStale()) {
+        !edits.IsLost() && Refit(m_trees.main) ? edits.NoteRefitted() : BuildMain();
     }
-    if (m_trees.AreStaticsStale()) BuildStatics();
+    if (m_trees.IsRestingStale()) BuildResting();
+}
+
+bool TreeBroadPhase::PrepareResting() {
+    /// As many boxes as are cheaper to filter from the root than to keep in a tree; few large ones overlap most movers.
+    constexpr uint32_t mostWithoutTree = 32;
+    m_candidates.clear();
+    if (!m_trees.IsRestingApart()) return false;
+    const SlotRange resting = m_store.Resting();
+    if (TakesCandidates() && resting.count <= mostWithoutTree) {
+        CollectItems(m_store, resting, m_candidates);
+        return false;
+    }
+    if (m_store.Moving().count == 0) return false;
+    const TreeEdits& edits = m_trees.restingEdits;
+    if (edits.IsStale() || (!TakesCandidates() && edits.Count() > 0)) BuildResting();
+    Collect(edits.Outside(), m_candidates);
+    return true;
 }
 
 void TreeBroadPhase::FindPairs(std::vector<Pair>& pairs) {
     m_stats = {};
+    m_hasChanged = false;
     m_trees.Choose();
-    const bool apart = m_trees.AreStaticsApart();
-    m_stats.staticTreeSeparate = apart;
+    m_stats.staticTreeSeparate = m_trees.IsRestingApart();
     PairSink sink(pairs);
-    const bool asCandidates = apart && m_store.StaticCount() <= MaxRootCandidates();
-    m_rootCandidates = asCandidates ? m_store.Statics() : SlotRange{};
-    BuildAndDetect(m_trees.MainSlots(), m_trees.main, sink);
-    NoteMainBuilt();
-    if (apart && !asCandidates && m_store.MoverCount() > 0) {
-        if (m_trees.staticEdits.IsStale() || m_trees.staticEdits.Count() > 0) BuildStatics();
-        DetectBetween(m_trees.main, m_trees.statics, sink);
+    const bool meetsTree = PrepareResting();
+    Collect(m_trees.mainEdits.Outside(), m_outside);
+    if (RefitAndDetect(m_trees.main, m_trees.mainEdits, m_outside, sink)) {
+        m_trees.mainEdits.NoteRefitted();
+        m_stats.rebuiltProxies += m_trees.MainSlots().count;
+    } else {
+        m_outside.clear();
+        BuildAndDetect(m_trees.MainSlots(), m_trees.main, sink);
+        NoteMainBuilt();
     }
+    if (meetsTree) DetectBetween(m_trees.main, m_outside, m_trees.resting, sink);
     sink.Finish();
 }
 
@@ -103,9 +155,9 @@ uint64_t TreeBroadPhase::RayCast(const RayCastInput& input, RayVisitor visit) co
 }
 
 void TreeBroadPhase::QueryStatic(const AABB& box, Visitor visit) {
-    if (m_trees.AreStaticsApart()) {
-        if (m_trees.AreStaticsStale()) BuildStatics();
-        m_trees.QueryStatics(box, m_stats.boxTests, visit);
+    if (m_trees.IsRestingApart()) {
+        if (m_trees.IsRestingStale()) BuildResting();
+        m_trees.QueryResting(box, m_stats.boxTests, visit);
         return;
     }
     if (m_isStaticIndexStale) Build(m_store.Statics(), m_staticIndex);
@@ -116,12 +168,13 @@ void TreeBroadPhase::QueryStatic(const AABB& box, Visitor visit) {
 void TreeBroadPhase::GetNodes(std::vector<BvhNode>& nodes) {
     m_trees.RefuseEdits();
     PrepareQueries();
-    WriteNodes(m_trees.main, m_trees.statics, m_rule, nodes);
+    WriteNodes(m_trees.main, m_trees.resting, m_rule, nodes);
 }
 
 size_t TreeBroadPhase::GetMemoryBytes() const {
     return m_store.GetMemoryBytes() + m_trees.GetMemoryBytes() + m_staticIndex.GetMemoryBytes() +
-           m_batch.capacity() * sizeof(BatchItem) + m_items.capacity() * sizeof(BuildItem) + GetBufferBytes();
+           m_batch.capacity() * sizeof(BatchItem) +
+           (m_items.capacity() + m_candidates.capacity() + m_outside.capacity()) * sizeof(BuildItem) + GetBufferBytes();
 }
 
 }  // namespace scree::broadphase

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // What the rebuilding tree algorithms share: the proxies and their trees as a BroadPhase. Every FindPairs rebuilds the
-// main tree; queries between edits are answered from what was built last (proxy_trees.h, tree_edits.h). An algorithm
-// supplies the building and the detection.
+// main tree or gives it the present boxes; the tree of what rests follows edits (proxy_trees.h, tree_edits.h). An
+// algorithm supplies the building and the detection.
 
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "broad_phase/batch_query.h"
@@ -28,6 +29,8 @@ public:
     void Update(uint32_t fixture, const AABB& box, Vec2 displacement) override;
     void UpdateMany(std::span<const BoxUpdate> updates) override;
     void Remove(uint32_t fixture) override;
+    void SetResting(uint32_t fixture, bool resting) override;
+    [[nodiscard]] bool HasChanged() const override { return m_hasChanged; }
     void FindPairs(std::vector<Pair>& pairs) override;
 
     void PrepareQueries() override;
@@ -45,14 +48,27 @@ public:
 protected:
     /// Builds a tree over the slots.
     virtual void Build(SlotRange slots, FlatTree& tree);
-    /// Builds the main tree over the slots and reports the pairs inside it.
+    /// Gives a tree the present boxes of the proxies that live in it. False if it is to be built instead.
+    virtual bool Refit(FlatTree& /*tree*/) { return false; }
+    /// Builds the main tree over the slots and reports the pairs inside it, and those with the candidates.
     virtual void BuildAndDetect(SlotRange slots, FlatTree& tree, PairSink& sink) = 0;
-    /// Reports the pairs between the boxes of two trees; by default the movers go down the static tree as one batch.
-    virtual void DetectBetween(const FlatTree& movers, const FlatTree& statics, PairSink& sink);
-    /// Up to this many statics apart are handed to BuildAndDetect through RootCandidates instead of getting a tree.
-    [[nodiscard]] virtual uint32_t MaxRootCandidates() const { return 0; }
-    /// The statics that BuildAndDetect must test the movers against.
-    [[nodiscard]] SlotRange RootCandidates() const { return m_rootCandidates; }
+    /// The same for a tree whose splits still serve: gives it the present boxes, and joins in what is outside of it.
+    /// False if it did nothing.
+    virtual bool RefitAndDetect(FlatTree& /*tree*/, const TreeEdits& /*edits*/, std::span<const BuildItem> /*outside*/,
+                                PairSink& /*sink*/) {
+        return false;
+    }
+    /// Reports the pairs between the boxes of a tree and of what is outside of it, and those of another tree; by
+    /// default nothing is outside, and the boxes go down as one batch.
+    virtual void DetectBetween(const FlatTree& moving, std::span<const BuildItem> outside, const FlatTree& resting,
+                               PairSink& sink);
+    /// Whether BuildAndDetect and RefitAndDetect look at Candidates(). If not, a tree of what rests is rebuilt after
+    /// every edit.
+    [[nodiscard]] virtual bool TakesCandidates() const { return false; }
+    /// What rests and is in no tree: the movers must be tested against it.
+    [[nodiscard]] std::span<const BuildItem> Candidates() const { return m_candidates; }
+    /// Replaces `items` by the proxies of these fixtures.
+    void Collect(std::span<const uint32_t> fixtures, std::vector<BuildItem>& items) const;
     /// Bytes of the algorithm's own buffers.
     [[nodiscard]] virtual size_t GetBufferBytes() const { return 0; }
 
@@ -62,13 +78,17 @@ protected:
     const uint32_t m_leafSize;
 
 private:
+    void BuildMain();
+    void BuildResting();
     void NoteMainBuilt();
-    void BuildStatics();
+    /// Prepares the candidates, and the tree of what rests where they do not do. True if the movers must meet it.
+    bool PrepareResting();
 
     ProxyTrees m_trees;
-    FlatTree m_staticIndex;  ///< of QueryStatic while the statics have no tree of their own
+    FlatTree m_staticIndex;  ///< of QueryStatic while what rests has no tree of its own
     bool m_isStaticIndexStale = true;
-    SlotRange m_rootCandidates;
+    bool m_hasChanged = true;  ///< a box, since pairs were found
+    std::vector<BuildItem> m_candidates, m_outside;
     std::vector<BuildItem> m_items;  ///< of the default Build
     std::vector<BatchItem> m_batch;  ///< of the default DetectBetween
 };

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The list of edited proxies; the store keeps the place of each in it.
+// The list of what is outside, and the deaths in the tree. The store keeps the place of each proxy: its position in the
+// tree, or its index in the list.
 
 #include "broad_phase/tree_edits.h"
 
@@ -17,40 +18,64 @@ uint32_t EditLimit(uint32_t proxies) {
     return std::max(64u, static_cast<uint32_t>(std::sqrt(40.0f * static_cast<float>(proxies))));
 }
 
+/// Marks the place of a proxy that is outside.
+constexpr uint32_t outsideBit = 0x80000000u;
+
 }  // namespace
 
-void TreeEdits::Forget(bool stale) {
-    for (const uint32_t fixture : m_pending) m_store.Pending(m_store.Find(fixture)) = notPending;
-    m_pending.clear();
+void TreeEdits::Lose() {
+    m_outside.clear();
+    m_state = State::lost;
+}
+
+void TreeEdits::NoteBuilt() {
+    for (uint32_t position = 0; position < m_tree.Size(); ++position) {
+        m_store.Place(m_store.Find(m_tree.Ids()[position].fixture)) = position;
+    }
+    m_outside.clear();
     m_count = 0;
     m_limit = EditLimit(m_store.Size());
-    m_stale = stale;
+    m_state = State::current;
 }
 
 void TreeEdits::CountOne() {
-    if (!m_stale && ++m_count > m_limit) Forget(true);
+    if (++m_count > m_limit) Lose();
 }
 
-void TreeEdits::Mark(uint32_t slot) {
-    if (m_stale || m_store.Pending(slot) != notPending) return;
-    CountOne();
-    if (m_stale) return;
+void TreeEdits::PutOutside(uint32_t slot) {
     try {
-        m_pending.push_back(m_store.Id(slot).fixture);
+        m_outside.push_back(m_store.Id(slot).fixture);
     } catch (const std::bad_alloc&) {
-        return Forget(true);  // no room for the list: the tree is to be rebuilt
+        return Lose();  // no room for the list: the tree is to be rebuilt
     }
-    m_store.Pending(slot) = static_cast<uint32_t>(m_pending.size() - 1);
+    m_store.Place(slot) = outsideBit | static_cast<uint32_t>(m_outside.size() - 1);
 }
 
-void TreeEdits::Remove(uint32_t slot) {
-    if (const uint32_t at = m_store.Pending(slot); at != notPending) {
-        m_pending[at] = m_pending.back();
-        m_store.Pending(m_store.Find(m_pending[at])) = at;
-        m_pending.pop_back();
-    }
-    m_store.Remove(slot);
+void TreeEdits::TakeOut(uint32_t slot) {
+    const uint32_t place = m_store.Place(slot);
+    if ((place & outsideBit) == 0) return m_tree.Kill(place);
+    const uint32_t at = place & ~outsideBit;
+    m_outside[at] = m_outside.back();
+    m_store.Place(m_store.Find(m_outside[at])) = outsideBit | at;
+    m_outside.pop_back();
+}
+
+void TreeEdits::Add(uint32_t slot) {
+    if (!IsLost()) CountOne();
+    if (!IsLost()) PutOutside(slot);
+}
+
+void TreeEdits::Leave(uint32_t slot) {
+    if (!IsLost()) CountOne();
+    if (!IsLost()) TakeOut(slot);
+}
+
+void TreeEdits::Change(uint32_t slot) {
+    if (IsStale() || (m_store.Place(slot) & outsideBit) != 0) return;
     CountOne();
+    if (IsLost()) return;
+    m_tree.Kill(m_store.Place(slot));
+    PutOutside(slot);
 }
 
 }  // namespace scree::broadphase

@@ -84,7 +84,7 @@ public:
 protected:
     void BuildAndDetect(SlotRange slots, FlatTree& tree, PairSink& sink) override {
         CollectItems(m_store, slots, m_detectItems);
-        tree.Reset(slots.count);
+        tree.Reset(slots.count, slots.count);
         if (slots.count == 0) return;
         const RangeBounds bounds = Measure(m_detectItems.data(), slots.count);
         tree.nodes.push_back({bounds.box, 0, slots.count});

@@ -123,7 +123,7 @@ private:
             m_s.pairs[Row(index)].isHeld = true;
             Restore(backupA);
             Restore(backupB);
-            m_toi.UpdateTimes(m_toi.IsDynamic(pair.bodyA) ? pair.bodyA : pair.bodyB);
+            m_toi.UpdateEvent(index);  // of the others nothing changed: a body on a rough ground has thousands
             return false;
         }
         if (contact < 0) {
@@ -227,6 +227,7 @@ private:
         m_s.islandContacts.clear();
         for (const int body : m_s.islandBodies) {
             m_bodies.Wake(body);
+            m_t.contacts.RouseOf(body);
             for (const int contact : m_t.contacts.OfBody(body)) {
                 if (!m_t.contacts.IsAlive(contact) || m_t.contacts.Has(contact, ContactFlag::sensor)) continue;
                 if (!IsFirstMember(body, m_t.contacts.pair[Row(contact)].bodyA)) continue;

@@ -5,21 +5,72 @@
 
 #include "pipeline/find_pairs.h"
 
+#include <algorithm>
+
+#include "pipeline/parts/rouse.h"
 #include "pipeline/parts/update_boxes.h"
 
 namespace scree {
 
-void FindPairs(FreshOrder order, const ContactEvents& events, PairTables t) {
-    t.broadPhase.FindPairs(t.pairs);
-    MatchContacts(t.pairs, order, events, {t.pool, t.bodies, t.fixtures, t.joints, t.contacts});
+namespace {
+
+/// Edited fixtures that are queried one by one; more, for their share of the listed bodies, join one search.
+constexpr size_t fewEdits = 8, listedPerEdit = 32;
+
+MatchTables ForMatching(PairTables t) { return {t.pool, t.bodies, t.fixtures, t.joints, t.contacts}; }
+
+/// The pair rule of the broad phase.
+bool MayPair(const BodyTable& bodies, int bodyA, int bodyB) {
+    const auto isDynamic = [&](int body) { return bodies.type[static_cast<size_t>(body)] == dynamicBody; };
+    return bodyA != bodyB && (isDynamic(bodyA) || isDynamic(bodyB));
+}
+
+/// Appends the pairs of the edited fixtures.
+void QueryEdited(const EditedProxies& edited, PairTables t, std::vector<Pair>& pairs) {
+    t.broadPhase.PrepareQueries();
+    for (const uint32_t fixture : edited.Fixtures()) {
+        if (!t.fixtures.slots.IsAlive(static_cast<int>(fixture)) || !t.fixtures.info[fixture].inBroadPhase) continue;
+        const int body = t.fixtures.body[fixture];
+        t.broadPhase.Query(t.broadPhase.GetBox(fixture), [&](uint32_t other) {
+            if (MayPair(t.bodies, body, t.fixtures.body[other]))
+                pairs.push_back({std::min(fixture, other), std::max(fixture, other)});
+            return true;
+        });
+    }
+}
+
+}  // namespace
+
+void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairTables t) {
+    const size_t most = fewEdits + t.bodies.Listed().size() / listedPerEdit;
+    std::vector<Pair>& pairs = t.editedPairs;
+    pairs.clear();
+    if (!edited.AreAll() && edited.Fixtures().empty()) return t.contacts.Compact();
+    const bool isFew = !edited.AreAll() && edited.Fixtures().size() <= most;
+    if (!isFew) {
+        RouseProxies(t.bodies, t.fixtures, t.broadPhase);
+        t.broadPhase.FindPairs(pairs);
+    }
+    const bool reachesAll = !isFew && t.bodies.AreAllListed();
+    if (!reachesAll) QueryEdited(edited, t, pairs);
+    const Searched searched{.all = reachesAll, .listed = !isFew, .edited = &edited.Rows()};
+    MatchContacts(pairs, searched, FreshOrder::oldestFirst, events, ForMatching(t));
+    edited.Clear();
 }
 
 void FindPairsOfMoved(std::initializer_list<const std::vector<int>*> solved, float farDistance,
                       const ContactEvents& events, PairTables t) {
     if (t.bodies.Listed().empty()) return;  // no box has changed since pairs were found
+    RouseProxies(t.bodies, t.fixtures, t.broadPhase);
     const float farthest = UpdateMovedBoxes(t.bodies, t.fixtures, solved, t.broadPhase);
     if (farthest > farDistance) t.bodies.EnsureRests();
-    FindPairs(FreshOrder::newestFirst, events, t);
+    if (!t.contacts.mustMatch && !t.broadPhase.HasChanged()) {
+        t.contacts.Compact();
+        return;
+    }
+    t.broadPhase.FindPairs(t.pairs);
+    const Searched searched{.all = t.bodies.AreAllListed(), .listed = true};
+    MatchContacts(t.pairs, searched, FreshOrder::newestFirst, events, ForMatching(t));
 }
 
 }  // namespace scree

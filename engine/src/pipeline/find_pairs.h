@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Stage: boxes of what moved → pairs of fixtures whose boxes overlap → contacts.
+// Stage: boxes of what moved or was edited → pairs of fixtures whose boxes overlap → contacts.
 
 #pragma once
 
@@ -14,6 +14,7 @@
 #include "pipeline/parts/match_contacts.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
+#include "state/edited_proxies.h"
 #include "state/fixtures.h"
 #include "state/joints.h"
 
@@ -26,14 +27,16 @@ struct PairTables {
     JointTable& joints;
     ContactTable& contacts;
     BroadPhase& broadPhase;
-    std::vector<Pair>& pairs;  ///< of the last call
+    std::vector<Pair>& pairs;        ///< of listed bodies, when they were found last
+    std::vector<Pair>& editedPairs;  ///< of what was edited, likewise
 };
 
-/// Finds all pairs of the stored boxes and marks or makes their contacts.
-void FindPairs(FreshOrder order, const ContactEvents& events, PairTables tables);
+/// After edits between steps: finds the pairs of what was edited, and marks or makes their contacts.
+void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairTables tables);
 
-/// The same at the end of a step, after the boxes of the bodies that moved in it: the active ones, and those of the
-/// lists `solved` that fell asleep. A centre farther out than `farDistance`, m, makes positions have rests.
+/// At the end of a step, after the boxes of the bodies that moved in it (the active ones, and those of the lists
+/// `solved` that fell asleep): finds the pairs of listed bodies if any box has changed. A centre farther out than
+/// `farDistance`, m, makes positions have rests.
 void FindPairsOfMoved(std::initializer_list<const std::vector<int>*> solved, float farDistance,
                       const ContactEvents& events, PairTables tables);
 

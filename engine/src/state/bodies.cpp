@@ -33,7 +33,7 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     if (!force.empty()) ReserveRows(i + 1, force);
     if (!demand.empty()) ReserveRows(i + 1, demand);
     ReserveRows(movers.size() + 1, movers);
-    ReserveRows(i + 1, isListed, risen, m_listed);
+    ReserveRows(i + 1, isListed, risen, risenProxies, m_listed);
     listedRows.Reserve(movers.size() + 1);
     kinematicRows.Reserve(movers.size() + 1);
     while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
@@ -112,9 +112,13 @@ void BodyTable::Unlist(int body) {
 }
 
 void BodyTable::RefreshListed() const {
+    m_listedChanged = false;
+    if (AreAllListed()) {
+        m_listed = movers;
+        return;
+    }
     m_listed.clear();
     listedRows.ForEach([this](int row) { m_listed.push_back(movers[static_cast<size_t>(row)]); });
-    m_listedChanged = false;
 }
 
 void BodyTable::ListAll() {

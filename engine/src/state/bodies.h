@@ -109,7 +109,8 @@ struct BodyTable {
     IndexSet listedRows;            ///< rows of `movers`
     IndexSet kinematicRows;         ///< likewise, of kinematic bodies
     std::vector<uint8_t> isListed;  ///< per body
-    std::vector<int> risen;         ///< bodies listed again, whose contacts and proxies still rest
+    std::vector<int> risen;         ///< bodies listed again, whose contacts still rest
+    std::vector<int> risenProxies;  ///< and those whose proxies do
     int fellAsleep = 0;             ///< bodies put to sleep since sleepers were last unlisted, about
 
     [[nodiscard]] bool Has(int body, uint16_t flag) const { return (flags[static_cast<size_t>(body)] & flag) != 0; }
@@ -133,6 +134,7 @@ struct BodyTable {
         if (isListed[static_cast<size_t>(body)] != 0) return;
         Enlist(body);
         risen.push_back(body);
+        risenProxies.push_back(body);
         if (!Has(body, BodyFlag::awake)) fellAsleep = 1;
     }
     /// The mover rests from now on.
@@ -208,12 +210,13 @@ struct BodyTable {
     static void Fields(Self& t, Visit& visit) {
         auto& [slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,
                sleepTime, flags, type, fixtureHead, info, handles, movers, listHead, lastMover, listedRows,
-               kinematicRows, isListed, risen, fellAsleep, listed, listedChanged] = t;
+               kinematicRows, isListed, risen, risenProxies, fellAsleep, listed, listedChanged] = t;
         visit(slots), visit.Hashed(t.IsFar());
         visit.Rows(slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion,
                    demand, sleepTime, flags, type, fixtureHead, info);
         visit(movers, listHead, lastMover);
-        visit.LeftOut(handles, listedRows, kinematicRows, isListed, risen, fellAsleep, listed, listedChanged);
+        visit.LeftOut(handles, listedRows, kinematicRows, isListed, risen, risenProxies, fellAsleep, listed,
+                      listedChanged);
     }
 
 private:

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <functional>
 
 #include "base/bytes.h"
 #include "base/slots.h"
@@ -81,6 +82,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     manifold[i].pointCount = 0;
     ForgetSteady(index);
     m_adjacencyValid = false;
+    mustMatch = true;
     ++m_count;
     active.Insert(index);
     if (IsTooFull(m_count, m_hash.size())) {
@@ -103,6 +105,7 @@ void ContactTable::Remove(int contact) {
 
 void ContactTable::Rest(int contact) {
     if (!active.Erase(contact)) return;
+    m_adjacencyValid = false;
     EnsureRow(m_resting, contact);
     const auto c = static_cast<size_t>(contact);
     const int bodies[2] = {pair[c].bodyA, pair[c].bodyB};
@@ -132,6 +135,7 @@ void ContactTable::UnlinkResting(int contact) {
 void ContactTable::Rouse(int contact) {
     if (!IsAlive(contact) || !active.Insert(contact)) return;
     UnlinkResting(contact);
+    m_adjacencyValid = false;
     mayRest = true;
 }
 
@@ -160,6 +164,7 @@ void ContactTable::RouseAll() {
     }
     m_restingFirst.assign(m_restingFirst.size(), -1);
     m_restingTouching = 0;
+    m_adjacencyValid = false;
     mayRest = true;
 }
 
@@ -177,15 +182,22 @@ void ContactTable::RemoveParted() {
     static_assert(ContactFlag::alive == 1 && ContactFlag::marked == 2 && ContactFlag::touching == 4);
     const auto parted = [](uint64_t f) { return f & ~(f >> 1) & ~(f >> 2) & InAll(ContactFlag::alive); };
     const size_t freeBefore = m_free.size();
-    size_t row = 0;
-    for (; row + 8 <= flags.size(); row += 8) {
-        if (parted(LoadFlags(&flags[row])) == 0) continue;
-        for (size_t i = row; i < row + 8; ++i) {
-            if (parted(flags[i]) != 0) m_free.push_back(static_cast<int>(i));
+    const auto look = [&](size_t begin, size_t end) {
+        size_t row = begin;
+        for (; row + 8 <= end; row += 8) {
+            if (parted(LoadFlags(&flags[row])) == 0) continue;
+            for (size_t i = row; i < row + 8; ++i) {
+                if (parted(flags[i]) != 0) m_free.push_back(static_cast<int>(i));
+            }
         }
-    }
-    for (; row < flags.size(); ++row) {
-        if (parted(flags[row]) != 0) m_free.push_back(static_cast<int>(row));
+        for (; row < end; ++row) {
+            if (parted(flags[row]) != 0) m_free.push_back(static_cast<int>(row));
+        }
+    };
+    if (RestingCount() == 0) {
+        look(0, flags.size());
+    } else {
+        active.ForEachRun([&](size_t begin) { look(begin, std::min(begin + 64, flags.size())); });
     }
     const std::span<const int> gone = std::span(m_free).subspan(freeBefore);
     if (gone.empty()) return;
@@ -309,34 +321,41 @@ bool ContactTable::Restore() {
 void ContactTable::EnsureAdjacency() {
     if (m_adjacencyValid) return;
     int bodyCount = 0;
-    for (size_t i = 0; i < flags.size(); ++i) {
-        if (flags[i] != 0) bodyCount = std::max({bodyCount, pair[i].bodyA + 1, pair[i].bodyB + 1});
-    }
+    active.ForEach([&](int row) {
+        const ContactPair& p = pair[static_cast<size_t>(row)];
+        bodyCount = std::max({bodyCount, p.bodyA + 1, p.bodyB + 1});
+    });
     m_first.assign(static_cast<size_t>(bodyCount) + 1, 0);
-    for (size_t i = 0; i < flags.size(); ++i) {
-        if (flags[i] == 0) continue;
-        ++m_first[static_cast<size_t>(pair[i].bodyA)];
-        ++m_first[static_cast<size_t>(pair[i].bodyB)];
-    }
+    active.ForEach([&](int row) {
+        const ContactPair& p = pair[static_cast<size_t>(row)];
+        ++m_first[static_cast<size_t>(p.bodyA)];
+        ++m_first[static_cast<size_t>(p.bodyB)];
+    });
     int total = 0;
     for (int& first : m_first) {
         total += first;
         first = total;  // the end for now; filling turns it into the start, with the newest row in front
     }
     m_entries.resize(static_cast<size_t>(total));
-    for (size_t i = 0; i < flags.size(); ++i) {
-        if (flags[i] == 0) continue;
-        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(pair[i].bodyA)])] = static_cast<int>(i);
-        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(pair[i].bodyB)])] = static_cast<int>(i);
-    }
+    active.ForEach([&](int row) {
+        const ContactPair& p = pair[static_cast<size_t>(row)];
+        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(p.bodyA)])] = row;
+        m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(p.bodyB)])] = row;
+    });
     m_adjacencyValid = true;
 }
 
 std::span<const int> ContactTable::OfBody(int body) {
     EnsureAdjacency();
     const auto b = static_cast<size_t>(body);
-    if (b + 1 >= m_first.size()) return {};  // beyond the last body with a contact
-    return {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
+    std::span<const int> rows;
+    if (b + 1 < m_first.size())
+        rows = {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
+    if (!HasResting(body)) return rows;
+    m_ofBody.assign(rows.begin(), rows.end());
+    ListResting(body, m_ofBody);
+    std::sort(m_ofBody.begin(), m_ofBody.end(), std::greater<>());
+    return m_ofBody;
 }
 
 Contact* ContactTable::Handle(WorldState* state, int contact) {
@@ -422,14 +441,14 @@ size_t ContactTable::GetBytesPerRow() {
 
 size_t ContactTable::GetMemoryBytes() const {
     return BytesOf(flags, pair, manifold, material, steady, successor, matched, freshPairs, freshRefusals, m_hash,
-                   m_free, m_generation, m_first, m_entries, m_resting, m_restingFirst) +
+                   m_free, m_generation, m_first, m_entries, m_ofBody, m_resting, m_restingFirst) +
            active.GetMemoryBytes() + m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
 
 void ContactTable::Trim() {
     Shrink(flags, pair, manifold, material, steady, successor);
     matched = {}, freshPairs = {}, freshRefusals = {};
-    m_first = {}, m_entries = {};
+    m_first = {}, m_entries = {}, m_ofBody = {};
     m_adjacencyValid = false;
     Shrink(m_free, m_generation);
     m_hash = {};

@@ -79,6 +79,8 @@ struct ContactTable {
 
     IndexSet active;       ///< living rows that do not rest
     bool mayRest = false;  ///< some of them could, as some body has fallen asleep or contacts were roused
+    bool mustMatch =
+        true;  ///< pairs must be matched even if no box changes: contacts were added, or the filter changed
 
     [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
     [[nodiscard]] bool IsAlive(int contact) const {
@@ -123,9 +125,16 @@ struct ContactTable {
     [[nodiscard]] bool HasResting(int body) const {
         return static_cast<size_t>(body) < m_restingFirst.size() && m_restingFirst[static_cast<size_t>(body)] >= 0;
     }
-    /// Clears the flag `marked` of all rows.
+    /// Clears the flag `marked` of all rows, or of those that do not rest and for whose pair the predicate holds.
     void ClearMarks();
-    /// Removes the rows that have neither the flag `marked` nor `touching`.
+    template <typename Predicate>
+    void ClearMarksIf(Predicate goes) {
+        active.ForEach([&](int row) {
+            const auto r = static_cast<size_t>(row);
+            if (goes(pair[r])) flags[r] = static_cast<uint8_t>(flags[r] & ~ContactFlag::marked);
+        });
+    }
+    /// Removes the rows that have neither the flag `marked` nor `touching`; none of them rests.
     void RemoveParted();
     /// Orders the free rows, so that new contacts take the lowest, and frees trailing ones. Where most of many rows are
     /// free, contacts move to the lowest rows in the same order: stages walk over rows. O(rows).
@@ -133,17 +142,18 @@ struct ContactTable {
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [flags, pair, manifold, material, steady, keepsSteady, steadyReach, successor, firstMatched, matched,
-               freshPairs, freshRefusals, refused, active, mayRest, hash, shift, free, isCompact, handles, generation,
-               count, resting, restingFirst, restingTouching, isAdjacencyValid, first, entries] = t;
+               freshPairs, freshRefusals, refused, active, mayRest, mustMatch, hash, shift, free, isCompact, handles,
+               generation, count, resting, restingFirst, restingTouching, isAdjacencyValid, first, entries, ofBody] = t;
         visit.Rows(t, flags, pair, manifold, material, steady), visit(keepsSteady, free);
         visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, active,
-                      mayRest, hash, shift, isCompact, handles, generation, count, resting, restingFirst,
-                      restingTouching, isAdjacencyValid, first, entries);
+                      mayRest, mustMatch, hash, shift, isCompact, handles, generation, count, resting, restingFirst,
+                      restingTouching, isAdjacencyValid, first, entries, ofBody);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();
     /// Contacts of a body, newest row first; rows removed since the last Add are still listed. Valid until the next
-    /// Add.
+    /// Add, Rest or Rouse; of a body with resting contacts until the next call. O(contacts that do not rest) after one
+    /// of these, else O(contacts of the body).
     std::span<const int> OfBody(int body);
     /// The handle of a row, made on first use; it stays with the contact until that ends.
     Contact* Handle(WorldState* state, int contact);
@@ -210,8 +220,10 @@ private:
     int m_restingTouching = 0;
 
     bool m_adjacencyValid = false;
-    std::vector<int> m_first;  ///< per body up to the last one with a contact: start in m_entries; one more at the end
+    /// Of the contacts that do not rest, per body up to the last one with any: start in m_entries; one more at the end.
+    std::vector<int> m_first;
     std::vector<int> m_entries;
+    std::vector<int> m_ofBody;  ///< the last answer for a body with resting contacts
 };
 
 }  // namespace scree

@@ -31,14 +31,19 @@ public:
     }
     void Clear() { m_keys.clear(), m_forgotten.clear(); }
 
-    /// A pair finding begins. `fresh` are its pairs without a contact, sorted:
-    /// those known to be refused are taken out of it, and only they stay known.
-    void TakeOut(std::vector<uint64_t>& fresh) {
+    /// A pair finding begins. `fresh` are its pairs without a contact, sorted: those known to be refused are taken out
+    /// of it, and of the pairs for which `isSearched(low, high)` holds only they stay known.
+    template <typename Predicate>
+    void TakeOut(std::vector<uint64_t>& fresh, Predicate isSearched) {
         ApplyForgotten();
         if (m_keys.empty()) return;
         m_kept.clear(), m_rest.clear();
-        std::set_intersection(fresh.begin(), fresh.end(), m_keys.begin(), m_keys.end(), std::back_inserter(m_kept));
         std::set_difference(fresh.begin(), fresh.end(), m_keys.begin(), m_keys.end(), std::back_inserter(m_rest));
+        for (const uint64_t key : m_keys) {
+            const bool isFound = std::binary_search(fresh.begin(), fresh.end(), key);
+            if (isFound || !isSearched(static_cast<uint32_t>(key), static_cast<uint32_t>(key >> 32)))
+                m_kept.push_back(key);
+        }
         m_keys.swap(m_kept);
         fresh.swap(m_rest);
     }

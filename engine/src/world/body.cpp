@@ -5,6 +5,9 @@
 
 #include "scree/body.h"
 
+#include <span>
+#include <vector>
+
 #include "world/guard.h"
 #include "world/refresh.h"
 
@@ -333,7 +336,8 @@ void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) {
     guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed()) return;
     const WorldLock lock(*m_state);
-    for (const int c : m_state->contacts.OfBody(m_index)) {
+    const std::span<const int> rows = m_state->contacts.OfBody(m_index);
+    for (const int c : std::vector<int>(rows.begin(), rows.end())) {  // the visitor may ask for others'
         if (m_state->contacts.IsAlive(c) && !visit(m_state->contacts.Handle(m_state, c))) return;
     }
 }

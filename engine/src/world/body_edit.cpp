@@ -74,7 +74,7 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
     EdgeShape edge;
     edgeDef.shape = &edge;
     int first = -1;
-    const bool wereStale = s.pairsStale;
+    const bool wereStale = s.isEdited;
     try {
         for (int i = 0; i < chain.GetChildCount(); ++i) {
             chain.GetChildEdge(&edge, i);
@@ -85,7 +85,7 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
         }
     } catch (...) {
         UndoChain(s, body, id);
-        s.pairsStale = wereStale;
+        s.isEdited = wereStale;
         throw;
     }
     ++s.fixtures.nextChainId;
@@ -174,7 +174,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle, Vec2 positionRest) {
     if (!IsEnabled()) return ErrorCode::ok;
     UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
     ForgetGeometry(s, m_index);
-    Stir(s, m_index);
+    NoteBodyEdit(s, m_index);
     return ErrorCode::ok;
 }
 

@@ -53,7 +53,7 @@ MemoryUse GetMemoryUse(const World& world) {
     use.fixtures = s.fixtures.GetMemoryBytes();
     use.contacts = s.contacts.GetMemoryBytes();
     use.joints = s.joints.GetMemoryBytes();
-    use.broadPhase = s.broadPhase->GetMemoryBytes() + BytesOf(s.pairs);
+    use.broadPhase = s.broadPhase->GetMemoryBytes() + BytesOf(s.pairs, s.editedPairs) + s.edited.GetMemoryBytes();
     use.solverScratch = s.solverScratch.GetMemoryBytes() + s.islandScratch.GetMemoryBytes() +
                         s.islands.GetMemoryBytes() + s.active.GetMemoryBytes() + s.substepGroups.GetMemoryBytes() +
                         BytesOf(s.narrowPhaseScratch.findings) + s.continuousScratch.GetMemoryBytes();

@@ -18,7 +18,15 @@ namespace {
 template <typename Predicate>
 void DestroyIf(WorldState& s, int body, Predicate involves) {
     const WorldLock lock(s);
+    s.contacts.RouseOf(body);  // so that its list stays as it is while callbacks ask for others
     DestroyContactsOfBodyIf(body, involves, s.Events(), s.bodies, s.contacts);
+}
+
+/// The coming step looks at the body and at its contacts.
+void Stir(WorldState& s, int body) {
+    s.isEdited = true;
+    if (s.bodies.type[static_cast<size_t>(body)] != staticBody) s.bodies.List(body);
+    s.contacts.RouseOf(body);
 }
 
 /// The next step asks the filters again about these contacts, and about pairs that have none.
@@ -45,10 +53,16 @@ void ForgetGeometry(WorldState& s, int body) {
     for (const int contact : s.contacts.OfBody(body)) s.contacts.ForgetSteady(contact);
 }
 
-void Stir(WorldState& s, int body) {
-    s.pairsStale = true;
-    if (s.bodies.type[static_cast<size_t>(body)] != staticBody) s.bodies.List(body);
-    s.contacts.RouseOf(body);
+void NoteBodyEdit(WorldState& s, int body) {
+    for (const int f : s.fixtures.From(s.bodies.fixtureHead[static_cast<size_t>(body)])) {
+        s.edited.Add(static_cast<uint32_t>(f));
+    }
+    Stir(s, body);
+}
+
+void NoteParting(WorldState& s, int bodyA, int bodyB) {
+    const auto count = [&](int body) { return s.bodies.info[static_cast<size_t>(body)].fixtureCount; };
+    NoteBodyEdit(s, count(bodyA) <= count(bodyB) ? bodyA : bodyB);
 }
 
 void AddProxy(WorldState& s, int fixture) {
@@ -58,6 +72,7 @@ void AddProxy(WorldState& s, int fixture) {
     AABB box;
     s.fixtures.shape[f]->ComputeAABB(&box, place.xf);
     box = place.OutOf(box);
+    s.edited.Add(static_cast<uint32_t>(fixture));
     s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), MotionOf(s.bodies.type[b]), box);
     s.fixtures.info[f].inBroadPhase = true;
     ForgetGeometry(s, s.fixtures.body[f]);
@@ -77,7 +92,7 @@ void RemoveProxy(WorldState& s, int fixture) {
     info.inBroadPhase = false;
     s.contacts.refused.Forget(static_cast<uint32_t>(fixture));
     ForgetGeometry(s, s.fixtures.body[static_cast<size_t>(fixture)]);
-    s.pairsStale = true;
+    s.isEdited = true;
 }
 
 void DestroyContactsOfFixture(WorldState& s, int fixture) {
@@ -98,6 +113,7 @@ void DestroyContactsOfBody(WorldState& s, int body) {
 void RefilterFixture(WorldState& s, int fixture) {
     const auto f = static_cast<uint32_t>(fixture);
     s.contacts.refused.Forget(f);
+    s.edited.Add(f);
     RefilterIf(s, s.fixtures.body[f], [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
 }
 

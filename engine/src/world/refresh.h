@@ -11,8 +11,10 @@ namespace scree {
 
 /// What continuous collision knows about static fixtures near the body is forgotten; of all bodies if it is static.
 void ForgetGeometry(WorldState& state, int body);
-/// Boxes or filters of the body have been edited: the coming step looks at it and finds its pairs again.
-void Stir(WorldState& state, int body);
+/// The boxes of the body have been edited: the coming step finds its pairs again and looks at it.
+void NoteBodyEdit(WorldState& state, int body);
+/// The pairs of two bodies may have contacts again.
+void NoteParting(WorldState& state, int bodyA, int bodyB);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
 void AddProxy(WorldState& state, int fixture);
 void RemoveProxy(WorldState& state, int fixture);

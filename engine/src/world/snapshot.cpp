@@ -100,7 +100,11 @@ bool Read(WorldState& s, ImageReader& in) {
     if (in.Failed() || !ResumeSubStep(s.continuousScratch, s.bodies.info.size())) return false;
     RecountFeatures(s);
     if (!AllowedFeatures(s.def).Contains(UsedOf(CountFeatureUsers(s)))) return false;
-    if (!s.pairsStale) s.broadPhase->FindPairs(s.pairs);  // as after the step before
+    if (s.isEdited) {
+        s.edited.AddAll();
+    } else {
+        s.broadPhase->FindPairs(s.pairs);  // as after the step before
+    }
     return !in.Failed() && in.AtEnd();
 }
 

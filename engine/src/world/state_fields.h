@@ -244,28 +244,31 @@ void Fields(Self& info, Visit& visit) {
 /// Of a sub-stepped step that is not over yet: the part that each body has behind it.
 template <Is<ToiScratch> Self, typename Visit>
 void Fields(Self& scratch, Visit& visit) {
-    auto& [pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times, knownTo, round,
-           nearStatics, events, resuming, audit] = scratch;
+    auto& [pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver, times,
+           knownTo, round, nearStatics, events, resuming, audit] = scratch;
     visit(resuming);
     if (resuming) visit(alpha);
-    visit.LeftOut(pairs, firstPair, touched, found, lookers, candidates, screened, isPassedOver, times, knownTo, round);
+    visit.LeftOut(pairs, firstPair, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver, times,
+                  knownTo, round);
     visit.LeftOut(nearStatics, events, audit);
 }
 /// The settings and counters of a world beside its tables.
 template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
-    auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, pairsStale, islands,
-           active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch, continuousScratch,
-           destructionListener, listener, filter, errorHandler, errorContext, draw, recorder, featureCounts, kernels,
-           locks, autoClearForces, lastInverseDt, report, distanceWork, measureErrors, isolatedPath] = s;
-    visit(pairsStale, autoClearForces, lastInverseDt);
+    auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, editedPairs,
+           isEdited, edited, islands, active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch,
+           continuousScratch, destructionListener, listener, filter, errorHandler, errorContext, draw, recorder,
+           featureCounts, kernels, locks, autoClearForces, lastInverseDt, report, distanceWork, measureErrors,
+           isolatedPath] = s;
+    visit(isEdited, autoClearForces, lastInverseDt);
     std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
     visit(toi);
     visit.LeftOut(def, bodies, fixtures, contacts, joints);  // walked by themselves
     visit.LeftOut(world, pool, destructionListener, listener, filter, errorHandler, errorContext, draw, recorder);
     // Made anew from the rest, of the last step only, or without a bearing on results.
-    visit.LeftOut(broadPhase, broadPhaseKind, pairs, islands, active, substepGroups, narrowPhaseScratch, islandScratch,
-                  solverScratch, featureCounts, kernels, locks, report, distanceWork, measureErrors, isolatedPath);
+    visit.LeftOut(broadPhase, broadPhaseKind, pairs, editedPairs, edited, islands, active, substepGroups,
+                  narrowPhaseScratch, islandScratch, solverScratch, featureCounts, kernels, locks, report, distanceWork,
+                  measureErrors, isolatedPath);
 }
 
 /// The shapes of the living fixtures, and the boxes of those in the broad phase.

@@ -36,8 +36,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts);
     FindPairsOfMoved({&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, s.FarDistance(),
                      events, s.ForPairs());
-    s.pairsStale = false;
-    RestSleepers(s.bodies, s.contacts);
+    RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
 }
@@ -51,8 +50,8 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     const ContactEvents events = s.Events(request.substeps == 0);  // Box2D's rule for Box2D's solver
     s.distanceWork = {};
     RouseContacts(s.bodies, s.contacts);
-    if (s.pairsStale) FindPairs(FreshOrder::oldestFirst, events, s.ForPairs());
-    s.pairsStale = false;
+    if (s.isEdited) FindPairsOfEdited(s.edited, events, s.ForPairs());
+    s.isEdited = false;
     r.profile.broadPhase = watch.Lap();
     s.contacts.keepsSteady = request.substeps > 0;
     s.contacts.steadyReach = 8.0f * linearSlop * s.def.lengthScale;

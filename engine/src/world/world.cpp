@@ -152,6 +152,9 @@ ErrorCode World::SetContactFilter(ContactFilter* filter) {
     if (filter != nullptr && guard.Uses({Feature::filters}).Failed()) return guard.Code();
     m_state->filter = filter;
     m_state->contacts.refused.Clear();
+    // The coming step asks it about all pairs without a contact.
+    m_state->contacts.mustMatch = true;
+    for (const int body : m_state->bodies.movers) m_state->bodies.List(body);
     return ErrorCode::ok;
 }
 
@@ -274,6 +277,7 @@ ErrorCode World::TrimMemory() {
         s.continuousScratch.nearStatics = near;
     }
     s.pairs.shrink_to_fit();
+    s.editedPairs.shrink_to_fit();
     s.contacts.Trim();
     return ErrorCode::ok;
 }

@@ -18,6 +18,7 @@
 #include "scree/world.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
+#include "state/edited_proxies.h"
 #include "state/fixtures.h"
 #include "state/islands.h"
 #include "state/joints.h"
@@ -38,8 +39,9 @@ struct WorldState {
     std::unique_ptr<BroadPhase> broadPhase;
     BroadPhaseKind broadPhaseKind = BroadPhaseKind::automatic;  ///< resolved
     std::unique_ptr<TaskPool> pool;
-    std::vector<Pair> pairs;  ///< of the last pair finding
-    bool pairsStale = false;  ///< boxes changed since then
+    std::vector<Pair> pairs, editedPairs;  ///< of the last pair findings
+    bool isEdited = false;                 ///< contacts must be found or freed before the coming step
+    EditedProxies edited;                  ///< of what: in a restored world of all
 
     IslandTable islands;          ///< of the last step; the soft step may do without
     IslandTable active;           ///< of the last soft step: what was solved, without islands
@@ -73,7 +75,9 @@ struct WorldState {
         return {this, listener, filter, &distanceWork, restartsTimers};
     }
     [[nodiscard]] SolveLists Lists() { return {islands, active, substepGroups}; }
-    [[nodiscard]] PairTables ForPairs() { return {*pool, bodies, fixtures, joints, contacts, *broadPhase, pairs}; }
+    [[nodiscard]] PairTables ForPairs() {
+        return {*pool, bodies, fixtures, joints, contacts, *broadPhase, pairs, editedPairs};
+    }
     /// A coordinate beyond it makes positions have rests, m.
     [[nodiscard]] float FarDistance() const { return def.farDistance * def.lengthScale; }
     [[nodiscard]] bool IsLocked() const { return locks.load(std::memory_order_relaxed) > 0; }

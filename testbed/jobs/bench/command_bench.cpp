@@ -27,7 +27,7 @@
 #include "testbed/jobs/bench/table.h"
 #include "testbed/jobs/bench/targets.h"
 #include "testbed/options/options.h"
-#include "testbed/page/gnuplot.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -93,7 +93,9 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
         Print(FormatTargets(targets));
     }
     if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
-    Print(files.Write({DescribeCommand(request.arguments), files.GetRows(), targets, {}, notes, made}));
+    const BenchReport report{DescribeCommand(request.arguments), files.GetRows(), targets, {}, notes, made};
+    Print(files.Write(report));
+    if (!arguments.markdown.empty()) WriteMarkdown(arguments.markdown, MakeBenchPage(report));
     return HasMiss(targets) ? exitDiffers : exitDone;
 }
 

@@ -77,6 +77,40 @@ PageTable MakeTable(std::span<const BenchRow> rows) {
     return table;
 }
 
+/// Of processor times, which other programs do not lengthen; of wall times where ours has several threads.
+double FairRatio(const BenchRow& row) { return row.threads == 1 && row.cpuRatio > 0 ? row.cpuRatio : row.ratio; }
+
+/// One line a row: what most readers want to know.
+PageTable MakeSummary(std::span<const BenchRow> rows) {
+    PageTable table{.title = "In short",
+                    .caption =
+                        "Ratio: time of the baseline over that of the row; of processor times where ours has one "
+                        "thread, else of wall times. Void ratios compare different work.",
+                    .columns = {{.name = "scene"},
+                                {.name = "size", .numeric = true},
+                                {.name = "engine"},
+                                {.name = "solver"},
+                                {.name = "threads", .numeric = true},
+                                {.name = "total", .unit = "ms", .numeric = true},
+                                {.name = "quartiles", .unit = "ms"},
+                                {.name = "ratio", .unit = "×", .numeric = true},
+                                {.name = "void"}}};
+    for (const BenchRow& row : rows) {
+        PageCell ratio, total = PageCell::Number(row.totalMs, 1);
+        if (!row.complete) total.text = "≥ " + total.text;
+        if (!row.IsBaseline() && row.ratio > 0) {
+            const double value = FairRatio(row);
+            ratio = PageCell::Number(value, 2, value >= 1 ? PageTone::good : PageTone::bad);
+            if (!row.voidReason.empty()) ratio.tone = PageTone::warning;
+        }
+        table.rows.push_back({row.scene, PageCell::Number(row.size),
+                              row.GetName() + (row.continuous ? ", continuous" : ""), row.solver,
+                              PageCell::Number(row.threads), total,
+                              fmt::format("{:.1f} … {:.1f}", row.totalLowMs, row.totalHighMs), ratio, row.voidReason});
+    }
+    return table;
+}
+
 PageTable MakeTargetsTable(std::span<const TargetResult> targets) {
     PageTable table{.columns = {{.name = "verdict"},
                                 {.name = "target"},
@@ -99,9 +133,6 @@ PageTable MakeTargetsTable(std::span<const TargetResult> targets) {
     }
     return table;
 }
-
-/// Of processor times, which other programs do not lengthen; of wall times where ours has several threads.
-double FairRatio(const BenchRow& row) { return row.threads == 1 && row.cpuRatio > 0 ? row.cpuRatio : row.ratio; }
 
 PageTiles MakeTiles(std::span<const BenchRow> rows) {
     double sum = 0;
@@ -134,8 +165,9 @@ Page MakeBenchPage(const BenchReport& report) {
     const PageTiles tiles = MakeTiles(report.rows);
     PageSection table{.title = "Times", .intro = report.notes, .blocks = {}};
     if (!tiles.tiles.empty()) table.blocks.emplace_back(tiles);
-    table.blocks.emplace_back(MakeTable(report.rows));
+    table.blocks.emplace_back(MakeSummary(report.rows));
     page.sections.push_back(std::move(table));
+    page.sections.push_back({.title = "All columns", .blocks = {MakeTable(report.rows)}, .folded = true});
     if (std::ranges::any_of(report.rows, WasBusy)) {
         page.sections.front().blocks.insert(
             page.sections.front().blocks.begin(),

@@ -146,6 +146,8 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->type_name("DIR");
     app.add_option("-o,--output", arguments.output, "Folder for all of it: bench.csv, plots/, index.html")
         ->type_name("DIR");
+    app.add_option("--markdown", arguments.markdown, "Also write the report's text and tables as Markdown")
+        ->type_name("FILE");
     app.add_flag("--targets", arguments.targets,
                  "Judge the speed to reach, also with continuous collision on; exit 1 when a target is missed or void");
     app.add_option("--from", arguments.from, "Show and judge the rows of a --json file instead of running")

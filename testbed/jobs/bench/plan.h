@@ -29,7 +29,7 @@ struct BenchArguments {
     ShardArguments shard;
     bool targets = false;
     std::string from;  ///< rows to judge and show instead of a run
-    std::string csv, plots, output;
+    std::string csv, plots, output, markdown;
 };
 
 struct BenchPlan {

@@ -28,6 +28,7 @@
 #include "testbed/jobs/extremes/report.h"
 #include "testbed/jobs/extremes/run_case.h"
 #include "testbed/options/options.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -37,6 +38,7 @@ struct ExtremesArguments {
     bool quick = false, full = false, list = false;
     std::string filter;
     std::string from;
+    std::string markdown;
     std::string output = "out/extremes";
     double limit = 0.0;  ///< 0: by quick and full
     int jobs = 2;
@@ -208,6 +210,7 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
     Page page = MakeExtremesPage(results, pictures, DescribeCommand(request.arguments));
     for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
     output.WriteText("index.html", MakePage(page));
+    if (!arguments.markdown.empty()) WriteMarkdown(arguments.markdown, page);
     fmt::print("{}", FormatExtremes(results));
     for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
     const auto breaks = [](const ExtremeResult& r) {
@@ -235,6 +238,8 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
+    command->add_option("--markdown", arguments->markdown, "Also write the report's text and tables as Markdown")
+        ->type_name("FILE");
     AddSetOption(*command, arguments->settings, "Applied in all engines. A case keeps the settings that it is about");
     AddEnginesOption(*command, arguments->settings, "Instead of box2d 8/3, scree 8/3 and scree soft 4");
     AddShardOptions(*command, arguments->shard);

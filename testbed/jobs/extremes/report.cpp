@@ -119,6 +119,52 @@ PageTable MakeCounts(std::span<const ExtremeResult> results) {
     return table;
 }
 
+/// How many runs of a group have which grade: "58 · 43 · 12 · 1 · 10", then those that were not finished.
+std::string CountGroup(std::span<const ExtremeResult> results, const std::string& group, const std::string& setting) {
+    std::string text;
+    std::ptrdiff_t unfinished = 0;
+    for (const Grade grade : gradesInOrder) {
+        const std::ptrdiff_t count = std::ranges::count_if(results, [&](const ExtremeResult& result) {
+            const ExtremeCase* one = FindCase(result.name);
+            const bool isOfGroup = one != nullptr && (group.empty() || one->group == group);
+            return isOfGroup && result.setting == setting && result.verdict.grade == grade;
+        });
+        if (grade == Grade::notFinished) {
+            unfinished = count;
+        } else {
+            text += fmt::format("{}{}", text.empty() ? "" : " · ", count);
+        }
+    }
+    return unfinished > 0 ? fmt::format("{} ({} not finished)", text, unfinished) : text;
+}
+
+PageTable MakeGroups(std::span<const ExtremeResult> results) {
+    PageTable table{.title = "By group",
+                    .caption = "Runs with grade 4 · 3 · 2 · 1 · 0.",
+                    .columns = {{.name = "group"}, {.name = "cases", .numeric = true}}};
+    const std::vector<std::string> settings = SettingsOf(results);
+    for (const std::string& setting : settings) table.columns.push_back({.name = setting});
+    std::vector<std::pair<std::string, int>> groups;
+    int all = 0;
+    for (const ExtremeCase& one : GetExtremeCases()) {
+        if (std::ranges::find(results, one.name, &ExtremeResult::name) == results.end()) continue;
+        const auto found = std::ranges::find(groups, one.group, &std::pair<std::string, int>::first);
+        ++all;
+        if (found == groups.end()) {
+            groups.emplace_back(one.group, 1);
+        } else {
+            ++found->second;
+        }
+    }
+    groups.emplace_back("", all);
+    for (const auto& [group, cases] : groups) {
+        std::vector<PageCell> row{group.empty() ? "all" : group, PageCell::Number(cases)};
+        for (const std::string& setting : settings) row.emplace_back(CountGroup(results, group, setting));
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
 PageTable MakeMeasurements(std::span<const ExtremeResult> results) {
     PageTable table{.columns = {{.name = "case"},
                                 {.name = "setting"},
@@ -144,7 +190,7 @@ constexpr std::string_view meaning =
     "Every case runs in a process of its own with a limit of processor time. Grades: 0 the engine aborts or hangs, 1 a "
     "state is no longer finite, 2 energy more than doubles, a body passes a wall or leaves its place, or the "
     "scene is refused, 3 all survives but one of the questions is answered badly, 4 everything as asked. A run whose "
-    "time was over before its end, with nothing broken until then, is *not finished* and has no grade. Where our "
+    "time was over before its end, with nothing broken until then, is `not finished` and has no grade. Where our "
     "engine is told a length scale, its line says so; Box2D has its scale compiled in.\n\n"
     "The questions: states are finite; energy rises by no more than 1 %; nobody escapes; two seconds after load nobody "
     "overlaps by more than a tenth of its size; no step does more than 50 times the usual work; what should come to "
@@ -216,8 +262,9 @@ Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std
                   "What both engines do with masses, sizes, speeds, places, loads and input that no engine is made "
                   "for.",
               .facts = {{"command", command}, {"runs", fmt::format("{}", results.size())}}};
-    page.sections.push_back(
-        {.title = "Grades", .intro = std::string(meaning), .blocks = {MakeCounts(results), MakeMatrix(results)}});
+    page.sections.push_back({.title = "Grades",
+                             .intro = std::string(meaning),
+                             .blocks = {MakeCounts(results), MakeGroups(results), MakeMatrix(results)}});
     page.sections.push_back({.title = "Why not the full grade", .blocks = {MakeReasons(results)}});
     PageSection figures{.title = "Worst moments",
                         .intro =

@@ -24,6 +24,7 @@
 #include "testbed/jobs/tradeoff/report.h"
 #include "testbed/options/options.h"
 #include "testbed/page/gnuplot.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -34,6 +35,7 @@ struct TradeArguments {
     bool count = false;
     std::string filter;
     std::string from;
+    std::string markdown;
     std::string output = "out/tradeoff";
     SettingArguments settings{.engines = ""};
     ShardArguments shard;
@@ -103,7 +105,7 @@ std::vector<TradeCase> ReadCases(const std::string& file, std::vector<nlohmann::
 }
 
 void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, std::span<const nlohmann::ordered_json> made,
-                 const std::string& command) {
+                 const std::string& command, const std::string& markdown) {
     output.WriteText("cases.csv", MakeTradeCsv(cases));
     output.WriteText("bounds.csv", MakeBoundsCsv(cases));
     std::filesystem::path plots;
@@ -117,6 +119,7 @@ void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, std::sp
     Page page = MakeTradePage(cases, plots, command);
     for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
     output.WriteText("index.html", MakePage(page));
+    if (!markdown.empty()) WriteMarkdown(markdown, page);
 }
 
 int RunTradeoff(const TradeArguments& arguments, const Request& request) {
@@ -141,7 +144,7 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
                    shard.index, shard.count, cases.size());
         return exitDone;
     }
-    WriteReport(output, cases, made, DescribeCommand(request.arguments));
+    WriteReport(output, cases, made, DescribeCommand(request.arguments), arguments.markdown);
     fmt::print("{}", FormatTrade(cases));
     for (const std::string& file : output.GetFiles()) {
         if (!file.ends_with(".svg")) fmt::print("{}\n", file);
@@ -164,6 +167,8 @@ void AddTradeoffCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
+    command->add_option("--markdown", arguments->markdown, "Also write the report's text and tables as Markdown")
+        ->type_name("FILE");
     AddSetOption(*command, arguments->settings,
                  "Applied to all settings but Box2D's default, which they are compared with. A law about speed or "
                  "continuous collision keeps the caps it needs");

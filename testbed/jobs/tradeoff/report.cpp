@@ -203,7 +203,7 @@ PageTiles MakeTiles(std::span<const TradeCase> cases) {
             tiles.tiles.push_back({.label = fmt::format("{}, {}", what, choice.name),
                                    .value = value ? fmt::format("{:.2f}", *value) : "–",
                                    .unit = "×",
-                                   .note = fmt::format("median of {} laws, won in {}", headline.laws, won),
+                                   .note = fmt::format("median of {} laws, not lost in {}", headline.laws, won),
                                    .tone = value.value_or(0.0) < 1.0 ? PageTone::bad : PageTone::good});
         };
         add("speed at equal accuracy", headline.speedUp, headline.fasterIn);
@@ -290,9 +290,9 @@ Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path
                           "Equal accuracy: the cheapest setting that is as accurate as Box2D 2.4.1 at 8/3 and 60 Hz "
                           "in every error of the law, as a speed-up over that. Equal cost: the most accurate setting "
                           "that costs no more, by the error that gains least. Both engines choose from their settings "
-                          "by this rule. *Both choose* is our gain over Box2D's own; the numbers on top are its "
+                          "by this rule. `both choose` is our gain over Box2D's own; the numbers on top are its "
                           "medians. A law is lost when one of them is below 1 or out of reach. Left out of the medians "
-                          "are laws whose errors no number of Box2D's iterations changes (*cannot trade*), and laws in "
+                          "are laws whose errors no number of Box2D's iterations changes (`cannot trade`), and laws in "
                           "which Box2D's default fails.",
                       .blocks = {MakeTiles(cases)}};
     const std::vector<LawGain> compared = CompareWithBaseline(cases, oursBoth);
@@ -334,7 +334,8 @@ std::string FormatTrade(std::span<const TradeCase> cases) {
         const std::vector<LawGain> gains = CompareWithBaseline(cases, choice.families);
         const Headline h = Summarise(gains);
         text += fmt::format(
-            "{}: {} as fast at equal accuracy, faster in {} of {} laws; {} as accurate at equal cost, closer in {} "
+            "{}: {} as fast at equal accuracy, no slower in {} of {} laws; {} as accurate at equal cost, no worse in "
+            "{} "
             "(medians, both engines choose their settings)\n",
             choice.name, show(h.speedUp), h.fasterIn, h.laws, show(h.errorRatio), h.closerIn);
         text += "  lost to Box2D: " + ListLaws(gains, [](const LawGain& g) { return g.IsLost(); }) + "\n";

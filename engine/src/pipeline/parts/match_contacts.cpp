@@ -60,17 +60,38 @@ bool AskAbout(int a, int b, uint64_t key, const ContactEvents& events, MatchTabl
     return false;
 }
 
+bool HasRow(const std::vector<uint8_t>* rows, uint32_t row) {
+    return rows != nullptr && row < rows->size() && (*rows)[row] != 0;
+}
+
+bool IsSearched(const Searched& searched, const BodyTable& bodies, const ContactPair& pair) {
+    if (searched.all) return true;
+    if (HasRow(searched.edited, pair.fixtureA) || HasRow(searched.edited, pair.fixtureB)) return true;
+    const auto isListed = [&](int body) { return bodies.isListed[static_cast<size_t>(body)] != 0; };
+    return searched.listed && (isListed(pair.bodyA) || isListed(pair.bodyB));
+}
+
 }  // namespace
 
-void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactEvents& events, MatchTables t) {
+void MatchContacts(std::span<const Pair> pairs, const Searched& searched, FreshOrder order, const ContactEvents& events,
+                   MatchTables t) {
     std::vector<uint64_t>& fresh = t.contacts.freshPairs;
     fresh.clear();
-    t.contacts.ClearMarks();
+    if (searched.all) {
+        t.contacts.ClearMarks();
+    } else {
+        t.contacts.ClearMarksIf([&](const ContactPair& pair) { return IsSearched(searched, t.bodies, pair); });
+    }
     MarkPairs(pairs, events, t, fresh);
     // By index, so that callbacks and rows do not depend on the broad phase.
     std::sort(fresh.begin(), fresh.end());
+    fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
     const bool asks = events.filter != nullptr;
-    if (asks) t.contacts.refused.TakeOut(fresh);
+    if (asks) {
+        t.contacts.refused.TakeOut(fresh, [&](uint32_t a, uint32_t b) {
+            return IsSearched(searched, t.bodies, {a, b, t.fixtures.body[a], t.fixtures.body[b]});
+        });
+    }
     if (order == FreshOrder::newestFirst) std::reverse(fresh.begin(), fresh.end());
     t.contacts.Reserve(fresh.size());
     for (const uint64_t key : fresh) {
@@ -83,6 +104,7 @@ void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactE
     t.contacts.freshRefusals.clear();
     t.contacts.RemoveParted();
     t.contacts.Compact();
+    if (searched.all || searched.listed) t.contacts.mustMatch = false;
 }
 
 }  // namespace scree

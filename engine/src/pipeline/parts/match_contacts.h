@@ -8,6 +8,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
@@ -32,7 +33,16 @@ struct MatchTables {
 /// first.
 enum class FreshOrder : uint8_t { oldestFirst, newestFirst };
 
-/// Marks, creates, sweeps. Contacts of bodies that joints or filters keep apart are not made.
-void MatchContacts(std::span<const Pair> pairs, FreshOrder order, const ContactEvents& events, MatchTables tables);
+/// Which pairs a search has found if there are such: all, or those with a listed body or an edited fixture. The others
+/// have neither begun nor parted.
+struct Searched {
+    bool all = false;
+    bool listed = false;                           ///< those of listed bodies
+    const std::vector<uint8_t>* edited = nullptr;  ///< per fixture, rows may be missing; null: none
+};
+
+/// Marks, creates, sweeps; pairs may come twice. Contacts of bodies that joints or filters keep apart are not made.
+void MatchContacts(std::span<const Pair> pairs, const Searched& searched, FreshOrder order, const ContactEvents& events,
+                   MatchTables tables);
 
 }  // namespace scree

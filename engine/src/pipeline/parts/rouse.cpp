@@ -7,13 +7,32 @@
 
 namespace scree {
 
-void RestSleepers(BodyTable& bodies, ContactTable& contacts) {
+namespace {
+
+void SetResting(int body, bool resting, const BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase) {
+    for (const int f : fixtures.From(bodies.fixtureHead[static_cast<size_t>(body)])) {
+        if (fixtures.info[static_cast<size_t>(f)].inBroadPhase)
+            broadPhase.SetResting(static_cast<uint32_t>(f), resting);
+    }
+}
+
+}  // namespace
+
+void RouseProxies(BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase) {
+    for (const int body : bodies.risenProxies) {
+        if (bodies.isListed[static_cast<size_t>(body)] != 0) SetResting(body, false, bodies, fixtures, broadPhase);
+    }
+    bodies.risenProxies.clear();
+}
+
+void RestSleepers(BodyTable& bodies, const FixtureTable& fixtures, ContactTable& contacts, BroadPhase& broadPhase) {
     RouseContacts(bodies, contacts);
     if (bodies.fellAsleep > 0) {
         bodies.fellAsleep = 0;
         for (const int body : bodies.Listed()) {
             if (bodies.Has(body, BodyFlag::awake)) continue;
             bodies.Unlist(body);
+            SetResting(body, true, bodies, fixtures, broadPhase);
             contacts.mayRest = true;
         }
     }

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What rests is looked at by no stage: contacts of bodies that have stirred are taken back, and what has come to rest
-// is put aside.
+// What rests is looked at by no stage: contacts and proxies of bodies that have stirred are taken back, and what has
+// come to rest is put aside.
 
 #pragma once
 
+#include "broad_phase/broad_phase.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
+#include "state/fixtures.h"
 
 namespace scree {
 
@@ -20,8 +22,11 @@ inline int RouseContacts(BodyTable& bodies, ContactTable& contacts, int row = 0)
     return touching;
 }
 
-/// Unlists the bodies that are asleep, and puts the contacts aside that no listed body has. Those that the next narrow
-/// phase is to end or to ask the filters about stay.
-void RestSleepers(BodyTable& bodies, ContactTable& contacts);
+/// Rouses the proxies of the bodies that were listed since the last call.
+void RouseProxies(BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase);
+
+/// Unlists the bodies that are asleep, and puts their proxies and the contacts aside that no listed body has. Contacts
+/// that the next narrow phase is to end or to ask the filters about stay.
+void RestSleepers(BodyTable& bodies, const FixtureTable& fixtures, ContactTable& contacts, BroadPhase& broadPhase);
 
 }  // namespace scree

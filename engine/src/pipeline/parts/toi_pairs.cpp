@@ -164,9 +164,14 @@ void ToiPairs::FindTimes() {
 
 /// Gives the dynamic bodies boxes that cover their motion, when someone can hit them.
 void ToiPairs::SweepBoxes() {
+    m_s.sweptBoxes.clear();
     for (const int body : m_bodies.Listed()) {
-        if (m_bodies.IsActive(body)) SweepBoxesOf(body);
+        if (!m_bodies.IsActive(body)) continue;
+        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, static_cast<uint32_t>(f)});
+        }
     }
+    m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
 }
 
 void ToiPairs::SweepBoxesOf(int body) {

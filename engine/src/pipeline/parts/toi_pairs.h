@@ -71,6 +71,7 @@ struct ToiScratch {
     std::vector<int> lookers;              ///< bodies whose ways are looked at
     std::vector<ToiCandidate> candidates;  ///< of one body
     std::vector<ScreenedBody> screened;    ///< by place among the lookers
+    std::vector<BoxUpdate> sweptBoxes;     ///< when someone can hit moving bodies
     std::vector<uint8_t> isPassedOver;     ///< per body: 1 if it has no pairs because it meets nothing static
     std::vector<float> times;              ///< per pair
     std::vector<int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -81,8 +82,8 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, isPassedOver, times,
-                       knownTo) +
+        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver,
+                       times, knownTo) +
                nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
@@ -107,6 +108,8 @@ public:
     void Complete(int body);
     /// New times for all pairs of a body.
     void UpdateTimes(int body);
+    /// The same of one pair.
+    void UpdateEvent(int index);
     /// The same after its motion changed, and pairs with what has come into its way.
     void Refresh(int body);
 
@@ -158,7 +161,6 @@ private:
     [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const;
     [[nodiscard]] Clearance ClearanceOf(const ToiPair& pair) const;
     [[nodiscard]] bool IsSpared(const ToiPair& pair) const;
-    void UpdateEvent(int index);
     void SetEvent(int index, float alpha);
     [[nodiscard]] float FirstTimeOf(const ToiPair& pair, TOIStats& work) const;
     [[nodiscard]] float TimeOf(const ToiPair& pair, TOIStats& work) const;

@@ -118,7 +118,7 @@ void RemoveJoint(WorldState& s, int joint) {
         --s.bodies.info[static_cast<size_t>(body)].jointCount;
         s.bodies.Wake(body);
     }
-    if (!info.collideConnected) s.pairsStale = true;  // their pairs may have contacts again
+    if (!info.collideConnected) NoteParting(s, info.bodyA, info.bodyB);
 }
 
 }  // namespace scree
