@@ -28,6 +28,7 @@
 #include "testbed/jobs/overlap/commands.h"
 #include "testbed/jobs/requires/commands.h"
 #include "testbed/jobs/snapshot/commands.h"
+#include "testbed/jobs/timeline/commands.h"
 #include "testbed/jobs/tradeoff/commands.h"
 #include "testbed/jobs/window/commands.h"
 #include "testbed/page/gnuplot.h"
@@ -130,6 +131,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddInfoCommand(app, request);
     AddConvertCommand(app, request);
     AddFindCommand(app, request);
+    AddTimelineCommand(app, request);
     AddOverlapCommand(app, request);
     AddRenderCommand(app, request);
     AddMetricsCommand(app, request);

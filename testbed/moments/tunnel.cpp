@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <utility>
 #include <vector>
@@ -169,18 +170,48 @@ private:
             }
         }
         m_collides.clear();
+        SortSegments();
+    }
+
+    /// By their left ends, the narrow ones first: of those only few can be at one place.
+    void SortSegments() {
+        std::vector<float> widths;
+        for (const Segment& segment : m_segments) widths.push_back(segment.box.upper.x - segment.box.lower.x);
+        std::ranges::sort(widths);
+        m_narrowWidth = widths.empty() ? 0.0f : 4.0f * widths[widths.size() / 2];
+        const auto isWide = [&](const Segment& s) { return s.box.upper.x - s.box.lower.x > m_narrowWidth; };
+        std::ranges::sort(m_segments, [&](const Segment& a, const Segment& b) {
+            return std::pair(isWide(a), a.box.lower.x) < std::pair(isWide(b), b.box.lower.x);
+        });
+        m_narrowCount = static_cast<std::size_t>(std::ranges::count_if(m_segments, std::not_fn(isWide)));
+    }
+
+    /// Calls `action` with every segment that may be at a place between two x.
+    template <typename Action>
+    void ForSegments(float left, float right, Action&& action) const {
+        const auto end = m_segments.begin() + static_cast<std::ptrdiff_t>(m_narrowCount);
+        auto at = std::lower_bound(m_segments.begin(), end, left - m_narrowWidth,
+                                   [](const Segment& segment, float x) { return segment.box.lower.x < x; });
+        for (; at != end && at->box.lower.x <= right; ++at) action(*at);
+        for (at = end; at != m_segments.end() && at->box.lower.x <= right; ++at) action(*at);
     }
 
     /// The mean of all corners of each body that is new: a point inside what is convex.
     void FindMiddles(const Frame& frame) {
         m_middles.resize(frame.scene.bodies.size());
+        if (std::ranges::none_of(frame.now.bodies, [&](const BodyState& body) {
+                return body.type == scenes::BodyType::dynamic &&
+                       !m_middles[static_cast<std::size_t>(body.index)].isKnown;
+            })) {
+            return;
+        }
         std::vector<Middle> sums(frame.scene.bodies.size());
         const auto indexOf = [&](const FixtureState& fixture) {
             return static_cast<std::size_t>(frame.now.bodies[static_cast<std::size_t>(fixture.body)].index);
         };
         for (const FixtureState& fixture : frame.now.fixtures) {
             const std::size_t index = indexOf(fixture);
-            if (m_middles[index].count > 0 || fixture.sensor) continue;
+            if (m_middles[index].isKnown || fixture.sensor) continue;
             for (const Vec2 corner : OutlineOf(fixture)) {
                 sums[index].point = {sums[index].point.x + corner.x, sums[index].point.y + corner.y};
                 ++sums[index].count;
@@ -191,6 +222,7 @@ private:
             const auto count = static_cast<float>(sums[i].count);
             m_middles[i] = {{sums[i].point.x / count, sums[i].point.y / count}, sums[i].count};
         }
+        for (const BodyState& body : frame.now.bodies) m_middles[static_cast<std::size_t>(body.index)].isKnown = true;
         for (const FixtureState& fixture : frame.now.fixtures) {
             const std::size_t index = indexOf(fixture);
             if (sums[index].count == 0 || fixture.sensor) continue;
@@ -212,19 +244,19 @@ private:
         const Box way{{std::min(from.x, to.x), std::min(from.y, to.y)},
                       {std::max(from.x, to.x), std::max(from.y, to.y)}};
         m_hits.clear();
-        for (const Segment& segment : m_segments) {
+        ForSegments(way.lower.x, way.upper.x, [&](const Segment& segment) {
             if (segment.box.lower.x > way.upper.x || segment.box.upper.x < way.lower.x ||
                 segment.box.lower.y > way.upper.y || segment.box.upper.y < way.lower.y) {
-                continue;
+                return;
             }
             const int side = Crossing(segment, from, to);
-            if (side == 0 || !CanCollide(frame.scene, body.index, segment)) continue;
+            if (side == 0 || !CanCollide(frame.scene, body.index, segment)) return;
             const double near = Cross(segment.from, segment.to, from), far = Cross(segment.from, segment.to, to);
             const double share = near / (near - far);
             const auto along = static_cast<float>(share);
             m_hits.push_back(
                 {share, &segment, side, {from.x + along * (to.x - from.x), from.y + along * (to.y - from.y)}});
-        }
+        });
         std::ranges::sort(m_hits, {}, &Hit::at);
         for (const Hit& hit : m_hits) Pass(frame, body, hit, std::hypot(to.x - from.x, to.y - from.y));
     }
@@ -302,12 +334,15 @@ private:
 
     struct Middle {
         Vec2 point{};
-        int count = 0;       ///< corners; 0: not known yet
+        int count = 0;  ///< corners
+        bool isKnown = false;
         float reach = 0.0f;  ///< from it to the farthest corner
     };
 
     std::vector<float> m_poses;  ///< of static bodies, for which the segments are
     std::vector<Segment> m_segments;
+    std::size_t m_narrowCount = 0;  ///< segments that are no wider than
+    float m_narrowWidth = 0.0f;
     std::vector<Middle> m_middles;  ///< by index of a body
     std::vector<Hit> m_hits;        ///< of one body in a step
     std::map<Key, bool> m_collides;

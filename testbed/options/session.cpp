@@ -10,7 +10,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "testbed/base/errors.h"
 #include "testbed/base/text.h"
+#include "testbed/engines/saved_world.h"
 #include "testbed/engines/track_run.h"
 #include "testbed/input/track_file.h"
 
@@ -81,6 +83,38 @@ bool Session::HasTimes() const {
     if (!IsMotion()) return true;
     TrackFile& track = *m_start.motion;
     return !track.GetSteps().empty() && !track.Read(track.GetSteps().front()).stages.empty();
+}
+
+void AddSessionOptions(CLI::App& app, SessionArguments& arguments) {
+    app.add_option("INPUT", arguments.input, DescribeSceneArgument("A session or a scene"));
+    app.add_option("--size", arguments.size, "Size of a scene that `scree list` shows; its default if not given");
+    arguments.reading.poses.clear();
+    AddInputOptions(app, arguments.reading);
+    app.add_option("--engine", arguments.engine,
+                   "What runs a scene: ENGINE[:KEY=VALUE]..; scree if not given. A motion is taken as it was recorded")
+        ->type_name("ENGINE");
+    app.add_option("--steps", arguments.steps, "Steps to run; a full run if not given")->check(CLI::Range(1, maxStep));
+    AddSetOption(app, arguments.settings);
+}
+
+SceneInput ChooseSessionInput(const SessionArguments& arguments) {
+    if (arguments.input.empty()) throw UsageError("where? Give a file or the name of a scene; `scree list` shows all");
+    return ChooseScene(arguments.input, arguments.size, arguments.reading);
+}
+
+Session OpenSession(const SessionArguments& arguments, const SceneInput& input) {
+    if (input.motion != nullptr) {
+        if (!arguments.engine.empty() || arguments.steps || !arguments.settings.sets.empty()) {
+            throw UsageError(fmt::format("{} is taken as it was recorded: --engine, --steps and --set need --from K",
+                                         arguments.input));
+        }
+        return {input, RunSpec{}, input.steps};
+    }
+    const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : std::string_view();
+    const std::vector<Pane> panes =
+        ParsePanes(arguments.engine.empty() ? "scree" : arguments.engine, GetTypedSettings(arguments.settings), base);
+    if (panes.size() != 1) throw UsageError(fmt::format("{}: give one engine", arguments.engine));
+    return {input, panes.front().spec, arguments.steps.value_or(input.steps)};
 }
 
 }  // namespace testbed

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,20 @@ private:
     int m_lastStep;
     double m_timeStep;  ///< of an engine's run
 };
+
+/// A session as typed.
+struct SessionArguments {
+    std::string input;
+    std::optional<int> size, steps;
+    InputArguments reading;
+    SettingArguments settings;
+    std::string engine;  ///< ENGINE[:KEY=VALUE]…; empty: scree, or a motion as it was recorded
+};
+/// INPUT and the options that say how it is run.
+void AddSessionOptions(CLI::App& app, SessionArguments& arguments);
+/// The scene or the motion that was asked for. Throws UsageError and FileError.
+[[nodiscard]] SceneInput ChooseSessionInput(const SessionArguments& arguments);
+/// From its beginning. Throws UsageError for what cannot be meant together.
+[[nodiscard]] Session OpenSession(const SessionArguments& arguments, const SceneInput& input);
 
 }  // namespace testbed

@@ -20,7 +20,6 @@
 #include "testbed/base/new_file.h"
 #include "testbed/base/output.h"
 #include "testbed/base/text.h"
-#include "testbed/engines/saved_world.h"
 #include "testbed/jobs/find/commands.h"
 #include "testbed/jobs/find/report.h"
 #include "testbed/moments/conditions.h"
@@ -37,34 +36,14 @@ namespace {
 constexpr std::size_t mostShown = 50, mostPictures = 20;
 
 struct FindArguments {
-    std::string input;
-    std::optional<int> size, steps, pileOn;
-    InputArguments reading;
-    SettingArguments settings;
-    std::string engine;
+    SessionArguments session;
+    std::optional<int> pileOn;
     bool tunnel = false, nonFinite = false, jitter = false;
     std::optional<double> overlap, speed, spin, spike, jointGap, awake;
     std::string escape, diverge;
     double longer = 0, distance = 0;
     std::string pictures, json, junit;
 };
-
-RunSpec MakeSpecOf(const FindArguments& arguments, const SceneInput& input, const std::string& engine) {
-    const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : std::string_view();
-    const std::vector<Pane> panes =
-        ParsePanes(engine.empty() ? "scree" : engine, GetTypedSettings(arguments.settings), base);
-    if (panes.size() != 1) throw UsageError(fmt::format("{}: give one engine; --diverge takes another", engine));
-    return panes.front().spec;
-}
-
-Session MakeSession(const FindArguments& arguments, const SceneInput& input, const std::string& engine) {
-    if (input.motion != nullptr && (!engine.empty() || arguments.steps || !arguments.settings.sets.empty())) {
-        throw UsageError(fmt::format("{} is looked at as it was recorded: --engine, --steps and --set need --from K",
-                                     arguments.input));
-    }
-    const RunSpec spec = input.motion != nullptr ? RunSpec{} : MakeSpecOf(arguments, input, engine);
-    return {input, spec, arguments.steps.value_or(input.steps)};
-}
 
 Box ParseBox(const std::string& text) {
     std::vector<float> numbers;
@@ -96,20 +75,21 @@ struct Other {
 
 std::shared_ptr<Other> MakeOther(const FindArguments& arguments, const SceneInput& input) {
     auto other = std::make_shared<Other>();
-    if (!LooksLikeFile(arguments.diverge)) {
-        if (input.motion != nullptr) {
-            throw UsageError(
-                fmt::format("--diverge {}: {} is a motion, and --from K says where an engine starts in it; "
-                            "give another file",
-                            arguments.diverge, arguments.input));
-        }
-        other->session = std::make_unique<Session>(MakeSession(arguments, input, arguments.diverge));
+    SessionArguments there = arguments.session;
+    if (LooksLikeFile(arguments.diverge)) {
+        there.input = arguments.diverge;
+        there.size.reset();
+        other->session = std::make_unique<Session>(OpenSession(there, ChooseSessionInput(there)));
         return other;
     }
-    FindArguments there = arguments;
-    there.input = arguments.diverge;
-    const SceneInput otherInput = ChooseScene(arguments.diverge, std::nullopt, arguments.reading);
-    other->session = std::make_unique<Session>(MakeSession(there, otherInput, arguments.engine));
+    if (input.motion != nullptr) {
+        throw UsageError(
+            fmt::format("--diverge {}: {} is a motion, and --from K says where an engine starts in it; "
+                        "give another file",
+                        arguments.diverge, there.input));
+    }
+    there.engine = arguments.diverge;
+    other->session = std::make_unique<Session>(OpenSession(there, input));
     return other;
 }
 
@@ -210,14 +190,13 @@ void DrawMoments(Session session, FindReport& report, const std::string& folder)
 }
 
 int RunFind(const FindArguments& arguments, const Request& request) {
-    if (arguments.input.empty()) throw UsageError("where? Give a file or the name of a scene; `scree list` shows all");
-    const SceneInput input = ChooseScene(arguments.input, arguments.size, arguments.reading);
-    Session session = MakeSession(arguments, input, arguments.engine);
+    const SceneInput input = ChooseSessionInput(arguments.session);
+    Session session = OpenSession(arguments.session, input);
     Asked asked = MakeConditions(arguments, input);
-    CheckHas(session, asked, arguments.input);
+    CheckHas(session, asked, arguments.session.input);
 
     FindReport report{
-        .input = arguments.input, .command = DescribeCommand(request.arguments), .conditions = asked.names};
+        .input = arguments.session.input, .command = DescribeCommand(request.arguments), .conditions = asked.names};
     const int first = session.GetStep();
     Watch watch(session.GetScene(), std::move(asked.conditions));
     watch.Show(session.Capture(), 0.0);
@@ -225,7 +204,7 @@ int RunFind(const FindArguments& arguments, const Request& request) {
     report.steps = session.GetStep() - first;
     for (Moment& moment : watch.Finish()) report.found.push_back({std::move(moment)});
     if (!arguments.pictures.empty()) {
-        DrawMoments(MakeSession(arguments, input, arguments.engine), report, arguments.pictures);
+        DrawMoments(OpenSession(arguments.session, input), report, arguments.pictures);
     }
     if (!arguments.json.empty()) WriteTextFile(arguments.json, WriteFindJson(report, session));
     if (!arguments.junit.empty()) WriteTextFile(arguments.junit, WriteFindJUnit(report, session));
@@ -275,18 +254,8 @@ void AddFindCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand(
         "find", "The moments of a session that matter: tunnelling, overlap, spikes; exit code 1 if there are any");
     auto arguments = std::make_shared<FindArguments>();
-    command->add_option("INPUT", arguments->input, DescribeSceneArgument("A session or a scene"));
+    AddSessionOptions(*command, arguments->session);
     AddConditions(*command, *arguments);
-    command->add_option("--size", arguments->size, "Size of a scene that `scree list` shows; its default if not given");
-    arguments->reading.poses.clear();
-    AddInputOptions(*command, arguments->reading);
-    command
-        ->add_option("--engine", arguments->engine,
-                     "What runs a scene: ENGINE[:KEY=VALUE]..; scree if not given. A motion is looked at as recorded")
-        ->type_name("ENGINE");
-    command->add_option("--steps", arguments->steps, "Steps to run; a full run if not given")
-        ->check(CLI::Range(1, maxStep));
-    AddSetOption(*command, arguments->settings);
     command->add_option("--pictures", arguments->pictures, "Folder for a picture of each of the first 20 moments")
         ->type_name("DIR");
     command->add_option("--json", arguments->json, "The moments as JSON")->type_name("FILE");

@@ -21,10 +21,10 @@ struct FoundMoment {
 };
 
 struct FindReport {
-    std::string input, command;
-    int steps = 0;                        ///< looked at
-    std::vector<std::string> conditions;  ///< names, as asked for
-    std::vector<FoundMoment> found;       ///< by step
+    std::string input{}, command{};
+    int steps = 0;                          ///< looked at
+    std::vector<std::string> conditions{};  ///< names, as asked for
+    std::vector<FoundMoment> found{};       ///< by step
 };
 
 /// "step 512, 8.53 s: tunnel: player (37), floor (0): went through, at 45 m/s".
