@@ -24,9 +24,11 @@
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/extremes/commands.h"
 #include "testbed/jobs/files/commands.h"
+#include "testbed/jobs/find/commands.h"
 #include "testbed/jobs/overlap/commands.h"
 #include "testbed/jobs/requires/commands.h"
 #include "testbed/jobs/snapshot/commands.h"
+#include "testbed/jobs/timeline/commands.h"
 #include "testbed/jobs/tradeoff/commands.h"
 #include "testbed/jobs/window/commands.h"
 #include "testbed/page/gnuplot.h"
@@ -128,6 +130,8 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddListCommand(app, request);
     AddInfoCommand(app, request);
     AddConvertCommand(app, request);
+    AddFindCommand(app, request);
+    AddTimelineCommand(app, request);
     AddOverlapCommand(app, request);
     AddRenderCommand(app, request);
     AddMetricsCommand(app, request);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -56,6 +57,27 @@ struct BoxOf {
     }
 };
 
+/// The stages of either engine by the testbed's names.
+StepTimes TimesOf(const TrackStep& step) {
+    constexpr std::pair<std::string_view, double StepTimes::*> names[] = {{"step", &StepTimes::step},
+                                                                          {"broadPhase", &StepTimes::broadPhase},
+                                                                          {"broadphase", &StepTimes::broadPhase},
+                                                                          {"narrowPhase", &StepTimes::narrowPhase},
+                                                                          {"collide", &StepTimes::narrowPhase},
+                                                                          {"solver", &StepTimes::solver},
+                                                                          {"solve", &StepTimes::solver},
+                                                                          {"islands", &StepTimes::islands},
+                                                                          {"continuous", &StepTimes::continuous},
+                                                                          {"solveTOI", &StepTimes::continuous}};
+    StepTimes times;
+    for (const auto& [stage, milliseconds] : step.stages) {
+        for (const auto& [name, member] : names) {
+            if (stage == name) times.*member = double{milliseconds};
+        }
+    }
+    return times;
+}
+
 Place PlaceOf(const BodyState& body) { return {body.position, body.sin, body.cos}; }
 
 class TrackRun final : public EngineRun {
@@ -78,7 +100,7 @@ public:
         m_step = steps[m_next++];
     }
     [[nodiscard]] int GetStep() const override { return m_step; }
-    [[nodiscard]] StepTimes GetTimes() const override { return {}; }
+    [[nodiscard]] StepTimes GetTimes() const override { return TimesOf(m_track->Read(m_step)); }
     [[nodiscard]] int GetContactCount() const override { return CountContacts(m_track->Read(m_step)); }
     [[nodiscard]] StepCounts CountStep() override {
         const TrackStep& step = m_track->Read(m_step);
@@ -212,7 +234,7 @@ void TrackRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {
     snapshot.scene = scene.name;
     snapshot.size = scene.size;
     snapshot.step = m_step;
-    snapshot.times = {};
+    snapshot.times = TimesOf(step);
     snapshot.contactCount = CountContacts(step);
     snapshot.touchingCount = static_cast<int>(step.contacts.size());
     std::vector<int> placeOf(step.bodies.size(), -1), firstFixtureOf(scene.fixtures.size(), -1);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A recorded motion as a run: each step goes to the next one that was recorded. Nothing is simulated, and there is no
-// tree; what follows it (poses.h) has one.
+// tree; what follows it (poses.h) has one. Times are those of the engine that was recorded.
 
 #pragma once
 

@@ -71,7 +71,7 @@ struct SceneInput {
 /// A file that is there, whole.
 struct InputFile {
     FileKind kind = FileKind::scene;
-    std::string path, bytes;
+    std::string path{}, bytes{};
 };
 /// Reads a file; its kind is that of --format, else of its ending. Throws FileError if it cannot be read or begins like
 /// another kind, UsageError with the kinds that there are.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Includes point one way: base ← geometry ← broad_phase ← state ← constraints ← pipeline ← world in the engine, and in
-// the testbed base, capture ← input, picture ← engines ← gl, page ← view ← options ← jobs ← cli, where no job includes
+// the testbed base, capture ← input, picture ← engines ← moments, gl, page ← view ← options ← jobs ← cli, where no job includes
 // another. Scenes know nothing of this project, pictures and views no engine, and only engines/, what records one and
 // what abuses one see an engine.
 
@@ -172,16 +172,17 @@ TEST(Layering, OnlyEnginesSeesOurEngine) {
 struct Folder {
     std::string_view name, below;
 };
-constexpr std::array<Folder, 11> folders = {{{"base", ""},
+constexpr std::array<Folder, 12> folders = {{{"base", ""},
                                              {"capture", ""},
                                              {"input", "base capture"},
                                              {"picture", "base"},
                                              {"engines", "base capture input"},
+                                             {"moments", "base engines"},
                                              {"gl", "base picture"},
                                              {"page", "base picture"},
                                              {"view", "base picture engines gl"},
                                              {"options", "base input picture engines gl view"},
-                                             {"jobs", "base input picture engines gl page view options"},
+                                             {"jobs", "base input picture engines moments gl page view options"},
                                              {"cli", "base input picture engines gl page view options jobs"}}};
 
 /// "jobs" of "testbed/jobs/bench/row.h"; empty for a file directly below testbed/.

@@ -13,7 +13,7 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
-#include "testbed/base/output.h"
+#include "testbed/base/new_file.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/jobs/files/commands.h"
@@ -42,10 +42,12 @@ void RecordRun(const ConvertArguments& arguments) {
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : comparisonBase;
     const RunSpec spec = ParseSpec(arguments.engine, GetTypedSettings(arguments.settings), base);
     const std::unique_ptr<InteractiveRun> run = MakeRun(input.Start(), spec);
-    run->Record(arguments.out);
+    NewFile track(arguments.out);
+    run->Record(track.GetPlace().string());
     const int steps = arguments.steps.value_or(input.steps);
     for (int i = 0; i < steps; ++i) run->Step();
     run->EndRecord();
+    track.Finish();
 }
 
 void MakeTrack(const ConvertArguments& arguments) {

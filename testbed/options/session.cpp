@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Implementation of session.h.
+
+#include "testbed/options/session.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/text.h"
+#include "testbed/engines/saved_world.h"
+#include "testbed/engines/track_run.h"
+#include "testbed/input/track_file.h"
+
+namespace testbed {
+
+namespace {
+
+/// Below "bodies" of what whoever made the scene wanted kept: names by index.
+std::vector<std::string> NamesIn(const scenes::Scene& scene) {
+    std::vector<std::string> names(scene.bodies.size());
+    const nlohmann::json user = nlohmann::json::parse(scene.user, nullptr, false);
+    if (!user.is_object() || !user.contains("bodies") || !user["bodies"].is_object()) return names;
+    for (const auto& [key, told] : user["bodies"].items()) {
+        const Parsed<int> index = ParseNumber<int>(key);
+        if (!index || *index < 0 || *index >= std::ssize(names) || !told.is_object()) continue;
+        if (told.contains("name") && told["name"].is_string()) names[static_cast<std::size_t>(*index)] = told["name"];
+    }
+    return names;
+}
+
+std::vector<std::string> NamesIn(const TrackFile& track) {
+    std::vector<std::string> names;
+    for (const TrackBody& body : track.GetBodies()) names.push_back(body.name);
+    return names;
+}
+
+}  // namespace
+
+Session::Session(const SceneInput& input, const RunSpec& spec, int steps)
+    : m_start(input.Start()), m_lastStep(steps), m_timeStep(double{m_start.scene.timeStep}) {
+    if (IsMotion()) {
+        m_run = MakeTrackRun(m_start.motion, m_start.step);
+        m_names = NamesIn(*m_start.motion);
+        m_lastStep = m_start.motion->GetLastStep();
+        return;
+    }
+    std::unique_ptr<InteractiveRun> run = MakeRun(m_start, spec);
+    m_timeStep = testbed::GetTimeStep(run->GetSpec());
+    m_run = std::move(run);
+    m_names = NamesIn(m_start.scene);
+}
+
+bool Session::Step() {
+    if (m_run->GetStep() >= m_lastStep) return false;
+    m_run->Step();
+    return true;
+}
+
+double Session::GetTimeStep() const {
+    return IsMotion() ? double{m_start.motion->Read(m_run->GetStep()).timeStep} : m_timeStep;
+}
+
+Snapshot Session::Capture() {
+    Snapshot snapshot;
+    m_run->Capture(snapshot, {.nodes = false, .pairs = false});
+    snapshot.times = m_run->GetTimes();
+    return snapshot;
+}
+
+std::string Session::NameOf(int body) const {
+    const std::string& name = GetName(body);
+    return name.empty() ? fmt::format("body {}", body) : fmt::format("{} ({})", name, body);
+}
+
+bool Session::HasContacts() const { return !IsMotion() || m_start.motion->GetInfo().hasContacts; }
+
+bool Session::HasTimes() const {
+    if (!IsMotion()) return true;
+    TrackFile& track = *m_start.motion;
+    return !track.GetSteps().empty() && !track.Read(track.GetSteps().front()).stages.empty();
+}
+
+void AddSessionOptions(CLI::App& app, SessionArguments& arguments) {
+    app.add_option("INPUT", arguments.input, DescribeSceneArgument("A session or a scene"));
+    app.add_option("--size", arguments.size, "Size of a scene that `scree list` shows; its default if not given");
+    arguments.reading.poses.clear();
+    AddInputOptions(app, arguments.reading);
+    app.add_option("--engine", arguments.engine,
+                   "What runs a scene: ENGINE[:KEY=VALUE]..; scree if not given. A motion is taken as it was recorded")
+        ->type_name("ENGINE");
+    app.add_option("--steps", arguments.steps, "Steps to run; a full run if not given")->check(CLI::Range(1, maxStep));
+    AddSetOption(app, arguments.settings);
+}
+
+SceneInput ChooseSessionInput(const SessionArguments& arguments) {
+    if (arguments.input.empty()) throw UsageError("where? Give a file or the name of a scene; `scree list` shows all");
+    return ChooseScene(arguments.input, arguments.size, arguments.reading);
+}
+
+Session OpenSession(const SessionArguments& arguments, const SceneInput& input) {
+    if (input.motion != nullptr) {
+        if (!arguments.engine.empty() || arguments.steps || !arguments.settings.sets.empty()) {
+            throw UsageError(fmt::format("{} is taken as it was recorded: --engine, --steps and --set need --from K",
+                                         arguments.input));
+        }
+        return {input, RunSpec{}, input.steps};
+    }
+    const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : std::string_view();
+    const std::vector<Pane> panes =
+        ParsePanes(arguments.engine.empty() ? "scree" : arguments.engine, GetTypedSettings(arguments.settings), base);
+    if (panes.size() != 1) throw UsageError(fmt::format("{}: give one engine", arguments.engine));
+    return {input, panes.front().spec, arguments.steps.value_or(input.steps)};
+}
+
+}  // namespace testbed

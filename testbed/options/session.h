@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A session that conditions look at: a motion as it was recorded, or an engine that runs a scene.
+
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "testbed/engines/engine_run.h"
+#include "testbed/options/options.h"
+
+namespace testbed {
+
+class Session {
+public:
+    /// `steps` of an engine's run; a motion ends where it was recorded to.
+    Session(const SceneInput& input, const RunSpec& spec, int steps);
+
+    /// False at the end.
+    bool Step();
+    [[nodiscard]] int GetStep() const { return m_run->GetStep(); }
+    [[nodiscard]] int GetLastStep() const { return m_lastStep; }
+    /// Of the last step, s.
+    [[nodiscard]] double GetTimeStep() const;
+    /// Without nodes.
+    [[nodiscard]] Snapshot Capture();
+    /// What the indices of bodies mean.
+    [[nodiscard]] const scenes::Scene& GetScene() const { return m_start.scene; }
+    /// "player (37)", or "body 37" without a name.
+    [[nodiscard]] std::string NameOf(int body) const;
+    /// The name alone, or nothing.
+    [[nodiscard]] const std::string& GetName(int body) const { return m_names[static_cast<std::size_t>(body)]; }
+    [[nodiscard]] bool IsMotion() const { return m_start.motion != nullptr; }
+    /// Contacts and times are known: a motion may have been recorded without.
+    [[nodiscard]] bool HasContacts() const;
+    [[nodiscard]] bool HasTimes() const;
+
+private:
+    RunStart m_start;
+    std::unique_ptr<EngineRun> m_run;
+    std::vector<std::string> m_names;  ///< by index of a body
+    int m_lastStep;
+    double m_timeStep;  ///< of an engine's run
+};
+
+/// A session as typed.
+struct SessionArguments {
+    std::string input;
+    std::optional<int> size, steps;
+    InputArguments reading;
+    SettingArguments settings;
+    std::string engine;  ///< ENGINE[:KEY=VALUE]…; empty: scree, or a motion as it was recorded
+};
+/// INPUT and the options that say how it is run.
+void AddSessionOptions(CLI::App& app, SessionArguments& arguments);
+/// The scene or the motion that was asked for. Throws UsageError and FileError.
+[[nodiscard]] SceneInput ChooseSessionInput(const SessionArguments& arguments);
+/// From its beginning. Throws UsageError for what cannot be meant together.
+[[nodiscard]] Session OpenSession(const SessionArguments& arguments, const SceneInput& input);
+
+}  // namespace testbed

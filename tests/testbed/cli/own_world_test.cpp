@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Every command of testbed/docs/own-world.md, as it stands there, on a session that was recorded as it says.
+
+#include <box2d/box2d.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "testbed/base/errors.h"
+#include "testbed/capture/scree_capture_box2d.h"
+#include "tests/testbed/program.h"
+
+namespace testbed {
+namespace {
+
+/// The lines of the page's blocks of a language.
+std::vector<std::string> Lines(const std::string& language) {
+    std::ifstream page(SCREE_SOURCE_DIR "/testbed/docs/own-world.md");
+    std::vector<std::string> lines;
+    bool isInside = false;
+    for (std::string line; std::getline(page, line);) {
+        if (line.starts_with("```")) {
+            isInside = line == "```" + language;
+        } else if (isInside) {
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+/// A level with a floor and a heap of crates; the player is thrown out of it after a second.
+void PlayGame(const std::string& path) {
+    b2World world(b2Vec2(0.0f, -10.0f));
+    b2BodyDef floorDef;
+    b2PolygonShape floor;
+    floor.SetAsBox(10.0f, 0.5f);
+    world.CreateBody(&floorDef)->CreateFixture(&floor, 0.0f);
+    b2Body* player = nullptr;
+    for (int i = 0; i < 30; ++i) {
+        b2BodyDef def;
+        def.type = b2_dynamicBody;
+        def.position.Set(static_cast<float>(i % 6) - 3.0f, 1.0f + static_cast<float>(i / 6));
+        player = world.CreateBody(&def);
+        b2PolygonShape crate;
+        crate.SetAsBox(0.4f, 0.4f);
+        player->CreateFixture(&crate, 1.0f);
+    }
+    scree_capture::Options options;
+    options.contacts = true;
+    options.stages = true;
+    scree_capture::Track track(world, path, options);
+    track.Name(player, "player");
+    const float dt = 1.0f / 60.0f;
+    for (int step = 1; step <= 120; ++step) {
+        if (step == 60) player->SetLinearVelocity(b2Vec2(40.0f, 20.0f));
+        world.Step(dt, 8, 3);
+        track.Step(dt);
+    }
+}
+
+TEST(OwnWorld, EveryCommandOfThePageRuns) {
+    const ScratchFolder folder;
+    PlayGame(folder.GetPath() / "session.track");
+    int commands = 0;
+    for (std::string line : Lines("sh")) {
+        ASSERT_TRUE(line.starts_with("scree ")) << line;
+        line = line.substr(6, line.find('#') - 6);
+        const ProgramResult result = folder.Run(line + (line.starts_with("overlap") ? " --image 320x200" : ""));
+        const bool finds = line.starts_with("find");
+        EXPECT_TRUE(result.exitCode == exitDone || (finds && result.exitCode == exitDiffers)) << line << "\n"
+                                                                                              << result.output;
+        if (line.find("--escape") != std::string::npos) {
+            EXPECT_EQ(result.exitCode, exitDiffers);
+            EXPECT_NE(result.output.find("escape: player (30): left the box"), std::string::npos) << result.output;
+            EXPECT_TRUE(std::filesystem::exists(folder.GetPath() / "out/escape")) << result.output;
+        }
+        ++commands;
+    }
+    EXPECT_GT(commands, 10);
+    EXPECT_TRUE(folder.Has("out/session/step-0060/compare.png"));
+    EXPECT_TRUE(folder.Has("out/both/session/step-0001/render-box2d.png"));
+    EXPECT_TRUE(folder.Has("level.scene.json"));
+}
+
+TEST(OwnWorld, TheLinesOfCodeAreThoseOfTheHeaders) {
+    // What stands on the page stands in this file, which is compiled.
+    std::ifstream own(SCREE_SOURCE_DIR "/tests/testbed/cli/own_world_test.cpp");
+    std::string text{std::istreambuf_iterator<char>(own), {}};
+    for (const char* line :
+         {"options.contacts = true;", "options.stages = true;", "track.Name(player, \"player\");", "track.Step(dt);"}) {
+        EXPECT_NE(text.find(line), std::string::npos);
+        bool isOnPage = false;
+        for (const std::string& onPage : Lines("cpp")) isOnPage = isOnPage || onPage.find(line) != std::string::npos;
+        EXPECT_TRUE(isOnPage) << line;
+    }
+}
+
+}  // namespace
+}  // namespace testbed

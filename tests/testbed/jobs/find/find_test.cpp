@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree find` names the moments that were hidden in sessions, in every kind of input, for readers and for programs.
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "scree/world.h"
+#include "testbed/base/errors.h"
+#include "testbed/capture/scree_capture.h"
+#include "tests/testbed/program.h"
+
+namespace testbed {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A box full of balls that a paddle stirs, without continuous collision. In step `hidden` one of them goes through a
+/// wall: body 137, "escapee". Returns its number in the track.
+void RecordStirredBox(const std::string& path, int balls, int steps, int hidden) {
+    std::mt19937 random(11);
+    scree::WorldDef worldDef;
+    worldDef.continuousPhysics = false;
+    scree::World world(worldDef);
+    const scree::BodyDef groundDef;
+    scree::Body* walls = world.CreateBody(&groundDef);
+    const scree::Vec2 corners[] = {{-10, 0}, {10, 0}, {10, 20}, {-10, 20}};
+    for (int i = 0; i < 4; ++i) {
+        scree::EdgeShape edge;
+        edge.SetTwoSided(corners[i], corners[(i + 1) % 4]);
+        walls->CreateFixture(&edge, 0.0f);
+    }
+    std::vector<scree::Body*> bodies;
+    for (int i = 0; i < balls; ++i) {
+        scree::BodyDef def;
+        def.type = scree::dynamicBody;
+        def.position = {static_cast<float>(i % 18) - 8.5f, 1.0f + static_cast<float>(i / 18)};
+        bodies.push_back(world.CreateBody(&def));
+        scree::CircleShape circle;
+        circle.m_radius = 0.3f;
+        scree::FixtureDef fixture;
+        fixture.shape = &circle;
+        fixture.density = 1.0f;
+        bodies.back()->CreateFixture(&fixture);
+    }
+    scree::BodyDef paddleDef;
+    paddleDef.type = scree::kinematicBody;
+    paddleDef.position = {0.0f, 4.0f};
+    paddleDef.angularVelocity = 1.0f;
+    scree::PolygonShape paddle;
+    paddle.SetAsBox(4.0f, 0.2f);
+    world.CreateBody(&paddleDef)->CreateFixture(&paddle, 0.0f);
+    scree_capture::Options options;
+    options.contacts = true;
+    scree_capture::Track track(world, path, options);
+    scree::Body* escapee = bodies[136];
+    track.Name(escapee, "escapee");
+    track.Name(walls, "walls");
+    for (int step = 1; step <= steps; ++step) {
+        if (step == hidden - 1) {
+            // Near a wall, where no other is,
+            escapee->SetTransform({9.0f, 19.0f}, 0.0f);
+            escapee->SetLinearVelocity({0.0f, 0.0f});
+        } else if (step == hidden) {
+            // and much too fast.
+            escapee->SetLinearVelocity({150.0f, 0.0f});
+        }
+        world.Step(1.0f / 60.0f, 8, 3);
+        track.Step(1.0f / 60.0f);
+    }
+    track.Close();
+}
+
+class Find : public testing::Test {
+protected:
+    [[nodiscard]] ProgramResult Run(const std::string& arguments) const { return folder.Run("find " + arguments); }
+    void Expect(const std::string& arguments, int exitCode, const std::string& says) const {
+        const ProgramResult result = Run(arguments);
+        EXPECT_EQ(result.exitCode, exitCode) << arguments << "\n" << result.output;
+        EXPECT_NE(result.output.find(says), std::string::npos) << arguments << "\n" << result.output;
+    }
+    ScratchFolder folder;
+};
+
+TEST_F(Find, TheHiddenTunnelOfALongSessionIsNamed) {
+    const int hidden = 400;
+    RecordStirredBox(folder.GetPath() / "stirred.track", 300, 600, hidden);
+    const ProgramResult result = Run("stirred.track --tunnel --json found.json --junit found.xml --pictures pictures");
+    EXPECT_EQ(result.exitCode, exitDiffers) << result.output;
+    EXPECT_NE(
+        result.output.find(fmt::format("step {}, {:.2f} s: tunnel: escapee (137), walls (0): went through, at 150 "
+                                       "m/s; pictures/01-tunnel-step-{:04}.png",
+                                       hidden, hidden / 60.0, hidden)),
+        std::string::npos)
+        << result.output;
+    const Json found = Json::parse(folder.Read("found.json"));
+    EXPECT_EQ(found.at("steps"), 600);
+    ASSERT_EQ(found.at("moments").size(), 1u) << found.dump(1);
+    const Json& moment = found.at("moments")[0];
+    EXPECT_EQ(moment.at("condition"), "tunnel");
+    EXPECT_EQ(moment.at("step"), hidden);
+    EXPECT_EQ(moment.at("bodies")[0].at("index"), 137);
+    EXPECT_EQ(moment.at("bodies")[0].at("name"), "escapee");
+    EXPECT_TRUE(folder.Has(moment.at("picture").get<std::string>()));
+    EXPECT_NE(folder.Read("found.xml").find("failures=\"1\""), std::string::npos);
+    EXPECT_NE(folder.Read("found.xml").find("<failure message=\"step 400"), std::string::npos);
+
+    Expect("stirred.track --speed 100", exitDiffers, "speed: escapee (137): as fast as");
+    Expect("stirred.track --escape=-11,-1,11,21", exitDiffers, "step 400, 6.67 s: escape: escapee (137)");
+    Expect("stirred.track --overlap 2", exitDone, "0 moments in 600 steps: overlap");
+    Expect("stirred.track", exitDiffers, "1 moments in 600 steps: tunnel, non-finite");
+}
+
+TEST_F(Find, ScenesAreRunInAnyEngine) {
+    std::ofstream(folder.GetPath() / "bullet.scene.json")
+        << R"({"format": "scree-scene", "version": 1, "gravity": [0, 0],
+        "bodies": [{"fixtures": [{"shape": {"type": "edge", "vertices": [[0, -5], [0, 5]]}}]},
+                   {"type": "dynamic", "position": [-5.2, 0], "linearVelocity": [100, 0],
+                    "fixtures": [{"density": 1, "shape": {"type": "circle", "radius": 0.1}}]}],
+        "user": {"bodies": {"1": {"name": "shot"}}}})";
+    Expect("pyramid --size 4 --steps 60", exitDone, "0 moments in 60 steps: tunnel, non-finite");
+    Expect("pyramid --size 4 --steps 60 --engine box2d --pile-on 3", exitDiffers, "contacts");
+    Expect("bullet.scene.json --steps 60 --set continuous=off", exitDiffers,
+           "step 4, 0.07 s: tunnel: shot (1), body 0");
+    Expect("bullet.scene.json --steps 60 --set continuous=on", exitDone, "0 moments");
+    Expect("pyramid --size 6 --steps 60 --spike 1000000", exitDone, "0 moments");
+    Expect("tumbler --size 20 --steps 40 --diverge box2d --distance 100 --engine scree", exitDone, "moments in 40");
+    Expect("pyramid --size 4 --steps 30 --diverge scree:threads=3", exitDone, "0 moments");
+    Expect("pyramid --size 4 --steps 30 --diverge scree:solver=soft@4", exitDiffers, "away from where it is");
+}
+
+TEST_F(Find, TwoFilesDivergeWhereTheyDo) {
+    ASSERT_EQ(folder.Run("convert pyramid --size 5 a.track --steps 80").exitCode, 0);
+    ASSERT_EQ(folder.Run("convert pyramid --size 5 b.track --steps 80 --engine box2d").exitCode, 0);
+    Expect("a.track --diverge a.track", exitDone, "0 moments in 80 steps: diverge");
+    Expect("a.track --diverge b.track", exitDiffers, "1 moments in 80 steps: diverge");
+    Expect("a.track --from 10 --steps 20 --diverge box2d --distance 100", exitDone, "0 moments in 20 steps");
+}
+
+TEST_F(Find, WhatCannotBeMeantIsRefused) {
+    scree::World world({0.0f, -10.0f});
+    {
+        scree_capture::Track track(world, (folder.GetPath() / "bare.track").string());
+        for (int i = 0; i < 5; ++i) world.Step(1.0f / 60.0f, 8, 3), track.Step(1.0f / 60.0f);
+    }
+    Expect("", exitUsage, "where? Give a file");
+    Expect("bare.track --overlap 0.1", exitUsage, "recorded without contacts");
+    Expect("bare.track --spike 3", exitUsage, "recorded without times");
+    Expect("bare.track --engine box2d", exitUsage, "need --from K");
+    Expect("bare.track --diverge box2d", exitUsage, "give another file");
+    Expect("bare.track --escape 1,2,3", exitUsage, "give left,bottom,right,top");
+    Expect("pyramid --overlap -1", exitUsage, "--overlap");
+    Expect("pyramid --engine scree,box2d", exitUsage, "give one engine");
+    Expect("pyramid --engine bulet", exitUsage, "unknown engine");
+}
+
+}  // namespace
+}  // namespace testbed
