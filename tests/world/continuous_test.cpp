@@ -333,5 +333,32 @@ TEST(Continuous, NothingPassesThroughABulletAtRest) {
     }
 }
 
+TEST(Continuous, AJointToADisabledBodyHoldsNothingInAnEvent) {
+    for (const int substeps : {0, 4}) {
+        World world({0.0f, -10.0f});
+        AddGround(world, 20.0f);
+        Body* box = AddBody(world, dynamicBody, {0.0f, 5.0f});
+        AddBox(box, 0.3f, 0.3f);
+        Body* partner = AddBody(world, dynamicBody, {1.0f, 5.0f});
+        AddBox(partner, 0.3f, 0.3f);
+        Body* bullet = AddBody(world, dynamicBody, {-8.0f, 3.0f});  // so that boxes of moving bodies are swept
+        AddCircle(bullet, 0.1f);
+        bullet->SetBullet(true);
+        RevoluteJointDef def;
+        def.Initialize(box, partner, {0.5f, 5.0f});
+        world.CreateJoint(&def);
+        partner->SetEnabled(false);
+        box->SetLinearVelocity({0.0f, -200.0f});
+        bullet->SetLinearVelocity({50.0f, 0.0f});
+        int events = 0;
+        for (int i = 0; i < 30; ++i) {
+            events += (substeps > 0 ? world.Step(frame, substeps) : world.Step(frame, 8, 3)).continuousEventCount;
+        }
+        EXPECT_GT(events, 0) << substeps;
+        EXPECT_EQ(partner->GetPosition(), (Vec2{1.0f, 5.0f})) << substeps;
+        EXPECT_GT(box->GetPosition().y, 0.0f) << substeps;
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

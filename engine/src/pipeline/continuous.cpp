@@ -198,6 +198,9 @@ private:
             const int body = m_s.islandBodies[next];
             for (const int joint : m_t.joints.OfBody(body)) {
                 const JointInfo& info = m_t.joints.info[Row(joint)];
+                // A joint to a disabled body is not solved, and that body has no proxies.
+                if (!m_bodies.Has(info.bodyA, BodyFlag::enabled) || !m_bodies.Has(info.bodyB, BodyFlag::enabled))
+                    continue;
                 add(info.bodyA), add(info.bodyB);
                 if (IsFirstMember(body, info.bodyA)) m_s.islandJoints.push_back(joint);
             }
