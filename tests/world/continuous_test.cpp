@@ -8,9 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include "base/indexed_heap.h"
+#include "scree/snapshot.h"
 #include "tests/world/fixtures.h"
 
 namespace scree::test {
@@ -357,6 +359,35 @@ TEST(Continuous, AJointToADisabledBodyHoldsNothingInAnEvent) {
         EXPECT_GT(events, 0) << substeps;
         EXPECT_EQ(partner->GetPosition(), (Vec2{1.0f, 5.0f})) << substeps;
         EXPECT_GT(box->GetPosition().y, 0.0f) << substeps;
+    }
+}
+
+TEST(Continuous, ABulletMovesASleepingFigure) {
+    World world({0.0f, -10.0f});
+    AddGround(world, 20.0f);
+    Body* a = AddBody(world, dynamicBody, {0.0f, 0.31f});
+    AddBox(a, 0.3f, 0.3f);
+    Body* b = AddBody(world, dynamicBody, {0.7f, 0.31f});
+    AddBox(b, 0.3f, 0.3f);
+    RevoluteJointDef def;
+    def.Initialize(a, b, {0.35f, 0.31f});
+    world.CreateJoint(&def);
+    // Saved and restored, so that nothing of the steps before is left.
+    for (int i = 0; i < 300 && a->IsAwake(); ++i) world.Step(frame, 4);
+    ASSERT_FALSE(a->IsAwake());
+    std::unique_ptr<World> again = LoadWorld(SaveWorld(world));
+    ASSERT_NE(again, nullptr);
+    Body* bullet = AddBody(*again, dynamicBody, {-6.0f, 0.4f});
+    AddCircle(bullet, 0.1f);
+    bullet->SetBullet(true);
+    bullet->SetLinearVelocity({300.0f, 0.0f});
+    int events = 0;
+    for (int i = 0; i < 5; ++i) events += again->Step(frame, 4).continuousEventCount;
+    EXPECT_GT(events, 0);
+    EXPECT_LT(bullet->GetPosition().x, 0.0f) << "it was stopped";
+    for (Body* body = again->GetBodyList(); body != nullptr; body = body->GetNext()) {
+        EXPECT_TRUE(body->GetPosition().IsValid());
+        EXPECT_LT(body->GetPosition().y, 3.0f);
     }
 }
 

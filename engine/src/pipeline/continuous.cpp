@@ -183,8 +183,19 @@ private:
 
     [[nodiscard]] bool IsJointed(const ToiPair& pair) const {
         if (m_settings.solveRest == nullptr) return false;
-        const auto isJointed = [&](int b) { return m_toi.IsDynamic(b) && m_bodies.info[Row(b)].jointCount > 0; };
+        const auto isJointed = [&](int b) { return m_toi.IsDynamic(b) && HasSolvedJoint(b); };
         return isJointed(pair.bodyA) || isJointed(pair.bodyB);
+    }
+
+    /// A joint to a disabled body is not solved, and that body has no proxies.
+    [[nodiscard]] bool IsSolved(const JointInfo& joint) const {
+        return m_bodies.Has(joint.bodyA, BodyFlag::enabled) && m_bodies.Has(joint.bodyB, BodyFlag::enabled);
+    }
+    [[nodiscard]] bool HasSolvedJoint(int body) const {
+        for (const int joint : m_t.joints.OfBody(body)) {
+            if (IsSolved(m_t.joints.info[Row(joint)])) return true;
+        }
+        return false;
     }
 
     /// The bodies of a pair with all that joints hold to them, and their joints.
@@ -198,9 +209,7 @@ private:
             const int body = m_s.islandBodies[next];
             for (const int joint : m_t.joints.OfBody(body)) {
                 const JointInfo& info = m_t.joints.info[Row(joint)];
-                // A joint to a disabled body is not solved, and that body has no proxies.
-                if (!m_bodies.Has(info.bodyA, BodyFlag::enabled) || !m_bodies.Has(info.bodyB, BodyFlag::enabled))
-                    continue;
+                if (!IsSolved(info)) continue;
                 add(info.bodyA), add(info.bodyB);
                 if (IsFirstMember(body, info.bodyA)) m_s.islandJoints.push_back(joint);
             }
@@ -210,13 +219,19 @@ private:
     /// Lists what two bodies share once: at body A, or at the other where A is no member.
     [[nodiscard]] bool IsFirstMember(int body, int bodyA) const { return body == bodyA || PlaceOf(bodyA) < 0; }
 
+    /// What was asleep when the step began stands still and has no velocity of its start.
+    [[nodiscard]] bool WasSolved(int body) const {
+        const Velocity& v = m_bodies.velocity[Row(body)];
+        return Row(body) < m_settings.startVelocity->size() && (v.v.x != 0.0f || v.v.y != 0.0f || v.w != 0.0f);
+    }
+
     /// Moves jointed bodies to the event, with the velocities that they have there.
     void AdvanceJointed(float alpha) {
         for (const int body : m_s.islandBodies) {
             const float begin = m_s.alpha[Row(body)];
             if (m_s.firstPair[Row(body)] < 0) m_s.touched.push_back(body);
             Advance(body, alpha);
-            if (m_bodies.info[Row(body)].jointCount == 0 || begin >= 1.0f) continue;
+            if (begin >= 1.0f || !HasSolvedJoint(body) || !WasSolved(body)) continue;
             const Velocity& from = (*m_settings.startVelocity)[Row(body)];
             Velocity& v = m_bodies.velocity[Row(body)];
             const float share = (alpha - begin) / (1.0f - begin);

@@ -43,6 +43,7 @@ void RecordRun(const ConvertArguments& arguments) {
     const RunSpec spec = ParseSpec(arguments.engine, GetTypedSettings(arguments.settings), base);
     const std::unique_ptr<InteractiveRun> run = MakeRun(input.Start(), spec);
     NewFile track(arguments.out);
+    track.Write("");  // tells at once, and by the name that was given, if it cannot be written
     run->Record(track.GetPlace().string());
     const int steps = arguments.steps.value_or(input.steps);
     for (int i = 0; i < steps; ++i) run->Step();
