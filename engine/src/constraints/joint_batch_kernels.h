@@ -78,8 +78,8 @@ struct JointBatchKernels {
     void (*reach)(const JointBatchTask& task);
     /// Mobilities, inverses and responses.
     void (*factorize)(const JointBatchTask& task);
-    /// What the impulses of the last aim would make of the velocities, and where these lead.
-    void (*guess)(const JointBatchTask& task);
+    /// Where the velocities lead without impulses.
+    void (*coast)(const JointBatchTask& task);
     /// Errors of points at `next` → right sides.
     void (*measure)(const JointBatchTask& task);
     /// Velocities and impulses with which these errors are closed, by the Jacobians of `pose`, and where they lead.

@@ -349,10 +349,11 @@ void JointBatches::StoreVelocities(std::vector<Velocity>& velocity) const {
 
 void JointBatches::SolveBeforeMove(std::vector<Velocity>& velocity) {
     // The Jacobians of the present pose stand for those of the next one. What that leaves of an error, in shares of an
-    // arm, is the turn of a body times what the solve changes of it; each iteration gains two orders in h. The errors
-    // are taken where the impulses of the last time lead, which makes one enough where motion is smooth.
+    // arm, is the turn of a body times what the solve changes of it; each iteration gains two orders in h. A chain
+    // under a strong pull swings itself up where they begin at the impulses of the last time, or go on beyond the
+    // second.
     constexpr double mostLeft = 1e-5;  // rad²
-    constexpr int mostIterations = 4;
+    constexpr int mostIterations = 2;
     LoadVelocities(velocity);
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
     for (size_t row = 0; row < m_bodies.size(); ++row) {
@@ -361,7 +362,7 @@ void JointBatches::SolveBeforeMove(std::vector<Velocity>& velocity) {
     }
     const JointBatchKernels& kernels = GetJointBatchKernels();
     const JointBatchTask task = Task();
-    kernels.guess(task);
+    kernels.coast(task);
     for (int iteration = 0; iteration < mostIterations; ++iteration) {
         kernels.measure(task);
         MeasureRows();
