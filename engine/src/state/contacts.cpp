@@ -81,7 +81,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     pair[i] = newPair;
     manifold[i].pointCount = 0;
     ForgetSteady(index);
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     mustMatch = true;
     ++m_count;
     active.Insert(index);
@@ -105,7 +105,7 @@ void ContactTable::Remove(int contact) {
 
 void ContactTable::Rest(int contact) {
     if (!active.Erase(contact)) return;
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     EnsureRow(m_resting, contact);
     const auto c = static_cast<size_t>(contact);
     const int bodies[2] = {pair[c].bodyA, pair[c].bodyB};
@@ -135,7 +135,7 @@ void ContactTable::UnlinkResting(int contact) {
 void ContactTable::Rouse(int contact) {
     if (!IsAlive(contact) || !active.Insert(contact)) return;
     UnlinkResting(contact);
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     mayRest = true;
 }
 
@@ -164,7 +164,7 @@ void ContactTable::RouseAll() {
     }
     m_restingFirst.assign(m_restingFirst.size(), -1);
     m_restingTouching = 0;
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     mayRest = true;
 }
 
@@ -243,7 +243,7 @@ void ContactTable::CloseGaps() {
     MoveHandles(movedTo);
     RouseAll();
     m_free.clear();
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     m_isCompact = true;
 }
 
@@ -318,8 +318,7 @@ bool ContactTable::Restore() {
     return true;
 }
 
-void ContactTable::EnsureAdjacency() {
-    if (m_adjacencyValid) return;
+void ContactTable::MakeAdjacency() const {
     int bodyCount = 0;
     active.ForEach([&](int row) {
         const ContactPair& p = pair[static_cast<size_t>(row)];
@@ -342,30 +341,54 @@ void ContactTable::EnsureAdjacency() {
         m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(p.bodyA)])] = row;
         m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(p.bodyB)])] = row;
     });
-    m_adjacencyValid = true;
+}
+
+std::span<const int> ContactTable::ActiveOfBody(int body) const {
+    EnsureAdjacency();
+    const auto b = static_cast<size_t>(body);
+    if (b + 1 >= m_first.size()) return {};
+    return {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
 }
 
 std::span<const int> ContactTable::OfBody(int body) {
-    EnsureAdjacency();
-    const auto b = static_cast<size_t>(body);
-    std::span<const int> rows;
-    if (b + 1 < m_first.size())
-        rows = {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
+    const std::span<const int> rows = ActiveOfBody(body);
     if (!HasResting(body)) return rows;
-    m_ofBody.assign(rows.begin(), rows.end());
-    ListResting(body, m_ofBody);
-    std::sort(m_ofBody.begin(), m_ofBody.end(), std::greater<>());
+    m_ofBody.clear();
+    ListOfBody(body, m_ofBody);
     return m_ofBody;
 }
 
-Contact* ContactTable::Handle(WorldState* state, int contact) {
-    while (static_cast<int>(m_handles.size()) <= contact)
-        m_handles.emplace_back(state, static_cast<int>(m_handles.size()));
+void ContactTable::ListOfBody(int body, std::vector<int>& rows) const {
+    const auto begin = static_cast<std::ptrdiff_t>(rows.size());
+    const std::span<const int> active = ActiveOfBody(body);
+    rows.insert(rows.end(), active.begin(), active.end());
+    if (!HasResting(body)) return;
+    ListResting(body, rows);
+    std::sort(rows.begin() + begin, rows.end(), std::greater<>());
+}
+
+int ContactTable::CountOfBody(int body) const {
+    int count = 0;
+    for (const int row : ActiveOfBody(body)) count += IsAlive(row) ? 1 : 0;
+    if (!HasResting(body)) return count;
+    for (int entry = m_restingFirst[static_cast<size_t>(body)]; entry >= 0;
+         entry = m_resting[static_cast<size_t>(entry >> 1)].next[entry & 1]) {
+        ++count;
+    }
+    return count;
+}
+
+Contact* ContactTable::Handle(WorldState* state, int contact) const {
+    if (static_cast<size_t>(contact) >= HandleCount()) {
+        m_handleRows.Ensure(Size(), [&] {
+            while (m_handles.size() < flags.size()) m_handles.emplace_back(state, static_cast<int>(m_handles.size()));
+        });
+    }
     return &m_handles[static_cast<size_t>(GetNumber(contact))];
 }
 
-Contact* ContactTable::HandleOf(int number) {
-    if (number < 0 || static_cast<size_t>(number) >= m_handles.size()) return nullptr;
+Contact* ContactTable::HandleOf(int number) const {
+    if (number < 0 || static_cast<size_t>(number) >= HandleCount()) return nullptr;
     HandleSlot& handle = m_handles[static_cast<size_t>(number)];
     return IsAlive(handle.m_row) ? &handle : nullptr;
 }
@@ -373,11 +396,14 @@ Contact* ContactTable::HandleOf(int number) {
 bool ContactTable::Owns(const Contact* contact) const {
     if (contact == nullptr || !IsAlive(contact->m_row)) return false;
     const auto number = static_cast<size_t>(GetNumber(contact->m_row));
-    return number < m_handles.size() && &m_handles[number] == contact;
+    return number < HandleCount() && &m_handles[number] == contact;
 }
 
-uint32_t ContactTable::GetGeneration(int number) {
-    EnsureRow(m_generation, number, 0u);
+uint32_t ContactTable::GetGeneration(int number) const {
+    if (number >= m_generationRows.Count()) {
+        const auto rows = static_cast<int>(GetNumberEnd());
+        m_generationRows.Ensure(rows, [&] { EnsureRows(m_generation, static_cast<size_t>(rows), 0u); });
+    }
     return m_generation[static_cast<size_t>(number)];
 }
 
@@ -449,7 +475,7 @@ void ContactTable::Trim() {
     Shrink(flags, pair, manifold, material, steady, successor);
     matched = {}, freshPairs = {}, freshRefusals = {};
     m_first = {}, m_entries = {}, m_ofBody = {};
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     Shrink(m_free, m_generation);
     m_hash = {};
     m_shift = 64;
