@@ -116,7 +116,10 @@ TEST(DeadHandles, EveryCallOnAFixtureIsAnError) {
                &Fixture::GetUserData, &Fixture::SetUserData, &Fixture::TestPoint, &Fixture::RayCast,
                &Fixture::GetMassData, &Fixture::SetDensity, &Fixture::GetDensity, &Fixture::SetFriction,
                &Fixture::GetFriction, &Fixture::SetRestitution, &Fixture::GetRestitution,
-               &Fixture::SetRestitutionThreshold, &Fixture::GetRestitutionThreshold, &Fixture::GetAABB);
+               &Fixture::SetRestitutionThreshold, &Fixture::GetRestitutionThreshold, &Fixture::SetTangentSpeed,
+               &Fixture::GetTangentSpeed, &Fixture::SetRollingResistance, &Fixture::GetRollingResistance,
+               &Fixture::SetMixRules, &Fixture::GetFrictionRule, &Fixture::GetRestitutionRule, &Fixture::SetMaterialId,
+               &Fixture::GetMaterialId, &Fixture::GetAABB);
 }
 
 TEST(DeadHandles, EveryCallOnAContactIsAnErrorWhetherItsRowIsLeftOrNot) {
@@ -181,11 +184,9 @@ TEST(DeadHandles, EveryCallOnAJointIsAnError) {
     auto* mouse = MakeDead<MouseJoint>(pair, MouseJointDef{});
     auto* pulley = MakeDead<PulleyJoint>(pair, PulleyJointDef{});
     DeadCalls calls(pair.world);
-    const std::pair<const char*, Joint*> joints[] = {{"revolute", revolute}, {"prismatic", prismatic},
-                                                     {"wheel", wheel},       {"distance", distance},
-                                                     {"weld", weld},         {"friction", friction},
-                                                     {"motor", motor},       {"mouse", mouse},
-                                                     {"pulley", pulley}};
+    const std::pair<const char*, Joint*> joints[] = {
+        {"revolute", revolute}, {"prismatic", prismatic}, {"wheel", wheel}, {"distance", distance}, {"weld", weld},
+        {"friction", friction}, {"motor", motor},         {"mouse", mouse}, {"pulley", pulley}};
     for (const auto& [name, joint] : joints) CallAll(calls, name, joint);
     CallBounds(calls, "revolute", revolute, &RevoluteJoint::GetReferenceAngle, &RevoluteJoint::GetJointAngle,
                &RevoluteJoint::GetJointSpeed, &RevoluteJoint::SetMaxMotorTorque, &RevoluteJoint::GetMaxMotorTorque,

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Queries, contacts and accessors from several threads between two steps: they find what one thread finds, and leave the
-// world unlocked. Run under the thread sanitizer they must be silent.
+// Queries, contacts and accessors from several threads between two steps: they find what one thread finds, and leave
+// the world unlocked. Run under the thread sanitizer they must be silent.
 
 #include <gtest/gtest.h>
 

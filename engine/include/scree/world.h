@@ -138,6 +138,9 @@ public:
     void SetDestructionListener(DestructionListener* listener);
     ErrorCode SetContactListener(ContactListener* listener);
     ErrorCode SetContactFilter(ContactFilter* filter);
+    /// Acts on contacts that begin and materials that change from now on. It must outlive its use; null: the standard
+    /// rule. Neither images nor recordings hold it.
+    void SetMaterialMixer(MaterialMixer* mixer);
     /// Receives every refused call; null restores the default, which writes one line to stderr.
     void SetErrorHandler(ErrorHandler handler, void* context);
 
@@ -215,8 +218,8 @@ public:
 
     /// Queries only read: between steps any number of threads may ask at once, while nobody edits or steps the world
     /// and no error is to be told. So do all calls that only tell something of the world and its bodies, fixtures,
-    /// contacts and joints, lists, visits and ids included; but not GetTreeHeight and its kind, nor Fixture::GetShape of
-    /// a fixture that is not const. The world is locked while a query calls the program. After a step queries take
+    /// contacts and joints, lists, visits and ids included; but not GetTreeHeight and its kind, nor Fixture::GetShape
+    /// of a fixture that is not const. The world is locked while a query calls the program. After a step queries take
     /// logarithmic time; after many edits without one (a level just made), until PrepareQueries, they look at every
     /// box.
     ErrorCode PrepareQueries();

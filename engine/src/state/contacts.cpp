@@ -72,6 +72,7 @@ int ContactTable::Add(const ContactPair& newPair) {
         material.emplace_back();
         successor.push_back(-1);
         if (!steady.empty()) steady.emplace_back();
+        if (!rolling.empty()) rolling.emplace_back();
     } else {
         index = m_free.back();
         m_free.pop_back();
@@ -81,6 +82,7 @@ int ContactTable::Add(const ContactPair& newPair) {
     pair[i] = newPair;
     manifold[i].pointCount = 0;
     ForgetSteady(index);
+    if (!rolling.empty()) rolling[i] = 0.0f;
     m_adjacency.Set(0);
     mustMatch = true;
     ++m_count;
@@ -227,6 +229,7 @@ void ContactTable::CloseGaps() {
         material[to] = material[from];
         successor[to] = successor[from];
         if (!steady.empty()) steady[to] = steady[from];
+        if (!rolling.empty()) rolling[to] = rolling[from];
         ++to;
     }
     flags.resize(to);
@@ -235,6 +238,7 @@ void ContactTable::CloseGaps() {
     material.resize(to);
     successor.resize(to);
     if (!steady.empty()) steady.resize(to);
+    if (!rolling.empty()) rolling.resize(to);
     for (int& row : successor) row = row < static_cast<int>(rows) ? movedTo[static_cast<size_t>(row + 1)] : -1;
     if (firstMatched < static_cast<int>(rows)) firstMatched = movedTo[static_cast<size_t>(firstMatched + 1)];
     for (int& row : m_hash) {
@@ -279,6 +283,7 @@ void ContactTable::Compact() {
     material.resize(rows);
     successor.resize(rows);
     if (!steady.empty()) steady.resize(rows);
+    if (!rolling.empty()) rolling.resize(rows);
     m_free.clear();
     size_t i = rows;
     for (; i % 8 != 0; --i) {
@@ -294,6 +299,7 @@ void ContactTable::Compact() {
 
 bool ContactTable::Restore() {
     if (!steady.empty() && steady.size() != flags.size()) return false;
+    if (!rolling.empty() && rolling.size() != flags.size()) return false;
     if (pair.size() != flags.size() || manifold.size() != flags.size() || material.size() != flags.size()) return false;
     std::vector<uint8_t> isFree(flags.size(), 0);
     for (const int row : m_free) {
@@ -466,13 +472,13 @@ size_t ContactTable::GetBytesPerRow() {
 }
 
 size_t ContactTable::GetMemoryBytes() const {
-    return BytesOf(flags, pair, manifold, material, steady, successor, matched, freshPairs, freshRefusals, m_hash,
-                   m_free, m_generation, m_first, m_entries, m_ofBody, m_resting, m_restingFirst) +
+    return BytesOf(flags, pair, manifold, material, steady, rolling, successor, matched, freshPairs, freshRefusals,
+                   m_hash, m_free, m_generation, m_first, m_entries, m_ofBody, m_resting, m_restingFirst) +
            active.GetMemoryBytes() + m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
 
 void ContactTable::Trim() {
-    Shrink(flags, pair, manifold, material, steady, successor);
+    Shrink(flags, pair, manifold, material, steady, rolling, successor);
     matched = {}, freshPairs = {}, freshRefusals = {};
     m_first = {}, m_entries = {}, m_ofBody = {};
     m_adjacency.Set(0);

@@ -66,8 +66,9 @@ struct ContactTable {
     std::vector<Manifold> manifold;
     std::vector<ContactMaterial> material;
     std::vector<SteadyContact> steady;  ///< rows only after a soft step
-    bool keepsSteady = false;           ///< this step is a soft one
-    float steadyReach = 0.0f;           ///< how far steady points may wander before they are found anew, m
+    std::vector<float> rolling;  ///< impulse of rolling resistance, N·m·s; rows only after a step that has some
+    bool keepsSteady = false;    ///< this step is a soft one
+    float steadyReach = 0.0f;    ///< how far steady points may wander before they are found anew, m
 
     /// The row whose pair came behind this row's pair when pairs were last matched, −1 none: pairs come in nearly the
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
@@ -142,10 +143,11 @@ struct ContactTable {
     void Compact();
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
-        auto& [flags, pair, manifold, material, steady, keepsSteady, steadyReach, successor, firstMatched, matched,
-               freshPairs, freshRefusals, refused, active, mayRest, mustMatch, hash, shift, free, isCompact, handles,
-               generation, count, resting, restingFirst, restingTouching, adjacency, first, entries, ofBody, handleRows, generationRows] = t;
-        visit.Rows(t, flags, pair, manifold, material, steady), visit(keepsSteady, free);
+        auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
+               matched, freshPairs, freshRefusals, refused, active, mayRest, mustMatch, hash, shift, free, isCompact,
+               handles, generation, count, resting, restingFirst, restingTouching, adjacency, first, entries, ofBody,
+               handleRows, generationRows] = t;
+        visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
         visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, active,
                       mayRest, mustMatch, hash, shift, isCompact, handles, generation, count, resting, restingFirst,
                       restingTouching, adjacency, first, entries, ofBody, handleRows, generationRows);
