@@ -366,8 +366,8 @@ std::span<const int> ContactTable::OfBody(int body) {
 
 void ContactTable::ListOfBody(int body, std::vector<int>& rows) const {
     const auto begin = static_cast<std::ptrdiff_t>(rows.size());
-    const std::span<const int> active = ActiveOfBody(body);
-    rows.insert(rows.end(), active.begin(), active.end());
+    const std::span<const int> awake = ActiveOfBody(body);
+    rows.insert(rows.end(), awake.begin(), awake.end());
     if (!HasResting(body)) return;
     ListResting(body, rows);
     std::sort(rows.begin() + begin, rows.end(), std::greater<>());
