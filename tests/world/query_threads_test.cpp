@@ -94,7 +94,8 @@ std::vector<float> Read(World& world) {
         body->VisitContacts([&](Contact* contact) {
             WorldManifold manifold;
             contact->GetWorldManifold(&manifold);
-            note(contact->IsTouching(), contact->GetFriction(), manifold.normal.y, contact->GetIndex());
+            if (contact->IsTouching()) note(manifold.normal.y, manifold.separations[0]);
+            note(contact->IsTouching(), contact->GetFriction(), contact->GetIndex());
             return contact->GetFixtureA()->GetBody() == body || contact->GetFixtureB()->GetBody() == body;
         });
         body->VisitJoints([&](Joint* joint) {
