@@ -22,6 +22,7 @@
 #include "scree/features.h"
 #include "scree/fixed_world.h"
 #include "scree/fixture.h"
+#include "scree/forces.h"
 #include "scree/friction_joint.h"
 #include "scree/gear_joint.h"
 #include "scree/ids.h"

@@ -24,6 +24,10 @@ void JointTable::Link(int joint, int row, const JointInfo& head, Joint* handle) 
     added.bodyA = head.bodyA;
     added.bodyB = head.bodyB;
     added.userData = head.userData;
+    added.forceThreshold = head.forceThreshold;
+    added.torqueThreshold = head.torqueThreshold;
+    added.breaks = head.breaks;
+    NoteThresholds(joint);
     added.row = row;
     added.listNext = listHead;
     if (listHead >= 0) info[At(listHead)].listPrev = joint;
@@ -39,6 +43,7 @@ void JointTable::Remove(int joint) {
     UnlinkFromBody(joint, 0);
     UnlinkFromBody(joint, 1);
     WithStore(*this, removed.type, [&](auto& store) { store.slots.Free(removed.row); });
+    watched.Erase(joint);
     slots.Free(joint);
 }
 
@@ -71,6 +76,8 @@ bool JointTable::Restore(WorldState* state, int bodyCount) {
             if (body < 0 || At(body) >= m_first.size()) return false;
         }
         if (row.bodyA == row.bodyB) return false;
+        if (!(row.forceThreshold >= 0.0f && row.torqueThreshold >= 0.0f)) return false;
+        NoteThresholds(joint);
     }
     return RestoreHandles(state) && AreListsWhole();
 }
