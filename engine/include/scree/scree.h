@@ -30,6 +30,7 @@
 #include "scree/math.h"
 #include "scree/motor_joint.h"
 #include "scree/mouse_joint.h"
+#include "scree/mover.h"
 #include "scree/prismatic_joint.h"
 #include "scree/profile.h"
 #include "scree/pulley_joint.h"

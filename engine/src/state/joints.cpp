@@ -91,7 +91,9 @@ bool JointTable::RestoreHandles(WorldState* state) {
             const auto prepare = [&](auto& s) {
                 good = good && s.slots.IsConsistent() && s.rows.size() == At(s.slots.Size());
                 rows += static_cast<int64_t>(s.slots.Count());
-                for (int row = 0; good && row < s.slots.Size(); ++row) s.handles.emplace_back(state, -1, row);
+                for (Joint& handle : s.handles) handle.m_index = -1;
+                for (auto row = static_cast<int>(s.handles.size()); good && row < s.slots.Size(); ++row)
+                    s.handles.emplace_back(state, -1, row);
             };
             (prepare(store), ...);
         },
@@ -110,6 +112,14 @@ bool JointTable::RestoreHandles(WorldState* state) {
         if (handles[At(joint)] == nullptr) return false;
     }
     return true;
+}
+
+void JointTable::TakeHandles(WorldState* state, JointTable& old) {
+    const auto take = [&](auto& store) {
+        store.handles.swap(old.Store<typename std::remove_reference_t<decltype(store)>::RowType>().handles);
+    };
+    std::apply([&](auto&... store) { (take(store), ...); }, stores);
+    (void)RestoreHandles(state);  // whose fields agreed before
 }
 
 bool JointTable::AreListsWhole() const {

@@ -166,6 +166,8 @@ struct JointTable {
     /// After the fields were read: makes the handles. False if the fields contradict each other; that bodies exist is
     /// not checked, bodyCount only bounds them.
     [[nodiscard]] bool Restore(WorldState* state, int bodyCount);
+    /// Takes over the handles of a table that this one is to replace: a joint has the handle of its row there.
+    void TakeHandles(WorldState* state, JointTable& old);
     /// Moves what joints keep in world coordinates.
     void ShiftOrigin(Vec2 newOrigin);
     [[nodiscard]] size_t GetMemoryBytes() const;
