@@ -27,26 +27,26 @@ struct MoverCapsule {
 /// The surface of a fixture near a mover, as a half plane that it is to stay out of.
 struct MoverPlane {
     Fixture* fixture;
-    Vec2 normal;       ///< unit, towards the mover
-    Vec2 point;        ///< on the fixture
-    float separation;  ///< from the capsule to it, m; negative: they overlap
+    Vec2 normal;        ///< unit, towards the mover
+    Vec2 point;         ///< on the fixture
+    float separation;   ///< from the capsule to it, m; negative: they overlap
     float push = 0.0f;  ///< by how much SolvePlanes has pushed along the normal, m
 };
 
-/// The planes of all fixtures that the filter sees within `margin` ≥ 0 m of the capsule at `position`, by fixture index.
-/// `planes` is overwritten. Bad input: an error and no planes.
+/// The planes of all fixtures that the filter sees within `margin` ≥ 0 m of the capsule at `position`, by fixture
+/// index. `planes` is overwritten. Bad input: an error and no planes.
 ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 position, float margin,
                        const QueryFilter& filter, std::vector<MoverPlane>& planes);
 
-/// The translation nearest to `wish` that leaves every plane with a separation of at least 0, as far as that is possible
-/// (projection onto an intersection of half planes: Dykstra, 1983). Fills in the pushes.
+/// The translation nearest to `wish` that leaves every plane with a separation of at least 0, as far as that is
+/// possible (projection onto an intersection of half planes: Dykstra, 1983). Fills in the pushes.
 Vec2 SolvePlanes(Vec2 wish, std::span<MoverPlane> planes);
 
 /// A velocity without what points into planes that have pushed.
 Vec2 ClipVelocity(Vec2 velocity, std::span<const MoverPlane> planes);
 
-/// How much of `translation` the capsule can go before it comes nearer than `margin` to something, 0…1. What it overlaps
-/// at the start does not stop it: that is for CollideMover.
+/// How much of `translation` the capsule can go before it comes nearer than `margin` to something, 0…1. What it
+/// overlaps at the start does not stop it: that is for CollideMover.
 float CastMover(const World& world, const MoverCapsule& capsule, Vec2 position, Vec2 translation, float margin,
                 const QueryFilter& filter);
 
@@ -63,8 +63,8 @@ struct MoverDef {
 /// Where a mover is, and on what.
 struct MoverState {
     Vec2 position{0.0f, 0.0f};
-    /// m/s; on ground relative to it, so that a mover rides on what moves. The program sets it before each move: what the
-    /// player wants, and gravity while it is in the air.
+    /// m/s; on ground relative to it, so that a mover rides on what moves. The program sets it before each move: what
+    /// the player wants, and gravity while it is in the air.
     Vec2 velocity{0.0f, 0.0f};
     bool isGrounded = false;
     Vec2 groundNormal{0.0f, 0.0f};
@@ -73,8 +73,9 @@ struct MoverState {
 };
 
 /// Moves by `timeStep` > 0 s: with the ground, then by its own velocity along what it meets, up a step if one is in the
-/// way, and down to the ground again if it stood on it and does not rise. Its velocity loses what pointed into obstacles;
-/// who leaves the ground takes its velocity along. Bad input: an error is told and the state is given back as it was.
+/// way, and down to the ground again if it stood on it and does not rise. Its velocity loses what pointed into
+/// obstacles; who leaves the ground takes its velocity along. Bad input: an error is told and the state is given back
+/// as it was.
 [[nodiscard]] MoverState MoveMover(World& world, const MoverDef& def, const MoverState& state, float timeStep);
 
 }  // namespace scree

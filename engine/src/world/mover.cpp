@@ -147,9 +147,8 @@ ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 pos
     };
     const ErrorCode code = world.OverlapShape(grown, At(position), add, filter);
     // The order of the query is the broad phase's.
-    std::sort(planes.begin(), planes.end(), [](const MoverPlane& a, const MoverPlane& b) {
-        return a.fixture->GetIndex() < b.fixture->GetIndex();
-    });
+    std::sort(planes.begin(), planes.end(),
+              [](const MoverPlane& a, const MoverPlane& b) { return a.fixture->GetIndex() < b.fixture->GetIndex(); });
     return code;
 }
 
