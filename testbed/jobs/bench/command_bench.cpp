@@ -21,6 +21,7 @@
 #include "testbed/engines/provenance.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/bench/files.h"
+#include "testbed/jobs/bench/games.h"
 #include "testbed/jobs/bench/object_bytes.h"
 #include "testbed/jobs/bench/plan.h"
 #include "testbed/jobs/bench/run.h"
@@ -75,6 +76,7 @@ std::string DescribeBytes(const BenchPlan& plan) {
 }
 
 int RunBench(const BenchArguments& arguments, const Request& request) {
+    if (arguments.games) return RunGames(arguments, request);
     const BenchPlan plan = MakeBenchPlan(arguments);
     BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});
     std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
