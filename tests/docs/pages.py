@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: MIT
 #
 # Holds the pages of the project to their rules: every link leads somewhere, guides are short, every page is reached from
-# the front page. Arguments: the folder of the sources.
+# the front page, and every line of C++ stands in a program that is compiled. Arguments: the folder of the sources.
 
 import pathlib
 import re
@@ -36,6 +36,32 @@ def anchors(path):
     return found
 
 
+def lines_of(text):
+    """Without indentation and spaces before a comment, which a formatter may move."""
+    return [re.sub(r'\s+//', ' //', line.strip()) for line in text.split('\n') if line.strip()]
+
+
+# Where C++ blocks come from; a comment `<!-- from: FILE -->` above a block names another source.
+examples = {path: lines_of(path.read_text()) for path in sorted((root / 'engine/docs/examples').glob('*.cpp'))}
+HEADERS_OF_USERS = ('testbed/docs/own-world.md', 'engine/compat/README.md')  # held by tests of their own
+
+
+def stands_in(block, source):
+    return any(source[i:i + len(block)] == block for i in range(len(source) - len(block) + 1))
+
+
+def check_cpp(page, text):
+    for match in re.finditer(r'(?:<!-- from: (\S+) -->\n)?```cpp\n(.*?)^```', text, flags=re.S | re.M):
+        # Three dots leave lines out.
+        sources = [lines_of((root / match[1]).read_text())] if match[1] else list(examples.values())
+        for part in re.split(r'^\s*// …\n', match[2], flags=re.M):
+            block = lines_of(part)
+            if not any(stands_in(block, source) for source in sources):
+                number = text[:match.start()].count('\n') + 1
+                errors.append(f'{page.relative_to(root)}:{number}: these lines stand in no program of '
+                              f'{match[1] or "engine/docs/examples"}: {block[0]} …')
+
+
 reached = {root / 'README.md'}
 links = {}
 for page in pages():
@@ -45,6 +71,8 @@ for page in pages():
         lines = text.count('\n')
         if lines > GUIDE_LINES:
             errors.append(f'{name}: {lines} lines; a guide has at most {GUIDE_LINES}: move topics into docs/')
+    if str(name) not in HEADERS_OF_USERS:
+        check_cpp(page, text)
     links[page] = set()
     for number, line in enumerate(without_code(text).split('\n'), 1):
         for target in re.findall(r'\]\(([^)\s]+)\)', line):
