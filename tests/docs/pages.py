@@ -88,6 +88,13 @@ for page in pages():
                 if anchor and anchor not in anchors(where):
                     errors.append(f'{name}:{number}: no such heading: {target}')
 
+# Results are generated; a number in bold beside a link to them must stand there.
+for row in re.findall(r'^\|.*docs/results/.*$', (root / 'README.md').read_text(), re.M):
+    source = (root / re.search(r'\]\((\S*docs/results/\S+)\)', row)[1]).read_text()
+    for number in re.findall(r'\*\*([^*]+)\*\*', row):
+        if not re.search(rf'(?<![\d.,]){re.escape(number)}(?![\d])', source):
+            errors.append(f'README.md: {number} stands in none of the results that its row names')
+
 queue = list(reached)
 while queue:
     for target in links.get(queue.pop(), ()):
