@@ -34,7 +34,7 @@ def lighter(line):
         for scene, size in SMALL.items():
             if re.search(rf'\b{scene}\b(?!-|\.)', line) and '--size' not in line and 'add-pair' not in line:
                 extra.append(f'--size {size}')
-    if command == 'view':
+    if command == 'view' and '--offscreen' not in line:
         extra.append('--offscreen --frames 2 --no-times')
     line = re.sub(r'--against \S+', f'--against {program}', line)
     if command == 'bench' and '--from' not in line:
