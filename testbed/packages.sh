@@ -24,6 +24,7 @@ readonly SCREE_TEST_PACKAGES=(
     python3-jsonschema                                    # holds scene files to their schema
     man-db dpkg-dev                                       # read manual pages, find what a package depends on
     parallel                                              # shards side by side
+    doxygen                                               # the reference, without warnings
 )
 
 # Die CODE MESSAGE

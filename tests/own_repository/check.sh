@@ -30,18 +30,18 @@ Check() {  # PREFIX
     done
 
     echo "== its snapshots agree"
-    "$program" snapshot check --scenes levels --references references --report report --junit snapshots.xml
+    "$program" snapshot check --scenes levels --report report --junit snapshots.xml
     grep -q 'failures="0"' snapshots.xml
     echo "== a level was changed"
     sed -i 's/"linearVelocity": \[14, 1\]/"linearVelocity": [13, 1]/' levels/tower.scene.json
     local code=0
-    "$program" snapshot check --scenes levels --references references --report report >"$work/output" || code=$?
+    "$program" snapshot check --scenes levels --report report >"$work/output" || code=$?
     ((code == 1)) && grep -q "tower/step-0120-render" "$work/output" && [[ -s report/index.html ]]
     echo "== it is accepted by the command that the report names"
     eval "$(sed -n 's/.*\(scree snapshot update .*step-0120-render.*\)$/\1/p' "$work/output" | head -1 |
         sed "s|^scree|'$program'|")"
     code=0
-    "$program" snapshot check --scenes levels --references references -g 'step-0120-render' || code=$?
+    "$program" snapshot check --scenes levels -g 'step-0120-render' || code=$?
     ((code == 0))
     rm -rf "$work/repository"
     cp -r "$source/tests/own_repository" "$work/repository"
