@@ -54,7 +54,7 @@ def lighter(line):
     if command == 'requires':
         extra.append('--quick' if '--quick' not in line else '')
         extra.append('--steps 5' if '--steps' not in line and re.search(r'requires (?!-)\S', line) else '')
-    if command == 'snapshot' and not re.search(r'snapshot (list|accept)', line):
+    if command == 'snapshot' and '--scenes' not in line and not re.search(r'snapshot (list|accept)', line):
         line = line.replace("'^tiles/'", "'^pyramid/'")
         extra.append('--references references' if '--references' not in line else '')
         extra.append("-g '^box-stack/'" if ' -g' not in line else '')
