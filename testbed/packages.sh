@@ -23,6 +23,7 @@ readonly SCREE_TEST_PACKAGES=(
     xvfb xauth xdotool                                    # the window without a screen, with real events
     chromium chromium-driver python3                      # drives the report page
     python3-jsonschema                                    # holds scene files to their schema
+    man-db dpkg-dev                                       # read manual pages, find what a package depends on
     parallel                                              # shards side by side
     doxygen                                               # the reference, without warnings
 )

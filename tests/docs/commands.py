@@ -34,7 +34,7 @@ def lighter(line):
         for scene, size in SMALL.items():
             if re.search(rf'\b{scene}\b(?!-|\.)', line) and '--size' not in line and 'add-pair' not in line:
                 extra.append(f'--size {size}')
-    if command == 'view':
+    if command == 'view' and '--offscreen' not in line:
         extra.append('--offscreen --frames 2 --no-times')
     line = re.sub(r'--against \S+', f'--against {program}', line)
     if command == 'bench' and '--from' not in line:
@@ -54,7 +54,7 @@ def lighter(line):
     if command == 'requires':
         extra.append('--quick' if '--quick' not in line else '')
         extra.append('--steps 5' if '--steps' not in line and re.search(r'requires (?!-)\S', line) else '')
-    if command == 'snapshot' and not re.search(r'snapshot (list|accept)', line):
+    if command == 'snapshot' and '--scenes' not in line and not re.search(r'snapshot (list|accept)', line):
         line = line.replace("'^tiles/'", "'^pyramid/'")
         extra.append('--references references' if '--references' not in line else '')
         extra.append("-g '^box-stack/'" if ' -g' not in line else '')

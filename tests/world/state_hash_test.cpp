@@ -161,6 +161,9 @@ TEST(StateHash, SeesEveryEditOfARandomWorld) {
         [](World& w) { Newest(w)->GetFixtureList()->SetFriction(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetRestitution(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetRestitutionThreshold(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetTangentSpeed(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetRollingResistance(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetMixRules(MixRule::minimum, MixRule::standard); },
         [](World& w) { Newest(w)->GetFixtureList()->SetDensity(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetSensor(true); },
         [](World& w) {

@@ -141,9 +141,9 @@ public:
     /// a step that added some costs O(contacts of the world).
     [[nodiscard]] int GetContactCount() const;
     /// Calls visit(contact) for each of them, newest first, until it returns false.
-    void VisitContacts(FunctionRef<bool(Contact*)> visit);
+    void VisitContacts(FunctionRef<bool(Contact*)> visit) const;
     /// Joints of this body, newest first, until visit returns false.
-    void VisitJoints(FunctionRef<bool(Joint*)> visit);
+    void VisitJoints(FunctionRef<bool(Joint*)> visit) const;
     [[nodiscard]] int GetJointCount() const;
     /// The newest joint of this body, null without one; go on with Joint::GetNext(body).
     [[nodiscard]] Joint* GetJointList() const;

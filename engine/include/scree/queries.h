@@ -15,7 +15,7 @@ class Fixture;
 
 /// Which fixtures a query sees.
 struct QueryFilter {
-    uint16_t maskBits = 0xFFFF;  ///< categories that are seen; 0xFFFF sees all, even fixtures of no category
+    uint64_t maskBits = ~uint64_t{0};  ///< categories that are seen; all bits: also fixtures of no category
     bool includeSensors = true;
 };
 

@@ -18,7 +18,7 @@
 namespace scree {
 
 /// Grows with every change of the layout; LoadWorld reads its own version only.
-inline constexpr uint32_t snapshotVersion = 8;
+inline constexpr uint32_t snapshotVersion = 9;
 
 /// Why an image was refused.
 enum class SnapshotError : uint8_t {

@@ -103,7 +103,7 @@ private:
         int contact = m_t.contacts.Find(static_cast<uint32_t>(pair.fixtureA), static_cast<uint32_t>(pair.fixtureB));
         if (contact < 0) {
             contact = MakeContact(std::min(pair.fixtureA, pair.fixtureB), std::max(pair.fixtureA, pair.fixtureB),
-                                  m_t.fixtures, m_t.contacts);
+                                  m_events, m_t.fixtures, m_t.contacts);
         }
         if (contact < 0) return -1;
         const bool touching = UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts);

@@ -96,7 +96,11 @@ public:
         PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
                          m_settings.kernels.restitution},
                         m_scratch.contacts);
-        if (m_settings.impulseScale > 0.0f) WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
+        PrepareRolling(m_settings, fixtures, m_contacts, m_settings.impulseScale, m_tables, m_scratch.rolling);
+        if (m_settings.impulseScale > 0.0f) {
+            WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
+            m_scratch.rolling.WarmStart(m_tables.bodies.velocity);
+        }
         PrepareJoints(JointWork(), m_joints);
     }
 
@@ -104,8 +108,11 @@ public:
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
             SolveJointVelocities(JointWork());
             SolveContactVelocities(m_scratch.contacts, m_tables.bodies.velocity, m_settings.kernels.friction);
+            m_scratch.rolling.Solve(m_tables.bodies.velocity,
+                                    [&](int at) { return GetPressure(m_scratch.contacts, at); });
         }
         StoreContactImpulses(m_scratch.contacts, m_tables.contacts.manifold);
+        m_scratch.rolling.Store(1.0f, m_tables.contacts.rolling);
     }
 
     int IntegratePositions() {
@@ -173,7 +180,11 @@ public:
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.friction = m_settings.kernels.friction;
         m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;
-        if (m_settings.impulseScale > 0.0f) RunKernel(Pool(), m_task, m_kernels.warmStart);
+        PrepareRolling(m_settings, fixtures, m_s.wide.contacts, m_settings.impulseScale, m_tables, m_s.rolling);
+        if (m_settings.impulseScale > 0.0f) {
+            RunKernel(Pool(), m_task, m_kernels.warmStart);
+            m_s.rolling.WarmStart(m_bodies.velocity);
+        }
         if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);
     }
 
@@ -181,8 +192,10 @@ public:
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
             if (HasJoints()) SolveJointVelocities(JointWork());
             RunKernel(Pool(), m_task, m_kernels.solveRigid);
+            m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
         }
         m_s.blocks.Store(1.0f, m_tables.contacts.manifold);
+        m_s.rolling.Store(1.0f, m_tables.contacts.rolling);
     }
 
     int IntegratePositions() {

@@ -162,6 +162,7 @@ public:
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
                           m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady,
                           true});
+        PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
@@ -194,6 +195,7 @@ public:
     SolverCounts Finish() {
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
+        m_s.rolling.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.rolling);
         if (m_plan.hasRows) {
             const JointTask whole = JointWork(2.0f * static_cast<float>(m_settings.substeps));
             ScaleJointImpulses(whole, m_tree.GetOthers());
@@ -263,8 +265,7 @@ private:
     [[nodiscard]] SoftSpring MakeSoftSpring(float hertz) const {
         const float turn = 2.0f * pi * hertz * m_h;
         const float damping = 2.0f * m_settings.contactDampingRatio + turn;
-        const float share = 1.0f / (1.0f + turn * damping);
-        return {.biasRate = turn / (damping * m_h), .massScale = turn * damping * share, .impulseScale = share};
+        return {.biasRate = turn / (damping * m_h), .stiffness = 1.0f + 1.0f / (turn * damping)};
     }
 
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
@@ -312,7 +313,10 @@ private:
         constexpr int coldIterations = 32;
         const int iterations = isFirst && !m_plan.warmStarts ? 1 + coldIterations : 1;
         NoteContacts([&] {
-            for (int i = 0; i < iterations; ++i) RunKernel(Pool(), m_task, m_kernels.solveSoft);
+            for (int i = 0; i < iterations; ++i) {
+                RunKernel(Pool(), m_task, m_kernels.solveSoft);
+                SolveRolling();
+            }
         });
     }
     /// Velocities with which the trees' joints are closed after the move.
@@ -348,7 +352,10 @@ private:
     }
     /// Contacts once more, without pushing apart.
     void Relax() {
-        NoteContacts([&] { RunKernel(Pool(), m_task, m_kernels.relax); });
+        NoteContacts([&] {
+            RunKernel(Pool(), m_task, m_kernels.relax);
+            SolveRolling();
+        });
         if (m_plan.hasContacts) ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
     }
 
@@ -366,12 +373,17 @@ private:
             soft.gained = {v.v, v.w};
         });
         RunKernel(Pool(), m_task, m_kernels.warmStart);
+        m_s.rolling.WarmStart(m_bodies.velocity);
         ForEachSoft([&](SoftBody& soft) {
             Velocity& v = VelocityOf(soft);
             soft.byContacts = {v.v - soft.gained.v, v.w - soft.gained.w};
             v.v = soft.gained.v, v.w = soft.gained.w;
             soft.gained = {};
         });
+    }
+
+    void SolveRolling() {
+        m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
     }
 
     /// Runs a pass over the contacts and notes what it did to jointed bodies: joints are warm-started by themselves, so

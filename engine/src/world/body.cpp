@@ -5,7 +5,6 @@
 
 #include "scree/body.h"
 
-#include <span>
 #include <vector>
 
 #include "world/guard.h"
@@ -325,19 +324,17 @@ Fixture* Body::GetFixtureList() {
 }
 const Fixture* Body::GetFixtureList() const { return const_cast<Body*>(this)->GetFixtureList(); }
 int Body::GetContactCount() const {
-    if (!Lives("Body::GetContactCount")) return 0;
-    int count = 0;
-    for (const int c : m_state->contacts.OfBody(m_index)) count += m_state->contacts.IsAlive(c) ? 1 : 0;
-    return count;
+    return Lives("Body::GetContactCount") ? m_state->contacts.CountOfBody(m_index) : 0;
 }
 
-void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) {
+void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) const {
     Guard guard(*m_state, "Body::VisitContacts");
     guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed()) return;
     const WorldLock lock(*m_state);
-    const std::span<const int> rows = m_state->contacts.OfBody(m_index);
-    for (const int c : std::vector<int>(rows.begin(), rows.end())) {  // the visitor may ask for others'
+    std::vector<int> rows;
+    m_state->contacts.ListOfBody(m_index, rows);
+    for (const int c : rows) {
         if (m_state->contacts.IsAlive(c) && !visit(m_state->contacts.Handle(m_state, c))) return;
     }
 }
@@ -351,7 +348,7 @@ int Body::GetJointCount() const {
     return Lives("Body::GetJointCount") ? m_state->bodies.info[Row(m_index)].jointCount : 0;
 }
 
-void Body::VisitJoints(FunctionRef<bool(Joint*)> visit) {
+void Body::VisitJoints(FunctionRef<bool(Joint*)> visit) const {
     Guard guard(*m_state, "Body::VisitJoints");
     guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed() || GetJointCount() == 0) return;

@@ -51,18 +51,21 @@ struct FixtureFacts {
     Shape::Type shape;
     BodyType bodyType;
     bool isSensor;
-    float friction, restitution;
+    const Material& material;
     const Filter& filter;
     uint8_t reports;
 };
 Features FeaturesOf(const FixtureFacts& fixture) {
+    const Material& m = fixture.material;
     Features f;
     f.Add(Feature::polygons, fixture.shape == Shape::e_polygon || fixture.shape == Shape::e_convex)
         .Add(Feature::edges, fixture.shape == Shape::e_edge || fixture.shape == Shape::e_chain)
         .Add(Feature::filters, !IsDefault(fixture.filter))
         .Add(Feature::events, fixture.reports != 0)
-        .Add(Feature::friction, fixture.friction != 0.0f)
-        .Add(Feature::restitution, fixture.restitution != 0.0f)
+        .Add(Feature::friction, m.friction != 0.0f || m.frictionRule == MixRule::custom)
+        .Add(Feature::restitution, m.restitution != 0.0f || m.restitutionRule == MixRule::custom)
+        .Add(Feature::tangentSpeed, m.tangentSpeed != 0.0f)
+        .Add(Feature::rollingResistance, m.rollingResistance != 0.0f)
         .Add(Feature::sensors, fixture.isSensor)
         .Add(Feature::continuousStatic, !fixture.isSensor && fixture.bodyType != dynamicBody);
     return f;
@@ -91,8 +94,8 @@ Features FeaturesOf(const BodyDef& def) {
 }
 
 Features FeaturesOf(const FixtureDef& def, BodyType bodyType) {
-    return FeaturesOf(FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, def.friction, def.restitution,
-                                   def.filter, def.reports});
+    return FeaturesOf(
+        FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, MaterialOf(def), def.filter, def.reports});
 }
 
 Features FeaturesOfBody(const BodyTable& bodies, int body) {
@@ -105,10 +108,8 @@ Features FeaturesOfBody(const BodyTable& bodies, int body) {
 
 Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, int fixture) {
     const size_t f = Row(fixture);
-    const Material& material = fixtures.material[f];
     return FeaturesOf(FixtureFacts{fixtures.type[f], bodies.type[Row(fixtures.body[f])], fixtures.isSensor[f] != 0,
-                                   material.friction, material.restitution, fixtures.filter[f],
-                                   fixtures.info[f].reports});
+                                   fixtures.material[f], fixtures.filter[f], fixtures.info[f].reports});
 }
 
 Features FeaturesOfJoint(const JointTable& joints, int joint) {

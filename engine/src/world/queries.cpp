@@ -18,7 +18,7 @@ namespace {
 
 bool Sees(const QueryFilter& filter, const FixtureTable& fixtures, uint32_t fixture) {
     if (!filter.includeSensors && fixtures.isSensor[fixture] != 0) return false;
-    return filter.maskBits == 0xFFFF || (filter.maskBits & fixtures.filter[fixture].categoryBits) != 0;
+    return filter.maskBits == ~uint64_t{0} || (filter.maskBits & fixtures.filter[fixture].categoryBits) != 0;
 }
 
 /// Programs may change a fixture that a const query gave them.

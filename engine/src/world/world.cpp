@@ -183,6 +183,8 @@ ErrorCode World::SetContactFilter(ContactFilter* filter) {
     return ErrorCode::ok;
 }
 
+void World::SetMaterialMixer(MaterialMixer* mixer) { m_state->mixer = mixer; }
+
 void World::SetErrorHandler(ErrorHandler handler, void* context) {
     m_state->errorHandler = handler;
     m_state->errorContext = context;
@@ -336,6 +338,13 @@ int World::GetJointCount() const { return m_state->joints.slots.Count(); }
 int World::GetContactCount() const { return m_state->contacts.Count(); }
 int World::GetFixtureCount() const { return m_state->fixtures.slots.Count(); }
 int World::GetProxyCount() const { return m_state->broadPhase->GetProxyCount(); }
+
+float MaterialMixer::MixFriction(const Fixture* fixtureA, const Fixture* fixtureB) {
+    return scree::MixFriction(fixtureA->GetFriction(), fixtureB->GetFriction());
+}
+float MaterialMixer::MixRestitution(const Fixture* fixtureA, const Fixture* fixtureB) {
+    return scree::MixRestitution(fixtureA->GetRestitution(), fixtureB->GetRestitution());
+}
 
 bool ContactFilter::ShouldCollide(Fixture* fixtureA, Fixture* fixtureB) {
     return scree::ShouldCollide(fixtureA->GetFilterData(), fixtureB->GetFilterData());
