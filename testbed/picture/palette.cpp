@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Colour tables. Heat runs from the background through violet, red and orange to pale yellow with steadily rising
-// lightness; on a light background the lightness falls. The common forms of colour blindness keep red and blue apart,
-// so these are the colours of differences.
+// lightness; on a light background the lightness falls. Differences are red and blue, which the common forms of colour
+// blindness keep apart.
 
 #include "testbed/picture/palette.h"
 
