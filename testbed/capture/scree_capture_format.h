@@ -31,14 +31,14 @@
 //
 // A residual is the zigzag of (ordinal of the value − ordinal of what was predicted). An ordinal is a float's bits as a
 // 32-bit whole number, all but the sign bit flipped if that is set. The prediction of a velocity is the last one. That
-// of a position is the float nearest to last + h · new velocity, computed in double (products are exact there); a
-// result below the smallest normal float counts as 0 of its sign. Where h is 0 or the result is not finite, it is the
-// last position. h is dt unless given. In a step with `key` all bodies are first set back to how they were created, and
-// h is 0.
+// of a position is the float nearest to last + h · new velocity, computed in double (products are exact there).
+// Operands and result below the smallest normal float count as 0 of their sign. Where h is 0 or the result is not
+// finite, the prediction is the last position. h is dt unless given. In a step with `key` all bodies are first set back
+// to how they were created, and h is 0.
 //
 // `contacts` holds for each touching contact: the varints body, fixture, child of A, then of B; a byte (number of
 // points + 4 if a sensor); the normal; of each point x, y, separation, normal and tangent impulse, as floats.
-// `nodes` is the tree from its root; a node comes before its first child, and all of that before the second. For each
+// `nodes` is the tree in pre-order: a node, the subtree of its first child, that of its second. For each
 // node: a byte (1: leaf), the box (lower x, y, upper x, y), and of a leaf the varints body, fixture, child.
 
 #pragma once
