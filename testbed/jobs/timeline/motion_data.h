@@ -21,8 +21,8 @@ public:
     /// Positions outside of the view are shown at its edge.
     MotionData(std::size_t bodies, const Box& view) : m_view(view), m_last(bodies) {}
 
-    /// Adds a step: a count (32 bits), then 8 bytes for each body that changed, little-endian. These are its index with
-    /// the awake bit above it, x, y and angle, 16 bits each. All ones in the last three: the body is gone.
+    /// Per step: a count, 32 bits, and for each body that changed: index with the awake bit above it, x, y, angle, 16
+    /// bits each, little-endian; all ones in the last three: it is gone.
     void Add(const Snapshot& snapshot);
     [[nodiscard]] const std::vector<unsigned char>& GetBytes() const { return m_bytes; }
     [[nodiscard]] std::size_t GetChangeCount() const { return m_changes; }
