@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A Page as one HTML file: every kind of block to markup, the sections between the frame, the style and the script of
-// report/page/.
+// A Page as one HTML file: every kind of block becomes markup, and the sections stand within page.html, page.css and
+// page.js.
 
 #include "testbed/page/page.h"
 
