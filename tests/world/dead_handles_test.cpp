@@ -96,7 +96,8 @@ TEST(DeadHandles, EveryCallOnABodyIsAnError) {
                &Body::GetLinearDamping, &Body::SetLinearDamping, &Body::GetAngularDamping, &Body::SetAngularDamping,
                &Body::GetGravityScale, &Body::SetGravityScale, &Body::GetType, &Body::SetType, &Body::SetBullet,
                &Body::IsBullet, &Body::SetSleepingAllowed, &Body::IsSleepingAllowed, &Body::SetAwake, &Body::IsAwake,
-               &Body::SetEnabled, &Body::IsEnabled, &Body::SetFixedRotation, &Body::IsFixedRotation);
+               &Body::SetEnabled, &Body::IsEnabled, &Body::SetFixedRotation, &Body::IsFixedRotation,
+               &Body::SetMotionLocks, &Body::GetMotionLocks, &Body::SetTargetTransform);
     calls.Make("Body, lists", pair.b, static_cast<Fixture* (Body::*)()>(&Body::GetFixtureList),
                static_cast<const Fixture* (Body::*)() const>(&Body::GetFixtureList), &Body::GetContactCount,
                &Body::VisitContacts, &Body::VisitJoints, &Body::GetJointCount, &Body::GetJointList,
@@ -153,7 +154,8 @@ void CallAll(DeadCalls& calls, const char* name, Joint* joint) {
                &Joint::GetCollideConnected, &Joint::GetUserData, &Joint::SetUserData, &Joint::IsEnabled,
                static_cast<Joint* (Joint::*)() const>(&Joint::GetNext),
                static_cast<Joint* (Joint::*)(const Body*) const>(&Joint::GetNext), &Joint::ShiftOrigin,
-               &Joint::GetAnchorA, &Joint::GetAnchorB, &Joint::GetReactionForce, &Joint::GetReactionTorque);
+               &Joint::GetAnchorA, &Joint::GetAnchorB, &Joint::GetReactionForce, &Joint::GetReactionTorque,
+               &Joint::SetThresholds, &Joint::GetForceThreshold, &Joint::GetTorqueThreshold, &Joint::BreaksAtThreshold);
 }
 
 /// A joint of this kind that is gone.
@@ -190,19 +192,27 @@ TEST(DeadHandles, EveryCallOnAJointIsAnError) {
     for (const auto& [name, joint] : joints) CallAll(calls, name, joint);
     CallBounds(calls, "revolute", revolute, &RevoluteJoint::GetReferenceAngle, &RevoluteJoint::GetJointAngle,
                &RevoluteJoint::GetJointSpeed, &RevoluteJoint::SetMaxMotorTorque, &RevoluteJoint::GetMaxMotorTorque,
-               &RevoluteJoint::GetMotorTorque);
+               &RevoluteJoint::GetMotorTorque, &RevoluteJoint::IsSpringEnabled, &RevoluteJoint::EnableSpring,
+               &RevoluteJoint::SetSpring, &RevoluteJoint::GetStiffness, &RevoluteJoint::GetDamping,
+               &RevoluteJoint::SetTargetAngle, &RevoluteJoint::GetTargetAngle, &RevoluteJoint::SetMaxSpringTorque,
+               &RevoluteJoint::GetMaxSpringTorque, &RevoluteJoint::GetSpringTorque);
     CallBounds(calls, "prismatic", prismatic, &PrismaticJoint::GetLocalAxisA, &PrismaticJoint::GetReferenceAngle,
                &PrismaticJoint::GetJointTranslation, &PrismaticJoint::GetJointSpeed, &PrismaticJoint::SetMaxMotorForce,
-               &PrismaticJoint::GetMaxMotorForce, &PrismaticJoint::GetMotorForce);
+               &PrismaticJoint::GetMaxMotorForce, &PrismaticJoint::GetMotorForce, &PrismaticJoint::IsSpringEnabled,
+               &PrismaticJoint::EnableSpring, &PrismaticJoint::SetSpring, &PrismaticJoint::GetStiffness,
+               &PrismaticJoint::GetDamping, &PrismaticJoint::SetTargetTranslation,
+               &PrismaticJoint::GetTargetTranslation, &PrismaticJoint::SetMaxSpringForce,
+               &PrismaticJoint::GetMaxSpringForce, &PrismaticJoint::GetSpringForce);
     CallBounds(calls, "wheel", wheel, &WheelJoint::GetLocalAxisA, &WheelJoint::GetJointTranslation,
                &WheelJoint::GetJointLinearSpeed, &WheelJoint::GetJointAngle, &WheelJoint::GetJointAngularSpeed,
                &WheelJoint::SetMaxMotorTorque, &WheelJoint::GetMaxMotorTorque, &WheelJoint::GetMotorTorque,
-               &WheelJoint::SetStiffness, &WheelJoint::GetStiffness, &WheelJoint::SetDamping, &WheelJoint::GetDamping);
+               &WheelJoint::SetStiffness, &WheelJoint::GetStiffness, &WheelJoint::SetDamping, &WheelJoint::GetDamping,
+               &WheelJoint::SetMaxSpringForce, &WheelJoint::GetMaxSpringForce);
     calls.Make("distance", distance, &DistanceJoint::GetLocalAnchorA, &DistanceJoint::GetLength,
                &DistanceJoint::SetLength, &DistanceJoint::GetMinLength, &DistanceJoint::SetMinLength,
                &DistanceJoint::GetMaxLength, &DistanceJoint::SetMaxLength, &DistanceJoint::GetCurrentLength,
                &DistanceJoint::SetStiffness, &DistanceJoint::GetStiffness, &DistanceJoint::SetDamping,
-               &DistanceJoint::GetDamping);
+               &DistanceJoint::GetDamping, &DistanceJoint::SetMaxSpringForce, &DistanceJoint::GetMaxSpringForce);
     calls.Make("weld", weld, &WeldJoint::GetLocalAnchorA, &WeldJoint::GetReferenceAngle, &WeldJoint::SetStiffness,
                &WeldJoint::GetStiffness, &WeldJoint::SetDamping, &WeldJoint::GetDamping);
     calls.Make("friction", friction, &FrictionJoint::GetLocalAnchorA, &FrictionJoint::SetMaxForce,

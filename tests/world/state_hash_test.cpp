@@ -249,8 +249,8 @@ TEST(FieldList, VisitsEveryMemberThatItNames) {
     ExpectWhole<MotionRow>();
     ExpectWhole<BodyDemand>();
     ExpectWhole<BodyInfo>();
-    ExpectWhole<Filter>();
-    ExpectWhole<Material>();
+    ExpectWhole<Filter>(4);    // behind `groupIndex`
+    ExpectWhole<Material>(2);  // behind the rules
     ExpectWhole<ContactPair>();
     ExpectWhole<ContactMaterial>();
     ExpectWhole<JointLink>();

@@ -36,21 +36,40 @@ enum class Feature : uint8_t {
     continuousBullet,   ///< bullets, with continuous collision on
     sensors,            ///< sensor fixtures
     filters,            ///< fixtures whose filter is not the default; a contact filter (the world)
-    events,             ///< a contact listener (the world), or a fixture that reports
+    events,             ///< a contact listener (the world), fixtures that report, joints with a threshold
     polygons,           ///< fixtures with a PolygonShape or a ConvexShape
     edges,              ///< fixtures with an EdgeShape, those of chains included
     kinematicBodies,    ///< all kinematic bodies
     multiThreading,     ///< more than one worker, or a task system of the program (the world)
     rollingResistance,  ///< fixtures with rolling resistance
+    motionLocks,        ///< dynamic bodies locked in x or y
 };
-inline constexpr int featureCount = 23;
+inline constexpr int featureCount = 24;
 
-inline constexpr std::array<const char*, featureCount> featureNames = {
-    "rotation",        "friction",       "restitution",      "tangentSpeed",     "damping",
-    "gravityScale",    "forces",         "speedLimit",       "sleeping",         "joints",
-    "springs",         "limits",         "motors",           "continuousStatic", "continuousBullet",
-    "sensors",         "filters",        "events",           "polygons",         "edges",
-    "kinematicBodies", "multiThreading", "rollingResistance"};
+inline constexpr std::array<const char*, featureCount> featureNames = {"rotation",
+                                                                       "friction",
+                                                                       "restitution",
+                                                                       "tangentSpeed",
+                                                                       "damping",
+                                                                       "gravityScale",
+                                                                       "forces",
+                                                                       "speedLimit",
+                                                                       "sleeping",
+                                                                       "joints",
+                                                                       "springs",
+                                                                       "limits",
+                                                                       "motors",
+                                                                       "continuousStatic",
+                                                                       "continuousBullet",
+                                                                       "sensors",
+                                                                       "filters",
+                                                                       "events",
+                                                                       "polygons",
+                                                                       "edges",
+                                                                       "kinematicBodies",
+                                                                       "multiThreading",
+                                                                       "rollingResistance",
+                                                                       "motionLocks"};
 
 constexpr const char* GetName(Feature feature) { return featureNames[static_cast<size_t>(feature)]; }
 /// None for an unknown name.
@@ -122,6 +141,7 @@ struct KernelSet {
     bool restitution;  ///< closing speeds of contacts
     bool continuous;   ///< the continuous stage
     bool rolling;      ///< rolling resistance of contacts
+    bool locks;        ///< bodies locked in x or y
 
     friend constexpr bool operator==(const KernelSet&, const KernelSet&) = default;
 };
@@ -135,7 +155,8 @@ constexpr KernelSet ChooseKernels(Features f) {
             .restitution = f.Has(Feature::restitution),
             .continuous =
                 f.Has(Feature::continuousStatic) || f.Has(Feature::continuousBullet) || f.Has(Feature::kinematicBodies),
-            .rolling = f.Has(Feature::rollingResistance)};
+            .rolling = f.Has(Feature::rollingResistance),
+            .locks = f.Has(Feature::motionLocks)};
 }
 
 }  // namespace scree

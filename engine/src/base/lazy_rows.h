@@ -13,6 +13,13 @@ namespace scree {
 
 class LazyRows {
 public:
+    LazyRows() = default;
+    /// A copy has made as many.
+    LazyRows(const LazyRows& other) : m_count(other.Count()) {}
+    LazyRows& operator=(const LazyRows& other) {
+        Set(other.Count());
+        return *this;
+    }
     /// How many there are. What was written before they were made is visible to the caller.
     [[nodiscard]] int Count() const { return m_count.load(std::memory_order_acquire); }
     /// Sees to `count` rows: make() is called at most once, and by one thread.

@@ -93,6 +93,7 @@ public:
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             for (const int b : m_bodies) IntegrateVelocity<forces>(m_settings, m_tables.bodies, static_cast<size_t>(b));
         });
+        m_scratch.locked.Gather(m_settings.kernels, m_bodies, m_tables.bodies);
         PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
                          m_settings.kernels.restitution},
                         m_scratch.contacts);
@@ -102,6 +103,7 @@ public:
             m_scratch.rolling.WarmStart(m_tables.bodies.velocity);
         }
         PrepareJoints(JointWork(), m_joints);
+        m_scratch.locked.Stop(m_tables.bodies.velocity);
     }
 
     void SolveVelocities() {
@@ -110,6 +112,7 @@ public:
             SolveContactVelocities(m_scratch.contacts, m_tables.bodies.velocity, m_settings.kernels.friction);
             m_scratch.rolling.Solve(m_tables.bodies.velocity,
                                     [&](int at) { return GetPressure(m_scratch.contacts, at); });
+            m_scratch.locked.Stop(m_tables.bodies.velocity);
         }
         StoreContactImpulses(m_scratch.contacts, m_tables.contacts.manifold);
         m_scratch.rolling.Store(1.0f, m_tables.contacts.rolling);
@@ -130,6 +133,7 @@ public:
             bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies,
                                                 {baumgarte, m_settings.lengthScale}) >= ContactTolerance(m_settings);
             solved = SolveJointPositions(JointWork()) && solved;
+            m_scratch.locked.Return(m_tables.bodies);
             if (solved) return true;
         }
         return false;
@@ -175,6 +179,7 @@ public:
                 IntegrateVelocity<forces>(m_settings, m_bodies, static_cast<size_t>(m_s.wide.bodies[i]));
             });
         });
+        m_s.locked.Gather(m_settings.kernels, m_s.wide.bodies, m_bodies);
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale,
                           m_settings.kernels.restitution, m_settings.lengthScale});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
@@ -186,6 +191,7 @@ public:
             m_s.rolling.WarmStart(m_bodies.velocity);
         }
         if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);
+        m_s.locked.Stop(m_bodies.velocity);
     }
 
     void SolveVelocities() {
@@ -193,6 +199,7 @@ public:
             if (HasJoints()) SolveJointVelocities(JointWork());
             RunKernel(Pool(), m_task, m_kernels.solveRigid);
             m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
+            m_s.locked.Stop(m_bodies.velocity);
         }
         m_s.blocks.Store(1.0f, m_tables.contacts.manifold);
         m_s.rolling.Store(1.0f, m_tables.contacts.rolling);
@@ -216,6 +223,7 @@ public:
         for (int i = 0; i < m_settings.positionIterations && !(contactsSolved && jointsSolved); ++i) {
             contactsSolved = IsWithinTolerance(RunPushApart(Pool(), m_task, m_kernels, baumgarte));
             jointsSolved = !HasJoints() || CorrectJoints();
+            m_s.locked.Stop(m_s.delta);
         }
         m_s.islandSolved.clear();
         int contact = 0;  // the islands' contacts lie one behind the other in the blocks' list
@@ -326,7 +334,7 @@ public:
     SolverCounts Move(std::span<const int> rows) const {
         SolverCounts counts;
         size_t done = 0;
-        const bool byEight = !m_settings.exactDrift && !m_bodies.IsFar();
+        const bool byEight = !m_settings.exactDrift && !m_bodies.IsFar() && !m_settings.kernels.locks;
         for (; byEight && done + laneCount <= rows.size(); done += laneCount) {
             counts += MoveEight(rows.subspan(done, laneCount));
         }
@@ -359,6 +367,7 @@ private:
         SolverCounts counts;
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto limit) {
             IntegrateVelocity<forces>(m_settings, m_bodies, b);
+            if (m_settings.kernels.locks) StopLocked(m_bodies, body, m_bodies.velocity[b]);
             counts.capped = IntegratePosition<limit>(m_settings, m_bodies, b) ? 1 : 0;
         });
         counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;

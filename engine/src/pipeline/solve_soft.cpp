@@ -128,6 +128,10 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
             Drift(v, h, delta);
             Kick<forces>(soft, v);
         }
+        if (settings.kernels.locks) {
+            StopLocked(bodies, body, v);
+            StopLocked(bodies, body, delta);
+        }
         bodies.velocity[b] = v;
         SolverCounts counts;
         counts.capped = MoveBody<limit>(settings, bodies, b, delta) ? 1 : 0;
@@ -156,6 +160,7 @@ public:
         m_s.jointed.clear();
         if (HasJoints()) EnsureRows(m_s.startVelocity, m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
+        m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
         m_s.before.resize(m_s.jointed.size());
         m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
@@ -292,6 +297,7 @@ private:
                 soft.jointed ? Kick<forces>(soft, VelocityOf(soft)) : KickWhole<forces>(soft, VelocityOf(soft));
             });
         });
+        StopLocked();
     }
     /// Joints are solved twice in a sub-step, with half of its forces each time.
     void PrepareRows(bool isFirst) {
@@ -316,12 +322,14 @@ private:
             for (int i = 0; i < iterations; ++i) {
                 RunKernel(Pool(), m_task, m_kernels.solveSoft);
                 SolveRolling();
+                StopLocked();
             }
         });
     }
     /// Velocities with which the trees' joints are closed after the move.
     void AimTrees() {
         if (m_plan.hasTrees) m_tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
+        StopLocked();
     }
     void DriftAll() {
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
@@ -333,10 +341,13 @@ private:
                 Kick<forces>(soft, v);
             });
         });
+        StopLocked();
+        m_s.locked.Stop(m_s.delta);
     }
     void CorrectRows() {
         if (!m_plan.hasRows) return;
         CorrectJoints();
+        m_s.locked.Stop(m_s.delta);
         WarmStartJoints(JointWork(1.0f));
     }
     /// No speed is left along the trees' joints.
@@ -355,7 +366,9 @@ private:
         NoteContacts([&] {
             RunKernel(Pool(), m_task, m_kernels.relax);
             SolveRolling();
+            StopLocked();
         });
+        StopLocked();
         if (m_plan.hasContacts) ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
     }
 
@@ -382,6 +395,7 @@ private:
         });
     }
 
+    void StopLocked() { m_s.locked.Stop(m_bodies.velocity); }
     void SolveRolling() {
         m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
     }

@@ -393,6 +393,18 @@ Contact* ContactTable::Handle(WorldState* state, int contact) const {
     return &m_handles[static_cast<size_t>(GetNumber(contact))];
 }
 
+void ContactTable::TakeHandles(ContactTable& old) {
+    m_handles.swap(old.m_handles);
+    m_generation.swap(old.m_generation);
+    for (size_t i = 0; i < m_handles.size(); ++i) {
+        m_handles[i].numberOfRow = static_cast<int>(i);
+        m_handles[i].m_row = static_cast<int>(i);
+    }
+    for (uint32_t& generation : m_generation) ++generation;
+    m_handleRows.Set(static_cast<int>(m_handles.size()));
+    m_generationRows.Set(static_cast<int>(m_generation.size()));
+}
+
 Contact* ContactTable::HandleOf(int number) const {
     if (number < 0 || static_cast<size_t>(number) >= HandleCount()) return nullptr;
     HandleSlot& handle = m_handles[static_cast<size_t>(number)];

@@ -163,6 +163,8 @@ struct ContactTable {
     /// The same rows, added to a list of the caller's, and how many of them are alive.
     void ListOfBody(int body, std::vector<int>& rows) const;
     [[nodiscard]] int CountOfBody(int body) const;
+    /// Takes over the handles of a table that this one is to replace. Their ids name nothing any more.
+    void TakeHandles(ContactTable& old);
     /// The handle of a row, made on first use; it stays with the contact until that ends.
     Contact* Handle(WorldState* state, int contact) const;
     /// The handle with this number while its contact lives, null without one.

@@ -33,7 +33,7 @@ bool HasForce(const ForceRow& row) { return row.force.x != 0.0f || row.force.y !
 /// What the fields of a body decide.
 struct BodyFacts {
     BodyType type;
-    bool fixedRotation, autoSleep, bullet;
+    bool fixedRotation, autoSleep, bullet, isLocked;
     float linearDamping, angularDamping, gravityScale;
 };
 Features FeaturesOf(const BodyFacts& body) {
@@ -42,6 +42,7 @@ Features FeaturesOf(const BodyFacts& body) {
     f.Add(Feature::rotation, !body.fixedRotation).Add(Feature::sleeping, body.autoSleep);
     if (body.type == kinematicBody) return f.Add(Feature::kinematicBodies);
     return f.Add(Feature::continuousBullet, body.bullet)
+        .Add(Feature::motionLocks, body.isLocked)
         .Add(Feature::damping, body.linearDamping != 0.0f || body.angularDamping != 0.0f)
         .Add(Feature::gravityScale, body.gravityScale != 1.0f);
 }
@@ -87,8 +88,9 @@ Features UsedOf(const FeatureUsers& users) {
 Features FeaturesOf(const Filter& filter) { return Features{}.Add(Feature::filters, !IsDefault(filter)); }
 
 Features FeaturesOf(const BodyDef& def) {
-    Features f = FeaturesOf(BodyFacts{def.type, def.fixedRotation, def.allowSleep, def.bullet, def.linearDamping,
-                                      def.angularDamping, def.gravityScale});
+    Features f =
+        FeaturesOf(BodyFacts{def.type, def.fixedRotation || def.locks.angle, def.allowSleep, def.bullet,
+                             def.locks.x || def.locks.y, def.linearDamping, def.angularDamping, def.gravityScale});
     if (def.type == staticBody) return f;
     return f.Add(Feature::rotation, def.angularVelocity != 0.0f);
 }
@@ -103,7 +105,8 @@ Features FeaturesOfBody(const BodyTable& bodies, int body) {
     const MotionRow& motion = bodies.motion[b];
     return FeaturesOf(BodyFacts{bodies.type[b], bodies.Has(body, BodyFlag::fixedRotation),
                                 bodies.Has(body, BodyFlag::autoSleep), bodies.Has(body, BodyFlag::bullet),
-                                motion.linearDamping, motion.angularDamping, motion.gravityScale});
+                                bodies.Has(body, BodyFlag::lockX | BodyFlag::lockY), motion.linearDamping,
+                                motion.angularDamping, motion.gravityScale});
 }
 
 Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, int fixture) {
@@ -116,7 +119,7 @@ Features FeaturesOfJoint(const JointTable& joints, int joint) {
     const JointInfo& info = joints.info[Row(joint)];
     Features f;
     JointTable::WithStore(joints, info.type, [&](const auto& store) { f = FeaturesOfRow(store.rows[Row(info.row)]); });
-    return f;
+    return f.Add(Feature::events, info.HasThreshold());
 }
 
 Features FeaturesOfContact(const ContactTable& contacts, int contact) {
@@ -267,6 +270,8 @@ std::string GetName(const KernelSet& kernels) {
     add(kernels.friction, "friction");
     add(kernels.restitution, "restitution");
     add(kernels.continuous, "continuous");
+    add(kernels.rolling, "rolling");
+    add(kernels.locks, "locks");
     return text.empty() ? "none" : text;
 }
 

@@ -34,12 +34,17 @@ inline uint32_t EntryChecksum(uint32_t call, std::span<const std::byte> argument
     return call ^ static_cast<uint32_t>(ChecksumOf(arguments) >> 32);
 }
 
+template <Is<MotionLocks> Self, typename Visit>
+void Fields(Self& locks, Visit& visit) {
+    auto& [x, y, angle] = locks;
+    visit(x, y, angle);
+}
 template <Is<BodyDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
     auto& [type, position, positionRest, angle, linearVelocity, angularVelocity, linearDamping, angularDamping,
-           allowSleep, awake, fixedRotation, bullet, enabled, userData, gravityScale] = def;
+           allowSleep, awake, fixedRotation, bullet, enabled, userData, gravityScale, locks] = def;
     visit(type, position, angle, linearVelocity, angularVelocity, linearDamping, angularDamping, allowSleep, awake);
-    visit(fixedRotation, bullet, enabled, userData, gravityScale, positionRest);
+    visit(fixedRotation, bullet, enabled, userData, gravityScale, positionRest, locks);
 }
 /// The shape is written behind it.
 template <Is<FixtureDef> Self, typename Visit>

@@ -238,8 +238,10 @@ void Fields(Self& link, Visit& visit) {
 }
 template <Is<JointInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    auto& [type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link, userData] = info;
-    visit(type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link), visit.Stored(userData);
+    auto& [type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link, forceThreshold,
+           torqueThreshold, breaks, userData] = info;
+    visit(type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link);
+    visit(forceThreshold, torqueThreshold, breaks), visit.Stored(userData);
 }
 
 /// Of a sub-stepped step that is not over yet: the part that each body has behind it.

@@ -22,13 +22,6 @@ void WriteError(const Error& error, void*) {
     std::fprintf(stderr, "scree: %s: %s: %s; %s\n", error.function, error.field, GetName(error.code), error.cure);
 }
 
-template <typename Object>
-void SayGoodbye(WorldState& s, Object* object) {
-    if (s.destructionListener == nullptr) return;
-    const WorldLock lock(s);
-    s.destructionListener->SayGoodbye(object);
-}
-
 /// Which of these features bodies and fixtures would use, were all settings on.
 Features UsedIn(const WorldState& s, Features features) { return UsedOf(s.featureCounts.users) & features; }
 
@@ -139,11 +132,7 @@ ErrorCode World::DestroyJoint(Joint* joint) {
     if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
     const int index = joint->GetIndex();
     const Recording recording(s, name, index);
-    for (int gear = FindGearOf(s, index); gear >= 0; gear = FindGearOf(s, index)) {
-        SayGoodbye(s, s.joints.handles[static_cast<size_t>(gear)]);
-        RemoveJoint(s, gear);
-    }
-    RemoveJoint(s, index);
+    RemoveJointWithGears(s, index);
     return ErrorCode::ok;
 }
 

@@ -13,6 +13,7 @@
 #include "constraints/joint_solver.h"
 #include "constraints/joint_tree.h"
 #include "constraints/rolling_rows.h"
+#include "pipeline/parts/locked_bodies.h"
 #include "scree/accuracy.h"
 #include "scree/features.h"
 #include "scree/world_callbacks.h"
@@ -68,6 +69,7 @@ struct SolverScratch {
     ContactRows contacts;
     ContactBlocks blocks;
     RollingRows rolling;  ///< of the contacts or the blocks
+    LockedBodies locked;  ///< of the bodies that are solved
     JointConstraints joints;
     std::vector<Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
@@ -83,13 +85,14 @@ struct SolverScratch {
         return BytesOf(contacts.velocity, contacts.position, delta, soft, startVelocity, jointed, before, islandSolved,
                        impulses) +
                rest.GetMemoryBytes() + tree.GetMemoryBytes() + restTree.GetMemoryBytes() + blocks.GetMemoryBytes() +
-               joints.GetMemoryBytes() + wide.GetMemoryBytes() + rolling.GetMemoryBytes();
+               joints.GetMemoryBytes() + wide.GetMemoryBytes() + rolling.GetMemoryBytes() + locked.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
         contacts = {};
         blocks = {};
         rolling = {};
+        locked = {};
         joints = {};
         delta = {};
         soft = {};
