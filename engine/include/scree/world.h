@@ -91,8 +91,7 @@ struct WorldState;
 class World {
 public:
     /// A world of these settings. Of settings that cannot be there is no world: stderr gets one line with the field and
-    /// the cure, and the constructor throws std::invalid_argument (the program ends where there are no exceptions).
-    /// CreateWorld, below, gives null instead.
+    /// the cure, and the constructor throws std::invalid_argument. CreateWorld, below, gives null instead.
     explicit World(Vec2 gravity);
     explicit World(const WorldDef& def);
     ~World();
