@@ -23,6 +23,7 @@ readonly SCREE_TEST_PACKAGES=(
     chromium chromium-driver python3                      # drives the report page
     python3-jsonschema                                    # holds scene files to their schema
     parallel                                              # shards side by side
+    doxygen                                               # the reference, without warnings
 )
 
 # Die CODE MESSAGE

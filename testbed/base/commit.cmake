@@ -1,4 +1,5 @@
 # Writes OUTPUT, a header that names the commit of SOURCE; touches it only when that changes.
+cmake_minimum_required(VERSION 3.25)
 find_package(Git QUIET)
 set(COMMIT "unknown")
 if(GIT_EXECUTABLE)

@@ -38,7 +38,7 @@ enum class SolverKind : uint8_t {
     softStep,            ///< sub-steps with soft contacts
 };
 
-/// Knobs of the soft step; see the accuracy tables of the README before changing them.
+/// Knobs of the soft step; see the tables of engine/docs/settings.md before changing them.
 struct SoftStepDef {
     /// Stiffness of contacts between two movers, 1/s, > 0; at most a quarter of the sub-steps' rate acts.
     float contactHertz = 30.0f;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Input from a file instead of a person: text in, the events of each frame out. Documented in testbed/README.md.
+// Input from a file instead of a person: text in, the events of each frame out. Documented in testbed/docs/window.md.
 
 #pragma once
 

@@ -349,10 +349,10 @@ TEST(RunSpec, OnlyLiveKeysChangeWhileASceneRuns) {
     }
 }
 
-TEST(RunSpec, TheReadmeHoldsTheTableOfTheKeys) {
-    std::ifstream file(SCREE_SOURCE_DIR "/testbed/README.md");
-    const std::string readme{std::istreambuf_iterator<char>(file), {}};
-    EXPECT_NE(readme.find(WriteSettingTable()), std::string::npos) << "it should read\n" << WriteSettingTable();
+TEST(RunSpec, ThePageHoldsTheTableOfTheKeys) {
+    std::ifstream file(SCREE_SOURCE_DIR "/testbed/docs/settings.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NE(page.find(WriteSettingTable()), std::string::npos) << "it should read\n" << WriteSettingTable();
 }
 
 }  // namespace
