@@ -270,8 +270,7 @@ private:
     [[nodiscard]] SoftSpring MakeSoftSpring(float hertz) const {
         const float turn = 2.0f * pi * hertz * m_h;
         const float damping = 2.0f * m_settings.contactDampingRatio + turn;
-        const float share = 1.0f / (1.0f + turn * damping);
-        return {.biasRate = turn / (damping * m_h), .massScale = turn * damping * share, .impulseScale = share};
+        return {.biasRate = turn / (damping * m_h), .stiffness = 1.0f + 1.0f / (turn * damping)};
     }
 
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }

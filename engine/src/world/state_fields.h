@@ -44,7 +44,9 @@ template <typename Self, typename Visit>
 requires Is<Self, BodyUserData> || Is<Self, FixtureUserData> || Is<Self, JointUserData>
 void Fields(Self& data, Visit& visit) {
     auto& [pointer] = data;
-    visit(pointer);
+    uint64_t number = pointer;  // as wide on every machine
+    visit(number);
+    if constexpr (!std::is_const_v<Self>) pointer = static_cast<uintptr_t>(number);
 }
 
 template <Is<SoftStepDef> Self, typename Visit>

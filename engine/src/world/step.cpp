@@ -6,6 +6,7 @@
 #include "world/step.h"
 
 #include "base/clock.h"
+#include "base/float_mode.h"
 #include "pipeline/parts/rouse.h"
 #include "state/limits.h"
 #include "world/guard.h"
@@ -50,6 +51,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
 StepReport RunStep(WorldState& s, const StepRequest& request) {
     Stopwatch total, watch;
     StepResults r{.solved = {.substeps = request.substeps}};
+    const StandardFloats floats;
     const WorldLock lock(s);
     const ContactEvents events = s.Events(request.substeps == 0);  // Box2D's rule for Box2D's solver
     s.distanceWork = {};

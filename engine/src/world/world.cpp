@@ -6,9 +6,11 @@
 #include "scree/world.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
+#include "base/compiler.h"
 #include "pipeline/measure_errors.h"
 #include "world/guard.h"
 #include "world/joints/joint_definitions.h"
@@ -50,7 +52,11 @@ World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
     s.world = this;
     if (const Finding bad = Check(def)) {
         s.Refuse(bad.code, "World::World", bad.field, bad.cure);
+#if defined(SCREE_HAS_EXCEPTIONS)
         throw std::invalid_argument(std::string("scree: World::World: ") + bad.field + ": " + bad.cure);
+#else
+        std::abort();
+#endif
     }
     s.def = def;
     s.broadPhaseKind = s.def.broadPhase == BroadPhaseKind::automatic ? BroadPhaseKind::keys : s.def.broadPhase;

@@ -51,5 +51,5 @@ echo "== pkg-config"
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name scree.pc)")
 export PKG_CONFIG_PATH
 read -ra flags <<<"$(pkg-config --cflags --libs scree)"
-"$compiler" -std=c++20 "$consumer/consumer.cpp" "${flags[@]}" "-Wl,-rpath,$(dirname "$library")" -o "$work/with-pkg-config"
+"$compiler" "$consumer/consumer.cpp" "${flags[@]}" "-Wl,-rpath,$(dirname "$library")" -o "$work/with-pkg-config"
 "$work/with-pkg-config"
