@@ -5,6 +5,7 @@
 // page.js.
 
 #include "testbed/page/page.h"
+#include "testbed/base/input.h"
 
 #include <fmt/format.h>
 
