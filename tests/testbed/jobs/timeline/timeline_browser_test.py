@@ -64,7 +64,7 @@ def reads(browser, page):
     expect('at the moment', text(browser, 'where'), 'step 4 ')
     expect('its body', text(browser, 'chosen'), 'shot (1)')
     expect('its speed', text(browser, 'values'), 'speed100 m/s')
-    expect('its plots', text(browser, 'chosen-plots'), 'Kinetic energy, J')
+    expect('its plots', text(browser, 'chosen-plots'), 'Energy, J')
     browser.wait('location.hash === "#step=4&body=1"')
     click(browser, 3, 2)
     expect('the crate', text(browser, 'chosen'), 'crate (2), dynamic, 4 kg')
