@@ -24,7 +24,7 @@ void WriteScene(const std::filesystem::path& path) {
         "bodies": [{"fixtures": [{"shape": {"type": "edge", "vertices": [[0, -5], [0, 5]]}}]},
                    {"type": "dynamic", "position": [-5.2, 0], "linearVelocity": [100, 0],
                     "fixtures": [{"density": 1, "shape": {"type": "circle", "radius": 0.1}}]},
-                   {"type": "dynamic", "position": [3, 2], "awake": false,
+                   {"type": "dynamic", "position": [3, 2],
                     "fixtures": [{"density": 1, "shape": {"type": "box", "halfExtents": [1, 1]}}]},
                    {"fixtures": [{"shape": {"type": "box", "halfExtents": [1, 0.25], "center": [3, 0.75]}}]},
                    {"type": "dynamic", "position": [-4, -4],
