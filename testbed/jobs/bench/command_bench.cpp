@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree bench`: scenes timed in both engines, interleaved in one process; totals, single steps, stages, memory.
+// `scree bench`: scenes timed in every engine, interleaved in one process; totals, single steps, stages, memory.
 
 #include <fmt/format.h>
 
@@ -129,7 +129,7 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddBenchCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in both engines");
+    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in every engine");
     auto arguments = std::make_shared<BenchArguments>();
     AddBenchOptions(*command, *arguments);
     command->callback(
