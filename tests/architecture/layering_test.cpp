@@ -181,7 +181,7 @@ constexpr std::array<Folder, 12> folders = {{{"base", ""},
                                              {"gl", "base picture"},
                                              {"page", "base picture"},
                                              {"view", "base picture engines gl"},
-                                             {"options", "base input picture engines gl view"},
+                                             {"options", "base input picture engines gl view moments"},
                                              {"jobs", "base input picture engines moments gl page view options"},
                                              {"cli", "base input picture engines gl page view options jobs"}}};
 
