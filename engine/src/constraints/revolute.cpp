@@ -34,7 +34,8 @@ void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
 /// What a blow within the step brings beyond the limit, the next one takes back.
 bool IsIdle(const JointInput& in, const RevoluteRow& row) {
     constexpr float margin = 0.1f;  // rad
-    const bool isAtWork = row.motor.enabled || row.motor.impulse != 0.0f || row.limit.lowerImpulse != 0.0f ||
+    const bool isAtWork = row.motor.enabled || row.motor.impulse != 0.0f || row.spring.enabled ||
+                          row.spring.impulse != 0.0f || row.limit.lowerImpulse != 0.0f ||
                           row.limit.upperImpulse != 0.0f;
     if (isAtWork) return false;
     if (!row.limit.enabled) return true;
