@@ -13,6 +13,7 @@ readonly SCREE_BUILD_PACKAGES=(
     zlib1g-dev libstb-dev                                 # PNG, written and read
     libcli11-dev nlohmann-json3-dev libfmt-dev            # command line, JSON, text
     gnuplot-nox                                           # timing plots
+    libjs-chart.js                                        # interactive figures of pages
     libglfw3-dev libimgui-dev                             # the window
     libbenchmark-dev                                      # micro-benchmarks
     libgtest-dev librapidcheck-dev                        # small; the presets configure the tests along
@@ -22,6 +23,7 @@ readonly SCREE_TEST_PACKAGES=(
     xvfb xauth xdotool                                    # the window without a screen, with real events
     chromium chromium-driver python3                      # drives the report page
     python3-jsonschema                                    # holds scene files to their schema
+    man-db dpkg-dev                                       # read manual pages, find what a package depends on
     parallel                                              # shards side by side
     doxygen                                               # the reference, without warnings
 )

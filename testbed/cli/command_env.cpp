@@ -8,6 +8,7 @@
 #include <CLI/Version.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -71,7 +72,25 @@ std::string Gnuplot() {
     }
 }
 
+/// Where this program lies, and what was installed along with it.
+void PrintInstallation() {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    PrintLine("program", error ? std::string("unknown: there is no /proc") : program.string());
+    const fs::path prefix = program.parent_path().parent_path();
+    const fs::path headers = prefix / SCREE_INCLUDE_FOLDER / "scree_capture.h";
+    const bool isInstalled = !error && fs::exists(headers);
+    PrintLine("installed", isInstalled ? prefix.string() : "no: run where it was built");
+    if (!isInstalled) return;
+    PrintLine("capture", headers.string() + ", scree_capture_box2d.h beside it");
+    const fs::path manual = prefix / SCREE_MANUAL_FOLDER / "scree.1";
+    PrintLine("manual", fs::exists(manual) ? manual.string() : "missing: " + manual.string());
+    PrintLine("shaders", "in the program");
+}
+
 int RunEnv(const Request& request) {
+    PrintInstallation();
     for (const BackendReport& report : ProbeBackends(request.contextOptions)) {
         PrintLine(fmt::format("backend {}", GetBackendName(report.backend)),
                   report.works ? fmt::format("{} {}", report.renderer, report.version)

@@ -11,6 +11,7 @@ namespace testbed {
 
 void AddListCommand(CLI::App& app, Request& request);
 void AddMergeCommand(CLI::App& app, Request& request);
+void AddManCommand(CLI::App& app, Request& request);
 void AddEnvCommand(CLI::App& app, Request& request);
 
 }  // namespace testbed

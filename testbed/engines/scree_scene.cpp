@@ -5,6 +5,7 @@
 
 #include "testbed/engines/scree_scene.h"
 
+#include <cstdint>
 #include <vector>
 
 #include "testbed/engines/scree_shape.h"
@@ -48,7 +49,8 @@ scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Sh
     def.friction = fixture.friction;
     def.restitution = fixture.restitution;
     def.isSensor = fixture.isSensor;
-    def.filter = {fixture.categoryBits, fixture.maskBits, fixture.groupIndex};
+    const std::uint64_t mask = fixture.maskBits == 0xFFFF ? ~std::uint64_t{0} : fixture.maskBits;
+    def.filter = {fixture.categoryBits, mask, fixture.groupIndex};
     def.userData.pointer = index;
     return def;
 }

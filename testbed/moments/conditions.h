@@ -8,7 +8,9 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 
+#include "testbed/moments/expression.h"
 #include "testbed/moments/moment.h"
 
 namespace testbed {
@@ -37,6 +39,8 @@ namespace testbed {
 [[nodiscard]] std::unique_ptr<Condition> MakeAwakeCondition(double seconds);
 /// A body with more than this many touching contacts.
 [[nodiscard]] std::unique_ptr<Condition> MakePileOnCondition(int contacts);
+/// Steps on end after which an expression holds, with the bodies that it names. `name` is what its moments are called.
+[[nodiscard]] std::unique_ptr<Condition> MakeWhenCondition(const std::string& name, Expression expression);
 /// The first step after which a body is not where it is in another session, by more than `distance` m (0: any bit of
 /// pose or velocity), with the one that differs most. `other` gives the other session's state after the same step, null
 /// behind its end.

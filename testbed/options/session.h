@@ -32,6 +32,8 @@ public:
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_start.scene; }
     /// "player (37)", or "body 37" without a name.
     [[nodiscard]] std::string NameOf(int body) const;
+    /// By index of a body, nothing for one without.
+    [[nodiscard]] const std::vector<std::string>& GetNames() const { return m_names; }
     /// The name alone, or nothing.
     [[nodiscard]] const std::string& GetName(int body) const { return m_names[static_cast<std::size_t>(body)]; }
     [[nodiscard]] bool IsMotion() const { return m_start.motion != nullptr; }

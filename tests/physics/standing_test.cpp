@@ -55,6 +55,16 @@ TEST(Standing, FlushColumnsStandAtEveryMark) {
     }
 }
 
+/// Neither side of a contact is solved before the other.
+TEST(Standing, ASymmetricColumnStaysUpright) {
+    Dice dice(14);
+    for (const int count : {10, 80, 120}) {
+        const double width = dice.In(0.7, 1.1), height = dice.In(0.6, 0.8);
+        for (const int substeps : marks)
+            EXPECT_LT(Lean(count, width, height, substeps), 1e-4) << count << " " << substeps;
+    }
+}
+
 struct Column {
     int count;
     double width, height, gap;  ///< of a box, and between two at the start, m

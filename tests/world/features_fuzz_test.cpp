@@ -160,6 +160,8 @@ private:
         for (Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
             if (!May(Feature::friction)) f->SetFriction(0.0f);
             if (!May(Feature::restitution)) f->SetRestitution(0.0f);
+            if (!May(Feature::tangentSpeed)) f->SetTangentSpeed(0.0f);
+            if (!May(Feature::rollingResistance)) f->SetRollingResistance(0.0f);
             if (!May(Feature::sensors)) f->SetSensor(false);
             if (!May(Feature::filters)) f->SetFilterData({});
         }
@@ -237,7 +239,9 @@ private:
 
     void EditFixture(Fixture* fixture) {
         if (fixture == nullptr) return;
-        if (May(Feature::friction)) fixture->SetFriction(Chance(2) ? 0.0f : 0.6f);
+        if (May(Feature::friction)) fixture->SetFriction(Chance(2) ? 0.0f : 0.6f, Chance(2));
+        if (Wants(Feature::tangentSpeed)) fixture->SetTangentSpeed(Chance(2) ? 0.0f : 1.0f);
+        if (Wants(Feature::rollingResistance)) fixture->SetRollingResistance(Chance(2) ? 0.0f : 0.3f);
         if (Wants(Feature::restitution)) fixture->SetRestitution(Chance(2) ? 0.0f : 0.5f);
         if (Wants(Feature::sensors)) fixture->SetSensor(!fixture->IsSensor());
         if (Wants(Feature::filters)) fixture->SetFilterData({1, 0xFFFF, static_cast<int16_t>(Pick(3) - 1)});

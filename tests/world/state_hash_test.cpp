@@ -161,6 +161,9 @@ TEST(StateHash, SeesEveryEditOfARandomWorld) {
         [](World& w) { Newest(w)->GetFixtureList()->SetFriction(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetRestitution(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetRestitutionThreshold(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetTangentSpeed(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetRollingResistance(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetMixRules(MixRule::minimum, MixRule::standard); },
         [](World& w) { Newest(w)->GetFixtureList()->SetDensity(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetSensor(true); },
         [](World& w) {
@@ -246,8 +249,8 @@ TEST(FieldList, VisitsEveryMemberThatItNames) {
     ExpectWhole<MotionRow>();
     ExpectWhole<BodyDemand>();
     ExpectWhole<BodyInfo>();
-    ExpectWhole<Filter>();
-    ExpectWhole<Material>();
+    ExpectWhole<Filter>(4);    // behind `groupIndex`
+    ExpectWhole<Material>(2);  // behind the rules
     ExpectWhole<ContactPair>();
     ExpectWhole<ContactMaterial>();
     ExpectWhole<JointLink>();

@@ -17,6 +17,7 @@ struct RevoluteConstraint {
     Mat22 k;         ///< inverse effective mass of the point
     float turnMass;  ///< effective mass of relative turning; 0: both bodies have fixed rotation
     float angle;     ///< joint angle at the start of the step, rad
+    Spring spring;
 };
 
 /// Masses and arms of this step; scales the stored impulses.

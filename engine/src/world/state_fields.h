@@ -115,13 +115,14 @@ void Fields(Self& filter, Visit& visit) {
 }
 template <Is<Material> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    auto& [friction, restitution, restitutionThreshold] = row;
-    visit(friction, restitution, restitutionThreshold);
+    auto& [friction, restitution, restitutionThreshold, tangentSpeed, rollingResistance, frictionRule,
+           restitutionRule] = row;
+    visit(friction, restitution, restitutionThreshold, tangentSpeed, rollingResistance, frictionRule, restitutionRule);
 }
 template <Is<FixtureInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    auto& [density, chainId, chainIndex, inBroadPhase, reports, userData] = info;
-    visit(density, chainId, chainIndex, inBroadPhase), visit.Stored(reports, userData);
+    auto& [density, chainId, chainIndex, inBroadPhase, reports, materialId, userData] = info;
+    visit(density, chainId, chainIndex, inBroadPhase), visit.Stored(reports, materialId, userData);
 }
 
 /// The type stands in the table of fixtures.
@@ -239,8 +240,10 @@ void Fields(Self& link, Visit& visit) {
 }
 template <Is<JointInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    auto& [type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link, userData] = info;
-    visit(type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link), visit.Stored(userData);
+    auto& [type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link, forceThreshold,
+           torqueThreshold, breaks, userData] = info;
+    visit(type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link);
+    visit(forceThreshold, torqueThreshold, breaks), visit.Stored(userData);
 }
 
 /// Of a sub-stepped step that is not over yet: the part that each body has behind it.
@@ -259,15 +262,15 @@ template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
     auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, editedPairs,
            isEdited, edited, islands, active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch,
-           continuousScratch, log, destructionListener, listener, heard, filter, errorHandler, errorContext, draw,
-           recorder, featureCounts, kernels, locks, autoClearForces, lastInverseDt, report, distanceWork, measureErrors,
-           isolatedPath] = s;
+           continuousScratch, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
+           draw, recorder, featureCounts, kernels, locks, autoClearForces, lastInverseDt, report, distanceWork,
+           measureErrors, isolatedPath] = s;
     visit(isEdited, autoClearForces, lastInverseDt);
     std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
     visit(toi);
     visit.LeftOut(def, bodies, fixtures, contacts, joints);  // walked by themselves
-    visit.LeftOut(world, pool, log, destructionListener, listener, heard, filter, errorHandler, errorContext, draw,
-                  recorder);
+    visit.LeftOut(world, pool, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
+                  draw, recorder);
     // Made anew from the rest, of the last step only, or without a bearing on results.
     visit.LeftOut(broadPhase, broadPhaseKind, pairs, editedPairs, edited, islands, active, substepGroups,
                   narrowPhaseScratch, islandScratch, solverScratch, featureCounts, kernels, locks, report, distanceWork,

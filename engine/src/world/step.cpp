@@ -10,6 +10,7 @@
 #include "pipeline/parts/rouse.h"
 #include "state/limits.h"
 #include "world/guard.h"
+#include "world/joints/joint_definitions.h"
 
 namespace scree {
 
@@ -42,6 +43,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
+    BreakStrainedJoints(s);
 }
 
 }  // namespace

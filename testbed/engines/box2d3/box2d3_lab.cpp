@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The laboratory over Box2D 3. Its names differ in everything from those that lab_world.h reads; what is measured is
-// the same.
+// The laboratory over Box2D 3. Box2D 3 names everything differently from what lab_world.h reads, so it has code of its
+// own; the same is measured.
 
 #include <cmath>
 #include <numbers>

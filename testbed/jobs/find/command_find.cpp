@@ -41,6 +41,7 @@ struct FindArguments {
     bool tunnel = false, nonFinite = false, jitter = false;
     std::optional<double> overlap, speed, spin, spike, jointGap, awake;
     std::string escape, diverge;
+    std::vector<std::string> when;
     double longer = 0, distance = 0;
     std::string pictures, json, junit;
 };
@@ -99,14 +100,30 @@ struct Asked {
     Conditions conditions;
     bool needsContacts = false, needsTimes = false;
 
-    void Add(const char* name, std::unique_ptr<Condition> condition) {
-        names.emplace_back(name);
+    void Add(const std::string& name, std::unique_ptr<Condition> condition) {
+        names.push_back(name);
         conditions.push_back(std::move(condition));
     }
 };
 
-Asked MakeConditions(const FindArguments& a, const SceneInput& input) {
+/// Expressions, numbered where there are several.
+void AddExpressions(const std::vector<std::string>& texts, const Session& session, Asked& asked) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        try {
+            Expression expression(texts[i], session.GetNames());
+            asked.needsContacts = asked.needsContacts || expression.NeedsContacts();
+            const std::string name = texts.size() == 1 ? "when" : fmt::format("when-{}", i + 1);
+            asked.Add(name, MakeWhenCondition(name, std::move(expression)));
+        } catch (const UsageError& error) {
+            throw UsageError(fmt::format("--when '{}': {}", texts[i], error.what()));
+        }
+    }
+}
+
+Asked MakeConditions(const FindArguments& a, const SceneInput& input, const Session& session) {
     Asked asked;
+    asked.needsContacts = a.overlap || a.pileOn;
+    asked.needsTimes = a.spike.has_value();
     if (a.tunnel) asked.Add("tunnel", MakeTunnelCondition());
     if (a.overlap) asked.Add("overlap", MakeOverlapCondition(*a.overlap, a.longer));
     if (a.speed) asked.Add("speed", MakeSpeedCondition(*a.speed));
@@ -122,8 +139,7 @@ Asked MakeConditions(const FindArguments& a, const SceneInput& input) {
         asked.Add("diverge", MakeDivergeCondition(
                                  a.distance, [other = MakeOther(a, input)](int step) { return other->After(step); }));
     }
-    asked.needsContacts = a.overlap || a.pileOn;
-    asked.needsTimes = a.spike.has_value();
+    AddExpressions(a.when, session, asked);
     if (asked.names.empty()) {
         asked.Add("tunnel", MakeTunnelCondition());
         asked.Add("non-finite", MakeNonFiniteCondition());
@@ -134,8 +150,9 @@ Asked MakeConditions(const FindArguments& a, const SceneInput& input) {
 void CheckHas(const Session& session, const Asked& asked, const std::string& input) {
     constexpr const char* cure = "record it with scree_capture::Options::{} = true, or give --from K to run an engine";
     if (asked.needsContacts && !session.HasContacts()) {
-        throw UsageError(fmt::format("{} was recorded without contacts, which --overlap and --pile-on need; {}", input,
-                                     fmt::format(fmt::runtime(cure), "contacts")));
+        throw UsageError(
+            fmt::format("{} was recorded without contacts, which --overlap, --pile-on and contacts in --when need; {}",
+                        input, fmt::format(fmt::runtime(cure), "contacts")));
     }
     if (asked.needsTimes && !session.HasTimes()) {
         throw UsageError(fmt::format("{} was recorded without times, which --spike needs; {}", input,
@@ -192,7 +209,7 @@ void DrawMoments(Session session, FindReport& report, const std::string& folder)
 int RunFind(const FindArguments& arguments, const Request& request) {
     const SceneInput input = ChooseSessionInput(arguments.session);
     Session session = OpenSession(arguments.session, input);
-    Asked asked = MakeConditions(arguments, input);
+    Asked asked = MakeConditions(arguments, input, session);
     CheckHas(session, asked, arguments.session.input);
 
     FindReport report{
@@ -239,6 +256,12 @@ void AddConditions(CLI::App& app, FindArguments& a) {
     app.add_option("--pile-on", a.pileOn, "A body that moves, with more than this many contacts")
         ->type_name("N")
         ->check(CLI::NonNegativeNumber)
+        ->group(group);
+    app.add_option("--when", a.when,
+                   "Steps after which this holds, by names or indices of bodies: 'body(\"player\").y < -5 and not "
+                   "body(\"player\").awake', 'contacts(\"player\", \"lava\") > 0'; repeatable")
+        ->type_name("EXPR")
+        ->allow_extra_args(false)
         ->group(group);
     app.add_option("--diverge", a.diverge, "The first step that differs from that of another file or engine")
         ->type_name("FILE|ENGINE[:KEY=VALUE]")

@@ -49,9 +49,18 @@ SnapshotResult MakeResult(const SnapshotCase& snapshotCase) {
     return result;
 }
 
-/// Ids contain nothing that an expression or the shell would read otherwise.
-std::string UpdateCommand(const std::string& id, const char* mode) {
-    return fmt::format("testbed/run snapshot update --update {} -g '^{}$'", mode, id);
+/// The id as a regular expression that the shell leaves alone.
+std::string PatternOf(const std::string& id) {
+    std::string pattern;
+    for (const char c : id) {
+        if (c == '\'') {
+            pattern += '.';  // it would end the quotes
+            continue;
+        }
+        if (std::string_view("^$\\.*+?()[]{}|").find(c) != std::string_view::npos) pattern += '\\';
+        pattern += c;
+    }
+    return pattern;
 }
 
 /// How the structures of two sidecars differ, as text; empty when they agree or one has none.
@@ -78,13 +87,17 @@ void JudgePair(SnapshotResult& result, const Reference& reference, const Snapsho
     }
 }
 
-void Judge(SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture) {
+std::string UpdateCommand(const SnapshotJob& job, const std::string& id, const char* mode) {
+    return fmt::format("{} --update {} -g '^{}$'", job.updateCommand, mode, PatternOf(id));
+}
+
+void Judge(const SnapshotJob& job, SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture) {
     result.rule = reference.rule;
-    result.update = UpdateCommand(result.id, "all");
+    result.update = UpdateCommand(job, result.id, "all");
     if (!reference.hasImage && !reference.hasSidecar) {
         result.status = SnapshotStatus::missing;
         result.message = "there is no reference";
-        result.update = UpdateCommand(result.id, "missing");
+        result.update = UpdateCommand(job, result.id, "missing");
     } else if (!reference.hasImage || !reference.hasSidecar) {
         result.status = SnapshotStatus::deleted;
         result.message = fmt::format("the reference's {} is gone", reference.hasImage ? "sidecar" : "picture");
@@ -147,11 +160,11 @@ void Checker::CheckPicture(const SnapshotCase& snapshotCase, const SnapshotPictu
     Reference reference;
     try {
         reference = ReadReference(m_job.references, result.id);
-        Judge(result, reference, picture);
+        Judge(m_job, result, reference, picture);
     } catch (const std::exception& error) {  // a damaged reference must not hide the other results
         result.status = SnapshotStatus::failed;
         result.message = error.what();
-        result.update = UpdateCommand(result.id, "all");
+        result.update = UpdateCommand(m_job, result.id, "all");
     }
     result.simulateMs = picture.simulateMs;
     result.renderMs = picture.renderMs;
@@ -196,11 +209,11 @@ void Checker::CheckScene(std::span<const SnapshotCase> cases, std::size_t firstN
 void Checker::CheckOrphan(const std::string& id, std::size_t number) {
     SnapshotResult result;
     result.id = id;
-    result.scene = id.substr(0, id.find('/'));
-    result.name = id.substr(id.find('/') + 1);
+    result.scene = id.substr(0, id.rfind('/'));
+    result.name = id.substr(id.rfind('/') + 1);
     result.status = SnapshotStatus::orphan;
     result.message = "a reference that the catalogue of snapshots does not have";
-    result.update = UpdateCommand(id, "all");
+    result.update = UpdateCommand(m_job, id, "all");
     if (IsAccepted(result)) {
         RemoveReference(m_job.references, id);
         m_outcome.removed.push_back(id);
@@ -211,9 +224,9 @@ void Checker::CheckOrphan(const std::string& id, std::size_t number) {
 }
 
 SnapshotOutcome Checker::Run() {
-    const std::vector<SnapshotCase> cases = SelectCases(m_job.pattern);
+    const std::vector<SnapshotCase> cases = SelectCases(m_job.catalog, m_job.pattern);
     std::set<std::string> orphans = ListReferences(m_job.references);
-    for (const SnapshotCase& snapshotCase : GetSnapshotCatalog()) orphans.erase(snapshotCase.GetId());
+    for (const SnapshotCase& snapshotCase : m_job.catalog) orphans.erase(snapshotCase.GetId());
     const std::regex pattern = CompilePattern(m_job.pattern);
     std::erase_if(orphans, [&](const std::string& id) { return !std::regex_search(id, pattern); });
     if (cases.empty() && orphans.empty()) {
@@ -239,11 +252,10 @@ SnapshotOutcome Checker::Run() {
 
 }  // namespace
 
-std::vector<SnapshotCase> SelectCases(const std::string& pattern) {
+std::vector<SnapshotCase> SelectCases(std::vector<SnapshotCase> catalog, const std::string& pattern) {
     const std::regex expression = CompilePattern(pattern);
-    std::vector<SnapshotCase> cases = GetSnapshotCatalog();
-    std::erase_if(cases, [&](const SnapshotCase& c) { return !std::regex_search(c.GetId(), expression); });
-    return cases;
+    std::erase_if(catalog, [&](const SnapshotCase& c) { return !std::regex_search(c.GetId(), expression); });
+    return catalog;
 }
 
 SnapshotOutcome CheckSnapshots(const SnapshotJob& job, PictureMaker& maker) { return Checker(job, maker).Run(); }

@@ -26,6 +26,9 @@ enum class UpdateMode {
 };
 
 struct SnapshotJob {
+    std::vector<SnapshotCase> catalog;  ///< all pictures that there are
+    /// What accepts pictures, before --update MODE -g PATTERN.
+    std::string updateCommand = "testbed/run snapshot update";
     std::filesystem::path references;
     std::string pattern;  ///< regular expression, searched for in the ids; empty: all
     Shard shard;
@@ -48,7 +51,7 @@ struct SnapshotOutcome {
 };
 
 /// Cases whose id matches. Throws UsageError for a bad expression.
-[[nodiscard]] std::vector<SnapshotCase> SelectCases(const std::string& pattern);
+[[nodiscard]] std::vector<SnapshotCase> SelectCases(std::vector<SnapshotCase> catalog, const std::string& pattern);
 
 /// Renders, compares, reports, and updates as the job says. Throws UsageError, FileError.
 [[nodiscard]] SnapshotOutcome CheckSnapshots(const SnapshotJob& job, PictureMaker& maker);

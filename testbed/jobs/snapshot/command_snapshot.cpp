@@ -26,6 +26,7 @@
 #include "testbed/jobs/snapshot/commands.h"
 #include "testbed/jobs/snapshot/reference_folder.h"
 #include "testbed/jobs/snapshot/report.h"
+#include "testbed/jobs/snapshot/scene_folder.h"
 #include "testbed/jobs/snapshot/verify.h"
 #include "testbed/options/options.h"
 
@@ -44,7 +45,8 @@ struct SnapshotArguments {
     std::string action;
     std::string pattern;
     std::string update;
-    std::string references = SCREE_REFERENCE_FOLDER;
+    std::string scenes;
+    std::string references;
     std::string report;
     std::string junit;
     bool annotations = false;
@@ -57,6 +59,31 @@ constexpr std::array<std::string_view, 4> actionNames = {"check", "update", "ver
 constexpr std::array<std::string_view, 3> updateNames = {"missing", "changed", "all"};
 /// Where a check without --report leaves what differs.
 constexpr const char* defaultReport = "out/snapshots";
+
+/// The pictures that there are, and where those that were accepted lie.
+struct Catalog {
+    std::vector<SnapshotCase> cases;
+    std::string references;
+    std::string updateCommand;
+};
+
+Catalog ChooseCatalog(const SnapshotArguments& arguments) {
+    if (arguments.scenes.empty()) {
+        Catalog catalog{GetSnapshotCatalog(), arguments.references, "testbed/run snapshot update"};
+        if (!catalog.references.empty()) return catalog;
+        catalog.references = SCREE_REFERENCE_FOLDER;
+        if (!fs::exists(catalog.references)) {
+            throw UsageError(
+                "this program lies outside of its checkout, which has the references of its own scenes; give --scenes "
+                "DIR for yours, or --references DIR");
+        }
+        return catalog;
+    }
+    const std::string references =
+        arguments.references.empty() ? (fs::path(arguments.scenes) / "references").string() : arguments.references;
+    return {ReadSceneFolder(arguments.scenes), references,
+            fmt::format("scree snapshot update --scenes '{}' --references '{}'", arguments.scenes, references)};
+}
 
 UpdateMode ParseUpdate(const SnapshotArguments& arguments) {
     const std::string text = arguments.action == "update" && arguments.update.empty() ? "all" : arguments.update;
@@ -98,14 +125,18 @@ SnapshotMaking MakeMaking(const SnapshotArguments& arguments) {
 }
 
 int RunCheck(const SnapshotArguments& arguments, const Request& request) {
+    Catalog catalog = ChooseCatalog(arguments);
     SnapshotJob job;
-    job.references = arguments.references;
+    job.catalog = std::move(catalog.cases);
+    job.updateCommand = std::move(catalog.updateCommand);
+    job.references = catalog.references;
     job.pattern = arguments.pattern;
     job.shard = ParseShard(arguments.shard.shard);
     job.update = ParseUpdate(arguments);
     job.alwaysReport = !arguments.report.empty();
     job.report = job.alwaysReport ? arguments.report : defaultReport;
     job.command = "scree snapshot " + arguments.action;
+    if (!arguments.scenes.empty()) job.command += " --scenes " + arguments.scenes;
     for (const std::string& setting : arguments.settings.sets) job.command += " --set " + setting;
     job.making = MakeMaking(arguments);
     if (job.update != UpdateMode::none && job.making.spec != SnapshotMaking{}.spec) {
@@ -137,15 +168,18 @@ struct ShardCases {
     std::vector<SnapshotCase> cases;
     std::vector<std::size_t> numbers;
     std::size_t total = 0;
+    std::string references;
 };
 
 ShardCases SelectShard(const SnapshotArguments& arguments) {
     const Shard shard = ParseShard(arguments.shard.shard);
-    const std::vector<SnapshotCase> all = SelectCases(arguments.pattern);
+    Catalog catalog = ChooseCatalog(arguments);
+    const std::vector<SnapshotCase> all = SelectCases(std::move(catalog.cases), arguments.pattern);
     if (all.empty()) {
         throw UsageError(fmt::format("-g {}: no snapshot matches; `scree snapshot list` shows all", arguments.pattern));
     }
     ShardCases chosen;
+    chosen.references = std::move(catalog.references);
     std::size_t group = 0;
     for (const std::span<const SnapshotCase> scene : GroupByScene(all)) {
         const bool isOurs = shard.Contains(group++);
@@ -204,7 +238,7 @@ int RunList(const SnapshotArguments& arguments) {
     CaseLines lines("snapshot list", chosen.total);
     for (std::size_t i = 0; i < chosen.cases.size(); ++i) {
         const SnapshotCase& c = chosen.cases[i];
-        const bool hasReference = fs::exists(fs::path(arguments.references) / (c.GetId() + ".png"));
+        const bool hasReference = fs::exists(fs::path(chosen.references) / (c.GetId() + ".png"));
         fmt::print("{:<46} size {:>4}  {:<8} {:<6} {}{}\n", c.GetId(), c.size, c.kind, c.theme, c.layers,
                    hasReference ? "" : "   (no reference)");
         lines.Add(chosen.numbers[i], {{"id", c.GetId()},
@@ -238,7 +272,8 @@ int RunSnapshot(const SnapshotArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddSnapshotCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("snapshot", "Pictures of every scene against references");
+    CLI::App* command =
+        app.add_subcommand("snapshot", "Pictures of every scene, or of your own scene files, against references");
     auto arguments = std::make_shared<SnapshotArguments>();
     command
         ->add_option("ACTION", arguments->action,
@@ -250,7 +285,13 @@ void AddSnapshotCommand(CLI::App& app, Request& request) {
                         "Which differences to accept: missing, changed or all (also removes references that no "
                         "snapshot has); update without it: all");
     command
-        ->add_option("--references", arguments->references, "Folder of the references; the checkout's own if not given")
+        ->add_option("--scenes", arguments->scenes,
+                     "Pictures of scene files, tracks and recordings in this folder, in place of the built-in scenes; "
+                     "which steps and layers, snapshots.json there says")
+        ->type_name("DIR");
+    command
+        ->add_option("--references", arguments->references,
+                     "Folder of the references; if not given, references/ in that of --scenes, else the checkout's own")
         ->type_name("DIR");
     command
         ->add_option(

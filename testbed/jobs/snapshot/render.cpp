@@ -33,8 +33,8 @@ double MillisecondsSince(Clock::time_point start) {
 
 PictureOptions MakeOptions(const SnapshotCase& snapshotCase) {
     PictureOptions options;
-    options.width = snapshotWidth;
-    options.height = snapshotHeight;
+    options.width = snapshotCase.width;
+    options.height = snapshotCase.height;
     options.theme = ParseTheme(snapshotCase.theme);
     options.supersampling = 1;  // few colours: a palette, and files of a few kilobytes
     if (snapshotCase.kind == "overlap") {
@@ -98,16 +98,19 @@ SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& sn
 void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotMaking& making, PictureMaker& maker,
                      const std::function<void(const SnapshotCase&, SnapshotPicture)>& take) {
     if (cases.empty()) return;
-    scenes::Scene scene = scenes::Build(cases.front().scene, cases.front().size);
-    if (making.perturb) making.perturb(scene);
+    const SnapshotCase& one = cases.front();
+    RunStart begin = one.input != nullptr ? one.input->Start() : RunStart(scenes::Build(one.scene, one.size));
+    if (making.perturb) making.perturb(begin.scene);
     const bool hasSwept = std::ranges::any_of(
         cases, [](const SnapshotCase& c) { return c.kind == "render" && ParseLayers(c.layers).Has(Layer::swept); });
     RunSpec spec = making.spec;
-    ApplySettings(spec, cases.front().settings);
-    const std::unique_ptr<EngineRun> engine = MakeRun(scene, spec, {.sweptBoxes = hasSwept});
+    ApplySettings(spec, one.settings);
+    const std::unique_ptr<EngineRun> engine =
+        begin.motion != nullptr ? MakeFollower(begin, spec)
+                                : std::unique_ptr<EngineRun>(MakeRun(begin, spec, {.sweptBoxes = hasSwept}));
     Snapshot snapshot;
     const bool isReference = making.spec == SnapshotMaking{}.spec;
-    const std::string settings = isReference ? cases.front().settings : PrintSettings(spec);
+    const std::string settings = isReference ? one.settings : PrintSettings(spec);
     for (const SnapshotCase& snapshotCase : cases) {
         const Clock::time_point start = Clock::now();
         const bool isNew = engine->GetStep() < snapshotCase.step || snapshot.step != snapshotCase.step;

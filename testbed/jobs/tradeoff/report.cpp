@@ -54,11 +54,16 @@ void AddCurves(const Law& law, std::span<const TradeCase> cases, const FamilyLoo
         const TradePoint point{one.GetCost().median, FlooredError(law, one)};
         points.push_back(point);
         all.points.push_back({point.cost, point.error});
+        all.names.push_back(
+            fmt::format("{} {} at {} Hz", NameFamily(look.family), NameSolver(one.setting), GetRate(one.setting)));
         if (!IsDefault(one.setting)) continue;
         defaults.points.push_back({point.cost, point.error});
         defaults.labels.push_back(NameSolver(one.setting));
     }
-    for (const std::size_t i : FindFront(points)) front.points.push_back({points[i].cost, points[i].error});
+    for (const std::size_t i : FindFront(points)) {
+        front.points.push_back({points[i].cost, points[i].error});
+        front.names.push_back(all.names[i]);
+    }
     for (const PlotCurve& curve : {all, front, defaults}) {
         if (!curve.points.empty()) plot.curves.push_back(curve);
     }

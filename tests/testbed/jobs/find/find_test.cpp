@@ -90,6 +90,21 @@ protected:
     ScratchFolder folder;
 };
 
+TEST_F(Find, WhatSomebodyWritesIsFound) {
+    const int hidden = 40;
+    RecordStirredBox(folder.GetPath() / "stirred.track", 300, 60, hidden);
+    Expect("stirred.track --when 'body(\"escapee\").x > 10'", exitDiffers,
+           "step 40-60, 0.67 s: when: escapee (137): body(\"escapee\").x > 10 holds");
+    Expect("stirred.track --when 'contacts(\"walls\") < 0' --when 'body(137).speed > 100 and step > 45'", exitDiffers,
+           "step 46-60, 0.77 s: when-2: escapee (137)");
+    Expect("stirred.track --when 'contacts(\"walls\") < 0'", exitDone, "0 moments in 60 steps: when");
+    Expect("stirred.track --when 'body(\"escape\").x > 10'", exitUsage,
+           "--when 'body(\"escape\").x > 10': character 6, 'escape': no body is called so; did you mean 'escapee'?");
+    // The same bodies by the same names where an engine starts from a step of it.
+    Expect("stirred.track --from 39 --steps 5 --set continuous=off --when 'body(137).y > 100'", exitDone,
+           "0 moments in 5");
+}
+
 TEST_F(Find, TheHiddenTunnelOfALongSessionIsNamed) {
     const int hidden = 400;
     RecordStirredBox(folder.GetPath() / "stirred.track", 300, 600, hidden);

@@ -32,6 +32,7 @@ protected:
     SnapshotCheck() : m_maker(Backend::cpu) {
         m_job.references = m_scratch.GetPath() / "references";
         m_job.report = m_scratch.GetPath() / "report";
+        m_job.catalog = GetSnapshotCatalog();
         m_job.pattern = "^friction-row/";
         m_job.update = UpdateMode::all;
         const SnapshotOutcome first = CheckSnapshots(m_job, m_maker);
@@ -69,7 +70,7 @@ protected:
 };
 
 TEST_F(SnapshotCheck, IsCleanRightAfterAnUpdateAndLeavesNoReport) {
-    EXPECT_EQ(m_ids.size(), SelectCases(m_job.pattern).size());
+    EXPECT_EQ(m_ids.size(), SelectCases(m_job.catalog, m_job.pattern).size());
     const SnapshotOutcome outcome = Check();
     EXPECT_EQ(outcome.results.size(), m_ids.size());
     EXPECT_TRUE(IsClean(outcome.results));

@@ -26,7 +26,7 @@ std::vector<VerifyRun> Verify(const std::vector<SnapshotCase>& cases, const Dist
 
 /// What is found when one picture of one way is distorted: only that way, and only in that case.
 void ExpectFound(const char* what, const std::function<void(SnapshotPicture&)>& distort) {
-    const std::vector<SnapshotCase> cases = SelectCases("^joint-wheel/");
+    const std::vector<SnapshotCase> cases = SelectCases(GetSnapshotCatalog(), "^joint-wheel/");
     ASSERT_GT(cases.size(), 2u);
     const std::size_t distorted = 1;
     for (std::size_t way = 1; way < ways.size(); ++way) {
@@ -58,7 +58,7 @@ TEST(SnapshotVerify, FindsTheWayWhosePictureHasAnotherShape) {
 }
 
 TEST(SnapshotVerify, AWayThatCannotFinishIsNoEqualWay) {
-    const std::vector<SnapshotCase> cases = SelectCases("^joint-wheel/");
+    const std::vector<SnapshotCase> cases = SelectCases(GetSnapshotCatalog(), "^joint-wheel/");
     const std::vector<VerifyRun> runs = Verify(cases, [](const VerifyWay& way, const SnapshotCase&, SnapshotPicture&) {
         if (way.threads == 2 && way.backend == Backend::cpu) throw std::runtime_error("out of paint");
     });

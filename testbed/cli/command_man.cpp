@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// `scree man`: the manual pages of the program and of all commands, as files for man(1).
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <string>
+
+#include "testbed/base/errors.h"
+#include "testbed/base/output.h"
+#include "testbed/cli/commands.h"
+#include "testbed/cli/manual.h"
+
+namespace testbed {
+
+void AddManCommand(CLI::App& app, Request& request) {
+    CLI::App* command = app.add_subcommand("man", "The manual pages of all commands, as files for man(1)");
+    auto folder = std::make_shared<std::string>("man1");
+    command->add_option("-o,--output", *folder, "Folder of the pages")->capture_default_str()->type_name("DIR");
+    command->callback([&app, &request, folder] {
+        request.action = [&app, folder] {
+            OutputFolder output(*folder);
+            for (const ManualPage& page : MakeManual(app, SCREE_VERSION)) output.WriteText(page.file, page.text);
+            fmt::print("{} pages: man {}/scree.1\n", output.GetFiles().size(), *folder);
+            return exitDone;
+        };
+    });
+}
+
+}  // namespace testbed
