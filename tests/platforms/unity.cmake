@@ -3,7 +3,7 @@
 function(CompileTogether target root)
   get_target_property(sources ${target} SOURCES)
   # These have names that headers of their folder, which they do not include, use for something else.
-  list(FILTER sources EXCLUDE REGEX "/(collide_polygons|contact_kernels)\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/(collide_polygons|contact_kernels|time_of_impact)\\.cpp$")
   foreach(source IN LISTS sources)
     cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${root} NORMALIZE)
     cmake_path(GET source PARENT_PATH folder)
@@ -34,4 +34,9 @@ function(CompileTogether target root)
     endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # Headers read once are read for one set of instructions: files of another one are left out.
+  target_precompile_headers(${target} PRIVATE ${root}/src/world/world_state.h)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "(_avx2|/collide_polygons|/contact_kernels|/time_of_impact)\\.cpp$")
+  set_source_files_properties(${sources} TARGET_DIRECTORY ${target} PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endfunction()

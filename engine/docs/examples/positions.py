@@ -9,7 +9,7 @@
 
 import ctypes
 import sys
-from ctypes import POINTER, Structure, byref, c_float, c_int16, c_int32, c_size_t, c_uint8, c_uint16, c_uint32, c_void_p
+from ctypes import POINTER, Structure, byref, c_float, c_int32, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p
 
 
 class Vec2(Structure):
@@ -27,8 +27,8 @@ class BodyDef(Structure):
 
 
 class FixtureDef(Structure):
-    _fields_ = [("density", c_float), ("friction", c_float), ("restitution", c_float), ("is_sensor", c_int32),
-                ("category_bits", c_uint16), ("mask_bits", c_uint16), ("group_index", c_int16),
+    _fields_ = [("category_bits", c_uint64), ("mask_bits", c_uint64), ("density", c_float), ("friction", c_float),
+                ("restitution", c_float), ("is_sensor", c_int32), ("group_index", c_int32),
                 ("reports_contacts", c_uint8), ("reports_hits", c_uint8)]
 
 

@@ -104,11 +104,11 @@ typedef struct scree_body_def {
 
 /** Begin with scree_default_fixture. */
 typedef struct scree_fixture_def {
+    uint64_t category_bits, mask_bits;
     float density; /**< kg/m² */
     float friction, restitution;
     int32_t is_sensor;
-    uint16_t category_bits, mask_bits;
-    int16_t group_index;
+    int32_t group_index;
     uint8_t reports_contacts, reports_hits; /**< what scree_get_events tells of it */
 } scree_fixture_def;
 

@@ -199,12 +199,12 @@ scree_body_def scree_default_body(void) {
 
 scree_fixture_def scree_default_fixture(void) {
     const scree::FixtureDef def;
-    return {def.density,
+    return {def.filter.categoryBits,
+            def.filter.maskBits,
+            def.density,
             def.friction,
             def.restitution,
             def.isSensor,
-            def.filter.categoryBits,
-            def.filter.maskBits,
             def.filter.groupIndex,
             0,
             0};

@@ -58,7 +58,7 @@ bool MakePlane(Fixture& fixture, const ConvexShape& grown, Vec2 position, float 
 /// A capsule on its way through a world: the parts of MoveMover.
 class Walk {
 public:
-    Walk(World& world, const MoverDef& def) : m_world(world), m_def(def), m_level(std::cos(def.maxSlope)) {}
+    Walk(World& world, const MoverDef& def) : m_world(world), m_def(def), m_level(Rot(def.maxSlope).c) {}
 
     /// Goes by `wish` as far as it can along what it meets. Returns the planes that were in the way. For one who walks
     /// what is too steep to stand on is a wall.

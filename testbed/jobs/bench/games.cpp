@@ -89,7 +89,8 @@ std::vector<double> RunCase(const GameCase& game, std::span<const Player> player
     const scenes::Scene scene = game.build();
     const int frames = arguments.steps > 0 ? std::min(arguments.steps, game.frames) : game.frames;
     std::vector<double> best(players.size(), std::numeric_limits<double>::infinity());
-    for (int round = 0; round < arguments.repeats.value_or(3); ++round) {
+    const int rounds = arguments.repeats.value_or(3);
+    for (int round = 0; round < rounds; ++round) {
         std::vector<std::unique_ptr<Table>> tables;
         for (const Player& player : players) tables.push_back(std::make_unique<Table>(game, scene, player.spec));
         for (int frame = 0; frame < frames; ++frame) {
@@ -183,8 +184,9 @@ std::vector<const GameCase*> ChooseCases(const std::vector<std::string>& names) 
 }  // namespace
 
 int RunGames(const BenchArguments& arguments, const Request& request) {
-    if (const int repeats = arguments.repeats.value_or(3); repeats < 1)
-        throw UsageError(fmt::format("--repeat {}: give at least 1", repeats));
+    if (arguments.repeats.value_or(3) < 1) {
+        throw UsageError(fmt::format("--repeat {}: give at least 1", *arguments.repeats));
+    }
     if (arguments.steps < 0) throw UsageError(fmt::format("--steps {}: give at least 1", arguments.steps));
     const std::vector<const GameCase*> games = ChooseCases(arguments.scenes);
     const std::vector<Player> players = ListPlayers();
