@@ -16,8 +16,11 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -68,8 +71,8 @@ public:
     bool IsSensor() const { return b2Shape_IsSensor(m_id); }
     Filter GetFilterData() const {
         const b2Filter filter = b2Shape_GetFilter(m_id);
-        const Filter data = {static_cast<std::uint16_t>(filter.categoryBits), static_cast<std::uint16_t>(filter.maskBits),
-                             static_cast<std::int16_t>(filter.groupIndex)};
+        const Filter data = {static_cast<std::uint16_t>(filter.categoryBits),
+                             static_cast<std::uint16_t>(filter.maskBits), static_cast<std::int16_t>(filter.groupIndex)};
         return data;
     }
 
@@ -202,7 +205,8 @@ public:
     std::uint64_t CountObjects() const {
         const b2Counters counters = b2World_GetCounters(m_id);
         return (static_cast<std::uint64_t>(counters.bodyCount) << 42) ^
-               (static_cast<std::uint64_t>(counters.shapeCount) << 21) ^ static_cast<std::uint64_t>(counters.jointCount);
+               (static_cast<std::uint64_t>(counters.shapeCount) << 21) ^
+               static_cast<std::uint64_t>(counters.jointCount);
     }
     const Body* Find(b2BodyId id) const {
         const std::unordered_map<std::uint64_t, Body*>::const_iterator found = m_known.find(b2StoreBodyId(id));
@@ -325,15 +329,17 @@ private:
         for (std::size_t i = 0; i < m_bodies.size(); ++i) {
             const std::vector<b2JointId> joints = JointsOf(m_bodies[i]->GetId());
             for (std::size_t k = 0; k < joints.size(); ++k) {
-                if (!IsShown(joints[k]) || !known.insert(std::make_pair(b2StoreJointId(joints[k]), true)).second) continue;
+                if (!IsShown(joints[k]) || !known.insert(std::make_pair(b2StoreJointId(joints[k]), true)).second)
+                    continue;
                 fresh.push_back(joints[k]);
             }
         }
         std::sort(fresh.begin(), fresh.end(), [](b2JointId a, b2JointId b) { return a.index1 > b.index1; });
         m_joints.clear();
         for (std::size_t i = 0; i < fresh.size(); ++i) {
-            m_joints.push_back(std::unique_ptr<Joint>(new Joint(fresh[i], m_known.at(b2StoreBodyId(b2Joint_GetBodyA(fresh[i]))),
-                                                                m_known.at(b2StoreBodyId(b2Joint_GetBodyB(fresh[i]))))));
+            m_joints.push_back(
+                std::unique_ptr<Joint>(new Joint(fresh[i], m_known.at(b2StoreBodyId(b2Joint_GetBodyA(fresh[i]))),
+                                                 m_known.at(b2StoreBodyId(b2Joint_GetBodyB(fresh[i]))))));
         }
         for (std::size_t i = 0; i < lasting.size(); ++i) m_joints.push_back(std::move(lasting[i]));
         for (std::size_t i = 0; i < m_joints.size(); ++i) {
@@ -345,7 +351,8 @@ private:
         m_shapes.clear();
         for (std::size_t i = 0; i < m_bodies.size(); ++i) {
             const std::vector<Fixture>& fixtures = m_bodies[i]->GetFixtures();
-            for (std::size_t k = 0; k < fixtures.size(); ++k) m_shapes[b2StoreShapeId(fixtures[k].GetId())] = &fixtures[k];
+            for (std::size_t k = 0; k < fixtures.size(); ++k)
+                m_shapes[b2StoreShapeId(fixtures[k].GetId())] = &fixtures[k];
         }
     }
 
@@ -428,7 +435,7 @@ struct Api {
             case b2_circleShape: {
                 const b2Circle circle = b2Shape_GetCircle(id);
                 scene.Text("type", "circle");
-                scene.Number("radius", circle.radius, 0.0f);
+                scene.Always("radius", circle.radius);
                 scene.Vector("center", ToPoint(circle.center), 0.0f, 0.0f);
                 break;
             }
@@ -437,7 +444,7 @@ struct Api {
                 const Point ends[] = {ToPoint(capsule.center1), ToPoint(capsule.center2)};
                 scene.Text("type", "capsule");
                 scene.Points("vertices", ends, 2);
-                scene.Number("radius", capsule.radius, 0.0f);
+                scene.Always("radius", capsule.radius);
                 break;
             }
             case b2_polygonShape:
@@ -490,7 +497,8 @@ struct Api {
         scene.Vector("localAnchorA", ToPoint(frameA.p), 0.0f, 0.0f);
         scene.Vector("localAnchorB", ToPoint(frameB.p), 0.0f, 0.0f);
         if (type == b2_revoluteJoint || type == b2_prismaticJoint || type == b2_weldJoint) {
-            scene.Number("referenceAngle", std::atan2(frameA.q.s, frameA.q.c) - std::atan2(frameB.q.s, frameB.q.c), 0.0f);
+            scene.Number("referenceAngle", std::atan2(frameA.q.s, frameA.q.c) - std::atan2(frameB.q.s, frameB.q.c),
+                         0.0f);
         }
         const Point axis = {frameA.q.c, frameA.q.s};
         switch (type) {
@@ -519,7 +527,8 @@ struct Api {
                 }
                 break;
             case b2_weldJoint:
-                WriteSpring(scene, b2WeldJoint_GetAngularHertz(id), b2WeldJoint_GetAngularDampingRatio(id), InertiaOf(id));
+                WriteSpring(scene, b2WeldJoint_GetAngularHertz(id), b2WeldJoint_GetAngularDampingRatio(id),
+                            InertiaOf(id));
                 break;
             case b2_motorJoint:
                 scene.Number("maxForce", b2MotorJoint_GetMaxVelocityForce(id), 0.0f);
@@ -541,8 +550,9 @@ struct Api {
     static void WriteStages(const World& world, detail::CborWriter& out) {
         const b2Profile profile = b2World_GetProfile(world.GetId());
         const std::pair<const char*, float> stages[] = {
-            {"step", profile.step},     {"broadphase", profile.pairs + profile.refit}, {"collide", profile.collide},
-            {"solve", profile.solve}, {"solveTOI", profile.bullets},                 {"sensors", profile.sensors}};
+            {"step", profile.step},        {"broadphase", profile.pairs + profile.refit},
+            {"collide", profile.collide},  {"solve", profile.solve},
+            {"solveTOI", profile.bullets}, {"sensors", profile.sensors}};
         for (const std::pair<const char*, float>& stage : stages) {
             out.Key(stage.first);
             out.Value(stage.second);
@@ -596,7 +606,8 @@ private:
         if (isSpring) {
             detail::WriteLengths(scene, length, hasLimit ? b2DistanceJoint_GetMinLength(id) : 0.0f,
                                  hasLimit ? b2DistanceJoint_GetMaxLength(id) : FLT_MAX);
-            WriteSpring(scene, b2DistanceJoint_GetSpringHertz(id), b2DistanceJoint_GetSpringDampingRatio(id), MassOf(id));
+            WriteSpring(scene, b2DistanceJoint_GetSpringHertz(id), b2DistanceJoint_GetSpringDampingRatio(id),
+                        MassOf(id));
         } else {
             detail::WriteLengths(scene, length, length, length);
         }
