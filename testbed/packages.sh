@@ -13,6 +13,7 @@ readonly SCREE_BUILD_PACKAGES=(
     zlib1g-dev libstb-dev                                 # PNG, written and read
     libcli11-dev nlohmann-json3-dev libfmt-dev            # command line, JSON, text
     gnuplot-nox                                           # timing plots
+    libjs-chart.js                                        # interactive figures of pages
     libglfw3-dev libimgui-dev                             # the window
     libbenchmark-dev                                      # micro-benchmarks
     libgtest-dev librapidcheck-dev                        # small; the presets configure the tests along

@@ -50,8 +50,8 @@ void WriteTextFile(const std::filesystem::path& path, std::string_view text);
 /// From here on a file named "-" is what standard output was, and all that is printed goes to standard error.
 void GiveStandardOutputToFiles();
 
-/// Removes unfinished files when Ctrl-C or another signal ends the program, which then ends as without this; makes
-/// writes to a pipe without a reader, and beyond a limit of file sizes, errors instead of signals.
+/// Removes unfinished files when Ctrl-C or another signal ends the program; it then ends as it would without this.
+/// Writes to a pipe without a reader, and beyond a limit of file sizes, become errors instead of signals.
 void RemoveUnfinishedFilesOnSignals();
 /// A standard output or error that is closed fails every write. Without this the next file that is opened would become
 /// it.

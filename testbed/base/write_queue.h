@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Work handed to one background thread, done in the order in which it was handed over: files are encoded and written
-// while the next picture is made, and come out as without the thread.
+// Work for one background thread, done in the order in which it came. Files are encoded and written while the next
+// picture is made; they are the same as without the thread.
 
 #pragma once
 

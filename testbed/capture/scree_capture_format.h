@@ -7,34 +7,39 @@
 //
 // A track is `trackMagic`, then records: length and CRC-32 of the payload (32 bits each, little-endian), and the
 // payload, one CBOR map with one key. All maps, arrays and strings have their length in front; keys are text.
-//   {"header": {format, version, writer, engine, timeStep, scene}}: first. `scene` is what a scene file holds; bodies
-//       and joints are numbered in its order.
-//   {"steps": [{step, dt, key?, h?, bodies?, created?, destroyed?, joints?, destroyedJoints?, names?, marks?,
-//   contacts?,
-//       contactCount?, nodes?, stages?}, …]}: a block of steps.
-//   {"objects": {created?, destroyed?, joints?, destroyedJoints?, names?}}: what happened since the last step that was
-//       kept, if steps were left out.
-//   {"deflated": [length, bytes]}: one of these payloads, deflated by zlib.
-// created is a list of {id, was?, userData?, body}, joints of {id, joint}, names of [id, text]: bodies and joints of
-// the scene's form, which refer to others by their numbers. Numbers grow and are never used again. `was` is the body
+//
+//     {"header": {format, version, writer, engine, timeStep, scene}}
+//     {"steps": [{step, dt, key?, h?, bodies?, created?, destroyed?, joints?, destroyedJoints?, names?, marks?,
+//                 contacts?, contactCount?, nodes?, stages?}, …]}
+//     {"objects": {created?, destroyed?, joints?, destroyedJoints?, names?}}
+//     {"deflated": [length, bytes]}
+//
+// The header is the first record. Its `scene` is what a scene file holds; bodies and joints are numbered in its order.
+// `steps` is a block of steps. `objects` is what happened since the last step that was kept, if steps were left out.
+// `deflated` is one of these payloads, deflated by zlib.
+//
+// `created` is a list of {id, was?, userData?, body}, `joints` of {id, joint}, `names` of [id, text]. Bodies and joints
+// have the scene's form and refer to others by their numbers. Numbers grow and are never used again. `was` is the body
 // that this one replaces, after its fixtures or type changed.
 //
 // `bodies` are the packed states of the bodies that changed, one after the other; bytes are little-endian:
-//   byte c: lengths of x, y and angle as (c % 5), (c / 5 % 5), (c / 25 % 5); c / 125 = 1: a number follows
-//   byte d: lengths of vx, vy and the angular speed in the same way; d / 125 = 1: awake
-//   the number, if it follows, as a zigzag varint, less the number of the body before; else that number less 1
-//   six residuals of 0 to 4 bytes.
-// A residual is the zigzag of (ordinal of the value − ordinal of what was predicted), where an ordinal is a float's
-// bits as a 32-bit whole number, all but the sign bit flipped if that is set. Predicted are: of a velocity the last
-// one; of a position the float nearest to last + h · new velocity, computed in double (products are exact there), with
-// numbers below the smallest normal float taken as 0 of their sign, or the last one if h is 0 or the result is not
-// finite. h is dt unless given. In a step with `key` all bodies are first set back to how they were created, and h is
-// 0.
 //
-// `contacts`: of each touching contact the varints body, fixture, child of A, then of B; a byte (number of points + 4
-// if a sensor); the normal; of each point x, y, separation, normal and tangent impulse, as floats. `nodes`: the tree
-// from its root, a node before its first and that before its second child: a byte (1: leaf), the box (lower x, y, upper
-// x, y), of a leaf the varints body, fixture, child.
+//     byte c: lengths of x, y and angle as (c % 5), (c / 5 % 5), (c / 25 % 5); c / 125 = 1: a number follows
+//     byte d: lengths of vx, vy and the angular speed in the same way; d / 125 = 1: awake
+//     the number, if it follows, as a zigzag varint, less the number of the body before; else that number less 1
+//     six residuals of 0 to 4 bytes
+//
+// A residual is the zigzag of (ordinal of the value − ordinal of what was predicted). An ordinal is a float's bits as a
+// 32-bit whole number, all but the sign bit flipped if that is set. The prediction of a velocity is the last one. That
+// of a position is the float nearest to last + h · new velocity, computed in double (products are exact there).
+// Operands and result below the smallest normal float count as 0 of their sign. Where h is 0 or the result is not
+// finite, the prediction is the last position. h is dt unless given. In a step with `key` all bodies are first set back
+// to how they were created, and h is 0.
+//
+// `contacts` holds for each touching contact: the varints body, fixture, child of A, then of B; a byte (number of
+// points + 4 if a sensor); the normal; of each point x, y, separation, normal and tangent impulse, as floats.
+// `nodes` is the tree in pre-order: a node, the subtree of its first child, that of its second. For each
+// node: a byte (1: leaf), the box (lower x, y, upper x, y), and of a leaf the varints body, fixture, child.
 
 #pragma once
 

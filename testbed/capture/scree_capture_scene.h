@@ -173,8 +173,8 @@ private:
         Number("friction", fixture.GetFriction(), 0.2f);
         Number("restitution", fixture.GetRestitution(), 0.0f);
         Flag("isSensor", fixture.IsSensor(), false);
-        Whole("categoryBits", fixture.GetFilterData().categoryBits, 1);
-        Whole("maskBits", fixture.GetFilterData().maskBits, 0xFFFF);
+        Whole("categoryBits", static_cast<std::uint16_t>(fixture.GetFilterData().categoryBits), 1);
+        Whole("maskBits", static_cast<std::uint16_t>(fixture.GetFilterData().maskBits), 0xFFFF);
         Whole("groupIndex", fixture.GetFilterData().groupIndex, 0);
         m_out.EndMap();
     }

@@ -117,15 +117,15 @@ void Parse(CLI::App& app, const std::vector<std::string>& arguments) {
 }  // namespace
 
 int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptions& contextOptions) {
-    CLI::App app("scree: two physics engines side by side, without a screen", "scree");
+    CLI::App app("scree: physics engines side by side, without a screen", "scree");
     app.set_version_flag("--version", [] {
         const Provenance provenance = FindProvenance();
         return fmt::format("scree {}, commit {}", SCREE_VERSION, provenance.commit);
     });
     app.require_subcommand(0, 1);
     app.footer(
-        "Exit codes: 0 done, 1 images or bounds differ, 2 usage, 3 no usable GL backend, 4 a file or folder failed,\n"
-        "77 no backend with --skip-missing-backend.");
+        "Exit codes: 0 done, 1 something differs, was missed or was found, 2 usage, 3 no usable GL backend or\n"
+        "display, 4 a file or folder failed, 77 no backend with --skip-missing-backend.");
     Request request{arguments, contextOptions, {}};
     AddListCommand(app, request);
     AddInfoCommand(app, request);

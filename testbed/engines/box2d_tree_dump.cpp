@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of box2d_tree_dump.h. b2DynamicTree keeps its nodes private, but its member template Query may be
-// specialised for a type of ours, and a specialisation of a member is a member: it may read m_root and m_nodes. That is
-// legal C++ and needs no change of access control.
+// Implementation of box2d_tree_dump.h. b2DynamicTree keeps its nodes private. Its member template Query may be
+// specialised for a type of ours, though, and a specialisation of a member may read m_root and m_nodes. That is legal
+// C++ and needs no change of access control.
 
 #include "testbed/engines/box2d_tree_dump.h"
 

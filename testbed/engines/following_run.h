@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What the followers of poses.h share: stepping the source, telling which bodies are new, which are gone and which
-// moved, and a capture that is the source's in everything but the broad phase. Times and memory are those of the broad
-// phase alone.
+// What the runs of poses.h share. They step the source and tell which bodies are new, which are gone and which moved.
+// Their capture is that of the source but for the broad phase; times and memory are those of the broad phase alone.
 
 #pragma once
 
@@ -42,9 +41,8 @@ protected:
     virtual void Create(const BodyState& body) = 0;
     /// Removes the fixtures of a body that is gone.
     virtual void Destroy(const BodyState& body) = 0;
-    /// Moves the fixtures of the bodies that were simulated in this step, and finds pairs. `before` and `after` hold
-    /// the same bodies. A body that was simulated and fell asleep counts as standing still at its new pose, as in
-    /// Box2D.
+    /// Moves the fixtures of the bodies that the step simulated, and finds pairs. `before` and `after` hold the same
+    /// bodies. A body that fell asleep in the step counts as standing still at its new pose, as in Box2D.
     virtual void Move(const std::vector<BodyState>& before, const std::vector<BodyState>& after) = 0;
     /// Overwrites engine, broadPhase and pairsReported; with `nodes` also nodes, treeHeight and leafSize.
     virtual void CaptureBroadPhase(Snapshot& snapshot, bool nodes) = 0;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of heap_meter.h: the C library's allocation functions are replaced in the whole process, libbox2d's
-// calls included, by ones that count the usable bytes of every block and pass on to glibc's. So blocks that live only
-// within a step are seen, and blocks that the allocator keeps for itself are not. This file holds the one counter of
-// the process: what is allocated has no owner that could carry it.
+// Implementation of heap_meter.h. The C library's allocation functions are replaced in the whole process, for libbox2d
+// too. The replacements count the usable bytes of every block and call those of glibc. So blocks that live only within
+// a step are seen, and blocks that the allocator keeps for itself are not. The process has one counter, in this file,
+// since an allocation has no owner that could carry it.
 
 #include "testbed/engines/heap_meter.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Counts the heap bytes that one engine holds while several live in the process: the growth of the heap (every call of
-// malloc and its siblings is counted) is added up over that engine's calls only. Other threads that are not the
-// engine's must not allocate meanwhile. Under a sanitizer, which replaces the allocator, it counts 0.
+// Counts the heap bytes that one engine holds while several live in the process. It adds up the growth of the heap over
+// that engine's calls alone. Meanwhile no threads but the engine's may allocate. Under a sanitizer, which replaces the
+// allocator, it counts 0.
 
 #pragma once
 

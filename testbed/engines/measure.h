@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What is measured from the states of bodies, all in double and none of it knowing an engine: sums that are conserved,
-// periods, apexes, thresholds, the exact catenary and pendulum, orders of convergence.
+// Measurements from the states of bodies, in double, the same for every engine: sums that are conserved, periods,
+// apexes, thresholds, the exact catenary and pendulum, orders of convergence.
 
 #pragma once
 

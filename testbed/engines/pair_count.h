@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Counts the pairs of a set of boxes by one routine of the testbed's own, so that both engines' pair numbers come from
-// the same code: boxes in, number of pairs out. A pair is two boxes of different bodies, at least one dynamic, whose
-// closed boxes overlap. Sorted sweep along one axis (Shamos, Hoey 1976).
+// Counts the pairs of a set of boxes. One routine of the testbed serves all engines, so that their numbers of pairs
+// compare. A pair is two boxes of different bodies, at least one dynamic, whose closed boxes overlap. Sorted sweep
+// along one axis (Shamos, Hoey 1976).
 
 #pragma once
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One engine's broad phase driven by another engine's motion (`--poses`): pictures then differ by the tree alone, since
-// two simulations of one scene part after the first contact. A following run steps its source and repeats the poses in
-// a stand-alone broad phase: boxes of both ends of the step, true displacement, and only for bodies that were awake, so
-// that Box2D's fattening sees what it would see in a world of its own (SetTransform would lose the displacement).
+// One engine's broad phase driven by another engine's motion (`--poses`). Two simulations of one scene part after the
+// first contact; with one motion, pictures differ by the tree alone. A following run steps its source and repeats the
+// poses in a broad phase without a world. For bodies that were awake it gives the boxes of both ends of the step and
+// the true displacement. So Box2D fattens boxes as in a world of its own; SetTransform would lose the displacement.
 
 #pragma once
 

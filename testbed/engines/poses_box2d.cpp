@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A stand-alone b2BroadPhase that follows recorded poses. Order and arguments of every call are those of a b2World:
-// proxies in creation order, moves from the newest body and fixture to the oldest (the edges of a chain in their own
-// order), then the pair search.
+// A b2BroadPhase without a world that follows recorded poses. Calls have the order and arguments of a b2World. Proxies
+// are made in the order of creation. They move from the newest body and fixture to the oldest, the edges of a chain in
+// their own order. Then pairs are searched.
 
 #include <box2d/b2_broad_phase.h>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A scene running in Box2D 2.4.1: loading, stepping, times by stage, capture. Times: Box2D measures `broadphase`
-// (synchronising fixtures and finding pairs) inside its `solve`, so the solver's time is the difference. When fixtures
-// were created since the last step it also searches pairs for them before its first timer; that share is the rest of
-// `step` after all measured stages. Its retest of fattened boxes is inside `collide` and cannot be separated.
+// A scene running in Box2D 2.4.1: loading, stepping, times by stage, capture. Box2D measures `broadphase`
+// (synchronising fixtures and finding pairs) inside its `solve`, so the time of the solver is the difference. In a step
+// that follows new fixtures it searches their pairs before its first timer: that time is what all measured stages leave
+// of `step`. The retest of fattened boxes is inside `collide` and cannot be separated.
 
 #include <box2d/box2d.h>
 

@@ -23,53 +23,13 @@
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/scene_run.h"
 #include "testbed/engines/scree_joint.h"
+#include "testbed/engines/scree_scene.h"
 #include "testbed/engines/scree_shape.h"
 #include "testbed/engines/scree_step.h"
 #include "testbed/engines/track_output.h"
 
 namespace testbed {
 namespace {
-
-scree::BodyType MakeType(scenes::BodyType type) {
-    switch (type) {
-        case scenes::BodyType::isStatic:
-            return scree::staticBody;
-        case scenes::BodyType::kinematic:
-            return scree::kinematicBody;
-        case scenes::BodyType::dynamic:
-            return scree::dynamicBody;
-    }
-    return scree::staticBody;
-}
-
-scree::BodyDef MakeBodyDef(const scenes::Body& body) {
-    scree::BodyDef def;
-    def.type = MakeType(body.type);
-    def.bullet = body.bullet;
-    def.allowSleep = body.allowSleep;
-    def.awake = body.awake;
-    def.fixedRotation = body.fixedRotation;
-    def.position = ToScree(body.position);
-    def.angle = body.angle;
-    def.linearVelocity = ToScree(body.linearVelocity);
-    def.angularVelocity = body.angularVelocity;
-    def.linearDamping = body.linearDamping;
-    def.angularDamping = body.angularDamping;
-    def.gravityScale = body.gravityScale;
-    return def;
-}
-
-scree::FixtureDef MakeFixtureDef(const scenes::Fixture& fixture, const scree::Shape& shape, size_t index) {
-    scree::FixtureDef def;
-    def.shape = &shape;
-    def.density = fixture.density;
-    def.friction = fixture.friction;
-    def.restitution = fixture.restitution;
-    def.isSensor = fixture.isSensor;
-    def.filter = {fixture.categoryBits, fixture.maskBits, fixture.groupIndex};
-    def.userData.pointer = index;
-    return def;
-}
 
 /// A refused call means a scene that cannot be loaded as described: nothing to go on with.
 void ThrowError(const scree::Error& error, void*) {
@@ -84,21 +44,6 @@ constexpr int outlineDirections = 96;
 int BodyIndexOf(const scree::Body* body) {
     return static_cast<int>(const_cast<scree::Body*>(body)->GetUserData().pointer);
 }
-
-/// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
-class Conveyor final : public scree::ContactListener {
-public:
-    explicit Conveyor(const scenes::Scene& scene) : m_scene(scene) {}
-    void PreSolve(scree::Contact* contact, const scree::Manifold*) override {
-        contact->SetTangentSpeed(SpeedOf(contact->GetFixtureA()) + SpeedOf(contact->GetFixtureB()));
-    }
-
-private:
-    [[nodiscard]] float SpeedOf(scree::Fixture* fixture) const {
-        return m_scene.fixtures[fixture->GetUserData().pointer].tangentSpeed;
-    }
-    const scenes::Scene& m_scene;
-};
 
 class ScreeRun final : public SceneRun {
 public:
@@ -157,7 +102,6 @@ private:
     void CheckSettings() const;
     /// Bodies, fixtures and joints of a saved world, in the order of its scene.
     void FindObjects();
-    void CreateFixture(scree::Body& body, int sceneIndex);
     void AddOutline(ScreeProxy& proxy) const;
     void AddProxy(ScreeProxy proxy);
 
@@ -217,39 +161,13 @@ void ScreeRun::AddOutline(ScreeProxy& proxy) const {
         proxy.outline = scenes::SampleOutline(GetScene(), shape, outlineDirections);
 }
 
-void ScreeRun::CreateFixture(scree::Body& body, int sceneIndex) {
-    const scenes::Fixture& fixture = GetScene().fixtures[static_cast<size_t>(sceneIndex)];
-    const auto index = static_cast<size_t>(sceneIndex);
-    if (fixture.shape.type != scenes::ShapeType::chain) {
-        const ScreeShape shape = MakeScreeShape(GetScene(), fixture.shape);
-        const scree::FixtureDef def = MakeFixtureDef(fixture, AsShape(shape), index);
-        ScreeProxy proxy{body.CreateFixture(&def), sceneIndex, 0};
+void ScreeRun::CreateBody(const scenes::Body&) {
+    const auto index = static_cast<int>(m_bodies.size());
+    m_bodies.push_back(CreateScreeBody(*m_world, GetScene(), index, [&](scree::Fixture* fixture, int scene, int child) {
+        ScreeProxy proxy{fixture, scene, child};
         AddOutline(proxy);
         AddProxy(std::move(proxy));
-        return;
-    }
-    const scree::ChainShape chain = MakeScreeChain(GetScene(), fixture.shape);
-    const scree::FixtureDef def = MakeFixtureDef(fixture, chain, index);
-    body.CreateFixture(&def);
-    // The list has the newest edge, the last one, first.
-    std::vector<scree::Fixture*> edges(static_cast<size_t>(chain.GetChildCount()));
-    scree::Fixture* edge = body.GetFixtureList();
-    for (size_t left = edges.size(); left-- > 0; edge = edge->GetNext()) edges[left] = edge;
-    for (size_t child = 0; child < edges.size(); ++child) {
-        AddProxy({edges[child], sceneIndex, static_cast<int>(child)});
-    }
-}
-
-void ScreeRun::CreateBody(const scenes::Body& body) {
-    scree::BodyDef bodyDef = MakeBodyDef(body);
-    bodyDef.userData.pointer = m_bodies.size();
-    scree::Body* made = m_world->CreateBody(&bodyDef);
-    m_bodies.push_back(made);
-    for (int i = body.firstFixture; i < body.firstFixture + body.fixtureCount; ++i) {
-        CreateFixture(*made, i);
-    }
-    // A scene gives the velocity of the centre of mass, a body definition that of the origin; they differ in a spin.
-    if (body.angularVelocity != 0.0f) made->SetLinearVelocity(ToScree(body.linearVelocity));
+    }));
 }
 
 void ScreeRun::CreateJoint(const scenes::Joint& joint) {

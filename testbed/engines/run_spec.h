@@ -3,7 +3,8 @@
 //
 // How a scene is run: engine, solver, time step, gravity, threads and what else a program may choose of an engine. The
 // table of keys is the one list of it: the command line's --set KEY=VALUE, what stands in sidecars, rows and pages, and
-// the table of testbed/docs/settings.md follow it. Values hold no comma, colon or blank, so that specs fit into lists of any kind.
+// the table of testbed/docs/settings.md follow it. Values hold no comma, colon or blank, so that specs fit into lists
+// of any kind.
 
 #pragma once
 

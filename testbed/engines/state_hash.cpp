@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of state_hash.h: each 32-bit word is mixed in by xor and the finaliser of SplitMix64 (Steele, Lea,
-// Flood: "Fast splittable pseudorandom number generators", OOPSLA 2014), so that order and every bit count.
+// Implementation of state_hash.h. Each 32-bit word is mixed in by xor and the finaliser of SplitMix64, so that every
+// bit and the order count (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", OOPSLA 2014).
 
 #include "testbed/engines/state_hash.h"
 

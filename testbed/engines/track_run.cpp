@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of track_run.h. A track has angles; rotations and boxes are what the engine that was recorded makes of
-// them, so that trees get the bits that its own tree got.
+// Implementation of track_run.h. A track has angles. Rotations and boxes are made of them as the recorded engine makes
+// them, so that trees get the same bits as its own tree.
 
 #include "testbed/engines/track_run.h"
 

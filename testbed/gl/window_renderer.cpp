@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Few state changes and one upload per primitive: a software rasteriser spends its time on pixels and vertices. Counts
-// and layers go through targets of their own, because the first are numbers and the second replace each other.
+// and layers go through targets of their own: counts are numbers, and the fragments of a layer replace each other.
 
 #include "testbed/gl/window_renderer.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a scene must be so that both engines can make it: Box2D 2.4 ends the program where one of its assertions fails,
+// What a scene must be so that all engines can make it. Box2D 2.4 ends the program where one of its assertions fails,
 // so whatever would make it do so is refused here.
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What is so for some steps on end (two bodies deep in each other, a body too fast) as one moment: where it begins, how
-// long it lasts and how large it gets.
+// Something that lasts for several steps, such as two bodies deep in each other or a body too fast, as one moment. It
+// has a beginning, a duration and the largest value.
 
 #pragma once
 

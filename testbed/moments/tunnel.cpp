@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Bodies that go through static shapes. A body is its middle, a point fixed in it; a static shape is the segments of
-// its outline. Where the way of a middle in one step crosses such a segment the body is watched: it comes back, being
-// pushed out, or it has tunnelled. What is solid is left where it was entered when a body is pushed out, elsewhere
-// otherwise.
+// Bodies that go through static shapes. A body is its middle, a point fixed in it. A static shape is the segments of
+// its outline. A body is watched from the step in which the way of its middle crosses such a segment. Either it comes
+// back, since it is pushed out, or it has tunnelled. A body that is pushed out of a solid shape leaves it where it
+// entered; one that tunnels leaves it elsewhere.
 
 #include <fmt/format.h>
 

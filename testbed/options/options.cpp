@@ -139,7 +139,7 @@ void AddRunOptions(CLI::App& app, SceneArguments& arguments) {
     AddInputOptions(app, arguments.input);
     AddEnginesOption(app, arguments.settings, "");
     app.add_option("--baseline", arguments.settings.baseline,
-                   "Name of the pane that the others are compared with; box2d's if not given")
+                   "Name of the pane that the others are compared with; box2d's, else the first one, if not given")
         ->type_name("NAME");
     AddSetOption(app, arguments.settings, comparisonNote);
     AddSettingFlags(app, arguments.settings, {"broadPhase", "threads"});
@@ -242,8 +242,9 @@ void AddStepOptions(CLI::App& app, StepArguments& arguments) {
                                         "Show only the K worst of the steps (of --steps, else of a full run)")
                              ->type_name("K");
     CLI::Option* worstBy =
-        app.add_option("--worst-by", arguments.worstBy,
-                       "What makes a step worst in either engine: time (broad phase) or overlap (of siblings)")
+        app.add_option(
+               "--worst-by", arguments.worstBy,
+               "By what steps are worst, in any engine: time (of the broad phase) or overlap (of siblings in the tree)")
             ->capture_default_str();
     step->excludes(steps)->excludes(worst);
     worstBy->needs(worst);

@@ -157,8 +157,9 @@ void AddFormatOption(CLI::App& app, InputArguments& arguments) {
 void AddInputOptions(CLI::App& app, InputArguments& arguments) {
     AddFormatOption(app, arguments);
     arguments.hasFrom = true;
-    app.add_option("--from", arguments.from,
-                   "Step of a track or a recording at which engines start, as in a scene; 0: as it began")
+    app.add_option(
+           "--from", arguments.from,
+           "Start engines in the world of this step of a track or a recording; 0: in the world that it began with")
         ->type_name("K");
 }
 

@@ -96,8 +96,9 @@ void AddSessionOptions(CLI::App& app, SessionArguments& arguments) {
     app.add_option("--engine", arguments.engine,
                    "What runs a scene: ENGINE[:KEY=VALUE]..; scree if not given. A motion is taken as it was recorded")
         ->type_name("ENGINE");
-    app.add_option("--steps", arguments.steps, "Steps to run; a full run if not given")->check(CLI::Range(1, maxStep));
-    AddSetOption(app, arguments.settings);
+    app.add_option("--steps", arguments.steps, "Steps that the engine runs; a full run if not given")
+        ->check(CLI::Range(1, maxStep));
+    AddSetOption(app, arguments.settings, "Runs begin with preset=own, which is what a program gets");
 }
 
 SceneInput ChooseSessionInput(const SessionArguments& arguments) {

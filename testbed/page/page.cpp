@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A Page as one HTML file: every kind of block to markup, the sections between the frame, the style and the script of
-// report/page/.
+// A Page as one HTML file: every kind of block becomes markup, and the sections stand within page.html, page.css and
+// page.js.
 
 #include "testbed/page/page.h"
 
@@ -17,6 +17,7 @@
 #include <string_view>
 #include <utility>
 
+#include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/page/page_markup.h"
 #include "testbed_generated/page_sources.h"
@@ -155,18 +156,24 @@ public:
         return html + MakeElement("p", "caption", block.caption);
     }
 
+    /// Whether a figure came with its data.
+    [[nodiscard]] bool HasPlots() const { return m_hasPlots; }
+
 private:
-    static std::string MakeFigure(const PageFigure& figure) {
+    std::string MakeFigure(const PageFigure& figure) {
         const std::string alternative = EscapeHtml(figure.alternative.empty() ? figure.title : figure.alternative);
-        std::string picture;
-        if (!figure.svg.empty()) {
-            picture = fmt::format("<img class=\"plot\" src=\"{}\" alt=\"{}\">", MakeSvgUri(figure.svg), alternative);
-        } else if (!figure.file.empty()) {
-            picture = fmt::format("<img{} src=\"{}\" alt=\"{}\">",
-                                  MakeClass({figure.file.extension() == ".svg" ? "plot" : ""}),
-                                  MakeDataUri(figure.file), alternative);
-        } else {
+        if (figure.svg.empty() && figure.file.empty()) {
             throw std::invalid_argument(fmt::format("figure {}: neither svg nor file", figure.title));
+        }
+        std::string picture;
+        if (const bool isFile = figure.svg.empty(); isFile && figure.file.extension() != ".svg") {
+            picture = fmt::format("<img src=\"{}\" alt=\"{}\">", MakeDataUri(figure.file), alternative);
+        } else {
+            std::string svg = isFile ? ReadText(figure.file, "draw it again") : figure.svg;
+            const std::string data = TakePlotData(svg);
+            picture = fmt::format("<img class=\"plot\" src=\"{}\" alt=\"{}\">", MakeSvgUri(svg), alternative);
+            if (!data.empty()) picture += fmt::format("<script type=\"application/json\">{}</script>", data);
+            m_hasPlots = m_hasPlots || !data.empty();
         }
         return fmt::format("<figure>{}{}\n{}</figure>\n", MakeElement("h3", "", figure.title), picture,
                            MakeElement("figcaption", "caption", figure.caption));
@@ -202,6 +209,7 @@ private:
     }
 
     std::set<std::string> m_ids{"content"};
+    bool m_hasPlots = false;
 };
 
 std::string MakeSection(const PageSection& section, const std::string& id, BlockWriter& writer) {
@@ -277,13 +285,16 @@ std::string MakePage(const Page& page) {
     if (titled < 3) contents.clear();
     if (!contents.empty()) contents = "<nav class=\"contents\" aria-label=\"Contents\">\n" + contents + "</nav>\n";
 
+    // The library only where it serves; with "use strict" behind it, it keeps its own rules.
+    const std::string script =
+        writer.HasPlots() ? std::string(page_sources::chartJs) + "\n" + page_sources::figureJs : "";
     return FillFrame(page_sources::pageHtml, {{"title", EscapeHtml(page.title)},
                                               {"style", page_sources::pageCss + page.style},
                                               {"intro", MakeParagraphs(page.intro)},
                                               {"contents", contents},
                                               {"sections", sections},
                                               {"facts", MakeFacts(page.facts)},
-                                              {"script", page_sources::pageJs + page.script}});
+                                              {"script", script + page_sources::pageJs + page.script}});
 }
 
 void WritePage(const std::filesystem::path& path, const Page& page) { WriteTextFile(path, MakePage(page)); }

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A report as one HTML file that needs nothing beside it: a Page is filled with sections of text, key figures, tables,
-// figures and notes, and WritePage makes the file, with its style, script and pictures inside. The look (light and
-// dark, colours that do not depend on telling red from green) is that of report/page/page.css for every report.
+// A report as one HTML file that needs nothing beside it. A Page is filled with sections of text, key figures, tables,
+// figures and notes; WritePage makes the file, with its style, script and pictures inside. Every report has the look of
+// page.css: light and dark, and colours that do not depend on telling red from green.
 //
 //     Page page{.title = "Bench", .intro = "All scenes, both engines, one thread."};
 //     PageTable table{.columns = {{.name = "scene"}, {.name = "total", .unit = "ms", .numeric = true}}};

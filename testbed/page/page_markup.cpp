@@ -18,6 +18,12 @@ namespace testbed {
 
 namespace {
 
+constexpr std::string_view dataBegin = "<metadata id=\"scree-plot\">", dataEnd = "</metadata>\n";
+
+}  // namespace
+
+namespace {
+
 /// One paragraph's text: every second piece between back quotes is code.
 std::string MakeInline(std::string_view text) {
     std::string html;
@@ -96,6 +102,30 @@ std::string MakeDataUri(const std::filesystem::path& file) {
 
 std::string MakeSvgUri(std::string_view svg) {
     return "data:image/svg+xml;base64," + EncodeBase64(std::vector<unsigned char>(svg.begin(), svg.end()));
+}
+
+std::string PutPlotData(std::string svg, std::string_view json) {
+    std::string data(dataBegin);
+    for (const char c : json) {
+        // Only strings have these, and any character of a string may be written so.
+        if (c == '<' || c == '>' || c == '&') {
+            data += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+        } else {
+            data += c;
+        }
+    }
+    const std::size_t end = svg.rfind("</svg>");
+    if (end != std::string::npos) svg.insert(end, data + std::string(dataEnd));
+    return svg;
+}
+
+std::string TakePlotData(std::string& svg) {
+    const std::size_t begin = svg.find(dataBegin);
+    const std::size_t end = begin == std::string::npos ? begin : svg.find(dataEnd, begin);
+    if (end == std::string::npos) return {};
+    const std::string json = svg.substr(begin + dataBegin.size(), end - begin - dataBegin.size());
+    svg.erase(begin, end + dataEnd.size() - begin);
+    return json;
 }
 
 std::string ProtectJson(std::string json) {

@@ -27,6 +27,11 @@ namespace testbed {
 /// "data:image/svg+xml;base64,…".
 [[nodiscard]] std::string MakeSvgUri(std::string_view svg);
 
+/// An SVG document with data of a plot inside, in an element that viewers pass over.
+[[nodiscard]] std::string PutPlotData(std::string svg, std::string_view json);
+/// Takes such data out of the document again; empty: there are none.
+[[nodiscard]] std::string TakePlotData(std::string& svg);
+
 /// JSON that may stand in a script element: no "</" or "<!--" is left in it.
 [[nodiscard]] std::string ProtectJson(std::string json);
 

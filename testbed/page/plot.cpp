@@ -8,10 +8,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "testbed/base/input.h"
 #include "testbed/base/new_file.h"
 #include "testbed/page/gnuplot.h"
+#include "testbed/page/page_markup.h"
 
 namespace testbed {
 
@@ -123,12 +126,36 @@ void DrawPlot(const Plot& plot, std::string_view terminal, const fs::path& pictu
     RunGnuplot(MakePlotScript(plot, terminal, picture), picture);
 }
 
-void DrawPlotFiles(const Plot& plot, const fs::path& stem) {
-    for (const auto& [terminal, extension] : {std::pair("svg", ".svg"), std::pair("pngcairo", ".png")}) {
-        NewFile picture(stem.string() + extension);
-        DrawPlot(plot, terminal, picture.GetPlace());
-        picture.Finish();
+std::string MakePlotData(const Plot& plot) {
+    using nlohmann::ordered_json;
+    ordered_json curves = ordered_json::array();
+    for (const PlotCurve& curve : plot.curves) {
+        ordered_json points = ordered_json::array();
+        for (const PlotPoint& point : curve.points) points.push_back({point.x, point.y});
+        ordered_json object{{"title", curve.title}, {"color", curve.look.color}, {"points", std::move(points)}};
+        if (curve.style != PlotStyle::points) object["line"] = true;
+        if (curve.style != PlotStyle::lines) object["dots"] = curve.pointSize > 0 ? curve.pointSize : 0.8;
+        if (const auto& names = curve.names.empty() ? curve.labels : curve.names; !names.empty())
+            object["names"] = names;
+        ordered_json least = ordered_json::array();
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+            if (curve.points[i].isLeast) least.push_back(i);
+        }
+        if (!least.empty()) object["least"] = std::move(least);
+        curves.push_back(std::move(object));
     }
+    return ordered_json{{"x", plot.xLabel}, {"y", plot.yLabel}, {"logarithmic", plot.logarithmic}, {"curves", curves}}
+        .dump();
+}
+
+void DrawPlotFiles(const Plot& plot, const fs::path& stem) {
+    NewFile svg(stem.string() + ".svg");
+    DrawPlot(plot, "svg", svg.GetPlace());
+    svg.Write(PutPlotData(ReadText(svg.GetPlace(), "draw it again"), MakePlotData(plot)));
+    svg.Finish();
+    NewFile png(stem.string() + ".png");
+    DrawPlot(plot, "pngcairo", png.GetPlace());
+    png.Finish();
 }
 
 }  // namespace testbed

@@ -36,6 +36,7 @@ struct PlotCurve {
     PlotStyle style = PlotStyle::linesAndPoints;
     double pointSize = 0;               ///< 0: by how many points there are
     std::vector<std::string> labels{};  ///< above each point; empty: none
+    std::vector<std::string> names{};   ///< what a page says of each point below the pointer; empty: the curve's title
 };
 
 enum class PlotLegend { topLeft, topRight, below };
@@ -58,7 +59,10 @@ struct Plot {
 /// Draws the file `picture` in an existing folder in place: give a temporary name. Throws ToolError.
 void DrawPlot(const Plot& plot, std::string_view terminal, const std::filesystem::path& picture);
 
-/// Draws `stem`.svg and `stem`.png; each replaces a file whole. Throws ToolError.
+/// What the plot shows, as JSON: a page makes an interactive figure of it (page/figure.js).
+[[nodiscard]] std::string MakePlotData(const Plot& plot);
+
+/// Draws `stem`.svg and `stem`.png; each replaces a file whole. The SVG carries MakePlotData within. Throws ToolError.
 void DrawPlotFiles(const Plot& plot, const std::filesystem::path& stem);
 
 }  // namespace testbed

@@ -12,8 +12,8 @@ namespace testbed {
 
 namespace {
 
-/// Number of pixel centres left of `edge` in a row of `size` pixels: the oracle's way of snapping, by truncation and a
-/// comparison with the centre itself instead of ceil(edge − 0.5).
+/// Number of pixel centres left of `edge` in a row of `size` pixels. SnapRect takes ceil(edge − 0.5); as its oracle,
+/// this truncates and compares with the centre itself.
 int CountCentresBefore(double edge, int size) {
     if (!(edge > 0.5)) return 0;
     if (edge > size) return size;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Overlap counts on the CPU: rectangles in, the number that cover each pixel out, by a 2D difference array (four corner
-// updates a rectangle, then prefix sums along rows and columns: Crow, "Summed-area tables", 1984, run backwards). It is
-// the path without GL and the oracle of the one with it, so the rule by which a rectangle becomes whole pixels is
-// written twice: SnapRect serves GL, CountRects has its own.
+// Overlap counts on the CPU: rectangles in, the number that cover each pixel out. A 2D difference array does it: four
+// corner updates a rectangle, then prefix sums along rows and columns (Crow, "Summed-area tables", 1984, run
+// backwards). This is the path without OpenGL, and the oracle of the path with it. So the rule by which a rectangle
+// becomes whole pixels is written twice: SnapRect serves OpenGL, CountRects has its own.
 
 #pragma once
 
@@ -19,7 +19,7 @@ struct PixelRect {
     double x0, y0, x1, y1;
 };
 
-/// The pixels of a width × height picture whose centres lie in the rectangle, half-open (x0 ≤ centre < x1, y likewise).
+/// The pixels of a width × height picture whose centres lie in the rectangle, half-open: x0 ≤ centre < x1, y likewise.
 /// {0, 0, 0, 0} when there are none, also for reversed rectangles and NaN.
 [[nodiscard]] PixelBox SnapRect(const PixelRect& rect, int width, int height);
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Layers on the CPU in bands of rows: the samples of a band stay in the processor's cache from clearing to compositing,
-// where those of a whole picture (33 MB at 1920×1080 and 2×2 samples) would go through memory four times. Bands are
-// independent, so that threads share them; pixels do not depend on how many.
+// Layers on the CPU in bands of rows. The samples of a band stay in the processor's cache from clearing to compositing.
+// Those of a whole picture (33 MB at 1920×1080 and 2×2 samples) would go through memory four times. Bands are
+// independent, so threads share them; pixels do not depend on how many.
 
 #pragma once
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Colour tables. Heat runs from the background through violet, red and orange to pale yellow with steadily rising
-// lightness, on a light background the other way round with falling lightness; red against blue is the pair that the
-// common forms of colour blindness keep apart.
+// lightness; on a light background the lightness falls. Differences are red and blue, which the common forms of colour
+// blindness keep apart.
 
 #include "testbed/picture/palette.h"
 

@@ -27,8 +27,8 @@ int64_t DivideDown(int64_t numerator, int64_t denominator) {
 Edge MakeEdge(const FixedPoint& p, const FixedPoint& q) {
     const int64_t dx = q.x - p.x;
     const int64_t dy = q.y - p.y;
-    // Samples exactly on the edge belong to the triangle on its left and top edges alone, so that two triangles with a
-    // common edge share no sample and leave none out.
+    // A sample on an edge belongs to the triangle if that is a left or a top edge. So two triangles with a common edge
+    // share no sample and leave none out.
     const bool isTopOrLeft = dy < 0 || (dy == 0 && dx > 0);
     constexpr int64_t half = fixedPointOne / 2;
     return {-dy * fixedPointOne, dx * fixedPointOne, dx * (half - p.y) - dy * (half - p.x) - (isTopOrLeft ? 0 : 1)};

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Triangles to pixels on the CPU, equal to OpenGL's result sample for sample: integer edge functions on the 1/256 grid
-// (Pineda, "A parallel algorithm for polygon rasterization", 1988) and the same rule for samples on an edge.
+// Triangles to pixels on the CPU, equal to OpenGL's result sample for sample. Edge functions are integers on a grid of
+// 1/256 pixel (Pineda, "A parallel algorithm for polygon rasterization", 1988), and samples on an edge follow the same
+// rule as in OpenGL.
 
 #pragma once
 

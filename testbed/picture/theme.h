@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The colours of pictures, for dark and for light backgrounds: `--theme dark|light`. Hues are the eight of Okabe and
-// Ito, "Color universal design: how to make figures and presentations that are friendly to colorblind people", 2008
-// (jfly.uni-koeln.de/color), which the common forms of colour blindness keep apart; some are lightened on dark.
+// The colours of pictures, for dark and for light backgrounds: `--theme dark|light`. The common forms of colour
+// blindness keep these hues apart; some are lightened on dark. They are the eight of Okabe and Ito, "Color universal
+// design: how to make figures and presentations that are friendly to colorblind people", 2008
+// (jfly.uni-koeln.de/color).
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// ffmpeg as a child process. Its input is a socket and not a pipe, because a write to a socket whose reader has gone
-// can return an error, where a pipe would end this program by a signal.
+// ffmpeg as a child process. Its input is a socket and not a pipe. When the reader has gone, a write to a socket can
+// return an error; a write to a pipe would end this program by a signal.
 
 #include "testbed/picture/video.h"
 

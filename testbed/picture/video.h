@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// mp4 through ffmpeg, a program of its own: pictures of one size go through a pipe, never through files.
+// mp4 through ffmpeg, a program of its own. Pictures of one size go to it through a socket, never through files.
 
 #pragma once
 

@@ -22,10 +22,10 @@ struct Partitions {
     std::vector<int> contactColors;  ///< of each of Snapshot::contacts; −1: the solver does not see it
 };
 
-/// The engine's colours when the snapshot has any (ContactState::color ≥ 0). Otherwise those that a greedy colouring
-/// gives touching contacts, sensors excepted, in the snapshot's order: the lowest colour that no contact of its dynamic
-/// bodies has yet (Welsh and Powell, "An upper bound for the chromatic number of a graph", 1967). O(contacts ·
-/// colours).
+/// The engine's colours when the snapshot has any (ContactState::color ≥ 0), else a greedy colouring. That one goes
+/// through touching contacts without sensors in the snapshot's order. Each gets the lowest colour that no contact of
+/// its dynamic bodies has yet (Welsh and Powell, "An upper bound for the chromatic number of a graph", 1967).
+/// O(contacts · colours).
 [[nodiscard]] Partitions FindPartitions(const Snapshot& snapshot);
 
 }  // namespace testbed

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Questions about a snapshot that a pointer asks: which body and which tree node are under it, how a node is reached
-// from the root, and which nodes a query of the tree visits.
+// What a pointer asks of a snapshot: which body and which tree node are under it, how a node is reached from the root,
+// and which nodes a query visits.
 
 #pragma once
 

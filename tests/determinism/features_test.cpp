@@ -6,48 +6,21 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <map>
 
 #include "scenes/catalog.h"
 #include "testbed/jobs/requires/ablation.h"
 #include "testbed/jobs/requires/break_even.h"
 #include "testbed/jobs/requires/requirement.h"
+#include "tests/determinism/small_scenes.h"
 
 namespace testbed {
 namespace {
 
-/// Small enough that all scenes run in seconds.
-int SmallSize(const scenes::SceneInfo& info) {
-    static const std::map<std::string_view, int> sizes = {{"tiles", 15},
-                                                          {"falling-squares", 8},
-                                                          {"falling-circles", 8},
-                                                          {"multi-fixture", 4},
-                                                          {"add-pair", 150},
-                                                          {"mild-n2", 4},
-                                                          {"n2", 25},
-                                                          {"mostly-static-single", 8},
-                                                          {"diagonal", 3},
-                                                          {"mixed", 200},
-                                                          {"mostly-static-multi", 8},
-                                                          {"slow-explosion", 300},
-                                                          {"big-mobile", 5},
-                                                          {"pyramid", 8},
-                                                          {"tumbler", 50}};
-    const auto found = sizes.find(info.name);
-    if (!info.hasSize || found == sizes.end())
-        return info.hasSize ? std::max(info.minSize, std::min(info.defaultSize, 6)) : 0;
-    return found->second;
-}
-
-scenes::Scene BuildSmall(const scenes::SceneInfo& info) {
-    return info.hasSize ? scenes::Build(info.name, SmallSize(info)) : scenes::Build(info.name);
-}
-
 TEST(Features, EverySceneGivesTheSameBitsWithoutWhatItDoesNotUse) {
     int smaller = 0;
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
-        const scenes::Scene scene = BuildSmall(info);
+        const scenes::Scene scene = determinism::BuildSmall(info);
         for (const int substeps : {0, 4}) {
             RequirementTask task{.spec = {}, .steps = 60, .repeats = 1};
             if (substeps > 0) task.spec.solver = SoftStep{substeps};

@@ -55,6 +55,16 @@ TEST(Standing, FlushColumnsStandAtEveryMark) {
     }
 }
 
+/// Neither side of a contact is solved before the other.
+TEST(Standing, ASymmetricColumnStaysUpright) {
+    Dice dice(14);
+    for (const int count : {10, 80, 120}) {
+        const double width = dice.In(0.7, 1.1), height = dice.In(0.6, 0.8);
+        for (const int substeps : marks)
+            EXPECT_LT(Lean(count, width, height, substeps), 1e-4) << count << " " << substeps;
+    }
+}
+
 struct Column {
     int count;
     double width, height, gap;  ///< of a box, and between two at the start, m
@@ -296,6 +306,32 @@ TEST(Standing, AFallingLimbDoesNotTearItsJoints) {
             for (const Pin<Ours>& pin : pins) gap = std::max(gap, pin.Gap());
         }
         EXPECT_LT(gap, 0.05) << substeps;
+    }
+}
+
+/// Limbs that begin with their middles at the ground and on their way into it: none is held there step after step.
+TEST(Standing, FiguresInTheGroundAreNotHeldForEver) {
+    Dice dice(16);
+    for (int round = 0; round < 40; ++round) {
+        Lab<Ours> lab;
+        lab.Ground();
+        Body* last = nullptr;
+        for (int i = 0; i < 3; ++i) {
+            Body* limb = lab.Dynamic(0.5 * i, dice.In(0.0, 0.02) + 0.1 * i);
+            const auto box = BoxShape<Ours>(0.25f, 0.08f);
+            FixtureDef def;
+            def.shape = &box;
+            def.density = 1.0f;
+            def.filter.groupIndex = -1;
+            limb->CreateFixture(&def);
+            limb->SetLinearVelocity(Lab<Ours>::At(dice.In(-5.0, 5.0), dice.In(-10.0, -4.0)));
+            limb->SetAngularVelocity(static_cast<float>(dice.In(-30.0, 30.0)));
+            if (last != nullptr) lab.Hinge(last, limb, 0.5 * i - 0.25, Centre(last).y);
+            last = limb;
+        }
+        int held = 0;
+        for (int i = 0; i < 2 * stepRate; ++i) held += lab.world.Step(static_cast<float>(h), 4).abandonedCount;
+        EXPECT_LE(held, 3 * 20) << round;
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -178,7 +179,7 @@ TEST(Counts, ReadmeTableIsTrue) {
     ASSERT_TRUE(readme) << "scenes/README.md";
     std::set<std::string> rows;
     for (std::string line; std::getline(readme, line);) {
-        if (line.starts_with("| `")) rows.insert(line);
+        if (line.starts_with("| `") && std::ranges::count(line, '|') == 10) rows.insert(line);
     }
     EXPECT_EQ(rows.size(), scenes::Catalog().size());
     for (const scenes::SceneInfo& info : scenes::Catalog()) {

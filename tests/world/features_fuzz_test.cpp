@@ -156,10 +156,13 @@ private:
         if (!May(Feature::gravityScale)) body->SetGravityScale(1.0f);
         if (!May(Feature::continuousBullet)) body->SetBullet(false);
         if (!May(Feature::rotation)) body->SetFixedRotation(true);
+        if (!May(Feature::motionLocks)) body->SetMotionLocks({.angle = body->IsFixedRotation()});
         if (!May(Feature::kinematicBodies) && body->GetType() == kinematicBody) body->SetType(dynamicBody);
         for (Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
             if (!May(Feature::friction)) f->SetFriction(0.0f);
             if (!May(Feature::restitution)) f->SetRestitution(0.0f);
+            if (!May(Feature::tangentSpeed)) f->SetTangentSpeed(0.0f);
+            if (!May(Feature::rollingResistance)) f->SetRollingResistance(0.0f);
             if (!May(Feature::sensors)) f->SetSensor(false);
             if (!May(Feature::filters)) f->SetFilterData({});
         }
@@ -237,7 +240,9 @@ private:
 
     void EditFixture(Fixture* fixture) {
         if (fixture == nullptr) return;
-        if (May(Feature::friction)) fixture->SetFriction(Chance(2) ? 0.0f : 0.6f);
+        if (May(Feature::friction)) fixture->SetFriction(Chance(2) ? 0.0f : 0.6f, Chance(2));
+        if (Wants(Feature::tangentSpeed)) fixture->SetTangentSpeed(Chance(2) ? 0.0f : 1.0f);
+        if (Wants(Feature::rollingResistance)) fixture->SetRollingResistance(Chance(2) ? 0.0f : 0.3f);
         if (Wants(Feature::restitution)) fixture->SetRestitution(Chance(2) ? 0.0f : 0.5f);
         if (Wants(Feature::sensors)) fixture->SetSensor(!fixture->IsSensor());
         if (Wants(Feature::filters)) fixture->SetFilterData({1, 0xFFFF, static_cast<int16_t>(Pick(3) - 1)});
@@ -274,6 +279,7 @@ private:
                 if (May(Feature::sleeping)) body->SetAwake(Chance(2));
                 break;
             default:
+                if (Wants(Feature::motionLocks)) body->SetMotionLocks({Chance(2), Chance(2), body->IsFixedRotation()});
                 body->SetLinearVelocity({Number(-5.0f, 5.0f), Number(-5.0f, 5.0f)});
         }
     }

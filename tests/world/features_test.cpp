@@ -57,7 +57,7 @@ TEST(Features, AContactKeepsFrictionThatItsFixturesGaveUp) {
     box->SetLinearVelocity({3.0f, 0.0f});
     StepFor(world, 3);
     for (Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-        body->GetFixtureList()->SetFriction(0.0f);
+        body->GetFixtureList()->SetFriction(0.0f, true);
     }
     EXPECT_EQ(UsersOf(world, Feature::friction), 1);
     StepFor(world, 1);
@@ -142,6 +142,7 @@ TEST_F(FixedSet, RefusesBodies) {
     ExpectBodyMissing(Feature::gravityScale, [](BodyDef& d) { d.gravityScale = 0.5f; });
     ExpectBodyMissing(Feature::sleeping, [](BodyDef& d) { d.awake = false; });
     ExpectBodyMissing(Feature::continuousBullet, [](BodyDef& d) { d.bullet = true; });
+    ExpectBodyMissing(Feature::motionLocks, [](BodyDef& d) { d.locks.y = true; });
     ExpectBodyMissing(Feature::kinematicBodies, [](BodyDef& d) { d.type = kinematicBody; });
 }
 
@@ -152,6 +153,9 @@ TEST_F(FixedSet, RefusesFixtures) {
     edge.SetTwoSided({0, 0}, {1, 0});
     ExpectFixtureMissing(Feature::friction, [](FixtureDef& d) { d.friction = 0.2f; });
     ExpectFixtureMissing(Feature::restitution, [](FixtureDef& d) { d.restitution = 0.2f; });
+    ExpectFixtureMissing(Feature::friction, [](FixtureDef& d) { d.frictionRule = MixRule::custom; });
+    ExpectFixtureMissing(Feature::tangentSpeed, [](FixtureDef& d) { d.tangentSpeed = 0.2f; });
+    ExpectFixtureMissing(Feature::rollingResistance, [](FixtureDef& d) { d.rollingResistance = 0.2f; });
     ExpectFixtureMissing(Feature::sensors, [](FixtureDef& d) { d.isSensor = true; });
     ExpectFixtureMissing(Feature::filters, [](FixtureDef& d) { d.filter.groupIndex = -1; });
     ExpectFixtureMissing(Feature::polygons, [&](FixtureDef& d) { d.shape = &box; });
@@ -175,12 +179,16 @@ TEST_F(FixedSet, RefusesSetters) {
     ExpectMissing(Feature::forces, [&] { ball->ApplyTorque(1.0f, true); });
     ExpectMissing(Feature::continuousBullet, [&] { ball->SetBullet(true); });
     ExpectMissing(Feature::sleeping, [&] { ball->SetAwake(false); });
+    ExpectMissing(Feature::motionLocks, [&] { ball->SetMotionLocks({.x = true, .angle = true}); });
     const BodyDef bare = MakeBody();
     Body* withoutFixtures = world.CreateBody(&bare);
     ExpectMissing(Feature::kinematicBodies, [&] { withoutFixtures->SetType(kinematicBody); });
     ExpectMissing(Feature::continuousStatic, [&] { ball->SetType(staticBody); });
     ExpectMissing(Feature::friction, [&] { fixture->SetFriction(0.1f); });
     ExpectMissing(Feature::restitution, [&] { fixture->SetRestitution(0.1f); });
+    ExpectMissing(Feature::restitution, [&] { fixture->SetMixRules(MixRule::standard, MixRule::custom); });
+    ExpectMissing(Feature::tangentSpeed, [&] { fixture->SetTangentSpeed(0.1f); });
+    ExpectMissing(Feature::rollingResistance, [&] { fixture->SetRollingResistance(0.1f); });
     ExpectMissing(Feature::sensors, [&] { fixture->SetSensor(true); });
     ExpectMissing(Feature::filters, [&] { fixture->SetFilterData({1, 1, 0}); });
     ExpectMissing(Feature::friction, [&] { contact->SetFriction(0.1f); });

@@ -42,7 +42,7 @@ TEST(Handles, ValuesStayWhenTablesGrow) {
         AddBox(AddBody(world, dynamicBody, {3.0f * static_cast<float>(i), 50.0f}), 1.0f, 1.0f);
     EXPECT_TRUE((xf.p == Vec2{1.0f, 2.0f}));
     EXPECT_EQ(data.pointer, 7u);
-    EXPECT_EQ(filter.maskBits, 0xFFFF);
+    EXPECT_EQ(filter.maskBits, ~uint64_t{0});
     EXPECT_EQ(body->GetUserData().pointer, 7u);
     EXPECT_EQ(fixture->GetUserData().pointer, 8u);
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Queries from several threads between two steps: they find what one thread finds, and leave the world unlocked. Run
-// under the thread sanitizer they must be silent.
+// Queries, contacts and accessors from several threads between two steps: they find what one thread finds, and leave
+// the world unlocked. Run under the thread sanitizer they must be silent.
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <thread>
 #include <vector>
 
+#include "scree/inspect.h"
 #include "scree/scree.h"
 
 namespace scree::test {
@@ -82,6 +83,58 @@ std::vector<float> Ask(const World& world, int first) {
         found.push_back(met ? met->fraction : -1.0f);
     }
     return found;
+}
+
+/// What bodies, contacts and joints tell. The order of contacts and their ids belong to it.
+std::vector<float> Read(World& world) {
+    std::vector<float> found;
+    const auto note = [&found](auto... values) { (found.push_back(static_cast<float>(values)), ...); };
+    for (const Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        note(body->GetPosition().y, body->GetAngle(), body->GetContactCount(), body->IsAwake());
+        body->VisitContacts([&](Contact* contact) {
+            WorldManifold manifold;
+            contact->GetWorldManifold(&manifold);
+            if (contact->IsTouching()) note(manifold.normal.y, manifold.separations[0]);
+            note(contact->IsTouching(), contact->GetFriction(), contact->GetIndex());
+            return contact->GetFixtureA()->GetBody() == body || contact->GetFixtureB()->GetBody() == body;
+        });
+        body->VisitJoints([&](Joint* joint) {
+            note(joint->GetReactionForce(60.0f).y, joint->GetAnchorA().x);
+            return true;
+        });
+        for (const Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) note(f->GetAABB().upperBound.y);
+    }
+    for (Contact* contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
+        const ContactId id = world.GetId(contact);
+        note(id.index, id.generation, world.Find(id) == contact);
+    }
+    const StepErrors errors = world.MeasureErrors();
+    note(errors.overlap, world.GetContactCount(), inspect::GetStateHash(world) % 1000);
+    return found;
+}
+
+TEST(QueryThreads, ThreadsReadWhatOneReads) {
+    for (const bool sleeps : {false, true}) {
+        Falling falling(BroadPhaseKind::automatic);
+        for (size_t i = 3; i < 9; i += 2) {
+            RevoluteJointDef joint;
+            joint.Initialize(falling.bodies[i], falling.bodies[i + 1], falling.bodies[i]->GetPosition());
+            falling.world.CreateJoint(&joint);
+        }
+        for (int frame = 0; frame < 8; ++frame) {
+            for (int i = 0; i < (sleeps ? 60 : 5); ++i) falling.world.Step(1.0f / 60.0f, 4);
+            falling.Edit(frame % 3);
+            // Nothing that is made on first use is there yet: the threads ask first.
+            std::vector<std::vector<float>> found(threadCount);
+            std::vector<std::thread> threads;
+            for (int t = 0; t < threadCount; ++t) {
+                threads.emplace_back([&, t] { found[static_cast<size_t>(t)] = Read(falling.world); });
+            }
+            for (std::thread& thread : threads) thread.join();
+            for (const std::vector<float>& each : found) EXPECT_EQ(each, Read(falling.world));
+            EXPECT_FALSE(falling.world.IsLocked());
+        }
+    }
 }
 
 TEST(QueryThreads, ThreadsFindWhatOneFindsAndTheWorldIsNotLockedAfterwards) {

@@ -29,7 +29,8 @@ inline void AddFixtures(Body& body, const scenes::Scene& scene, int index) {
         def.friction = fixture.friction;
         def.restitution = fixture.restitution;
         def.isSensor = fixture.isSensor;
-        def.filter = {fixture.categoryBits, fixture.maskBits, fixture.groupIndex};
+        const uint64_t mask = fixture.maskBits == 0xFFFF ? ~uint64_t{0} : fixture.maskBits;
+        def.filter = {fixture.categoryBits, mask, fixture.groupIndex};
         if (fixture.shape.type == scenes::ShapeType::chain) {
             const ChainShape chain = testbed::MakeScreeChain(scene, fixture.shape);
             def.shape = &chain;

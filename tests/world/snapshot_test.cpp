@@ -314,10 +314,10 @@ TEST(Snapshot, AFieldAddedToTheStateIsAddedToTheImage) {
     EXPECT_EQ(sizeof(WorldDef), 96u);  // workers, tasks and features are the host's and stay out
     EXPECT_EQ(sizeof(BodyInfo), 32u);
     EXPECT_EQ(sizeof(BodyDemand), 20u);
-    EXPECT_EQ(sizeof(FixtureInfo), 24u);
+    EXPECT_EQ(sizeof(FixtureInfo), 32u);
     EXPECT_EQ(sizeof(ContactPair), 16u);
     EXPECT_EQ(sizeof(Manifold), 60u);
-    EXPECT_EQ(sizeof(JointInfo), 56u);
+    EXPECT_EQ(sizeof(JointInfo), 64u);
 }
 
 }  // namespace

@@ -157,10 +157,15 @@ TEST(StateHash, SeesEveryEditOfARandomWorld) {
         [](World& w) { Newest(w)->SetGravityScale(0.25f); },
         [](World& w) { Newest(w)->ApplyTorque(3.0f, true); },
         [](World& w) { Newest(w)->SetBullet(true); },
+        [](World& w) { Newest(w)->SetMotionLocks({.x = true}); },
+        [](World& w) { w.GetJointList()->SetThresholds(5.0f, 7.0f, true); },
         [](World& w) { Newest(w)->SetSleepingAllowed(false); },
         [](World& w) { Newest(w)->GetFixtureList()->SetFriction(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetRestitution(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetRestitutionThreshold(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetTangentSpeed(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetRollingResistance(0.9f); },
+        [](World& w) { Newest(w)->GetFixtureList()->SetMixRules(MixRule::minimum, MixRule::standard); },
         [](World& w) { Newest(w)->GetFixtureList()->SetDensity(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetSensor(true); },
         [](World& w) {
@@ -246,14 +251,15 @@ TEST(FieldList, VisitsEveryMemberThatItNames) {
     ExpectWhole<MotionRow>();
     ExpectWhole<BodyDemand>();
     ExpectWhole<BodyInfo>();
-    ExpectWhole<Filter>();
-    ExpectWhole<Material>();
+    ExpectWhole<Filter>(4);    // behind `groupIndex`
+    ExpectWhole<Material>(2);  // behind the rules
     ExpectWhole<ContactPair>();
     ExpectWhole<ContactMaterial>();
     ExpectWhole<JointLink>();
     ExpectWhole<GearSide>(3);    // behind `slides`
     ExpectWhole<LimitState>(3);  // behind `enabled`
     ExpectWhole<MotorState>(3);
+    ExpectWhole<SpringState>(3);
     ExpectWhole<RevoluteRow>();
     ExpectWhole<PrismaticRow>();
     ExpectWhole<WheelRow>();

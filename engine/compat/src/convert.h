@@ -89,7 +89,11 @@ inline b2MassData ToBox2d(const MassData& data) {
 }
 inline MassData ToScree(const b2MassData& data) { return {data.mass, ToScree(data.center), data.I}; }
 
-inline Filter ToScree(const b2Filter& filter) { return {filter.categoryBits, filter.maskBits, filter.groupIndex}; }
+/// All 16 bits of a mask are all of the engine's 64.
+inline Filter ToScree(const b2Filter& filter) {
+    const uint64_t mask = filter.maskBits == 0xFFFF ? ~uint64_t{0} : filter.maskBits;
+    return {filter.categoryBits, mask, filter.groupIndex};
+}
 
 inline Manifold ToScree(const b2Manifold& manifold) {
     Manifold out{};

@@ -199,15 +199,15 @@ void b2Fixture::SetDensity(float density) {
 float b2Fixture::GetDensity() const { return m_density; }
 float b2Fixture::GetFriction() const { return m_handles[0]->GetFriction(); }
 void b2Fixture::SetFriction(float friction) {
-    for (int32 i = 0; i < m_childCount; ++i) m_handles[i]->SetFriction(friction);
+    for (int32 i = 0; i < m_childCount; ++i) m_handles[i]->SetFriction(friction, true);
 }
 float b2Fixture::GetRestitution() const { return m_handles[0]->GetRestitution(); }
 void b2Fixture::SetRestitution(float restitution) {
-    for (int32 i = 0; i < m_childCount; ++i) m_handles[i]->SetRestitution(restitution);
+    for (int32 i = 0; i < m_childCount; ++i) m_handles[i]->SetRestitution(restitution, true);
 }
 float b2Fixture::GetRestitutionThreshold() const { return m_handles[0]->GetRestitutionThreshold(); }
 void b2Fixture::SetRestitutionThreshold(float threshold) {
-    for (int32 i = 0; i < m_childCount; ++i) m_handles[i]->SetRestitutionThreshold(threshold);
+    for (int32 i = 0; i < m_childCount; ++i) m_handles[i]->SetRestitutionThreshold(threshold, true);
 }
 
 const b2AABB& b2Fixture::GetAABB(int32 childIndex) const {

@@ -27,6 +27,13 @@ struct BodyUserData {
     uintptr_t pointer = 0;
 };
 
+/// Motions that a dynamic body does not make, whatever acts on it: along the world's x or y, or turning. Its velocity
+/// there is 0.
+struct MotionLocks {
+    bool x = false, y = false, angle = false;
+    friend bool operator==(const MotionLocks&, const MotionLocks&) = default;
+};
+
 /// Input of World::CreateBody. Every number must be finite.
 struct BodyDef {
     BodyType type = staticBody;
@@ -44,6 +51,7 @@ struct BodyDef {
     bool enabled = true;
     BodyUserData userData;
     float gravityScale = 1.0f;
+    MotionLocks locks;  ///< `locks.angle` and `fixedRotation` are the same: either one locks the angle
 };
 
 /// A thin, stable handle on a body; made by World::CreateBody, dead after World::DestroyBody: then every call is an
@@ -65,6 +73,9 @@ public:
     /// Moves the body at once, contacts follow in the next step. Its origin is put to position + positionRest, m.
     /// Refused while the world is locked.
     ErrorCode SetTransform(Vec2 position, float angle, Vec2 positionRest = {0.0f, 0.0f});
+    /// Gives the body the velocity with which a step of `timeStep` > 0 s takes its origin to `position` and its angle
+    /// to `angle`: moves a kinematic body so that contacts feel it. Refused: a static body.
+    ErrorCode SetTargetTransform(Vec2 position, float angle, float timeStep);
     [[nodiscard]] Transform GetTransform() const;
     [[nodiscard]] Vec2 GetPosition() const;
     [[nodiscard]] float GetAngle() const;
@@ -133,6 +144,9 @@ public:
     [[nodiscard]] bool IsEnabled() const;
     ErrorCode SetFixedRotation(bool flag);
     [[nodiscard]] bool IsFixedRotation() const;
+    /// Locks and frees motions, the angle as SetFixedRotation does. What is locked stops.
+    ErrorCode SetMotionLocks(const MotionLocks& locks);
+    [[nodiscard]] MotionLocks GetMotionLocks() const;
 
     /// Fixtures, newest first.
     [[nodiscard]] Fixture* GetFixtureList();
@@ -141,9 +155,9 @@ public:
     /// a step that added some costs O(contacts of the world).
     [[nodiscard]] int GetContactCount() const;
     /// Calls visit(contact) for each of them, newest first, until it returns false.
-    void VisitContacts(FunctionRef<bool(Contact*)> visit);
+    void VisitContacts(FunctionRef<bool(Contact*)> visit) const;
     /// Joints of this body, newest first, until visit returns false.
-    void VisitJoints(FunctionRef<bool(Joint*)> visit);
+    void VisitJoints(FunctionRef<bool(Joint*)> visit) const;
     [[nodiscard]] int GetJointCount() const;
     /// The newest joint of this body, null without one; go on with Joint::GetNext(body).
     [[nodiscard]] Joint* GetJointList() const;

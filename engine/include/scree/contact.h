@@ -36,6 +36,7 @@ public:
     [[nodiscard]] const Fixture* GetFixtureA() const;
     [[nodiscard]] Fixture* GetFixtureB();
     [[nodiscard]] const Fixture* GetFixtureB() const;
+    // What a contact is given itself stays until it is reset, whatever happens to the fixtures' materials.
     /// Overrides the mixed friction until ResetFriction. Refused: negative or not finite.
     ErrorCode SetFriction(float friction);
     [[nodiscard]] float GetFriction() const;
@@ -46,7 +47,7 @@ public:
     ErrorCode SetRestitutionThreshold(float threshold);
     [[nodiscard]] float GetRestitutionThreshold() const;
     void ResetRestitutionThreshold();
-    /// Conveyor-belt speed along the tangent, m/s.
+    /// Conveyor-belt speed along the tangent, m/s; at first the sum of the fixtures'.
     ErrorCode SetTangentSpeed(float speed);
     [[nodiscard]] float GetTangentSpeed() const;
     /// Number of this contact in its world while it lives; reused.
@@ -64,8 +65,8 @@ private:
     int m_row;
 };
 
-/// Mixing rules for two materials: geometric mean (finite, however large both are), the larger (0 if both are below:
-/// what hits does not sink in), the smaller.
+/// The standard rules of mixing two materials: geometric mean (finite, however large both are), the larger (0 if both
+/// are below: what hits does not sink in), the smaller.
 inline float MixFriction(float a, float b) { return Min(std::sqrt(a * b), std::numeric_limits<float>::max()); }
 inline float MixRestitution(float a, float b) { return Max(a > b ? a : b, 0.0f); }
 inline float MixRestitutionThreshold(float a, float b) { return a < b ? a : b; }

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <limits>
+
 #include "scree/joint.h"
 
 namespace scree {
@@ -22,9 +24,10 @@ struct DistanceJointDef : JointDef {
     Vec2 localAnchorB{0.0f, 0.0f};  ///< in B, m
     float length = 1.0f;            ///< rest length, m, ≥ 0; at least linearSlop · WorldDef::lengthScale is used
     float minLength = 0.0f;         ///< m, ≥ 0; at least linearSlop · WorldDef::lengthScale is used
-    float maxLength = 3.402823466e+38f;  ///< m, ≥ minLength. Equal to minLength: a rod
-    float stiffness = 0.0f;              ///< N/m, ≥ 0; 0 (or a rod): no spring
-    float damping = 0.0f;                ///< N·s/m, ≥ 0
+    float maxLength = 3.402823466e+38f;                             ///< m, ≥ minLength. Equal to minLength: a rod
+    float stiffness = 0.0f;                                         ///< N/m, ≥ 0; 0 (or a rod): no spring
+    float damping = 0.0f;                                           ///< N·s/m, ≥ 0
+    float maxSpringForce = std::numeric_limits<float>::infinity();  ///< N, ≥ 0
 };
 
 /// A distance joint. Its setters do not wake the bodies.
@@ -51,6 +54,9 @@ public:
     /// N·s/m, ≥ 0. Does not wake.
     ErrorCode SetDamping(float damping);
     [[nodiscard]] float GetDamping() const;
+    /// N, ≥ 0; infinity: no limit. Does not wake.
+    ErrorCode SetMaxSpringForce(float force);
+    [[nodiscard]] float GetMaxSpringForce() const;
 
     DistanceJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
 

@@ -47,12 +47,21 @@ struct MoveEvent {
     bool fellAsleep;
 };
 
+/// The reaction of a joint was above one of its thresholds (JointDef::forceThreshold, torqueThreshold).
+struct JointEvent {
+    JointId joint;
+    float force;   ///< mean over the step, N
+    float torque;  ///< N·m
+    bool broke;    ///< the joint is gone (JointDef::breaks)
+};
+
 /// Of the last step; in the order in which things happened, which is the same for any number of workers. Ends include
 /// those of objects destroyed between the step before and this one. Valid until the next step.
 struct Events {
     std::span<const ContactEvent> contactsBegun, contactsEnded;
     std::span<const SensorEvent> sensorsEntered, sensorsLeft;
     std::span<const HitEvent> hits;
+    std::span<const JointEvent> joints;
     std::span<const MoveEvent> moved;  ///< only with World::SetReportMoves; those that fell asleep stand last
 };
 

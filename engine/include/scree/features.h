@@ -19,36 +19,57 @@ namespace scree {
 
 /// One thing that a world may or may not need. In brackets: who counts as a user.
 enum class Feature : uint8_t {
-    rotation,          ///< movers turn (movers without fixed rotation, or with a spin)
-    friction,          ///< fixtures with friction; contacts that were given some
-    restitution,       ///< fixtures with restitution; contacts that were given some
-    tangentSpeed,      ///< contacts that were given a tangent speed
-    damping,           ///< dynamic bodies with linear or angular damping
-    gravityScale,      ///< dynamic bodies whose gravity scale is not 1
-    forces,            ///< dynamic bodies on which a force or torque acts in the next step
-    speedLimit,        ///< WorldDef::maxTranslation or maxRotation is finite (the world)
-    sleeping,          ///< movers that may fall asleep or are asleep
-    joints,            ///< all joints
-    springs,           ///< joints with a stiffness
-    limits,            ///< joints with a limit that is on
-    motors,            ///< joints with a motor that is on; motor joints
-    continuousStatic,  ///< solid fixtures of static and kinematic bodies, with continuous collision on
-    continuousBullet,  ///< bullets, with continuous collision on
-    sensors,           ///< sensor fixtures
-    filters,           ///< fixtures whose filter is not the default; a contact filter (the world)
-    events,            ///< a contact listener (the world), or a fixture that reports
-    polygons,          ///< fixtures with a PolygonShape or a ConvexShape
-    edges,             ///< fixtures with an EdgeShape, those of chains included
-    kinematicBodies,   ///< all kinematic bodies
-    multiThreading,    ///< more than one worker, or a task system of the program (the world)
+    rotation,           ///< movers turn (movers without fixed rotation, or with a spin)
+    friction,           ///< fixtures with friction or MixRule::custom; contacts that were given some
+    restitution,        ///< fixtures with restitution or MixRule::custom; contacts that were given some
+    tangentSpeed,       ///< fixtures with a tangent speed; contacts that were given one
+    damping,            ///< dynamic bodies with linear or angular damping
+    gravityScale,       ///< dynamic bodies whose gravity scale is not 1
+    forces,             ///< dynamic bodies on which a force or torque acts in the next step
+    speedLimit,         ///< WorldDef::maxTranslation or maxRotation is finite (the world)
+    sleeping,           ///< movers that may fall asleep or are asleep
+    joints,             ///< all joints
+    springs,            ///< joints with a stiffness
+    limits,             ///< joints with a limit that is on
+    motors,             ///< joints with a motor that is on; motor joints
+    continuousStatic,   ///< solid fixtures of static and kinematic bodies, with continuous collision on
+    continuousBullet,   ///< bullets, with continuous collision on
+    sensors,            ///< sensor fixtures
+    filters,            ///< fixtures whose filter is not the default; a contact filter (the world)
+    events,             ///< a contact listener (the world), fixtures that report, joints with a threshold
+    polygons,           ///< fixtures with a PolygonShape or a ConvexShape
+    edges,              ///< fixtures with an EdgeShape, those of chains included
+    kinematicBodies,    ///< all kinematic bodies
+    multiThreading,     ///< more than one worker, or a task system of the program (the world)
+    rollingResistance,  ///< fixtures with rolling resistance
+    motionLocks,        ///< dynamic bodies locked in x or y
 };
-inline constexpr int featureCount = 22;
+inline constexpr int featureCount = 24;
 
-inline constexpr std::array<const char*, featureCount> featureNames = {
-    "rotation",         "friction", "restitution", "tangentSpeed", "damping",  "gravityScale", "forces",
-    "speedLimit",       "sleeping", "joints",      "springs",      "limits",   "motors",       "continuousStatic",
-    "continuousBullet", "sensors",  "filters",     "events",       "polygons", "edges",        "kinematicBodies",
-    "multiThreading"};
+inline constexpr std::array<const char*, featureCount> featureNames = {"rotation",
+                                                                       "friction",
+                                                                       "restitution",
+                                                                       "tangentSpeed",
+                                                                       "damping",
+                                                                       "gravityScale",
+                                                                       "forces",
+                                                                       "speedLimit",
+                                                                       "sleeping",
+                                                                       "joints",
+                                                                       "springs",
+                                                                       "limits",
+                                                                       "motors",
+                                                                       "continuousStatic",
+                                                                       "continuousBullet",
+                                                                       "sensors",
+                                                                       "filters",
+                                                                       "events",
+                                                                       "polygons",
+                                                                       "edges",
+                                                                       "kinematicBodies",
+                                                                       "multiThreading",
+                                                                       "rollingResistance",
+                                                                       "motionLocks"};
 
 constexpr const char* GetName(Feature feature) { return featureNames[static_cast<size_t>(feature)]; }
 /// None for an unknown name.
@@ -119,6 +140,8 @@ struct KernelSet {
     bool friction;     ///< friction rows of contacts
     bool restitution;  ///< closing speeds of contacts
     bool continuous;   ///< the continuous stage
+    bool rolling;      ///< rolling resistance of contacts
+    bool locks;        ///< bodies locked in x or y
 
     friend constexpr bool operator==(const KernelSet&, const KernelSet&) = default;
 };
@@ -130,8 +153,10 @@ constexpr KernelSet ChooseKernels(Features f) {
             .speedLimit = f.Has(Feature::speedLimit),
             .friction = f.Has(Feature::friction),
             .restitution = f.Has(Feature::restitution),
-            .continuous = f.Has(Feature::continuousStatic) || f.Has(Feature::continuousBullet) ||
-                          f.Has(Feature::kinematicBodies)};
+            .continuous =
+                f.Has(Feature::continuousStatic) || f.Has(Feature::continuousBullet) || f.Has(Feature::kinematicBodies),
+            .rolling = f.Has(Feature::rollingResistance),
+            .locks = f.Has(Feature::motionLocks)};
 }
 
 }  // namespace scree

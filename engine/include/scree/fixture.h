@@ -23,9 +23,19 @@ struct FixtureUserData {
 
 /// Which fixtures collide: equal non-zero groups decide (positive always, negative never), else the masks.
 struct Filter {
-    uint16_t categoryBits = 0x0001;
-    uint16_t maskBits = 0xFFFF;
-    int16_t groupIndex = 0;
+    uint64_t categoryBits = 0x0001;
+    uint64_t maskBits = ~uint64_t{0};
+    int32_t groupIndex = 0;
+};
+
+/// How two materials make one number of a contact. If both fixtures name a rule, the later one in this list counts.
+enum class MixRule : uint8_t {
+    standard,  ///< of friction the geometric mean, of restitution the larger (MixFriction, MixRestitution)
+    average,
+    minimum,
+    multiply,
+    maximum,
+    custom,  ///< by the world's MaterialMixer; without one the standard rule
 };
 
 /// Input of Body::CreateFixture.
@@ -38,7 +48,12 @@ struct FixtureDef {
     float density = 0.0f;               ///< kg/m², ≥ 0
     bool isSensor = false;              ///< reports contacts but never pushes
     Filter filter;
-    uint8_t reports = 0;  ///< what World::GetEvents tells of it: bits of Report
+    uint8_t reports = 0;             ///< what World::GetEvents tells of it: bits of Report
+    float tangentSpeed = 0.0f;       ///< of a conveyor, m/s: by friction it carries what touches it clockwise around
+    float rollingResistance = 0.0f;  ///< what stops a rolling disk: torque over normal force and radius, ≥ 0
+    MixRule frictionRule = MixRule::standard;
+    MixRule restitutionRule = MixRule::standard;
+    uint64_t materialId = 0;  ///< the program's, for its MaterialMixer and listeners
 };
 
 /// A thin, stable handle on a fixture; made by Body::CreateFixture, dead after DestroyFixture or DestroyBody: then
@@ -84,15 +99,32 @@ public:
     /// Takes effect at the next Body::ResetMassData. Refused: negative or not finite.
     ErrorCode SetDensity(float density);
     [[nodiscard]] float GetDensity() const;
-    /// For new contacts only, as in Box2D. Refused: negative or not finite.
-    ErrorCode SetFriction(float friction);
+    // A change of the material acts on the contacts that the fixture has, too, and wakes the bodies that touch it
+    // there; a number that a contact was given itself stays. With `newContactsOnly` it acts as in Box2D 2.4.
+    /// Refused: negative or not finite. O(contacts of the body), as all of these.
+    ErrorCode SetFriction(float friction, bool newContactsOnly = false);
     [[nodiscard]] float GetFriction() const;
-    /// For new contacts only. Refused: not finite.
-    ErrorCode SetRestitution(float restitution);
+    /// Refused: not finite.
+    ErrorCode SetRestitution(float restitution, bool newContactsOnly = false);
     [[nodiscard]] float GetRestitution() const;
-    /// For new contacts only, m/s. Refused: negative or not finite.
-    ErrorCode SetRestitutionThreshold(float threshold);
+    /// m/s. Refused: negative or not finite.
+    ErrorCode SetRestitutionThreshold(float threshold, bool newContactsOnly = false);
     [[nodiscard]] float GetRestitutionThreshold() const;
+    /// Of a conveyor, m/s: what touches it is carried clockwise around its shape, seen on top to the right. Of two such
+    /// surfaces the speeds add up. Refused: not finite.
+    ErrorCode SetTangentSpeed(float speed);
+    [[nodiscard]] float GetTangentSpeed() const;
+    /// The torque that slows the rolling of round shapes (disks, capsules, rounded polygons) is at most this times the
+    /// normal force times the radius; of two materials the larger number counts. Between flat sides it does nothing.
+    /// Refused: negative or not finite.
+    ErrorCode SetRollingResistance(float resistance);
+    [[nodiscard]] float GetRollingResistance() const;
+    /// Refused: what is no MixRule.
+    ErrorCode SetMixRules(MixRule friction, MixRule restitution);
+    [[nodiscard]] MixRule GetFrictionRule() const;
+    [[nodiscard]] MixRule GetRestitutionRule() const;
+    ErrorCode SetMaterialId(uint64_t id);
+    [[nodiscard]] uint64_t GetMaterialId() const;
     /// The box kept by the broad phase: tight, except in `fat-tree`.
     [[nodiscard]] AABB GetAABB() const;
     /// Dense number of this fixture in its world; reused after destruction.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "scree/errors.h"
 #include "scree/math.h"
@@ -43,6 +44,10 @@ struct JointDef {
     Body* bodyA = nullptr;          ///< required (a gear takes its bodies from its joints)
     Body* bodyB = nullptr;          ///< required, not bodyA
     bool collideConnected = false;  ///< whether the two bodies may collide with each other
+    /// A reaction above one of these, in a step, is an event (Events::joints); N and N·m, ≥ 0.
+    float forceThreshold = std::numeric_limits<float>::infinity();
+    float torqueThreshold = std::numeric_limits<float>::infinity();
+    bool breaks = false;  ///< such a reaction destroys the joint at the end of the step
 
 protected:
     explicit JointDef(JointType jointType) : type(jointType) {}
@@ -70,6 +75,12 @@ public:
     [[nodiscard]] bool GetCollideConnected() const;
     [[nodiscard]] JointUserData GetUserData() const;
     ErrorCode SetUserData(const JointUserData& data);
+    /// The reactions, N and N·m, ≥ 0, above which the joint is told of (Events::joints), and whether it breaks then.
+    /// Infinity: never. Refused: without Feature::events, in a world whose features are fixed.
+    ErrorCode SetThresholds(float force, float torque, bool breaks);
+    [[nodiscard]] float GetForceThreshold() const;
+    [[nodiscard]] float GetTorqueThreshold() const;
+    [[nodiscard]] bool BreaksAtThreshold() const;
     /// True if both bodies are enabled.
     [[nodiscard]] bool IsEnabled() const;
     /// The next joint of the world, newest first; null at the end.

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <limits>
+
 #include "scree/joint.h"
 
 namespace scree {
@@ -26,8 +28,13 @@ struct PrismaticJointDef : JointDef {
     float lowerTranslation = 0.0f;  ///< m, ≤ upperTranslation
     float upperTranslation = 0.0f;  ///< m
     bool enableMotor = false;
-    float maxMotorForce = 0.0f;  ///< N, ≥ 0
-    float motorSpeed = 0.0f;     ///< m/s
+    float maxMotorForce = 0.0f;      ///< N, ≥ 0
+    float motorSpeed = 0.0f;         ///< m/s
+    bool enableSpring = false;       ///< drives the translation towards targetTranslation
+    float stiffness = 0.0f;          ///< N/m, ≥ 0; LinearStiffness makes both from hertz and damping ratio
+    float damping = 0.0f;            ///< N·s/m, ≥ 0
+    float targetTranslation = 0.0f;  ///< m
+    float maxSpringForce = std::numeric_limits<float>::infinity();  ///< N, ≥ 0
 };
 
 /// A slider joint. Setters that change something wake both bodies.
@@ -60,6 +67,20 @@ public:
     [[nodiscard]] float GetMaxMotorForce() const;
     /// Of the last step, N.
     [[nodiscard]] float GetMotorForce(float inverseDt) const;
+    [[nodiscard]] bool IsSpringEnabled() const;
+    ErrorCode EnableSpring(bool flag);
+    /// N/m and N·s/m, ≥ 0. As all of the spring, a change wakes the bodies.
+    ErrorCode SetSpring(float stiffness, float damping);
+    [[nodiscard]] float GetStiffness() const;
+    [[nodiscard]] float GetDamping() const;
+    /// m along the axis
+    ErrorCode SetTargetTranslation(float translation);
+    [[nodiscard]] float GetTargetTranslation() const;
+    /// N, ≥ 0; infinity: no limit.
+    ErrorCode SetMaxSpringForce(float force);
+    [[nodiscard]] float GetMaxSpringForce() const;
+    /// Of the last step, N.
+    [[nodiscard]] float GetSpringForce(float inverseDt) const;
 
     PrismaticJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
 

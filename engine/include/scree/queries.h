@@ -11,12 +11,17 @@
 
 namespace scree {
 
+class Body;
 class Fixture;
 
 /// Which fixtures a query sees.
 struct QueryFilter {
-    uint16_t maskBits = 0xFFFF;  ///< categories that are seen; 0xFFFF sees all, even fixtures of no category
+    uint64_t maskBits = ~uint64_t{0};  ///< categories that are seen; all bits: also fixtures of no category
     bool includeSensors = true;
+    const Body* ignored = nullptr;  ///< whose fixtures are not seen
+    /// Also asked, about fixtures that are seen so far; null: nobody. It must not edit the world.
+    bool (*accepts)(const Fixture* fixture, void* context) = nullptr;
+    void* context = nullptr;
 };
 
 /// One fixture on a ray.

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <limits>
+
 #include "scree/joint.h"
 
 namespace scree {
@@ -27,6 +29,11 @@ struct RevoluteJointDef : JointDef {
     bool enableMotor = false;
     float motorSpeed = 0.0f;      ///< rad/s
     float maxMotorTorque = 0.0f;  ///< N·m, ≥ 0
+    bool enableSpring = false;    ///< drives the joint angle towards targetAngle
+    float stiffness = 0.0f;       ///< N·m/rad, ≥ 0; AngularStiffness makes both from hertz and damping ratio
+    float damping = 0.0f;         ///< N·m·s/rad, ≥ 0
+    float targetAngle = 0.0f;     ///< rad
+    float maxSpringTorque = std::numeric_limits<float>::infinity();  ///< N·m, ≥ 0
 };
 
 /// A hinge joint. Setters that change something wake both bodies.
@@ -57,6 +64,20 @@ public:
     [[nodiscard]] float GetMaxMotorTorque() const;
     /// Of the last step, N·m.
     [[nodiscard]] float GetMotorTorque(float inverseDt) const;
+    [[nodiscard]] bool IsSpringEnabled() const;
+    ErrorCode EnableSpring(bool flag);
+    /// N·m/rad and N·m·s/rad, ≥ 0. As all of the spring, a change wakes the bodies.
+    ErrorCode SetSpring(float stiffness, float damping);
+    [[nodiscard]] float GetStiffness() const;
+    [[nodiscard]] float GetDamping() const;
+    /// rad
+    ErrorCode SetTargetAngle(float angle);
+    [[nodiscard]] float GetTargetAngle() const;
+    /// N·m, ≥ 0; infinity: no limit.
+    ErrorCode SetMaxSpringTorque(float torque);
+    [[nodiscard]] float GetMaxSpringTorque() const;
+    /// Of the last step, N·m.
+    [[nodiscard]] float GetSpringTorque(float inverseDt) const;
 
     RevoluteJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
 

@@ -5,6 +5,10 @@
 
 #pragma once
 
+#if __cplusplus < 202002L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
+#error "Scree needs C++20: compile with -std=c++20."
+#endif
+
 #include "scree/accuracy.h"
 #include "scree/body.h"
 #include "scree/broad_phase_kind.h"
@@ -22,6 +26,7 @@
 #include "scree/features.h"
 #include "scree/fixed_world.h"
 #include "scree/fixture.h"
+#include "scree/forces.h"
 #include "scree/friction_joint.h"
 #include "scree/gear_joint.h"
 #include "scree/ids.h"
@@ -29,6 +34,7 @@
 #include "scree/math.h"
 #include "scree/motor_joint.h"
 #include "scree/mouse_joint.h"
+#include "scree/mover.h"
 #include "scree/prismatic_joint.h"
 #include "scree/profile.h"
 #include "scree/pulley_joint.h"

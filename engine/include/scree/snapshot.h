@@ -18,7 +18,7 @@
 namespace scree {
 
 /// Grows with every change of the layout; LoadWorld reads its own version only.
-inline constexpr uint32_t snapshotVersion = 8;
+inline constexpr uint32_t snapshotVersion = 9;
 
 /// Why an image was refused.
 enum class SnapshotError : uint8_t {
@@ -28,6 +28,7 @@ enum class SnapshotError : uint8_t {
     wrongSize,      ///< cut off, or something was appended
     wrongChecksum,  ///< bytes were changed
     badContent,     ///< the bytes are whole but describe no possible world
+    refused,        ///< the world is locked or recorded, or may not use what the image uses
 };
 
 constexpr const char* GetName(SnapshotError error) {
@@ -44,6 +45,8 @@ constexpr const char* GetName(SnapshotError error) {
             return "wrong checksum";
         case SnapshotError::badContent:
             return "bad content";
+        case SnapshotError::refused:
+            return "refused";
     }
     return "unknown";
 }
@@ -56,5 +59,12 @@ constexpr const char* GetName(SnapshotError error) {
 /// A new world from an image; its objects have the indices and ids of the saved ones. Null for a bad image, and `error`
 /// (if given) says why: no image, however damaged, does more than that. O(size of the world).
 [[nodiscard]] std::unique_ptr<World> LoadWorld(std::span<const std::byte> image, SnapshotError* error = nullptr);
+
+/// Puts a world back to the state of an image, which may be of this world or of any other. It keeps its listeners,
+/// filter, workers and features, and its handles: the body, fixture or joint with an index of the image has the handle
+/// that had this index before, so pointers to what is in the image are valid, also where it had been destroyed since.
+/// What is not in the image is dead. Not kept: ids of contacts, and pointers that GetShape gave. A bad image changes
+/// nothing. O(size of the world).
+SnapshotError RestoreWorld(World& world, std::span<const std::byte> image);
 
 }  // namespace scree

@@ -6,6 +6,8 @@
 
 #pragma once
 
+#include <limits>
+
 #include "scree/joint.h"
 
 namespace scree {
@@ -26,10 +28,11 @@ struct WheelJointDef : JointDef {
     float lowerTranslation = 0.0f;  ///< m, ≤ upperTranslation
     float upperTranslation = 0.0f;  ///< m
     bool enableMotor = false;
-    float maxMotorTorque = 0.0f;  ///< N·m, ≥ 0
-    float motorSpeed = 0.0f;      ///< rad/s
-    float stiffness = 0.0f;       ///< of the suspension, N/m, ≥ 0; 0: none
-    float damping = 0.0f;         ///< N·s/m, ≥ 0
+    float maxMotorTorque = 0.0f;                                    ///< N·m, ≥ 0
+    float motorSpeed = 0.0f;                                        ///< rad/s
+    float stiffness = 0.0f;                                         ///< of the suspension, N/m, ≥ 0; 0: none
+    float damping = 0.0f;                                           ///< N·s/m, ≥ 0
+    float maxSpringForce = std::numeric_limits<float>::infinity();  ///< N, ≥ 0
 };
 
 /// A wheel joint. Setters of limits and motor that change something wake both bodies.
@@ -70,6 +73,9 @@ public:
     /// N·s/m, ≥ 0. Does not wake.
     ErrorCode SetDamping(float damping);
     [[nodiscard]] float GetDamping() const;
+    /// N, ≥ 0; infinity: no limit. Does not wake.
+    ErrorCode SetMaxSpringForce(float force);
+    [[nodiscard]] float GetMaxSpringForce() const;
 
     WheelJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
 

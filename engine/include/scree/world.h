@@ -138,6 +138,9 @@ public:
     void SetDestructionListener(DestructionListener* listener);
     ErrorCode SetContactListener(ContactListener* listener);
     ErrorCode SetContactFilter(ContactFilter* filter);
+    /// Acts on contacts that begin and materials that change from now on. It must outlive its use; null: the standard
+    /// rule. Neither images nor recordings hold it.
+    void SetMaterialMixer(MaterialMixer* mixer);
     /// Receives every refused call; null restores the default, which writes one line to stderr.
     void SetErrorHandler(ErrorHandler handler, void* context);
 
@@ -194,7 +197,7 @@ public:
     [[nodiscard]] int GetProxyCount() const;
     /// Of the broad phase's tree, static and moving part joined under one root; 0 without a tree. Height: levels below
     /// the root. Balance: largest difference in height of two siblings. Quality: all perimeters over the root's, best
-    /// near 1. O(fixtures).
+    /// near 1. O(fixtures). They make the tree if it is out of date: for one thread at a time.
     [[nodiscard]] int GetTreeHeight() const;
     [[nodiscard]] int GetTreeBalance() const;
     [[nodiscard]] float GetTreeQuality() const;
@@ -214,7 +217,9 @@ public:
     [[nodiscard]] Contact* Find(ContactId id);
 
     /// Queries only read: between steps any number of threads may ask at once, while nobody edits or steps the world
-    /// and no error is to be told. The world is locked while one of them calls the program. After a step they take
+    /// and no error is to be told. So do all calls that only tell something of the world and its bodies, fixtures,
+    /// contacts and joints, lists, visits and ids included; but not GetTreeHeight and its kind, nor Fixture::GetShape
+    /// of a fixture that is not const. The world is locked while a query calls the program. After a step queries take
     /// logarithmic time; after many edits without one (a level just made), until PrepareQueries, they look at every
     /// box.
     ErrorCode PrepareQueries();

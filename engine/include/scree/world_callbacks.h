@@ -30,6 +30,16 @@ public:
     virtual bool ShouldCollide(Fixture* fixtureA, Fixture* fixtureB);
 };
 
+/// Mixes the materials of fixtures with MixRule::custom: when their contact begins and when one of the materials
+/// changes. It is asked inside of Step, must not change anything, and must give the same answers in a replay. What is
+/// no finite number, and friction below 0, is replaced by the standard rule's.
+class MaterialMixer {
+public:
+    virtual ~MaterialMixer() = default;
+    virtual float MixFriction(const Fixture* fixtureA, const Fixture* fixtureB);
+    virtual float MixRestitution(const Fixture* fixtureA, const Fixture* fixtureB);
+};
+
 /// Hears of objects that go because another is destroyed: the joints and fixtures of a body in World::DestroyBody. They
 /// are still alive in the call; creating and destroying are refused there.
 class DestructionListener {

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: MIT
 //
 // What standard C++20 cannot say to a compiler or a processor: inlining by force, no inlining, fetching ahead, the
-// pause of a waiting loop, which vector instructions there are, and where virtual functions stand. Outside base/
-// nothing names a compiler.
+// pause of a waiting loop, which vector instructions there are, whether there are threads and exceptions, and where
+// virtual functions stand. Outside base/ nothing names a compiler.
 
 #pragma once
 
+#include <cfloat>
+
 #if defined(__FAST_MATH__)
 #error "Scree is exact to the bit: compile it without -ffast-math."
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "Scree is exact to the bit: floats must be computed as floats. On 32-bit x86: -msse2 -mfpmath=sse."
 #endif
 
 #if defined(_MSC_VER) && !defined(__clang__)
@@ -37,10 +42,26 @@
 #include <immintrin.h>
 #endif
 
+/// Whether the standard library can make threads. Without them a world's loops run on the thread that calls, or as
+/// tasks of the program; results are the same.
+#if !defined(SCREE_NO_THREADS) && !(defined(__wasm__) && !defined(__wasm_atomics__))
+#define SCREE_HAS_THREADS
+#endif
+
 /// The first word of an object with virtual functions points to their addresses, in the order of declaration
 /// (Itanium C++ ABI: GCC and Clang but on Windows, where pointers are not signed).
 #if defined(__GXX_ABI_VERSION) && !defined(_MSC_VER) && !defined(__Fuchsia__) && !defined(__arm64e__)
 #define SCREE_HAS_PLAIN_VIRTUAL_TABLES
+#endif
+
+/// try and catch of what would be refused with -fno-exceptions: nothing is thrown there, and nothing caught.
+#if defined(__cpp_exceptions) || defined(_CPPUNWIND)
+#define SCREE_HAS_EXCEPTIONS
+#define SCREE_TRY try
+#define SCREE_CATCH(declaration) catch (declaration)
+#else
+#define SCREE_TRY if (true)
+#define SCREE_CATCH(declaration) else
 #endif
 
 namespace scree {

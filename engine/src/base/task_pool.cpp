@@ -5,7 +5,8 @@
 
 #include "base/task_pool.h"
 
-#include "base/compiler.h"
+#include "base/float_mode.h"
+#include "base/undo.h"
 
 namespace scree {
 
@@ -14,6 +15,7 @@ namespace {
 /// More: better balance; fewer: less taking turns.
 constexpr int chunksPerWorker = 4;
 
+#if defined(SCREE_HAS_THREADS)
 /// Waits until done() holds: spins for some microseconds, then gives the core away in between.
 template <typename Done>
 void Await(Done&& done) {
@@ -24,22 +26,47 @@ void Await(Done&& done) {
     }
     while (!done()) std::this_thread::yield();
 }
+#endif
 
 }  // namespace
+
+TaskPool::~TaskPool() { Stop(); }
+
+void TaskPool::RunWithCallbacks() {
+    struct Range {
+        TaskPool* pool;
+        int worker;
+        void* handle;
+    };
+    Range ranges[maxWorkers];
+    for (int worker = 1; worker < m_workerCount; ++worker) {
+        Range& range = ranges[worker];
+        range = {this, worker, nullptr};
+        range.handle = m_callbacks.enqueue(
+            [](void* context) {
+                const StandardFloats floats;
+                const auto* own = static_cast<Range*>(context);
+                own->pool->RunRange(own->worker, own->pool->m_workerCount, own->worker);
+            },
+            &range, m_callbacks.context);
+    }
+    RunRange(0, m_workerCount, 0);
+    for (int worker = 1; worker < m_workerCount; ++worker) {
+        // Null: the task was already run.
+        if (ranges[worker].handle != nullptr) m_callbacks.finish(ranges[worker].handle, m_callbacks.context);
+    }
+}
+
+#if defined(SCREE_HAS_THREADS)
 
 TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
     : m_workerCount(workerCount), m_chunkCount(workerCount * chunksPerWorker), m_callbacks(callbacks) {
     if (m_callbacks.enqueue != nullptr) return;
-    try {
-        m_threads.reserve(static_cast<size_t>(workerCount - 1));
-        for (int worker = 1; worker < workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
-    } catch (...) {
-        Stop();  // those that could be made
-        throw;
-    }
+    Undo undo([this] { Stop(); });  // those that could be made
+    m_threads.reserve(static_cast<size_t>(workerCount - 1));
+    for (int worker = 1; worker < workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
+    undo.Dismiss();
 }
-
-TaskPool::~TaskPool() { Stop(); }
 
 void TaskPool::Stop() {
     m_quit = true;
@@ -85,31 +112,8 @@ void TaskPool::RunChunks(uint32_t turn, int worker) {
     }
 }
 
-void TaskPool::RunWithCallbacks() {
-    struct Range {
-        TaskPool* pool;
-        int worker;
-        void* handle;
-    };
-    Range ranges[maxWorkers];
-    for (int worker = 1; worker < m_workerCount; ++worker) {
-        Range& range = ranges[worker];
-        range = {this, worker, nullptr};
-        range.handle = m_callbacks.enqueue(
-            [](void* context) {
-                const auto* own = static_cast<Range*>(context);
-                own->pool->RunRange(own->worker, own->pool->m_workerCount, own->worker);
-            },
-            &range, m_callbacks.context);
-    }
-    RunRange(0, m_workerCount, 0);
-    for (int worker = 1; worker < m_workerCount; ++worker) {
-        // Null: the task was already run.
-        if (ranges[worker].handle != nullptr) m_callbacks.finish(ranges[worker].handle, m_callbacks.context);
-    }
-}
-
 void TaskPool::Work(int worker) {
+    const StandardFloats floats;
     uint32_t turn = 0;
     for (;;) {
         // Between steps: sleep.
@@ -121,5 +125,23 @@ void TaskPool::Work(int worker) {
         RunChunks(turn, worker);
     }
 }
+
+#else
+
+TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
+    : m_workerCount(workerCount), m_chunkCount(workerCount * chunksPerWorker), m_callbacks(callbacks) {}
+
+void TaskPool::Stop() {}
+void TaskPool::Begin() { m_inStep = m_workerCount > 1 && m_callbacks.enqueue != nullptr; }
+void TaskPool::End() { m_inStep = false; }
+
+void TaskPool::Run(int count, TaskFunction function, void* context) {
+    m_count = count;
+    m_function = function;
+    m_context = context;
+    RunWithCallbacks();
+}
+
+#endif
 
 }  // namespace scree

@@ -13,16 +13,22 @@
 
 #include <atomic>
 #include <cstdint>
+#include <type_traits>
+
+#include "base/compiler.h"
+#include "scree/tasks.h"
+
+#if defined(SCREE_HAS_THREADS)
 #include <thread>
 #include <vector>
-
-#include "scree/tasks.h"
+#endif
 
 namespace scree {
 
 class TaskPool {
 public:
     /// `workerCount` ≥ 1, the calling thread included. With callbacks no threads are made: every loop goes to them.
+    /// Without threads (base/compiler.h) and callbacks the caller runs every loop alone.
     TaskPool(int workerCount, const TaskCallbacks& callbacks);
     ~TaskPool();
     TaskPool(const TaskPool&) = delete;
@@ -64,7 +70,9 @@ private:
     const int m_workerCount;
     const int m_chunkCount;
     const TaskCallbacks m_callbacks;
+#if defined(SCREE_HAS_THREADS)
     std::vector<std::thread> m_threads;
+#endif
 
     // The loop at hand; written before its turn is published, and only read by who holds a chunk of it.
     bool m_inStep = false;  ///< and with more than one worker

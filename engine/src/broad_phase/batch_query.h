@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Batch query in place (Tsamis 2020, §3.5, Query-All2): all query boxes go down the tree together; at every node those
+// Batch query in place (Tsamis 2020, §3.5, Query-All2). All query boxes go down the tree together. At every node those
 // that overlap it are swapped to the front of the batch, and only that front goes on to both children. The front's
 // order changes below, its set does not, so one array serves the whole walk.
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The one interface of all broad-phase algorithms: boxes of fixtures in, overlapping pairs out.
-// A PAIR is two fixtures of different bodies, at least one of them dynamic, whose closed boxes overlap. Tight
-// algorithms report exactly the pairs of the boxes given; the fattened tree reports a superset. Every call of FindPairs
-// reports the COMPLETE set of current pairs, each once, in an order that depends only on the calls made before; pairs
-// of movers that rest, with each other and with statics, may be left out.
+// The one interface of all broad-phase algorithms: boxes of fixtures in, overlapping pairs out. A PAIR is two fixtures
+// of different bodies, at least one of them dynamic, whose closed boxes overlap. Tight algorithms report exactly the
+// pairs of the boxes given; the fattened tree reports a superset.
+//
+// Every call of FindPairs reports the COMPLETE set of current pairs, each once. Their order depends only on the calls
+// made before. Pairs of movers that rest, with each other and with statics, may be left out.
 
 #pragma once
 

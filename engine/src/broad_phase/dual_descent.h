@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Pairs inside one tree by dual descent: a node against itself is each child against itself and both against each
-// other; two nodes that overlap go on with the children of the larger one (Gottschalk, Lin, Manocha 1996, OBBTree, §5).
+// Pairs inside one tree by dual descent (Gottschalk, Lin, Manocha 1996, OBBTree, §5). A node against itself is each
+// child against itself and both against each other. Two nodes that overlap go on with the children of the larger one.
 
 #pragma once
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/undo.h"
 #include "broad_phase/algorithms.h"
 #include "broad_phase/fat_tree.h"
 #include "broad_phase/fixture_table.h"
@@ -27,13 +28,10 @@ public:
 
     void Restore(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override {
         const uint32_t leaf = m_tree.CreateLeaf(ToBounds(box), {fixture, GroupOf(body, motion)});
-        try {
-            Buffer(leaf);
-            m_leaves.Set(fixture, leaf);
-        } catch (...) {
-            m_tree.DestroyLeaf(leaf);  // memory has run out; a mark without a leaf does no harm
-            throw;
-        }
+        Undo undo([&] { m_tree.DestroyLeaf(leaf); });  // a mark without a leaf does no harm
+        Buffer(leaf);
+        m_leaves.Set(fixture, leaf);
+        undo.Dismiss();
         ++m_count;
     }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Fixture index → slot of its proxy, so that callers keep no proxy handles and one fixture can be in several broad
-// phases. Small indices go through a plain array (one load, no hashing: measured to be the faster table); indices above
-// its limit, which would make that array huge, through the chained table with Fibonacci hashing of Tsamis 2020, §3.7.3
-// (multiplier: Knuth, The Art of Computer Programming 3, §6.4).
+// phases. Small indices go through a plain array: one load, no hashing. Larger ones would make that array huge. They go
+// through the chained table with Fibonacci hashing of Tsamis 2020, §3.7.3 (multiplier: Knuth, The Art of Computer
+// Programming 3, §6.4).
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Global 3 (Tsamis 2020, §3.5, Query-All3): a barycentre tree, then one walk in which every node hands each child the
-// outside boxes that overlap it, and one child those of its sibling too, so that no pair is met twice.
+// Global 3 (Tsamis 2020, §3.5, Query-All3): a barycentre tree, then one walk. Every node hands each child the outside
+// boxes that overlap it. One child also gets those of its sibling, so that no pair is met twice.
 
 #include "broad_phase/algorithms.h"
 #include "broad_phase/tree_broad_phase.h"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The production algorithm: the barycentre build and the candidate sets of Tsamis 2020 (§3.2 list 4, §3.6) in the form
-// that suits the machine: keys instead of boxes in the build (keys_build.h), wide leaves and rows of four in the
-// detection (keys_detect.h). What rests goes down the movers' tree as candidates of the root if it is little; more has
-// a tree of its own that the movers go down as one batch.
+// The production algorithm: the barycentre build and the candidate sets of Tsamis 2020 (§3.2 list 4, §3.6). The build
+// sorts keys instead of boxes (keys_build.h); the detection has wide leaves and rows of four (keys_detect.h). A little
+// that rests goes down the movers' tree as candidates of the root. More has a tree of its own, which the movers go down
+// as one batch.
 
 #include "broad_phase/algorithms.h"
 #include "broad_phase/keys_build.h"
@@ -14,12 +14,12 @@
 namespace scree::broadphase {
 namespace {
 
-/// Boxes per leaf with the least time for build and detection together (8 … 64 measured on piles and sparse scenes).
+/// Boxes per leaf with the least time for build and detection together, on piles and on sparse scenes.
 constexpr int bestLeafSize = 24;
 /// Steps for which splits are kept at most: what they save is then shared out, and their order is nearly as good.
 constexpr int longestUse = 8;
-/// Growth of the nodes' summed half perimeters beyond which splits are given up at once (everything has jumped), and
-/// growth of the box tests beyond which the next step gets new ones (what the sum hides when one box is far away).
+/// Growth of the nodes' summed half perimeters beyond which splits are given up at once: everything has jumped.
+/// Growth of the box tests beyond which the next step gets new ones: the sum hides much when one box is far away.
 constexpr float largestGrowth = 1.2f;
 constexpr double mostTests = 1.5;
 /// New boxes that may be joined in beside the tree before it is built anew, and the share of edited ones.

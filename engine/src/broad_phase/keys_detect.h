@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Detection of the production algorithm: candidate sets go down a tree with wide leaves. Every node receives the
-// outside boxes that overlap its box; both children take over those that overlap them, and the larger child also the
+// outside boxes that overlap its box. Both children take over those that overlap them, and the larger child also the
 // boxes of its smaller sibling that do. In a leaf, rows of four boxes are compared at a time and hits are written
 // without a branch.
 //
-// Several workers share one walk: it is cut where subtrees have become small, the workers finish these, and their pairs
+// Several workers share one walk. It is cut where subtrees have become small, and the workers finish these. Their pairs
 // are put together in the order of the walk, so that the result is that of one worker.
 
 #pragma once

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The trees over the proxies of a store: a main tree, and one of what rests (statics and sleepers) while its share is
-// above a threshold (Tsamis 2020, §3.7.1, where it is statics alone), which follows edits and is rebuilt rarely. Says
-// which trees there are, when they are due and what they hold, and answers queries over trees and what is outside of
-// them together. Building is the owner's.
+// The trees over the proxies of a store: a main tree, and one of what rests (statics and sleepers). The latter exists
+// while its share is above a threshold (Tsamis 2020, §3.7.1, where it is statics alone); it follows edits and is
+// rebuilt rarely. Says which trees there are, when they are due and what they hold. Answers queries over trees and what
+// is outside of them together. Building is the owner's.
 
 #pragma once
 

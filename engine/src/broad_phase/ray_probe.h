@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// "May this ray hit this box?" for walks over trees and lists: the box of the ray's remaining part must overlap, and
-// the normal of the ray must not separate the box from it (Ericson, Real-Time Collision Detection, §5.3.3, in 2D). A
-// margin of a few roundings keeps grazing hits, and a wider one for inner nodes makes a node pass whenever one of its
-// boxes does.
+// "May this ray hit this box?" for walks over trees and lists (Ericson, Real-Time Collision Detection, §5.3.3, in 2D).
+// The box of the ray's remaining part must overlap, and the normal of the ray must not separate the box from it. A
+// margin of a few roundings keeps grazing hits. A wider one for inner nodes makes a node pass whenever one of its boxes
+// does.
 
 #pragma once
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Rules that split a range of boxes in two. Both of Tsamis 2020, §3.2 (list 4) and §3.6: the barycentre rule (middle of
-// the bounds of the centres) and the surface area heuristic over bins (Wald 2007, On fast construction of SAH-based
-// bounding volume hierarchies).
+// Rules that split a range of boxes in two, both of Tsamis 2020, §3.2 (list 4) and §3.6. The barycentre rule takes the
+// middle of the bounds of the centres. The surface area heuristic works over bins (Wald 2007, On fast construction of
+// SAH-based bounding volume hierarchies).
 
 #pragma once
 

@@ -10,6 +10,8 @@
 #include <cmath>
 #include <new>
 
+#include "base/compiler.h"
+
 namespace scree::broadphase {
 namespace {
 
@@ -43,9 +45,8 @@ void TreeEdits::CountOne() {
 }
 
 void TreeEdits::PutOutside(uint32_t slot) {
-    try {
-        m_outside.push_back(m_store.Id(slot).fixture);
-    } catch (const std::bad_alloc&) {
+    SCREE_TRY { m_outside.push_back(m_store.Id(slot).fixture); }
+    SCREE_CATCH(const std::bad_alloc&) {
         return Lose();  // no room for the list: the tree is to be rebuilt
     }
     m_store.Place(slot) = outsideBit | static_cast<uint32_t>(m_outside.size() - 1);

@@ -27,6 +27,7 @@ struct alignas(32) ContactBlock {
     Row armA[2], armB[2];                  ///< per point: arm × normal
     Row tangentArmA, tangentArmB;          ///< arm of the middle of the points × tangent
     Row normalMass[2], tangentMass;        ///< effective, kg
+    Row coupling;                          ///< speed of one point by a unit of impulse at the other, 1/kg
     Row separation[2];                     ///< at the start of the step, + the overlap to leave, m
     Row normalImpulse[2], tangentImpulse;  ///< accumulated, N·s
     Row friction, tangentSpeed;
@@ -89,8 +90,8 @@ struct BlockRange {
 
 /// A contact as an implicit spring over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
 struct SoftSpring {
-    float biasRate;  ///< 1/s
-    float massScale, impulseScale;
+    float biasRate;   ///< 1/s
+    float stiffness;  ///< inverse mass of the row over that of a rigid one
 };
 
 /// Constants of the soft contact rows.

@@ -51,6 +51,12 @@ public:
     /// Impulses summed over the step (soft step) or accumulated, by position in the list; for reports.
     void GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const;
 
+    /// Sum of a contact's normal impulses, by position in the list.
+    [[nodiscard]] float GetPressure(int at) const {
+        const int lane = m_lane[static_cast<size_t>(at)];
+        const ContactBlock& block = m_blocks[static_cast<size_t>(lane / blockLanes)];
+        return block.normalImpulse[0][lane % blockLanes] + block.normalImpulse[1][lane % blockLanes];
+    }
     /// The smallest separation of a contact, by position in the list, when bodies have moved by `delta`; + the slop, m.
     [[nodiscard]] float GetSeparation(size_t at, const std::vector<Velocity>& delta) const;
 

@@ -75,6 +75,13 @@ void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows);
 void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity);
 /// One iteration over all contacts: friction, then normals. Without `friction` no contact has any.
 void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, bool friction = true);
+/// Sum of the normal impulses of the contact with this position in the list.
+inline float GetPressure(const ContactRows& rows, int at) {
+    const ContactVelocityRow& row = rows.velocity[static_cast<size_t>(at)];
+    float pressure = 0.0f;
+    for (int i = 0; i < row.pointCount; ++i) pressure += row.points[i].normalImpulse;
+    return pressure;
+}
 /// Writes the impulses back into the manifolds.
 void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold);
 /// How overlaps are removed.

@@ -61,7 +61,10 @@ void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointSte
         row.impulse += impulse;
         Apply(c.pair, c.along, impulse, v);
     } else {
-        if (c.spring.mass > 0.0f) Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.impulse), v);
+        if (c.spring.mass > 0.0f) {
+            const float most = step.dt * row.maxSpringForce;
+            Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.impulse, most), v);
+        }
         SolveLimits(c.pair, c.along, row.limit, v, {c.length, c.mass, step.inverseDt});
     }
     Store(c.pair, v, velocity);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/compiler.h"
@@ -210,9 +211,11 @@ inline Spring MakeSpring(const SpringInput& in, float dt) {
     s.mass = InverseOrZero(in.inverseMass + s.gamma);
     return s;
 }
-/// Adds to the accumulated impulse; returns the change.
-SCREE_INLINE float SolveSpring(const Spring& spring, float speed, float& accumulated) {
+/// Adds to the accumulated impulse, which gets at most `most`; returns the change.
+SCREE_INLINE float SolveSpring(const Spring& spring, float speed, float& accumulated,
+                               float most = std::numeric_limits<float>::infinity()) {
     const float change = -spring.mass * (speed + spring.bias + spring.gamma * accumulated);
+    if (most < std::numeric_limits<float>::infinity()) return SolveBounded(accumulated, change, most);
     accumulated += change;
     return change;
 }
@@ -242,6 +245,14 @@ inline Three Solve(const Symmetric3& m, const Three& b) {
 inline float LimitError(const LimitState& limit, float coordinate, float slop) {
     if (limit.upper - limit.lower < 2.0f * slop) return coordinate - limit.lower;
     return coordinate - Clamp(coordinate, limit.lower, limit.upper);
+}
+
+/// Prepares the spring of a row with this coordinate; the impulse of the last step as the step scales it.
+inline Spring PrepareSpring(SpringState& state, float coordinate, float inverseMass, const JointStep& step) {
+    const bool acts = state.enabled && state.stiffness > 0.0f && inverseMass > 0.0f;
+    state.impulse = acts ? Scaled(state.impulse, step.impulseScale) : 0.0f;
+    if (!acts) return {};
+    return MakeSpring({state.stiffness, state.damping, coordinate - state.target, inverseMass}, step.dt);
 }
 
 inline void ClearLimit(LimitState& limit) { limit.lowerImpulse = limit.upperImpulse = 0.0f; }

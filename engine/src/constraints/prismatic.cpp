@@ -32,6 +32,7 @@ void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c) {
     c.k.ex = {InverseMass(c.pair, c.across), mixed};
     c.k.ey = {mixed, TurnCoupling(c.pair)};
     c.translation = Dot(row.axis, arms.gap);
+    c.spring = PrepareSpring(row.spring, c.translation, InverseMass(c.pair, c.along), in.step);
     if (!row.limit.enabled) ClearLimit(row.limit);
     if (!row.motor.enabled) row.motor.impulse = 0.0f;
     row.impulse = Scaled(row.impulse, in.step.impulseScale);
@@ -41,7 +42,7 @@ void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c) {
 
 void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
-    Apply(c.pair, c.along, row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
+    Apply(c.pair, c.along, row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
     Apply(c.pair, c.across, row.impulse.x, v);
     Apply(c.pair, turning, row.impulse.y, v);
     Store(c.pair, v, velocity);
@@ -50,6 +51,10 @@ void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vecto
 namespace {
 
 SCREE_INLINE void SolveRange(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step, PairVelocity& v) {
+    if (c.spring.mass > 0.0f) {
+        const float most = step.dt * row.spring.maximum;
+        Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.spring.impulse, most), v);
+    }
     if (row.motor.enabled) {
         const float impulse = c.alongMass * (row.motor.speed - Speed(c.along, v));
         Apply(c.pair, c.along, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);
@@ -108,7 +113,7 @@ bool JointTraits<PrismaticRow>::Describe(const PrismaticRow& row, TreeShape& sha
     shape.kind = TreeKind::slide;
     shape.axisX = double{row.localAxisA.x}, shape.axisY = double{row.localAxisA.y};
     shape.reference = double{row.referenceAngle};
-    bounded = IsBounded(row.limit, row.motor);
+    bounded = IsBounded(row.limit, row.motor) || row.spring.enabled;
     return true;
 }
 void JointTraits<PrismaticRow>::Keep(PrismaticRow& row, const TreeShape&, const TreeRows& rows,

@@ -18,6 +18,7 @@ struct PrismaticConstraint {
     Mat22 k;            ///< inverse effective mass of (across, turning)
     float alongMass;    ///< effective mass of sliding
     float translation;  ///< at the start of the step, m
+    Spring spring;
 };
 
 /// Masses and arms of this step; scales the stored impulses.

@@ -18,6 +18,7 @@ void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c
     c.angle = pose.b.a - pose.a.a - row.referenceAngle;
     if (!row.limit.enabled || c.turnMass == 0.0f) ClearLimit(row.limit);
     if (!row.motor.enabled || c.turnMass == 0.0f) row.motor.impulse = 0.0f;
+    c.spring = PrepareSpring(row.spring, c.angle, InverseMass(c.pair, turning), in.step);
     row.impulse = Scaled(row.impulse, in.step.impulseScale);
     row.motor.impulse = Scaled(row.motor.impulse, in.step.impulseScale);
     ScaleLimit(row.limit, in.step.impulseScale);
@@ -30,16 +31,35 @@ void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
     c.k = PointMatrix(c.pair, c.arms);
 }
 
+/// What a blow within the step brings beyond the limit, the next one takes back.
+bool IsIdle(const JointInput& in, const RevoluteRow& row) {
+    constexpr float margin = 0.1f;  // rad
+    const bool isAtWork = row.motor.enabled || row.motor.impulse != 0.0f || row.spring.enabled ||
+                          row.spring.impulse != 0.0f || row.limit.lowerImpulse != 0.0f ||
+                          row.limit.upperImpulse != 0.0f;
+    if (isAtWork) return false;
+    if (!row.limit.enabled) return true;
+    const auto a = static_cast<size_t>(in.info.bodyA), b = static_cast<size_t>(in.info.bodyB);
+    const float angle = in.bodies.position[b].a - in.bodies.position[a].a - row.referenceAngle;
+    const float turn = in.bodies.velocity[b].w - in.bodies.velocity[a].w;
+    const float reach = margin + 2.0f * Abs(turn) / in.step.inverseDt;
+    return angle - row.limit.lower > reach && row.limit.upper - angle > reach;
+}
+
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     ApplyPoint(c.pair, c.arms, row.impulse, v);
-    Apply(c.pair, turning, row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
+    Apply(c.pair, turning, row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
     Store(c.pair, v, velocity);
 }
 
 namespace {
 
 SCREE_INLINE void SolveRange(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step, PairVelocity& v) {
+    if (c.spring.mass > 0.0f) {
+        const float most = step.dt * row.spring.maximum;
+        Apply(c.pair, turning, SolveSpring(c.spring, Speed(turning, v), row.spring.impulse, most), v);
+    }
     if (row.motor.enabled && c.turnMass > 0.0f) {
         const float impulse = -c.turnMass * (Speed(turning, v) - row.motor.speed);
         Apply(c.pair, turning, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);
@@ -104,7 +124,7 @@ const JointPhases& JointTraits<RevoluteRow>::GetPhases() {
 }
 bool JointTraits<RevoluteRow>::Describe(const RevoluteRow& row, TreeShape& shape, bool& bounded) {
     shape.kind = TreeKind::point;
-    bounded = IsBounded(row.limit, row.motor);
+    bounded = IsBounded(row.limit, row.motor) || row.spring.enabled;
     return true;
 }
 void JointTraits<RevoluteRow>::Keep(RevoluteRow& row, const TreeShape&, const TreeRows&,

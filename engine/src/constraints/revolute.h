@@ -17,12 +17,15 @@ struct RevoluteConstraint {
     Mat22 k;         ///< inverse effective mass of the point
     float turnMass;  ///< effective mass of relative turning; 0: both bodies have fixed rotation
     float angle;     ///< joint angle at the start of the step, rad
+    Spring spring;
 };
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
 /// The same for limits and motors alone.
 void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
+/// Whether limits alone could act, and are too far for it.
+[[nodiscard]] bool IsIdle(const JointInput& in, const RevoluteRow& row);
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity);
 /// Only limits, motors and springs.
 void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step, std::vector<Velocity>& velocity);

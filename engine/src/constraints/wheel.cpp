@@ -46,7 +46,10 @@ void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Veloci
 namespace {
 
 SCREE_INLINE void SolveRange(const WheelConstraint& c, WheelRow& row, const JointStep& step, PairVelocity& v) {
-    if (c.spring.mass > 0.0f) Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.springImpulse), v);
+    if (c.spring.mass > 0.0f) {
+        const float most = step.dt * row.maxSpringForce;
+        Apply(c.pair, c.along, SolveSpring(c.spring, Speed(c.along, v), row.springImpulse, most), v);
+    }
     if (row.motor.enabled) {
         const float impulse = -c.turnMass * (Speed(turning, v) - row.motor.speed);
         Apply(c.pair, turning, SolveBounded(row.motor.impulse, impulse, step.dt * row.motor.maximum), v);

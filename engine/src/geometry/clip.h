@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Clipping of a contact segment against a side plane of the reference face: two points with feature ids → two points,
-// or nothing. Sutherland and Hodgman (Communications of the ACM 17, 1974) for one segment; ids and point order as in
-// Box2D 2.4, because the order of the points is part of the manifold that warm starting and the solver see.
+// or nothing. Sutherland and Hodgman (Communications of the ACM 17, 1974) for one segment. Ids and point order are
+// those of Box2D 2.4, because the order is part of the manifold that warm starting and the solver see.
 
 #pragma once
 

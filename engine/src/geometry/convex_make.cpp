@@ -3,7 +3,7 @@
 //
 // Capsules, polygons, rounded polygons, ellipses and sectors: description → ConvexShape. The mass of a rounded outline
 // is that of its core, of the strips along its sides and of the slices of a disk at its corners (Steiner's formula and
-// its second moments); ellipse and sector by their textbook formulas.
+// its second moments). Ellipse and sector have their textbook formulas.
 
 #include "geometry/convex_build.h"
 #include "geometry/hull.h"

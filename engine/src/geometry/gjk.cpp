@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // GJK in 2D on the Minkowski difference B − A: a simplex of at most three of its vertices walks towards the origin.
-// Sources: Gilbert, Johnson, Keerthi, "A Fast Procedure for Computing the Distance Between Complex Objects in
-// Three-Dimensional Space" (1988); the nearest point of a segment and of a triangle by signed areas, as in Ericson,
-// "Real-Time Collision Detection" (2005), §5.1; the warm start from the last simplex is Box2D 2.4's idea. All is done
-// in A's frame, which spares half of the rotations and keeps precision far from the world's origin.
+// Source: Gilbert, Johnson, Keerthi, "A Fast Procedure for Computing the Distance Between Complex Objects in
+// Three-Dimensional Space" (1988). The nearest point of a segment and of a triangle is found by signed areas, as in
+// Ericson, "Real-Time Collision Detection" (2005), §5.1. The warm start from the last simplex is Box2D 2.4's idea. All
+// is done in A's frame, which spares half of the rotations and keeps precision far from the world's origin.
 
 #include "geometry/gjk.h"
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Sine and cosine of a float angle, and the angle of a vector, with the same bits on every machine: IEEE double
-// arithmetic only, no libm. Angle in rad → both values as float, within 1 ulp of the correctly rounded ones below
-// 1e9 rad; the angle within 1 ulp. Source: additive range reduction (Cody and Waite, "Software Manual for the
-// Elementary Functions", 1980, ch. 8) and, for larger angles, multiplication by the bits of 2/π that matter (Payne and
-// Hanek, SIGNUM Newsletter 18(1), 1983).
+// arithmetic only, no libm. Angle in rad → both values as float, within 1 ulp of the correctly rounded ones below 1e9
+// rad; the angle within 1 ulp. Source: additive range reduction (Cody and Waite, "Software Manual for the Elementary
+// Functions", 1980, ch. 8). Larger angles are multiplied by the bits of 2/π that matter (Payne and Hanek, SIGNUM
+// Newsletter 18(1), 1983).
 
 #include "scree/math.h"
 

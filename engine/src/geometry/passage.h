@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Whether a shape that passes another one, or rests on it, can have a time of impact at all: a bound that costs a few
-// products a vertex, to spare the search (time_of_impact.cpp) where nothing can happen.
+// Whether a shape that passes another one, or rests on it, can have a time of impact at all. The bound costs a few
+// products a vertex and spares the search (time_of_impact.cpp) where nothing can happen.
 //
-// The distance of the cores along an axis that is fixed in the still shape falls at most linearly with the way of the
-// mover's centre along the axis, and by its turn times its reach. So what is beyond the target at both ends, with the
-// turn taken off, is beyond it all the way. Axes are those of one face of the still shape, and of an edge also its
-// ends.
+// Take an axis that is fixed in the still shape. The distance of the cores along it falls at most linearly with the way
+// of the mover's centre along the axis, and by its turn times its reach. So what is beyond the target at both ends,
+// with the turn taken off, is beyond it all the way. Axes are those of one face of the still shape, and of an edge also
+// its ends.
 
 #pragma once
 

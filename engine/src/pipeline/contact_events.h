@@ -24,8 +24,9 @@ struct ContactEvents {
     ContactListener* const& listener;
     const HeardCalls& heard;  ///< by the listener
     ContactFilter* const& filter;
-    EventLog* log;   ///< of World::GetEvents; null: no fixture reports
-    TOIStats* work;  ///< distance and time-of-impact work of the step
+    MaterialMixer* const& mixer;  ///< null: the standard rule
+    EventLog* log;                ///< of World::GetEvents; null: no fixture reports
+    TOIStats* work;               ///< distance and time-of-impact work of the step
     /// A contact that begins or ends restarts the sleep timers of bodies that are
     /// awake, too, as in Box2D 2.4. Without it such a contact wakes sleepers
     /// only: one that flickers would keep its island awake for ever.

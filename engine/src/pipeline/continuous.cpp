@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "pipeline/parts/contact_update.h"
+#include "pipeline/parts/locked_bodies.h"
 #include "pipeline/parts/make_contact.h"
 #include "pipeline/parts/note_events.h"
 #include "pipeline/parts/report_impulses.h"
@@ -103,7 +104,7 @@ private:
         int contact = m_t.contacts.Find(static_cast<uint32_t>(pair.fixtureA), static_cast<uint32_t>(pair.fixtureB));
         if (contact < 0) {
             contact = MakeContact(std::min(pair.fixtureA, pair.fixtureB), std::max(pair.fixtureA, pair.fixtureB),
-                                  m_t.fixtures, m_t.contacts);
+                                  m_events, m_t.fixtures, m_t.contacts);
         }
         if (contact < 0) return -1;
         const bool touching = UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts);
@@ -338,9 +339,12 @@ private:
             if (row.bodyA != pair.bodyA && row.bodyA != pair.bodyB) row.massA.invMass = row.massA.invI = 0.0f;
             if (row.bodyB != pair.bodyA && row.bodyB != pair.bodyB) row.massB.invMass = row.massB.invI = 0.0f;
         }
+        const Position metA = m_bodies.position[Row(pair.bodyA)], metB = m_bodies.position[Row(pair.bodyB)];
+        const Vec2 restA = m_bodies.GetRest(pair.bodyA), restB = m_bodies.GetRest(pair.bodyB);
         for (int i = 0; i < positionIterations; ++i) {
             if (SolveContactPositions(m_s.rows, m_bodies, push) >= tolerance) break;
         }
+        KeepLocked(pair.bodyA, metA.c, restA), KeepLocked(pair.bodyB, metB.c, restB);
         for (const int body : {pair.bodyA, pair.bodyB}) {
             Quarantine(body);
             m_bodies.UpdateTransform(body);
@@ -356,10 +360,24 @@ private:
         for (size_t i = 0; i < m_s.islandBodies.size(); ++i) {
             const int body = m_s.islandBodies[i];
             if (m_bodies.type[Row(body)] == staticBody) continue;
+            StopLocked(m_bodies, body, m_bodies.velocity[Row(body)]);
             // A body that its contact goes on to hold up is not accelerated.
             if (leaves) AddSpeed(i, 0.5f);
             Integrate(body, rest);
             if (leaves) AddSpeed(i, 0.5f);
+        }
+    }
+
+    /// A locked body is where it was before it was pushed.
+    void KeepLocked(int body, Vec2 centre, Vec2 rest) {
+        Vec2& c = m_bodies.position[Row(body)].c;
+        if (IsLockedBy(m_bodies, body, BodyFlag::lockX)) {
+            c.x = centre.x;
+            if (m_bodies.IsFar()) m_bodies.rest[Row(body)].end.x = rest.x;
+        }
+        if (IsLockedBy(m_bodies, body, BodyFlag::lockY)) {
+            c.y = centre.y;
+            if (m_bodies.IsFar()) m_bodies.rest[Row(body)].end.y = rest.y;
         }
     }
 
@@ -430,18 +448,19 @@ private:
         v = {vec2Zero, 0.0f, 0.0f};
     }
 
-    /// Holds the dynamic bodies of the pair where they meet, for the rest of the step.
+    /// Holds the dynamic bodies of the pair where they meet, for the rest of the step. They keep the velocities that
+    /// contacts and joints left them, or the next step would begin, and end, like this one.
     void Abandon(int index, float alpha) {
         const ToiPair pair = m_s.pairs[Row(index)];
         m_s.pairs[Row(index)].over = true;
         if (IsJointed(pair)) {
             GatherJointed(pair);
-            AdvanceJointed(alpha);
         } else {
             for (const int body : {pair.bodyA, pair.bodyB}) AddMember(body);
         }
         for (const int body : m_s.islandBodies) {
             if (!m_toi.IsDynamic(body)) continue;
+            if (m_s.firstPair[Row(body)] < 0) m_s.touched.push_back(body);
             if (m_s.alpha[Row(body)] < alpha) Advance(body, alpha);
             ++m_report.abandoned;
             m_report.lostTime += (1.0f - alpha) * m_settings.dt;

@@ -16,12 +16,12 @@ namespace {
 
 size_t Row(int index) { return static_cast<size_t>(index); }
 
-/// What is left after a step of what a body called for: a blow is not to make the number swing, and joints of swung
-/// chains, whose pull goes up and down many times a swing, would tear if it followed them.
+/// What is left after a step of what a body called for. A blow is not to make the number swing. The pull in a swung
+/// chain goes up and down many times a swing, and its joints would tear if the number followed it.
 constexpr float memory = 31.0f / 32.0f;
 
-/// Sub-steps that keep the tolerance at this body if this step is like the last: a resting overlap beyond the slop and
-/// a joint's gap shrink with the square of their number.
+/// Sub-steps that keep the tolerance at this body if this step is like the last. A resting overlap beyond the slop, and
+/// a joint's gap, shrink with the square of their number.
 float WantedBy(const BodyDemand& last, const GroupInput& in) {
     const Tolerance& tolerance = in.tolerance;
     if (last.substeps == 0) return static_cast<float>(tolerance.leastSubsteps);

@@ -29,12 +29,13 @@ struct NarrowPhaseScratch {
     std::vector<Manifold> old;  ///< before, for a listener that asks
 };
 
-/// Newest row first, as Box2D tells its events: destroys the contacts whose boxes have parted and those that joints and
-/// filters refuse when they are asked again (ContactFlag::refilter); of the others with an awake body, recomputes the
-/// manifold, carries impulses over by feature id, reports changes and wakes the bodies of contacts that began or ended.
-/// Returns the number of touching contacts. The manifolds are computed ahead, polygons eight pairs at a time and by all
-/// workers; what depends on the order (who wakes, what is destroyed, what a listener is told) stays in order, so the
-/// result is the same.
+/// Newest row first, as Box2D tells its events. Destroys the contacts whose boxes have parted, and those that joints
+/// and filters refuse when they are asked again (ContactFlag::refilter). Of the others with an awake body, recomputes
+/// the manifold, carries impulses over by feature id, reports changes and wakes the bodies of contacts that began or
+/// ended. Returns the number of touching contacts.
+///
+/// The manifolds are computed ahead, polygons eight pairs at a time and by all workers. What depends on the order stays
+/// in order: who wakes, what is destroyed, what a listener is told. So the result is the same.
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables tables, NarrowPhaseScratch& scratch);
 
 }  // namespace scree

@@ -93,19 +93,29 @@ public:
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             for (const int b : m_bodies) IntegrateVelocity<forces>(m_settings, m_tables.bodies, static_cast<size_t>(b));
         });
+        m_scratch.locked.Gather(m_settings.kernels, m_bodies, m_tables.bodies);
         PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
                          m_settings.kernels.restitution},
                         m_scratch.contacts);
-        if (m_settings.impulseScale > 0.0f) WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
+        PrepareRolling(m_settings, fixtures, m_contacts, m_settings.impulseScale, m_tables, m_scratch.rolling);
+        if (m_settings.impulseScale > 0.0f) {
+            WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
+            m_scratch.rolling.WarmStart(m_tables.bodies.velocity);
+        }
         PrepareJoints(JointWork(), m_joints);
+        m_scratch.locked.Stop(m_tables.bodies.velocity);
     }
 
     void SolveVelocities() {
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
             SolveJointVelocities(JointWork());
             SolveContactVelocities(m_scratch.contacts, m_tables.bodies.velocity, m_settings.kernels.friction);
+            m_scratch.rolling.Solve(m_tables.bodies.velocity,
+                                    [&](int at) { return GetPressure(m_scratch.contacts, at); });
+            m_scratch.locked.Stop(m_tables.bodies.velocity);
         }
         StoreContactImpulses(m_scratch.contacts, m_tables.contacts.manifold);
+        m_scratch.rolling.Store(1.0f, m_tables.contacts.rolling);
     }
 
     int IntegratePositions() {
@@ -123,6 +133,7 @@ public:
             bool solved = SolveContactPositions(m_scratch.contacts, m_tables.bodies,
                                                 {baumgarte, m_settings.lengthScale}) >= ContactTolerance(m_settings);
             solved = SolveJointPositions(JointWork()) && solved;
+            m_scratch.locked.Return(m_tables.bodies);
             if (solved) return true;
         }
         return false;
@@ -168,21 +179,30 @@ public:
                 IntegrateVelocity<forces>(m_settings, m_bodies, static_cast<size_t>(m_s.wide.bodies[i]));
             });
         });
+        m_s.locked.Gather(m_settings.kernels, m_s.wide.bodies, m_bodies);
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale,
                           m_settings.kernels.restitution, m_settings.lengthScale});
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.friction = m_settings.kernels.friction;
         m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;
-        if (m_settings.impulseScale > 0.0f) RunKernel(Pool(), m_task, m_kernels.warmStart);
+        PrepareRolling(m_settings, fixtures, m_s.wide.contacts, m_settings.impulseScale, m_tables, m_s.rolling);
+        if (m_settings.impulseScale > 0.0f) {
+            RunKernel(Pool(), m_task, m_kernels.warmStart);
+            m_s.rolling.WarmStart(m_bodies.velocity);
+        }
         if (HasJoints()) PrepareJoints(JointWork(), m_s.wide.joints);
+        m_s.locked.Stop(m_bodies.velocity);
     }
 
     void SolveVelocities() {
         for (int i = 0; i < m_settings.velocityIterations; ++i) {
             if (HasJoints()) SolveJointVelocities(JointWork());
             RunKernel(Pool(), m_task, m_kernels.solveRigid);
+            m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
+            m_s.locked.Stop(m_bodies.velocity);
         }
         m_s.blocks.Store(1.0f, m_tables.contacts.manifold);
+        m_s.rolling.Store(1.0f, m_tables.contacts.rolling);
     }
 
     int IntegratePositions() {
@@ -203,6 +223,7 @@ public:
         for (int i = 0; i < m_settings.positionIterations && !(contactsSolved && jointsSolved); ++i) {
             contactsSolved = IsWithinTolerance(RunPushApart(Pool(), m_task, m_kernels, baumgarte));
             jointsSolved = !HasJoints() || CorrectJoints();
+            m_s.locked.Stop(m_s.delta);
         }
         m_s.islandSolved.clear();
         int contact = 0;  // the islands' contacts lie one behind the other in the blocks' list
@@ -313,7 +334,7 @@ public:
     SolverCounts Move(std::span<const int> rows) const {
         SolverCounts counts;
         size_t done = 0;
-        const bool byEight = !m_settings.exactDrift && !m_bodies.IsFar();
+        const bool byEight = !m_settings.exactDrift && !m_bodies.IsFar() && !m_settings.kernels.locks;
         for (; byEight && done + laneCount <= rows.size(); done += laneCount) {
             counts += MoveEight(rows.subspan(done, laneCount));
         }
@@ -346,6 +367,7 @@ private:
         SolverCounts counts;
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto limit) {
             IntegrateVelocity<forces>(m_settings, m_bodies, b);
+            if (m_settings.kernels.locks) StopLocked(m_bodies, body, m_bodies.velocity[b]);
             counts.capped = IntegratePosition<limit>(m_settings, m_bodies, b) ? 1 : 0;
         });
         counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;

@@ -128,6 +128,10 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
             Drift(v, h, delta);
             Kick<forces>(soft, v);
         }
+        if (settings.kernels.locks) {
+            StopLocked(bodies, body, v);
+            StopLocked(bodies, body, delta);
+        }
         bodies.velocity[b] = v;
         SolverCounts counts;
         counts.capped = MoveBody<limit>(settings, bodies, b, delta) ? 1 : 0;
@@ -156,12 +160,14 @@ public:
         m_s.jointed.clear();
         if (HasJoints()) EnsureRows(m_s.startVelocity, m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
+        m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
         m_s.before.resize(m_s.jointed.size());
         m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
                           m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady,
                           true});
+        PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
@@ -194,6 +200,7 @@ public:
     SolverCounts Finish() {
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
+        m_s.rolling.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.rolling);
         if (m_plan.hasRows) {
             const JointTask whole = JointWork(2.0f * static_cast<float>(m_settings.substeps));
             ScaleJointImpulses(whole, m_tree.GetOthers());
@@ -263,8 +270,7 @@ private:
     [[nodiscard]] SoftSpring MakeSoftSpring(float hertz) const {
         const float turn = 2.0f * pi * hertz * m_h;
         const float damping = 2.0f * m_settings.contactDampingRatio + turn;
-        const float share = 1.0f / (1.0f + turn * damping);
-        return {.biasRate = turn / (damping * m_h), .massScale = turn * damping * share, .impulseScale = share};
+        return {.biasRate = turn / (damping * m_h), .stiffness = 1.0f + 1.0f / (turn * damping)};
     }
 
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
@@ -291,20 +297,22 @@ private:
                 soft.jointed ? Kick<forces>(soft, VelocityOf(soft)) : KickWhole<forces>(soft, VelocityOf(soft));
             });
         });
+        StopLocked();
     }
     /// Joints are solved twice in a sub-step, with half of its forces each time.
     void PrepareRows(bool isFirst) {
         if (!m_plan.hasRows) return;
         PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers(), m_tree.GetBounded());
+        m_rowsAct = !m_s.joints.runs.empty() || !m_s.joints.bounds.empty();
     }
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
         if (isFirst) m_tree.Factorize(Poses(), m_h);
-        if (m_plan.hasContacts || m_plan.hasRows) m_tree.SolveAfterMove(m_bodies.velocity);
+        if (m_plan.hasContacts || m_rowsAct) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
-        if (m_plan.hasRows) SolveJointVelocities(JointWork(1.0f));
+        if (m_rowsAct) SolveJointVelocities(JointWork(1.0f));
     }
     /// Without warm starting nothing is known of the contacts in the first sub-step: piles would sag before their
     /// impulses have grown.
@@ -312,12 +320,17 @@ private:
         constexpr int coldIterations = 32;
         const int iterations = isFirst && !m_plan.warmStarts ? 1 + coldIterations : 1;
         NoteContacts([&] {
-            for (int i = 0; i < iterations; ++i) RunKernel(Pool(), m_task, m_kernels.solveSoft);
+            for (int i = 0; i < iterations; ++i) {
+                RunKernel(Pool(), m_task, m_kernels.solveSoft);
+                SolveRolling();
+                StopLocked();
+            }
         });
     }
     /// Velocities with which the trees' joints are closed after the move.
     void AimTrees() {
         if (m_plan.hasTrees) m_tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
+        StopLocked();
     }
     void DriftAll() {
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
@@ -329,10 +342,15 @@ private:
                 Kick<forces>(soft, v);
             });
         });
+        StopLocked();
+        m_s.locked.Stop(m_s.delta);
     }
     void CorrectRows() {
         if (!m_plan.hasRows) return;
+        PlaceJointed();
+        if (!m_rowsAct) return;
         CorrectJoints();
+        m_s.locked.Stop(m_s.delta);
         WarmStartJoints(JointWork(1.0f));
     }
     /// No speed is left along the trees' joints.
@@ -342,13 +360,18 @@ private:
         m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
-        if (!m_plan.hasRows) return;
+        if (!m_rowsAct) return;
         SolveJointVelocities(JointWork(1.0f));
         if (m_plan.hasTrees) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     /// Contacts once more, without pushing apart.
     void Relax() {
-        NoteContacts([&] { RunKernel(Pool(), m_task, m_kernels.relax); });
+        NoteContacts([&] {
+            RunKernel(Pool(), m_task, m_kernels.relax);
+            SolveRolling();
+            StopLocked();
+        });
+        StopLocked();
         if (m_plan.hasContacts) ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
     }
 
@@ -366,12 +389,18 @@ private:
             soft.gained = {v.v, v.w};
         });
         RunKernel(Pool(), m_task, m_kernels.warmStart);
+        m_s.rolling.WarmStart(m_bodies.velocity);
         ForEachSoft([&](SoftBody& soft) {
             Velocity& v = VelocityOf(soft);
             soft.byContacts = {v.v - soft.gained.v, v.w - soft.gained.w};
             v.v = soft.gained.v, v.w = soft.gained.w;
             soft.gained = {};
         });
+    }
+
+    void StopLocked() { m_s.locked.Stop(m_bodies.velocity); }
+    void SolveRolling() {
+        m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
     }
 
     /// Runs a pass over the contacts and notes what it did to jointed bodies: joints are warm-started by themselves, so
@@ -405,13 +434,15 @@ private:
     }
     [[nodiscard]] SoftBody& Jointed(size_t i) { return m_s.soft[static_cast<size_t>(m_s.jointed[i])]; }
 
-    /// Moves jointed bodies, removes the joints' position errors, and takes the result back as motion.
-    void CorrectJoints() {
+    void PlaceJointed() {
         for (const int i : m_s.jointed) {
             const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
             m_bodies.SetMotion(b, m_s.delta[b].v);
             m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
         }
+    }
+    /// Removes the position errors of joints that are rows, and takes the result back as motion.
+    void CorrectJoints() {
         SolveJointPositions(JointWork(1.0f));
         for (const int i : m_s.jointed) {
             const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
@@ -430,6 +461,7 @@ private:
     const ContactKernels& m_kernels;
     KernelTask m_task{};
     Plan m_plan;
+    bool m_rowsAct = false;  ///< in this sub-step some joint is solved row by row
 };
 
 }  // namespace

@@ -67,7 +67,8 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     sleepTime[i] = 0.0f;
     flags[i] = static_cast<uint16_t>((def.awake && !isStatic ? BodyFlag::awake : 0) |
                                      (def.allowSleep ? BodyFlag::autoSleep : 0) | (def.bullet ? BodyFlag::bullet : 0) |
-                                     (def.fixedRotation ? BodyFlag::fixedRotation : 0) |
+                                     (def.fixedRotation || def.locks.angle ? BodyFlag::fixedRotation : 0) |
+                                     (def.locks.x ? BodyFlag::lockX : 0) | (def.locks.y ? BodyFlag::lockY : 0) |
                                      (def.enabled ? BodyFlag::enabled : 0));
     fixtureHead[i] = -1;
     info[i] = BodyInfo{};

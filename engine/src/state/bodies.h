@@ -69,6 +69,7 @@ struct BodyDemand {
 
 struct BodyFlag {
     static constexpr uint16_t awake = 1, autoSleep = 2, bullet = 4, fixedRotation = 8, enabled = 16;
+    static constexpr uint16_t lockX = 32, lockY = 64;  ///< of dynamic bodies
 };
 
 /// Cold data of a body.

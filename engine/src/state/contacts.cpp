@@ -72,6 +72,7 @@ int ContactTable::Add(const ContactPair& newPair) {
         material.emplace_back();
         successor.push_back(-1);
         if (!steady.empty()) steady.emplace_back();
+        if (!rolling.empty()) rolling.emplace_back();
     } else {
         index = m_free.back();
         m_free.pop_back();
@@ -81,7 +82,8 @@ int ContactTable::Add(const ContactPair& newPair) {
     pair[i] = newPair;
     manifold[i].pointCount = 0;
     ForgetSteady(index);
-    m_adjacencyValid = false;
+    if (!rolling.empty()) rolling[i] = 0.0f;
+    m_adjacency.Set(0);
     mustMatch = true;
     ++m_count;
     active.Insert(index);
@@ -105,7 +107,7 @@ void ContactTable::Remove(int contact) {
 
 void ContactTable::Rest(int contact) {
     if (!active.Erase(contact)) return;
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     EnsureRow(m_resting, contact);
     const auto c = static_cast<size_t>(contact);
     const int bodies[2] = {pair[c].bodyA, pair[c].bodyB};
@@ -135,7 +137,7 @@ void ContactTable::UnlinkResting(int contact) {
 void ContactTable::Rouse(int contact) {
     if (!IsAlive(contact) || !active.Insert(contact)) return;
     UnlinkResting(contact);
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     mayRest = true;
 }
 
@@ -164,7 +166,7 @@ void ContactTable::RouseAll() {
     }
     m_restingFirst.assign(m_restingFirst.size(), -1);
     m_restingTouching = 0;
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     mayRest = true;
 }
 
@@ -227,6 +229,7 @@ void ContactTable::CloseGaps() {
         material[to] = material[from];
         successor[to] = successor[from];
         if (!steady.empty()) steady[to] = steady[from];
+        if (!rolling.empty()) rolling[to] = rolling[from];
         ++to;
     }
     flags.resize(to);
@@ -235,6 +238,7 @@ void ContactTable::CloseGaps() {
     material.resize(to);
     successor.resize(to);
     if (!steady.empty()) steady.resize(to);
+    if (!rolling.empty()) rolling.resize(to);
     for (int& row : successor) row = row < static_cast<int>(rows) ? movedTo[static_cast<size_t>(row + 1)] : -1;
     if (firstMatched < static_cast<int>(rows)) firstMatched = movedTo[static_cast<size_t>(firstMatched + 1)];
     for (int& row : m_hash) {
@@ -243,7 +247,7 @@ void ContactTable::CloseGaps() {
     MoveHandles(movedTo);
     RouseAll();
     m_free.clear();
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     m_isCompact = true;
 }
 
@@ -273,12 +277,14 @@ void ContactTable::Compact() {
     m_isCompact = true;
     size_t rows = flags.size();
     while (rows > 0 && flags[rows - 1] == 0) --rows;
+    if (rows < flags.size()) m_adjacency.Set(0);  // it may list rows that are over, but none behind the end
     flags.resize(rows);
     pair.resize(rows);
     manifold.resize(rows);
     material.resize(rows);
     successor.resize(rows);
     if (!steady.empty()) steady.resize(rows);
+    if (!rolling.empty()) rolling.resize(rows);
     m_free.clear();
     size_t i = rows;
     for (; i % 8 != 0; --i) {
@@ -294,6 +300,7 @@ void ContactTable::Compact() {
 
 bool ContactTable::Restore() {
     if (!steady.empty() && steady.size() != flags.size()) return false;
+    if (!rolling.empty() && rolling.size() != flags.size()) return false;
     if (pair.size() != flags.size() || manifold.size() != flags.size() || material.size() != flags.size()) return false;
     std::vector<uint8_t> isFree(flags.size(), 0);
     for (const int row : m_free) {
@@ -318,8 +325,7 @@ bool ContactTable::Restore() {
     return true;
 }
 
-void ContactTable::EnsureAdjacency() {
-    if (m_adjacencyValid) return;
+void ContactTable::MakeAdjacency() const {
     int bodyCount = 0;
     active.ForEach([&](int row) {
         const ContactPair& p = pair[static_cast<size_t>(row)];
@@ -342,30 +348,66 @@ void ContactTable::EnsureAdjacency() {
         m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(p.bodyA)])] = row;
         m_entries[static_cast<size_t>(--m_first[static_cast<size_t>(p.bodyB)])] = row;
     });
-    m_adjacencyValid = true;
+}
+
+std::span<const int> ContactTable::ActiveOfBody(int body) const {
+    EnsureAdjacency();
+    const auto b = static_cast<size_t>(body);
+    if (b + 1 >= m_first.size()) return {};
+    return {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
 }
 
 std::span<const int> ContactTable::OfBody(int body) {
-    EnsureAdjacency();
-    const auto b = static_cast<size_t>(body);
-    std::span<const int> rows;
-    if (b + 1 < m_first.size())
-        rows = {m_entries.data() + m_first[b], static_cast<size_t>(m_first[b + 1] - m_first[b])};
+    const std::span<const int> rows = ActiveOfBody(body);
     if (!HasResting(body)) return rows;
-    m_ofBody.assign(rows.begin(), rows.end());
-    ListResting(body, m_ofBody);
-    std::sort(m_ofBody.begin(), m_ofBody.end(), std::greater<>());
+    m_ofBody.clear();
+    ListOfBody(body, m_ofBody);
     return m_ofBody;
 }
 
-Contact* ContactTable::Handle(WorldState* state, int contact) {
-    while (static_cast<int>(m_handles.size()) <= contact)
-        m_handles.emplace_back(state, static_cast<int>(m_handles.size()));
+void ContactTable::ListOfBody(int body, std::vector<int>& rows) const {
+    const auto begin = static_cast<std::ptrdiff_t>(rows.size());
+    const std::span<const int> awake = ActiveOfBody(body);
+    rows.insert(rows.end(), awake.begin(), awake.end());
+    if (!HasResting(body)) return;
+    ListResting(body, rows);
+    std::sort(rows.begin() + begin, rows.end(), std::greater<>());
+}
+
+int ContactTable::CountOfBody(int body) const {
+    int count = 0;
+    for (const int row : ActiveOfBody(body)) count += IsAlive(row) ? 1 : 0;
+    if (!HasResting(body)) return count;
+    for (int entry = m_restingFirst[static_cast<size_t>(body)]; entry >= 0;
+         entry = m_resting[static_cast<size_t>(entry >> 1)].next[entry & 1]) {
+        ++count;
+    }
+    return count;
+}
+
+Contact* ContactTable::Handle(WorldState* state, int contact) const {
+    if (static_cast<size_t>(contact) >= HandleCount()) {
+        m_handleRows.Ensure(Size(), [&] {
+            while (m_handles.size() < flags.size()) m_handles.emplace_back(state, static_cast<int>(m_handles.size()));
+        });
+    }
     return &m_handles[static_cast<size_t>(GetNumber(contact))];
 }
 
-Contact* ContactTable::HandleOf(int number) {
-    if (number < 0 || static_cast<size_t>(number) >= m_handles.size()) return nullptr;
+void ContactTable::TakeHandles(ContactTable& old) {
+    m_handles.swap(old.m_handles);
+    m_generation.swap(old.m_generation);
+    for (size_t i = 0; i < m_handles.size(); ++i) {
+        m_handles[i].numberOfRow = static_cast<int>(i);
+        m_handles[i].m_row = static_cast<int>(i);
+    }
+    for (uint32_t& generation : m_generation) ++generation;
+    m_handleRows.Set(static_cast<int>(m_handles.size()));
+    m_generationRows.Set(static_cast<int>(m_generation.size()));
+}
+
+Contact* ContactTable::HandleOf(int number) const {
+    if (number < 0 || static_cast<size_t>(number) >= HandleCount()) return nullptr;
     HandleSlot& handle = m_handles[static_cast<size_t>(number)];
     return IsAlive(handle.m_row) ? &handle : nullptr;
 }
@@ -373,11 +415,14 @@ Contact* ContactTable::HandleOf(int number) {
 bool ContactTable::Owns(const Contact* contact) const {
     if (contact == nullptr || !IsAlive(contact->m_row)) return false;
     const auto number = static_cast<size_t>(GetNumber(contact->m_row));
-    return number < m_handles.size() && &m_handles[number] == contact;
+    return number < HandleCount() && &m_handles[number] == contact;
 }
 
-uint32_t ContactTable::GetGeneration(int number) {
-    EnsureRow(m_generation, number, 0u);
+uint32_t ContactTable::GetGeneration(int number) const {
+    if (number >= m_generationRows.Count()) {
+        const auto rows = static_cast<int>(GetNumberEnd());
+        m_generationRows.Ensure(rows, [&] { EnsureRows(m_generation, static_cast<size_t>(rows), 0u); });
+    }
     return m_generation[static_cast<size_t>(number)];
 }
 
@@ -440,16 +485,16 @@ size_t ContactTable::GetBytesPerRow() {
 }
 
 size_t ContactTable::GetMemoryBytes() const {
-    return BytesOf(flags, pair, manifold, material, steady, successor, matched, freshPairs, freshRefusals, m_hash,
-                   m_free, m_generation, m_first, m_entries, m_ofBody, m_resting, m_restingFirst) +
+    return BytesOf(flags, pair, manifold, material, steady, rolling, successor, matched, freshPairs, freshRefusals,
+                   m_hash, m_free, m_generation, m_first, m_entries, m_ofBody, m_resting, m_restingFirst) +
            active.GetMemoryBytes() + m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
 
 void ContactTable::Trim() {
-    Shrink(flags, pair, manifold, material, steady, successor);
+    Shrink(flags, pair, manifold, material, steady, rolling, successor);
     matched = {}, freshPairs = {}, freshRefusals = {};
     m_first = {}, m_entries = {}, m_ofBody = {};
-    m_adjacencyValid = false;
+    m_adjacency.Set(0);
     Shrink(m_free, m_generation);
     m_hash = {};
     m_shift = 64;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "base/index_set.h"
+#include "base/lazy_rows.h"
 #include "scree/collision.h"
 #include "scree/contact.h"
 #include "state/refused_pairs.h"
@@ -65,8 +66,9 @@ struct ContactTable {
     std::vector<Manifold> manifold;
     std::vector<ContactMaterial> material;
     std::vector<SteadyContact> steady;  ///< rows only after a soft step
-    bool keepsSteady = false;           ///< this step is a soft one
-    float steadyReach = 0.0f;           ///< how far steady points may wander before they are found anew, m
+    std::vector<float> rolling;  ///< impulse of rolling resistance, N·m·s; rows only after a step that has some
+    bool keepsSteady = false;    ///< this step is a soft one
+    float steadyReach = 0.0f;    ///< how far steady points may wander before they are found anew, m
 
     /// The row whose pair came behind this row's pair when pairs were last matched, −1 none: pairs come in nearly the
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
@@ -141,13 +143,14 @@ struct ContactTable {
     void Compact();
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
-        auto& [flags, pair, manifold, material, steady, keepsSteady, steadyReach, successor, firstMatched, matched,
-               freshPairs, freshRefusals, refused, active, mayRest, mustMatch, hash, shift, free, isCompact, handles,
-               generation, count, resting, restingFirst, restingTouching, isAdjacencyValid, first, entries, ofBody] = t;
-        visit.Rows(t, flags, pair, manifold, material, steady), visit(keepsSteady, free);
+        auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
+               matched, freshPairs, freshRefusals, refused, active, mayRest, mustMatch, hash, shift, free, isCompact,
+               handles, generation, count, resting, restingFirst, restingTouching, adjacency, first, entries, ofBody,
+               handleRows, generationRows] = t;
+        visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
         visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, active,
                       mayRest, mustMatch, hash, shift, isCompact, handles, generation, count, resting, restingFirst,
-                      restingTouching, isAdjacencyValid, first, entries, ofBody);
+                      restingTouching, adjacency, first, entries, ofBody, handleRows, generationRows);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();
@@ -155,20 +158,27 @@ struct ContactTable {
     /// Add, Rest or Rouse; of a body with resting contacts until the next call. O(contacts that do not rest) after one
     /// of these, else O(contacts of the body).
     std::span<const int> OfBody(int body);
+    // These may be called by several threads at once while nobody changes the table: what they look up is made by the
+    // first one.
+    /// The same rows, added to a list of the caller's, and how many of them are alive.
+    void ListOfBody(int body, std::vector<int>& rows) const;
+    [[nodiscard]] int CountOfBody(int body) const;
+    /// Takes over the handles of a table that this one is to replace. Their ids name nothing any more.
+    void TakeHandles(ContactTable& old);
     /// The handle of a row, made on first use; it stays with the contact until that ends.
-    Contact* Handle(WorldState* state, int contact);
+    Contact* Handle(WorldState* state, int contact) const;
     /// The handle with this number while its contact lives, null without one.
-    [[nodiscard]] Contact* HandleOf(int number);
+    [[nodiscard]] Contact* HandleOf(int number) const;
     [[nodiscard]] bool Owns(const Contact* contact) const;
     /// How many contacts the handle with this number has outlived since generations are counted: from the first call
     /// on.
-    [[nodiscard]] uint32_t GetGeneration(int number);
+    [[nodiscard]] uint32_t GetGeneration(int number) const;
     /// Number of a row's contact (Contact::GetIndex), and one more than the largest there is.
     [[nodiscard]] int GetNumber(int contact) const {
         const auto row = static_cast<size_t>(contact);
-        return row < m_handles.size() ? m_handles[row].numberOfRow : contact;
+        return row < HandleCount() ? m_handles[row].numberOfRow : contact;
     }
-    [[nodiscard]] size_t GetNumberEnd() const { return std::max(flags.size(), m_handles.size()); }
+    [[nodiscard]] size_t GetNumberEnd() const { return std::max(flags.size(), HandleCount()); }
 
     [[nodiscard]] size_t GetMemoryBytes() const;
     /// Gives back the room for more contacts.
@@ -195,7 +205,13 @@ private:
     void RouseAll();
     /// Row r has become row movedTo[r + 1], −1 if it was free.
     void MoveHandles(std::span<const int> movedTo);
-    void EnsureAdjacency();
+    void EnsureAdjacency() const {
+        m_adjacency.Ensure(1, [this] { MakeAdjacency(); });
+    }
+    void MakeAdjacency() const;
+    /// Of the contacts that do not rest.
+    [[nodiscard]] std::span<const int> ActiveOfBody(int body) const;
+    [[nodiscard]] size_t HandleCount() const { return static_cast<size_t>(m_handleRows.Count()); }
     void NoteEnd(int contact) {
         const auto number = static_cast<size_t>(GetNumber(contact));
         if (number < m_generation.size()) ++m_generation[number];
@@ -207,8 +223,8 @@ private:
     int m_shift = 64;
     std::vector<int> m_free;  ///< highest first, when compact
     bool m_isCompact = true;  ///< no row was removed since Compact
-    std::deque<HandleSlot> m_handles;
-    std::vector<uint32_t> m_generation;  ///< per number; empty until somebody asks for one
+    mutable std::deque<HandleSlot> m_handles;
+    mutable std::vector<uint32_t> m_generation;  ///< per number; empty until somebody asks for one
     int m_count = 0;
 
     /// Places of a resting contact in the lists of its bodies. An entry is 2 · row + side (0: body A, 1: body B).
@@ -219,11 +235,12 @@ private:
     std::vector<int> m_restingFirst;      ///< per body: first entry, −1 none
     int m_restingTouching = 0;
 
-    bool m_adjacencyValid = false;
+    mutable LazyRows m_adjacency;  ///< 1 while the next two are valid
     /// Of the contacts that do not rest, per body up to the last one with any: start in m_entries; one more at the end.
-    std::vector<int> m_first;
-    std::vector<int> m_entries;
+    mutable std::vector<int> m_first;
+    mutable std::vector<int> m_entries;
     std::vector<int> m_ofBody;  ///< the last answer for a body with resting contacts
+    mutable LazyRows m_handleRows, m_generationRows;
 };
 
 }  // namespace scree

@@ -9,7 +9,7 @@ namespace scree {
 
 void EventLog::BeginStep() {
     m_inStep = true;
-    m_begun.clear(), m_entered.clear(), m_hits.clear(), m_moved.clear();
+    m_begun.clear(), m_entered.clear(), m_hits.clear(), m_joints.clear(), m_moved.clear();
     m_ended.swap(m_laterEnded), m_laterEnded.clear();
     m_left.swap(m_laterLeft), m_laterLeft.clear();
 }
@@ -50,6 +50,6 @@ void EventLog::NoteMoves(const BodyTable& bodies) {
     }
 }
 
-Events EventLog::Get() const { return {m_begun, m_ended, m_entered, m_left, m_hits, m_moved}; }
+Events EventLog::Get() const { return {m_begun, m_ended, m_entered, m_left, m_hits, m_joints, m_moved}; }
 
 }  // namespace scree

@@ -33,6 +33,9 @@ public:
     void NoteChange(const ContactPair& pair, bool isSensor, bool begins);
     /// `normal` from A to B.
     void NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float speed);
+    void NoteJoint(JointId joint, float force, float torque, bool broke) {
+        m_joints.push_back({joint, force, torque, broke});
+    }
     /// The bodies that the step is going to simulate.
     void NoteAwake(const BodyTable& bodies);
     /// At its end, while what fell asleep in it is listed.
@@ -40,7 +43,8 @@ public:
 
     [[nodiscard]] Events Get() const;
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(m_begun, m_ended, m_laterEnded, m_entered, m_left, m_laterLeft, m_hits, m_moved, m_awake);
+        return BytesOf(m_begun, m_ended, m_laterEnded, m_entered, m_left, m_laterLeft, m_hits, m_joints, m_moved,
+                       m_awake);
     }
 
 private:
@@ -52,6 +56,7 @@ private:
     std::vector<ContactEvent> m_begun, m_ended, m_laterEnded;
     std::vector<SensorEvent> m_entered, m_left, m_laterLeft;
     std::vector<HitEvent> m_hits;
+    std::vector<JointEvent> m_joints;
     std::vector<MoveEvent> m_moved;
     std::vector<int> m_awake;
     bool m_inStep = false;

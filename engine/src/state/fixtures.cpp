@@ -29,11 +29,12 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     PutShape(index, def.shape->GetType(), shapeRow);
     isSensor[i] = def.isSensor ? 1 : 0;
     filter[i] = def.filter;
-    material[i] = {def.friction, def.restitution, def.restitutionThreshold};
+    material[i] = MaterialOf(def);
     next[i] = -1;
     info[i] = FixtureInfo{};
     info[i].density = def.density;
     info[i].reports = def.reports;
+    info[i].materialId = def.materialId;
     info[i].userData = def.userData;
     return index;
 }

@@ -19,7 +19,14 @@ namespace scree {
 
 struct Material {
     float friction, restitution, restitutionThreshold;
+    float tangentSpeed, rollingResistance;
+    MixRule frictionRule, restitutionRule;
 };
+
+inline Material MaterialOf(const FixtureDef& def) {
+    return {def.friction,          def.restitution,  def.restitutionThreshold, def.tangentSpeed,
+            def.rollingResistance, def.frictionRule, def.restitutionRule};
+}
 
 /// What filter data say of two fixtures: the rule of ContactFilter.
 inline bool ShouldCollide(const Filter& a, const Filter& b) {
@@ -34,6 +41,7 @@ struct FixtureInfo {
     int chainIndex = -1;  ///< of this edge in it
     bool inBroadPhase = false;
     uint8_t reports = 0;  ///< bits of Report
+    uint64_t materialId = 0;
     FixtureUserData userData;
 };
 

@@ -7,6 +7,8 @@
 
 #pragma once
 
+#include <limits>
+
 #include "base/field_list.h"
 #include "scree/distance_joint.h"
 #include "scree/friction_joint.h"
@@ -47,6 +49,21 @@ struct MotorState {
     }
 };
 
+/// A spring that drives a joint coordinate towards a target, bounded by a force or torque.
+struct SpringState {
+    bool enabled = false;
+    float stiffness = 0.0f, damping = 0.0f;
+    float target = 0.0f;
+    float maximum = std::numeric_limits<float>::infinity();
+    float impulse = 0.0f;
+
+    template <typename Self, typename Visit>
+    static void Fields(Self& row, Visit& visit) {
+        auto& [enabled, stiffness, damping, target, maximum, impulse] = row;
+        visit(enabled, stiffness, damping, target, maximum, impulse);
+    }
+};
+
 struct RevoluteRow {
     using Definition = RevoluteJointDef;
     using Handle = RevoluteJoint;
@@ -56,17 +73,19 @@ struct RevoluteRow {
     float referenceAngle;
     LimitState limit;
     MotorState motor;
+    SpringState spring;        ///< of the joint angle
     Vec2 impulse{0.0f, 0.0f};  ///< of the shared point, N·s
 
     template <typename Self, typename Visit>
     static void Fields(Self& row, Visit& visit) {
-        auto& [localAnchorA, localAnchorB, referenceAngle, limit, motor, impulse] = row;
-        visit(localAnchorA, localAnchorB, referenceAngle, impulse, limit, motor);
+        auto& [localAnchorA, localAnchorB, referenceAngle, limit, motor, spring, impulse] = row;
+        visit(localAnchorA, localAnchorB, referenceAngle, impulse, limit, motor, spring);
     }
     template <typename Self, typename Visit>
     static void DefinitionFields(Self& def, Visit& visit) {
         VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.referenceAngle, def.enableLimit,
-                           def.lowerAngle, def.upperAngle, def.enableMotor, def.motorSpeed, def.maxMotorTorque);
+                           def.lowerAngle, def.upperAngle, def.enableMotor, def.motorSpeed, def.maxMotorTorque,
+                           def.enableSpring, def.stiffness, def.damping, def.targetAngle, def.maxSpringTorque);
     }
 };
 
@@ -79,19 +98,21 @@ struct PrismaticRow {
     float referenceAngle;
     LimitState limit;
     MotorState motor;
+    SpringState spring;        ///< of the translation
     Vec2 impulse{0.0f, 0.0f};  ///< across the axis, N·s, and against turning, N·m·s
     Vec2 axis{0.0f, 0.0f};     ///< in world coordinates in the last step
 
     template <typename Self, typename Visit>
     static void Fields(Self& row, Visit& visit) {
-        auto& [localAnchorA, localAnchorB, localAxisA, referenceAngle, limit, motor, impulse, axis] = row;
-        visit(localAnchorA, localAnchorB, localAxisA, referenceAngle, impulse, axis, limit, motor);
+        auto& [localAnchorA, localAnchorB, localAxisA, referenceAngle, limit, motor, spring, impulse, axis] = row;
+        visit(localAnchorA, localAnchorB, localAxisA, referenceAngle, impulse, axis, limit, motor, spring);
     }
     template <typename Self, typename Visit>
     static void DefinitionFields(Self& def, Visit& visit) {
         VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.localAxisA, def.referenceAngle,
                            def.enableLimit, def.lowerTranslation, def.upperTranslation, def.enableMotor,
-                           def.maxMotorForce, def.motorSpeed);
+                           def.maxMotorForce, def.motorSpeed, def.enableSpring, def.stiffness, def.damping,
+                           def.targetTranslation, def.maxSpringForce);
     }
 };
 
@@ -101,7 +122,7 @@ struct WheelRow {
     static constexpr JointType type = e_wheelJoint;
 
     Vec2 localAnchorA, localAnchorB, localAxisA;
-    float stiffness, damping;
+    float stiffness, damping, maxSpringForce;
     LimitState limit;
     MotorState motor;
     float impulse = 0.0f;        ///< across the axis, N·s
@@ -110,15 +131,16 @@ struct WheelRow {
 
     template <typename Self, typename Visit>
     static void Fields(Self& row, Visit& visit) {
-        auto& [localAnchorA, localAnchorB, localAxisA, stiffness, damping, limit, motor, impulse, springImpulse, axis] =
-            row;
-        visit(localAnchorA, localAnchorB, localAxisA, stiffness, damping, impulse, springImpulse, axis, limit, motor);
+        auto& [localAnchorA, localAnchorB, localAxisA, stiffness, damping, maxSpringForce, limit, motor, impulse,
+               springImpulse, axis] = row;
+        visit(localAnchorA, localAnchorB, localAxisA, stiffness, damping, maxSpringForce, impulse, springImpulse, axis,
+              limit, motor);
     }
     template <typename Self, typename Visit>
     static void DefinitionFields(Self& def, Visit& visit) {
         VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.localAxisA, def.enableLimit,
                            def.lowerTranslation, def.upperTranslation, def.enableMotor, def.maxMotorTorque,
-                           def.motorSpeed, def.stiffness, def.damping);
+                           def.motorSpeed, def.stiffness, def.damping, def.maxSpringForce);
     }
 };
 
@@ -128,7 +150,7 @@ struct DistanceRow {
     static constexpr JointType type = e_distanceJoint;
 
     Vec2 localAnchorA, localAnchorB;
-    float length, stiffness, damping;
+    float length, stiffness, damping, maxSpringForce;
     float shortest;         ///< what length and limits are at least: linearSlop times WorldDef::lengthScale, m
     LimitState limit;       ///< of the length; always enabled
     float impulse = 0.0f;   ///< of the spring or rod, N·s
@@ -136,13 +158,14 @@ struct DistanceRow {
 
     template <typename Self, typename Visit>
     static void Fields(Self& row, Visit& visit) {
-        auto& [localAnchorA, localAnchorB, length, stiffness, damping, shortest, limit, impulse, axis] = row;
-        visit(localAnchorA, localAnchorB, length, stiffness, damping, shortest, impulse, axis, limit);
+        auto& [localAnchorA, localAnchorB, length, stiffness, damping, maxSpringForce, shortest, limit, impulse, axis] =
+            row;
+        visit(localAnchorA, localAnchorB, length, stiffness, damping, maxSpringForce, shortest, impulse, axis, limit);
     }
     template <typename Self, typename Visit>
     static void DefinitionFields(Self& def, Visit& visit) {
         VisitOwn<JointDef>(def, visit, def.localAnchorA, def.localAnchorB, def.length, def.minLength, def.maxLength,
-                           def.stiffness, def.damping);
+                           def.stiffness, def.damping, def.maxSpringForce);
     }
 };
 

@@ -24,6 +24,10 @@ void JointTable::Link(int joint, int row, const JointInfo& head, Joint* handle) 
     added.bodyA = head.bodyA;
     added.bodyB = head.bodyB;
     added.userData = head.userData;
+    added.forceThreshold = head.forceThreshold;
+    added.torqueThreshold = head.torqueThreshold;
+    added.breaks = head.breaks;
+    NoteThresholds(joint);
     added.row = row;
     added.listNext = listHead;
     if (listHead >= 0) info[At(listHead)].listPrev = joint;
@@ -39,6 +43,7 @@ void JointTable::Remove(int joint) {
     UnlinkFromBody(joint, 0);
     UnlinkFromBody(joint, 1);
     WithStore(*this, removed.type, [&](auto& store) { store.slots.Free(removed.row); });
+    watched.Erase(joint);
     slots.Free(joint);
 }
 
@@ -71,6 +76,8 @@ bool JointTable::Restore(WorldState* state, int bodyCount) {
             if (body < 0 || At(body) >= m_first.size()) return false;
         }
         if (row.bodyA == row.bodyB) return false;
+        if (!(row.forceThreshold >= 0.0f && row.torqueThreshold >= 0.0f)) return false;
+        NoteThresholds(joint);
     }
     return RestoreHandles(state) && AreListsWhole();
 }
@@ -84,7 +91,9 @@ bool JointTable::RestoreHandles(WorldState* state) {
             const auto prepare = [&](auto& s) {
                 good = good && s.slots.IsConsistent() && s.rows.size() == At(s.slots.Size());
                 rows += static_cast<int64_t>(s.slots.Count());
-                for (int row = 0; good && row < s.slots.Size(); ++row) s.handles.emplace_back(state, -1, row);
+                for (Joint& handle : s.handles) handle.m_index = -1;
+                for (auto row = static_cast<int>(s.handles.size()); good && row < s.slots.Size(); ++row)
+                    s.handles.emplace_back(state, -1, row);
             };
             (prepare(store), ...);
         },
@@ -103,6 +112,14 @@ bool JointTable::RestoreHandles(WorldState* state) {
         if (handles[At(joint)] == nullptr) return false;
     }
     return true;
+}
+
+void JointTable::TakeHandles(WorldState* state, JointTable& old) {
+    const auto take = [&](auto& store) {
+        store.handles.swap(old.Store<typename std::remove_reference_t<decltype(store)>::RowType>().handles);
+    };
+    std::apply([&](auto&... store) { (take(store), ...); }, stores);
+    (void)RestoreHandles(state);  // whose fields agreed before
 }
 
 bool JointTable::AreListsWhole() const {

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/index_set.h"
 #include "base/slots.h"
 #include "scree/body.h"
 #include "state/joint_rows.h"
@@ -32,7 +33,15 @@ struct JointInfo {
     int gearCount = 0;  ///< gears that use this joint
     int listPrev = -1, listNext = -1;
     JointLink link[2];  ///< in the lists of body A and body B
+    float forceThreshold = std::numeric_limits<float>::infinity();
+    float torqueThreshold = std::numeric_limits<float>::infinity();
+    bool breaks = false;  ///< beyond a threshold
     JointUserData userData;
+
+    [[nodiscard]] bool HasThreshold() const {
+        constexpr float none = std::numeric_limits<float>::infinity();
+        return forceThreshold < none || torqueThreshold < none;
+    }
 };
 
 /// Rows and handles of one type. Rows and handles are used again, never given back, so a pointer to a destroyed joint
@@ -91,6 +100,7 @@ struct JointTable {
     /// One table per type.
     OfJointTypes<JointStores> stores;
     int listHead = -1;
+    IndexSet watched;  ///< joints with a threshold
 
     template <typename Row>
     [[nodiscard]] JointStore<Row>& Store() {
@@ -119,6 +129,7 @@ struct JointTable {
         // When memory runs out nothing has changed yet.
         ReserveRows(static_cast<size_t>(rowIndex) + 1, store.rows);
         ReserveRows(static_cast<size_t>(index) + 1, info, handles);
+        watched.Reserve(static_cast<size_t>(index) + 1);
         ReserveRows(static_cast<size_t>(std::max(head.bodyA, head.bodyB)) + 1, m_first, m_count);
         if (static_cast<size_t>(rowIndex) == store.handles.size()) store.handles.emplace_back(state, -1, rowIndex);
 
@@ -143,14 +154,20 @@ struct JointTable {
     /// The lists of the bodies and everything a joint has; the rows of each type are in the stores.
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
-        auto& [slots, info, handles, stores, listHead, first, count] = t;
+        auto& [slots, info, handles, stores, listHead, watched, first, count] = t;
         visit(slots), visit.Rows(slots, info), visit(listHead, first, count);
         std::apply([&](auto&... store) { visit(store...); }, stores);
-        visit.LeftOut(handles);
+        visit.LeftOut(handles, watched);
+    }
+    /// After its thresholds changed.
+    void NoteThresholds(int joint) {
+        info[static_cast<size_t>(joint)].HasThreshold() ? watched.Insert(joint) : watched.Erase(joint);
     }
     /// After the fields were read: makes the handles. False if the fields contradict each other; that bodies exist is
     /// not checked, bodyCount only bounds them.
     [[nodiscard]] bool Restore(WorldState* state, int bodyCount);
+    /// Takes over the handles of a table that this one is to replace: a joint has the handle of its row there.
+    void TakeHandles(WorldState* state, JointTable& old);
     /// Moves what joints keep in world coordinates.
     void ShiftOrigin(Vec2 newOrigin);
     [[nodiscard]] size_t GetMemoryBytes() const;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The shapes of one type at stable addresses. Equal circles and polygons are kept once: worlds repeat few shapes, and
-// one that many fixtures share stays in the first-level cache, where a copy for each would be fetched from memory in
-// every step.
+// The shapes of one type at stable addresses. Equal circles and polygons are kept once, since worlds repeat few shapes.
+// A shape that many fixtures share stays in the first-level cache, where copies would be fetched from memory in every
+// step.
 
 #pragma once
 

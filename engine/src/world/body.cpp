@@ -5,7 +5,6 @@
 
 #include "scree/body.h"
 
-#include <span>
 #include <vector>
 
 #include "world/guard.h"
@@ -318,6 +317,51 @@ bool Body::IsFixedRotation() const {
     return Lives("Body::IsFixedRotation") ? m_state->bodies.Has(m_index, BodyFlag::fixedRotation) : false;
 }
 
+ErrorCode Body::SetMotionLocks(const MotionLocks& locks) {
+    Guard guard(*m_state, "Body::SetMotionLocks");
+    if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
+    if (GetType() == dynamicBody && (locks.x || locks.y)) guard.Uses({Feature::motionLocks});
+    if (GetType() != staticBody && !locks.angle) guard.Uses({Feature::rotation});
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, locks);
+    if (locks == GetMotionLocks()) return ErrorCode::ok;
+    SetFixedRotation(locks.angle);
+    const BodyFeatureEdit edit(*m_state, m_index);
+    SetFlag(m_state->bodies, m_index, BodyFlag::lockX, locks.x);
+    SetFlag(m_state->bodies, m_index, BodyFlag::lockY, locks.y);
+    if (GetType() != dynamicBody) return ErrorCode::ok;
+    Vec2& v = m_state->bodies.velocity[Row(m_index)].v;
+    v = {locks.x ? 0.0f : v.x, locks.y ? 0.0f : v.y};
+    m_state->bodies.Wake(m_index);
+    return ErrorCode::ok;
+}
+MotionLocks Body::GetMotionLocks() const {
+    if (!Lives("Body::GetMotionLocks")) return {};
+    const BodyTable& bodies = m_state->bodies;
+    return {bodies.Has(m_index, BodyFlag::lockX), bodies.Has(m_index, BodyFlag::lockY),
+            bodies.Has(m_index, BodyFlag::fixedRotation)};
+}
+
+ErrorCode Body::SetTargetTransform(Vec2 position, float angle, float timeStep) {
+    Guard guard(*m_state, "Body::SetTargetTransform");
+    guard.Living(m_state->bodies.slots, m_index).Near(position, "position").Near(angle, "angle");
+    guard.Require(timeStep >= shortestStep && std::isfinite(timeStep), ErrorCode::outOfRange, "timeStep",
+                  "give the time of the coming step, in seconds");
+    if (guard.Failed()) return guard.Code();
+    guard.Require(GetType() != staticBody, ErrorCode::outOfRange, "this",
+                  "static bodies do not move: use SetTransform");
+    const Vec2 arm = Mul(Rot(angle), GetLocalCenter());
+    const Vec2 v = (1.0f / timeStep) * ((position - GetWorldCenter() - GetWorldCenterRest()) + arm);
+    const float w = (angle - GetAngle()) / timeStep;
+    guard.Require(IsInRange(v) && IsInRange(w), ErrorCode::outOfRange, "position",
+                  "give less way or more time: the velocity would exceed 1e18");
+    if (w != 0.0f) guard.Uses({Feature::rotation});
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, position, angle, timeStep);
+    SetLinearVelocity(v);
+    return SetAngularVelocity(w);
+}
+
 Fixture* Body::GetFixtureList() {
     if (!Lives("Body::GetFixtureList")) return nullptr;
     const int head = m_state->bodies.fixtureHead[Row(m_index)];
@@ -325,19 +369,17 @@ Fixture* Body::GetFixtureList() {
 }
 const Fixture* Body::GetFixtureList() const { return const_cast<Body*>(this)->GetFixtureList(); }
 int Body::GetContactCount() const {
-    if (!Lives("Body::GetContactCount")) return 0;
-    int count = 0;
-    for (const int c : m_state->contacts.OfBody(m_index)) count += m_state->contacts.IsAlive(c) ? 1 : 0;
-    return count;
+    return Lives("Body::GetContactCount") ? m_state->contacts.CountOfBody(m_index) : 0;
 }
 
-void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) {
+void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) const {
     Guard guard(*m_state, "Body::VisitContacts");
     guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed()) return;
     const WorldLock lock(*m_state);
-    const std::span<const int> rows = m_state->contacts.OfBody(m_index);
-    for (const int c : std::vector<int>(rows.begin(), rows.end())) {  // the visitor may ask for others'
+    std::vector<int> rows;
+    m_state->contacts.ListOfBody(m_index, rows);
+    for (const int c : rows) {
         if (m_state->contacts.IsAlive(c) && !visit(m_state->contacts.Handle(m_state, c))) return;
     }
 }
@@ -351,7 +393,7 @@ int Body::GetJointCount() const {
     return Lives("Body::GetJointCount") ? m_state->bodies.info[Row(m_index)].jointCount : 0;
 }
 
-void Body::VisitJoints(FunctionRef<bool(Joint*)> visit) {
+void Body::VisitJoints(FunctionRef<bool(Joint*)> visit) const {
     Guard guard(*m_state, "Body::VisitJoints");
     guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed() || GetJointCount() == 0) return;

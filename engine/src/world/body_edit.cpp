@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "base/undo.h"
 #include "pipeline/parts/update_boxes.h"
 #include "scree/body.h"
 #include "scree/chain_shape.h"
@@ -21,16 +22,13 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 /// Adds a fixture in front of the body's list; the mass is not updated.
 int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
     const int fixture = s.fixtures.Add(&s, body, def);
-    try {
-        // The default skin is for bodies of the default size; a radius that was chosen stays.
-        const Shape& shape = *s.fixtures.shape[Row(fixture)];
-        if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
-            s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
-        if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
-    } catch (...) {
-        s.fixtures.UndoAdd(fixture);  // memory has run out
-        throw;
-    }
+    Undo undo([&] { s.fixtures.UndoAdd(fixture); });
+    // The default skin is for bodies of the default size; a radius that was chosen stays.
+    const Shape& shape = *s.fixtures.shape[Row(fixture)];
+    if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
+        s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
+    if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
+    undo.Dismiss();
     s.fixtures.next[Row(fixture)] = std::exchange(s.bodies.fixtureHead[Row(body)], fixture);
     ++s.bodies.info[Row(body)].fixtureCount;
     AddFixtureFeatures(s, fixture, 1);
@@ -75,19 +73,18 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
     edgeDef.shape = &edge;
     int first = -1;
     const bool wereStale = s.isEdited;
-    try {
-        for (int i = 0; i < chain.GetChildCount(); ++i) {
-            chain.GetChildEdge(&edge, i);
-            const int fixture = AttachFixture(s, body, edgeDef);
-            s.fixtures.info[Row(fixture)].chainId = id;
-            s.fixtures.info[Row(fixture)].chainIndex = i;
-            if (i == 0) first = fixture;
-        }
-    } catch (...) {
+    Undo undo([&] {
         UndoChain(s, body, id);
         s.isEdited = wereStale;
-        throw;
+    });
+    for (int i = 0; i < chain.GetChildCount(); ++i) {
+        chain.GetChildEdge(&edge, i);
+        const int fixture = AttachFixture(s, body, edgeDef);
+        s.fixtures.info[Row(fixture)].chainId = id;
+        s.fixtures.info[Row(fixture)].chainIndex = i;
+        if (i == 0) first = fixture;
     }
+    undo.Dismiss();
     ++s.fixtures.nextChainId;
     return first;
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "pipeline/parts/mix_materials.h"
 #include "state/frames.h"
 #include "world/guard.h"
 #include "world/world_state.h"
@@ -23,6 +24,12 @@ Guard CheckContact(const WorldState& s, int contact, const char* function) {
     guard.Require(s.contacts.IsAlive(contact), ErrorCode::foreignHandle, "this",
                   "use a contact whose boxes still overlap");
     return guard;
+}
+
+/// What the fixtures' materials make of it.
+ContactMaterial MixedMaterial(const WorldState& s, int contact) {
+    const ContactPair& pair = s.contacts.pair[Row(contact)];
+    return MixMaterials(pair.fixtureA, pair.fixtureB, s.fixtures, s.mixer);
 }
 
 /// Friction or restitution of the contact may differ from its fixtures' now.
@@ -119,8 +126,7 @@ float Contact::GetFriction() const {
 void Contact::ResetFriction() {
     if (CheckContact(*m_state, m_row, "Contact::ResetFriction").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetFriction", m_row);
-    m_state->contacts.material[Row(m_row)].friction =
-        MixFriction(GetFixtureA()->GetFriction(), GetFixtureB()->GetFriction());
+    m_state->contacts.material[Row(m_row)].friction = MixedMaterial(*m_state, m_row).friction;
     NoteEdit(*m_state, m_row);
 }
 
@@ -139,8 +145,7 @@ float Contact::GetRestitution() const {
 void Contact::ResetRestitution() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitution").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetRestitution", m_row);
-    m_state->contacts.material[Row(m_row)].restitution =
-        MixRestitution(GetFixtureA()->GetRestitution(), GetFixtureB()->GetRestitution());
+    m_state->contacts.material[Row(m_row)].restitution = MixedMaterial(*m_state, m_row).restitution;
     NoteEdit(*m_state, m_row);
 }
 
@@ -158,8 +163,7 @@ float Contact::GetRestitutionThreshold() const {
 void Contact::ResetRestitutionThreshold() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitutionThreshold").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetRestitutionThreshold", m_row);
-    m_state->contacts.material[Row(m_row)].restitutionThreshold =
-        MixRestitutionThreshold(GetFixtureA()->GetRestitutionThreshold(), GetFixtureB()->GetRestitutionThreshold());
+    m_state->contacts.material[Row(m_row)].restitutionThreshold = MixedMaterial(*m_state, m_row).restitutionThreshold;
 }
 
 ErrorCode Contact::SetTangentSpeed(float speed) {

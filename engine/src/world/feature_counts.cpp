@@ -33,7 +33,7 @@ bool HasForce(const ForceRow& row) { return row.force.x != 0.0f || row.force.y !
 /// What the fields of a body decide.
 struct BodyFacts {
     BodyType type;
-    bool fixedRotation, autoSleep, bullet;
+    bool fixedRotation, autoSleep, bullet, isLocked;
     float linearDamping, angularDamping, gravityScale;
 };
 Features FeaturesOf(const BodyFacts& body) {
@@ -42,6 +42,7 @@ Features FeaturesOf(const BodyFacts& body) {
     f.Add(Feature::rotation, !body.fixedRotation).Add(Feature::sleeping, body.autoSleep);
     if (body.type == kinematicBody) return f.Add(Feature::kinematicBodies);
     return f.Add(Feature::continuousBullet, body.bullet)
+        .Add(Feature::motionLocks, body.isLocked)
         .Add(Feature::damping, body.linearDamping != 0.0f || body.angularDamping != 0.0f)
         .Add(Feature::gravityScale, body.gravityScale != 1.0f);
 }
@@ -51,18 +52,21 @@ struct FixtureFacts {
     Shape::Type shape;
     BodyType bodyType;
     bool isSensor;
-    float friction, restitution;
+    const Material& material;
     const Filter& filter;
     uint8_t reports;
 };
 Features FeaturesOf(const FixtureFacts& fixture) {
+    const Material& m = fixture.material;
     Features f;
     f.Add(Feature::polygons, fixture.shape == Shape::e_polygon || fixture.shape == Shape::e_convex)
         .Add(Feature::edges, fixture.shape == Shape::e_edge || fixture.shape == Shape::e_chain)
         .Add(Feature::filters, !IsDefault(fixture.filter))
         .Add(Feature::events, fixture.reports != 0)
-        .Add(Feature::friction, fixture.friction != 0.0f)
-        .Add(Feature::restitution, fixture.restitution != 0.0f)
+        .Add(Feature::friction, m.friction != 0.0f || m.frictionRule == MixRule::custom)
+        .Add(Feature::restitution, m.restitution != 0.0f || m.restitutionRule == MixRule::custom)
+        .Add(Feature::tangentSpeed, m.tangentSpeed != 0.0f)
+        .Add(Feature::rollingResistance, m.rollingResistance != 0.0f)
         .Add(Feature::sensors, fixture.isSensor)
         .Add(Feature::continuousStatic, !fixture.isSensor && fixture.bodyType != dynamicBody);
     return f;
@@ -84,15 +88,16 @@ Features UsedOf(const FeatureUsers& users) {
 Features FeaturesOf(const Filter& filter) { return Features{}.Add(Feature::filters, !IsDefault(filter)); }
 
 Features FeaturesOf(const BodyDef& def) {
-    Features f = FeaturesOf(BodyFacts{def.type, def.fixedRotation, def.allowSleep, def.bullet, def.linearDamping,
-                                      def.angularDamping, def.gravityScale});
+    Features f =
+        FeaturesOf(BodyFacts{def.type, def.fixedRotation || def.locks.angle, def.allowSleep, def.bullet,
+                             def.locks.x || def.locks.y, def.linearDamping, def.angularDamping, def.gravityScale});
     if (def.type == staticBody) return f;
     return f.Add(Feature::rotation, def.angularVelocity != 0.0f);
 }
 
 Features FeaturesOf(const FixtureDef& def, BodyType bodyType) {
-    return FeaturesOf(FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, def.friction, def.restitution,
-                                   def.filter, def.reports});
+    return FeaturesOf(
+        FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, MaterialOf(def), def.filter, def.reports});
 }
 
 Features FeaturesOfBody(const BodyTable& bodies, int body) {
@@ -100,22 +105,21 @@ Features FeaturesOfBody(const BodyTable& bodies, int body) {
     const MotionRow& motion = bodies.motion[b];
     return FeaturesOf(BodyFacts{bodies.type[b], bodies.Has(body, BodyFlag::fixedRotation),
                                 bodies.Has(body, BodyFlag::autoSleep), bodies.Has(body, BodyFlag::bullet),
-                                motion.linearDamping, motion.angularDamping, motion.gravityScale});
+                                bodies.Has(body, BodyFlag::lockX | BodyFlag::lockY), motion.linearDamping,
+                                motion.angularDamping, motion.gravityScale});
 }
 
 Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, int fixture) {
     const size_t f = Row(fixture);
-    const Material& material = fixtures.material[f];
     return FeaturesOf(FixtureFacts{fixtures.type[f], bodies.type[Row(fixtures.body[f])], fixtures.isSensor[f] != 0,
-                                   material.friction, material.restitution, fixtures.filter[f],
-                                   fixtures.info[f].reports});
+                                   fixtures.material[f], fixtures.filter[f], fixtures.info[f].reports});
 }
 
 Features FeaturesOfJoint(const JointTable& joints, int joint) {
     const JointInfo& info = joints.info[Row(joint)];
     Features f;
     JointTable::WithStore(joints, info.type, [&](const auto& store) { f = FeaturesOfRow(store.rows[Row(info.row)]); });
-    return f;
+    return f.Add(Feature::events, info.HasThreshold());
 }
 
 Features FeaturesOfContact(const ContactTable& contacts, int contact) {
@@ -266,6 +270,8 @@ std::string GetName(const KernelSet& kernels) {
     add(kernels.friction, "friction");
     add(kernels.restitution, "restitution");
     add(kernels.continuous, "continuous");
+    add(kernels.rolling, "rolling");
+    add(kernels.locks, "locks");
     return text.empty() ? "none" : text;
 }
 

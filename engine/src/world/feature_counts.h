@@ -39,6 +39,7 @@ template <typename Row>
 Features FeaturesOfRow(const Row& row) {
     Features f{Feature::joints};
     if constexpr (requires { row.stiffness; }) f.Add(Feature::springs, row.stiffness > 0.0f);
+    if constexpr (requires { row.spring; }) f.Add(Feature::springs, row.spring.enabled && row.spring.stiffness > 0.0f);
     if constexpr (requires { row.motor; }) f.Add(Feature::motors, row.motor.enabled);
     if constexpr (Row::type == e_motorJoint) f.Add(Feature::motors);
     if constexpr (Row::type == e_distanceJoint) {

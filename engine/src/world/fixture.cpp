@@ -6,7 +6,9 @@
 #include "scree/fixture.h"
 
 #include <utility>
+#include <vector>
 
+#include "pipeline/parts/mix_materials.h"
 #include "state/frames.h"
 #include "world/guard.h"
 #include "world/refresh.h"
@@ -26,6 +28,68 @@ Features FeaturesAs(WorldState& s, int fixture, bool sensor) {
     own = before;
     return f;
 }
+
+/// Brackets a change of a fixture's material: its contacts take over what they have by mixing, and bodies that feel a
+/// change there wake.
+class MaterialEdit {
+public:
+    MaterialEdit(WorldState& state, int fixture, bool newContactsOnly)
+        : m_state(state), m_fixture(fixture), m_rolling(Own().rollingResistance), m_features(state, fixture) {
+        if (newContactsOnly) return;
+        std::vector<int> contacts;
+        m_state.contacts.ListOfBody(m_state.fixtures.body[Row(fixture)], contacts);
+        for (const int contact : contacts) {
+            if (m_state.contacts.IsAlive(contact) && HasFixture(contact)) m_before.push_back({contact, Mixed(contact)});
+        }
+    }
+    ~MaterialEdit() {
+        for (const auto& [contact, before] : m_before) {
+            const bool changed = TakeOver(before, Mixed(contact), m_state.contacts.material[Row(contact)]);
+            if (!changed && Own().rollingResistance == m_rolling) continue;
+            m_state.featureCounts.contactsEdited = true;
+            NeedKernels(m_state, FeaturesOfContact(m_state.contacts, contact));
+            if (!m_state.contacts.Has(contact, ContactFlag::touching)) continue;
+            const ContactPair& pair = m_state.contacts.pair[Row(contact)];
+            m_state.bodies.Wake(pair.bodyA), m_state.bodies.Wake(pair.bodyB);
+        }
+    }
+    MaterialEdit(const MaterialEdit&) = delete;
+    MaterialEdit& operator=(const MaterialEdit&) = delete;
+
+private:
+    struct Before {
+        int contact;
+        ContactMaterial mixed;
+    };
+
+    [[nodiscard]] const Material& Own() const { return m_state.fixtures.material[Row(m_fixture)]; }
+    [[nodiscard]] bool HasFixture(int contact) const {
+        const ContactPair& pair = m_state.contacts.pair[Row(contact)];
+        return static_cast<int>(pair.fixtureA) == m_fixture || static_cast<int>(pair.fixtureB) == m_fixture;
+    }
+    [[nodiscard]] ContactMaterial Mixed(int contact) const {
+        const ContactPair& pair = m_state.contacts.pair[Row(contact)];
+        return MixMaterials(pair.fixtureA, pair.fixtureB, m_state.fixtures, m_state.mixer);
+    }
+    /// A number that is not what mixing gave was given to the contact itself. Returns whether one has changed.
+    static bool TakeOver(const ContactMaterial& before, const ContactMaterial& now, ContactMaterial& material) {
+        bool changed = false;
+        for (float ContactMaterial::*const number :
+             {&ContactMaterial::friction, &ContactMaterial::restitution, &ContactMaterial::restitutionThreshold,
+              &ContactMaterial::tangentSpeed}) {
+            if (material.*number != before.*number || now.*number == before.*number) continue;
+            material.*number = now.*number;
+            changed = true;
+        }
+        return changed;
+    }
+
+    WorldState& m_state;
+    int m_fixture;
+    float m_rolling;
+    std::vector<Before> m_before;
+    FixtureFeatureEdit m_features;
+};
 
 }  // namespace
 
@@ -166,13 +230,13 @@ float Fixture::GetDensity() const {
     return Lives("Fixture::GetDensity") ? m_state->fixtures.info[Row(m_index)].density : 0.0f;
 }
 
-ErrorCode Fixture::SetFriction(float friction) {
+ErrorCode Fixture::SetFriction(float friction, bool newContactsOnly) {
     Guard guard(*m_state, "Fixture::SetFriction");
     guard.Living(m_state->fixtures.slots, m_index).Amount(friction, "friction");
     if (friction != 0.0f) guard.Uses({Feature::friction});
     if (guard.Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, friction);
-    const FixtureFeatureEdit edit(*m_state, m_index);
+    const Recording recording = guard.Record(m_index, friction, newContactsOnly);
+    const MaterialEdit edit(*m_state, m_index, newContactsOnly);
     m_state->fixtures.material[Row(m_index)].friction = friction;
     return ErrorCode::ok;
 }
@@ -180,13 +244,13 @@ float Fixture::GetFriction() const {
     return Lives("Fixture::GetFriction") ? m_state->fixtures.material[Row(m_index)].friction : 0.0f;
 }
 
-ErrorCode Fixture::SetRestitution(float restitution) {
+ErrorCode Fixture::SetRestitution(float restitution, bool newContactsOnly) {
     Guard guard(*m_state, "Fixture::SetRestitution");
     guard.Living(m_state->fixtures.slots, m_index).Finite(restitution, "restitution");
     if (restitution != 0.0f) guard.Uses({Feature::restitution});
     if (guard.Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, restitution);
-    const FixtureFeatureEdit edit(*m_state, m_index);
+    const Recording recording = guard.Record(m_index, restitution, newContactsOnly);
+    const MaterialEdit edit(*m_state, m_index, newContactsOnly);
     m_state->fixtures.material[Row(m_index)].restitution = restitution;
     return ErrorCode::ok;
 }
@@ -194,17 +258,80 @@ float Fixture::GetRestitution() const {
     return Lives("Fixture::GetRestitution") ? m_state->fixtures.material[Row(m_index)].restitution : 0.0f;
 }
 
-ErrorCode Fixture::SetRestitutionThreshold(float threshold) {
+ErrorCode Fixture::SetRestitutionThreshold(float threshold, bool newContactsOnly) {
     Guard guard(*m_state, "Fixture::SetRestitutionThreshold");
     guard.Living(m_state->fixtures.slots, m_index).Amount(threshold, "threshold");
     if (guard.Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, threshold);
+    const Recording recording = guard.Record(m_index, threshold, newContactsOnly);
+    const MaterialEdit edit(*m_state, m_index, newContactsOnly);
     m_state->fixtures.material[Row(m_index)].restitutionThreshold = threshold;
     return ErrorCode::ok;
 }
 float Fixture::GetRestitutionThreshold() const {
     return Lives("Fixture::GetRestitutionThreshold") ? m_state->fixtures.material[Row(m_index)].restitutionThreshold
                                                      : 0.0f;
+}
+
+ErrorCode Fixture::SetTangentSpeed(float speed) {
+    Guard guard(*m_state, "Fixture::SetTangentSpeed");
+    guard.Living(m_state->fixtures.slots, m_index).Near(speed, "speed");
+    if (speed != 0.0f) guard.Uses({Feature::tangentSpeed});
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, speed);
+    const MaterialEdit edit(*m_state, m_index, false);
+    m_state->fixtures.material[Row(m_index)].tangentSpeed = speed;
+    return ErrorCode::ok;
+}
+float Fixture::GetTangentSpeed() const {
+    return Lives("Fixture::GetTangentSpeed") ? m_state->fixtures.material[Row(m_index)].tangentSpeed : 0.0f;
+}
+
+ErrorCode Fixture::SetRollingResistance(float resistance) {
+    Guard guard(*m_state, "Fixture::SetRollingResistance");
+    guard.Living(m_state->fixtures.slots, m_index).Amount(resistance, "resistance");
+    if (resistance != 0.0f) guard.Uses({Feature::rollingResistance});
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, resistance);
+    const MaterialEdit edit(*m_state, m_index, false);
+    m_state->fixtures.material[Row(m_index)].rollingResistance = resistance;
+    return ErrorCode::ok;
+}
+float Fixture::GetRollingResistance() const {
+    return Lives("Fixture::GetRollingResistance") ? m_state->fixtures.material[Row(m_index)].rollingResistance : 0.0f;
+}
+
+ErrorCode Fixture::SetMixRules(MixRule friction, MixRule restitution) {
+    Guard guard(*m_state, "Fixture::SetMixRules");
+    guard.Living(m_state->fixtures.slots, m_index);
+    if (guard.Accept(CheckRule(friction, "friction")).Accept(CheckRule(restitution, "restitution")).Failed())
+        return guard.Code();
+    if (friction == MixRule::custom) guard.Uses({Feature::friction});
+    if (restitution == MixRule::custom) guard.Uses({Feature::restitution});
+    if (guard.Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, friction, restitution);
+    const MaterialEdit edit(*m_state, m_index, false);
+    Material& material = m_state->fixtures.material[Row(m_index)];
+    material.frictionRule = friction;
+    material.restitutionRule = restitution;
+    return ErrorCode::ok;
+}
+MixRule Fixture::GetFrictionRule() const {
+    return Lives("Fixture::GetFrictionRule") ? m_state->fixtures.material[Row(m_index)].frictionRule : MixRule{};
+}
+MixRule Fixture::GetRestitutionRule() const {
+    return Lives("Fixture::GetRestitutionRule") ? m_state->fixtures.material[Row(m_index)].restitutionRule : MixRule{};
+}
+
+ErrorCode Fixture::SetMaterialId(uint64_t id) {
+    Guard guard(*m_state, "Fixture::SetMaterialId");
+    if (guard.Living(m_state->fixtures.slots, m_index).Failed()) return guard.Code();
+    const Recording recording = guard.Record(m_index, id);
+    const MaterialEdit edit(*m_state, m_index, false);
+    m_state->fixtures.info[Row(m_index)].materialId = id;
+    return ErrorCode::ok;
+}
+uint64_t Fixture::GetMaterialId() const {
+    return Lives("Fixture::GetMaterialId") ? m_state->fixtures.info[Row(m_index)].materialId : 0;
 }
 
 ErrorCode Fixture::SetReports(uint8_t reports) {

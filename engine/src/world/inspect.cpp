@@ -15,7 +15,7 @@ bool IsStaticTreeSeparate(const World& world) { return world.GetState().broadPha
 const WorldDef& GetDefinition(const World& world) { return world.GetState().def; }
 BroadPhaseKind GetBroadPhase(const World& world) { return world.GetState().broadPhaseKind; }
 uint64_t GetBoxTests(const World& world) { return world.GetState().broadPhase->GetStats().boxTests; }
-int GetListedCount(const World& world) { return static_cast<int>(world.GetState().bodies.Listed().size()); }
+int GetListedCount(const World& world) { return world.GetState().bodies.listedRows.Count(); }
 int GetActiveContactCount(const World& world) { return world.GetState().contacts.active.Count(); }
 const TOIStats& GetDistanceWork(const World& world) { return world.GetState().distanceWork; }
 

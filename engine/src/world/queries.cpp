@@ -18,7 +18,9 @@ namespace {
 
 bool Sees(const QueryFilter& filter, const FixtureTable& fixtures, uint32_t fixture) {
     if (!filter.includeSensors && fixtures.isSensor[fixture] != 0) return false;
-    return filter.maskBits == 0xFFFF || (filter.maskBits & fixtures.filter[fixture].categoryBits) != 0;
+    if (filter.ignored != nullptr && filter.ignored->GetIndex() == fixtures.body[fixture]) return false;
+    if (filter.maskBits != ~uint64_t{0} && (filter.maskBits & fixtures.filter[fixture].categoryBits) == 0) return false;
+    return filter.accepts == nullptr || filter.accepts(&fixtures.handles[fixture], filter.context);
 }
 
 /// Programs may change a fixture that a const query gave them.

@@ -47,8 +47,8 @@ void Recording::Write(ImageWriter& out, const FixtureDef& def) {
 }
 
 void Recording::Write(ImageWriter& out, const JointDef& def) {
-    const auto& [type, userData, bodyA, bodyB, collideConnected] = def;
-    out(type, userData, collideConnected, IndexOf(bodyA), IndexOf(bodyB));
+    const auto& [type, userData, bodyA, bodyB, collideConnected, forceThreshold, torqueThreshold, breaks] = def;
+    out(type, userData, collideConnected, forceThreshold, torqueThreshold, breaks, IndexOf(bodyA), IndexOf(bodyB));
     const auto write = [&]<typename Store>(std::type_identity<Store>) {
         if (Store::RowType::type != def.type) return;
         Store::RowType::DefinitionFields(static_cast<const typename Store::RowType::Definition&>(def), out);

@@ -24,7 +24,7 @@ constexpr uint32_t CallNumber(std::string_view name) {
 }
 
 /// In front of every recording: letters and, in the highest byte, the version of the format.
-inline constexpr uint64_t recordingMagic = 0x0263657265726373ull;
+inline constexpr uint64_t recordingMagic = 0x0363657265726373ull;
 
 /// Follows every Step in a recording.
 inline constexpr uint32_t hashRecord = CallNumber("state hash");
@@ -34,19 +34,26 @@ inline uint32_t EntryChecksum(uint32_t call, std::span<const std::byte> argument
     return call ^ static_cast<uint32_t>(ChecksumOf(arguments) >> 32);
 }
 
+template <Is<MotionLocks> Self, typename Visit>
+void Fields(Self& locks, Visit& visit) {
+    auto& [x, y, angle] = locks;
+    visit(x, y, angle);
+}
 template <Is<BodyDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
     auto& [type, position, positionRest, angle, linearVelocity, angularVelocity, linearDamping, angularDamping,
-           allowSleep, awake, fixedRotation, bullet, enabled, userData, gravityScale] = def;
+           allowSleep, awake, fixedRotation, bullet, enabled, userData, gravityScale, locks] = def;
     visit(type, position, angle, linearVelocity, angularVelocity, linearDamping, angularDamping, allowSleep, awake);
-    visit(fixedRotation, bullet, enabled, userData, gravityScale, positionRest);
+    visit(fixedRotation, bullet, enabled, userData, gravityScale, positionRest, locks);
 }
 /// The shape is written behind it.
 template <Is<FixtureDef> Self, typename Visit>
 void Fields(Self& def, Visit& visit) {
-    auto& [shape, userData, friction, restitution, restitutionThreshold, density, isSensor, filter, reports] = def;
-    visit(userData, friction, restitution, restitutionThreshold, density, isSensor, filter, reports),
-        visit.LeftOut(shape);
+    auto& [shape, userData, friction, restitution, restitutionThreshold, density, isSensor, filter, reports,
+           tangentSpeed, rollingResistance, frictionRule, restitutionRule, materialId] = def;
+    visit(userData, friction, restitution, restitutionThreshold, density, isSensor, filter, reports, tangentSpeed,
+          rollingResistance, frictionRule, restitutionRule, materialId);
+    visit.LeftOut(shape);
 }
 template <Is<Tolerance> Self, typename Visit>
 void Fields(Self& tolerance, Visit& visit) {

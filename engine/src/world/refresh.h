@@ -5,9 +5,18 @@
 
 #pragma once
 
+#include "world/guard.h"
 #include "world/world_state.h"
 
 namespace scree {
+
+/// Tells the destruction listener of an object that goes because another does.
+template <typename Object>
+void SayGoodbye(WorldState& state, Object* object) {
+    if (state.destructionListener == nullptr) return;
+    const WorldLock lock(state);
+    state.destructionListener->SayGoodbye(object);
+}
 
 /// What continuous collision knows about static fixtures near the body is forgotten; of all bodies if it is static.
 void ForgetGeometry(WorldState& state, int body);

@@ -126,7 +126,9 @@ bool CallCreateJoint(World& world, ImageReader& in) {
     JointType type = e_unknownJoint;
     JointUserData userData;
     bool collideConnected = false;
-    in(type, userData, collideConnected);
+    float forceThreshold = 0.0f, torqueThreshold = 0.0f;
+    bool breaks = false;
+    in(type, userData, collideConnected, forceThreshold, torqueThreshold, breaks);
     Body* bodyA = ReadObject<Body>(world, in);
     Body* bodyB = ReadObject<Body>(world, in);
     if (in.Failed()) return false;
@@ -138,6 +140,9 @@ bool CallCreateJoint(World& world, ImageReader& in) {
         def.collideConnected = collideConnected;
         def.bodyA = bodyA;
         def.bodyB = bodyB;
+        def.forceThreshold = forceThreshold;
+        def.torqueThreshold = torqueThreshold;
+        def.breaks = breaks;
         Row::DefinitionFields(def, in);
         if constexpr (std::is_same_v<decltype(def), GearJointDef>) {
             def.joint1 = ReadObject<Joint>(world, in);
@@ -184,6 +189,7 @@ constexpr Row calls[] = {
     {"Body::SetMassData", CallSetMassData},
     SCREE_CALL(Body::ResetMassData),
     SCREE_CALL(Body::SetTransform),
+    SCREE_CALL(Body::SetTargetTransform),
     SCREE_CALL(Body::SetLinearVelocity),
     SCREE_CALL(Body::SetAngularVelocity),
     SCREE_CALL(Body::ApplyForce),
@@ -201,6 +207,7 @@ constexpr Row calls[] = {
     SCREE_CALL(Body::SetAwake),
     SCREE_CALL(Body::SetEnabled),
     SCREE_CALL(Body::SetFixedRotation),
+    SCREE_CALL(Body::SetMotionLocks),
     {"Fixture::SetShape", CallSetShape},
     SCREE_CALL(Fixture::SetSensor),
     SCREE_CALL(Fixture::SetFilterData),
@@ -209,6 +216,10 @@ constexpr Row calls[] = {
     SCREE_CALL(Fixture::SetFriction),
     SCREE_CALL(Fixture::SetRestitution),
     SCREE_CALL(Fixture::SetRestitutionThreshold),
+    SCREE_CALL(Fixture::SetTangentSpeed),
+    SCREE_CALL(Fixture::SetRollingResistance),
+    SCREE_CALL(Fixture::SetMixRules),
+    SCREE_CALL(Fixture::SetMaterialId),
     SCREE_CALL(Fixture::SetReports),
     SCREE_CALL(Contact::SetEnabled),
     SCREE_CALL(Contact::SetFriction),
@@ -219,6 +230,17 @@ constexpr Row calls[] = {
     SCREE_CALL(Contact::ResetRestitutionThreshold),
     SCREE_CALL(Contact::SetTangentSpeed),
     SCREE_CALL(Joint::ShiftOrigin),
+    SCREE_CALL(Joint::SetThresholds),
+    SCREE_CALL(RevoluteJoint::EnableSpring),
+    SCREE_CALL(RevoluteJoint::SetSpring),
+    SCREE_CALL(RevoluteJoint::SetTargetAngle),
+    SCREE_CALL(RevoluteJoint::SetMaxSpringTorque),
+    SCREE_CALL(PrismaticJoint::EnableSpring),
+    SCREE_CALL(PrismaticJoint::SetSpring),
+    SCREE_CALL(PrismaticJoint::SetTargetTranslation),
+    SCREE_CALL(PrismaticJoint::SetMaxSpringForce),
+    SCREE_CALL(WheelJoint::SetMaxSpringForce),
+    SCREE_CALL(DistanceJoint::SetMaxSpringForce),
     SCREE_CALL(RevoluteJoint::EnableLimit),
     SCREE_CALL(RevoluteJoint::SetLimits),
     SCREE_CALL(RevoluteJoint::EnableMotor),

@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
+#include <utility>
 
 #include "geometry/collide.h"
 #include "world/guard.h"
@@ -137,6 +139,53 @@ std::unique_ptr<World> MakeWorld(std::span<const std::byte> content) {
     return Read(world->GetState(), in) ? std::move(world) : nullptr;
 }
 
+/// Rows of `fresh` get the handles that `kept` has for them.
+template <typename Handle>
+void TakeHandles(std::deque<Handle>& fresh, std::deque<Handle>& kept, int rows, WorldState& s) {
+    fresh.swap(kept);
+    while (static_cast<int>(fresh.size()) < rows) fresh.emplace_back(&s, static_cast<int>(fresh.size()));
+}
+
+/// The definition of an image without what it leaves out.
+WorldDef WithOwnSettings(const WorldDef& own, WorldDef def) {
+    def.workerCount = own.workerCount;
+    def.tasks = own.tasks;
+    def.featureMode = own.featureMode;
+    def.features = own.features;
+    return def;
+}
+
+/// Moves the state of a world into another one, which goes on as that world.
+void MoveState(WorldState& from, WorldState& s) {
+    s.def = WithOwnSettings(s.def, from.def);
+    TakeHandles(from.bodies.handles, s.bodies.handles, from.bodies.slots.Size(), s);
+    TakeHandles(from.fixtures.handles, s.fixtures.handles, from.fixtures.slots.Size(), s);
+    from.contacts.TakeHandles(s.contacts);
+    from.joints.TakeHandles(&s, s.joints);
+    s.bodies = std::move(from.bodies);
+    s.fixtures = std::move(from.fixtures);
+    s.contacts = std::move(from.contacts);
+    s.joints = std::move(from.joints);
+    s.broadPhase = std::move(from.broadPhase);
+    s.broadPhaseKind = from.broadPhaseKind;
+    s.broadPhase->ShareWork(*s.pool);
+    s.pairs = std::move(from.pairs);
+    s.edited = std::move(from.edited);
+    s.isEdited = from.isEdited;
+    s.islands = {};
+    s.active = {};
+    s.substepGroups = {};
+    s.solverScratch.Trim();
+    s.solverScratch.anglesHaveRests = true;
+    NearStatics& near = from.continuousScratch.nearStatics;
+    near = s.continuousScratch.nearStatics;  // remembers whether it may be used
+    near.Trim();
+    s.continuousScratch = std::move(from.continuousScratch);
+    s.featureCounts = from.featureCounts;
+    s.autoClearForces = from.autoClearForces;
+    s.lastInverseDt = from.lastInverseDt;
+}
+
 }  // namespace
 
 std::vector<std::byte> SaveWorld(const World& world) {
@@ -162,6 +211,29 @@ std::unique_ptr<World> LoadWorld(std::span<const std::byte> image, SnapshotError
     if (found == SnapshotError::ok && world == nullptr) found = SnapshotError::badContent;
     if (error != nullptr) *error = found;
     return world;
+}
+
+SnapshotError RestoreWorld(World& world, std::span<const std::byte> image) {
+    WorldState& s = world.GetState();
+    if (s.IsLocked() || s.recorder != nullptr) {
+        s.Refuse(ErrorCode::locked, "RestoreWorld", "world", "restore outside of Step, callbacks and recordings");
+        return SnapshotError::refused;
+    }
+    SnapshotError found = SnapshotError::ok;
+    const std::unique_ptr<World> saved = LoadWorld(image, &found);
+    if (saved == nullptr) return found;
+    WorldState& from = saved->GetState();
+    if (const Finding bad = Check(WithOwnSettings(s.def, from.def))) {
+        s.Refuse(bad.code, "RestoreWorld", bad.field, bad.cure);
+        return SnapshotError::refused;
+    }
+    const Features missing = UsedOf(CountFeatureUsers(from)) - AllowedFeatures(s.def);
+    if (!missing.IsEmpty()) {
+        s.Refuse(ErrorCode::missingFeature, "RestoreWorld", GetName(missing.First()), "add it by World::SetFeatures");
+        return SnapshotError::refused;
+    }
+    MoveState(from, s);
+    return SnapshotError::ok;
 }
 
 }  // namespace scree

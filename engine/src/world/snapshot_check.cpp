@@ -90,6 +90,8 @@ bool AreFixturesConsistent(const FixtureTable& t, const BodyTable& bodies) {
             if (!t.slots.IsAlive(f) || t.body[Row(f)] != body || ++count > t.slots.Count()) return false;
             if (t.info[Row(f)].inBroadPhase != bodies.Has(body, BodyFlag::enabled)) return false;
             if ((t.info[Row(f)].reports & ~Report::all) != 0) return false;
+            const Material& material = t.material[Row(f)];
+            if (material.frictionRule > MixRule::custom || material.restitutionRule > MixRule::custom) return false;
         }
         if (count != bodies.info[Row(body)].fixtureCount) return false;
         listed += count;

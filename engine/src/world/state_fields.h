@@ -44,7 +44,9 @@ template <typename Self, typename Visit>
 requires Is<Self, BodyUserData> || Is<Self, FixtureUserData> || Is<Self, JointUserData>
 void Fields(Self& data, Visit& visit) {
     auto& [pointer] = data;
-    visit(pointer);
+    uint64_t number = pointer;  // as wide on every machine
+    visit(number);
+    if constexpr (!std::is_const_v<Self>) pointer = static_cast<uintptr_t>(number);
 }
 
 template <Is<SoftStepDef> Self, typename Visit>
@@ -113,13 +115,14 @@ void Fields(Self& filter, Visit& visit) {
 }
 template <Is<Material> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    auto& [friction, restitution, restitutionThreshold] = row;
-    visit(friction, restitution, restitutionThreshold);
+    auto& [friction, restitution, restitutionThreshold, tangentSpeed, rollingResistance, frictionRule,
+           restitutionRule] = row;
+    visit(friction, restitution, restitutionThreshold, tangentSpeed, rollingResistance, frictionRule, restitutionRule);
 }
 template <Is<FixtureInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    auto& [density, chainId, chainIndex, inBroadPhase, reports, userData] = info;
-    visit(density, chainId, chainIndex, inBroadPhase), visit.Stored(reports, userData);
+    auto& [density, chainId, chainIndex, inBroadPhase, reports, materialId, userData] = info;
+    visit(density, chainId, chainIndex, inBroadPhase), visit.Stored(reports, materialId, userData);
 }
 
 /// The type stands in the table of fixtures.
@@ -237,19 +240,21 @@ void Fields(Self& link, Visit& visit) {
 }
 template <Is<JointInfo> Self, typename Visit>
 void Fields(Self& info, Visit& visit) {
-    auto& [type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link, userData] = info;
-    visit(type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link), visit.Stored(userData);
+    auto& [type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link, forceThreshold,
+           torqueThreshold, breaks, userData] = info;
+    visit(type, collideConnected, bodyA, bodyB, row, gearCount, listPrev, listNext, link);
+    visit(forceThreshold, torqueThreshold, breaks), visit.Stored(userData);
 }
 
 /// Of a sub-stepped step that is not over yet: the part that each body has behind it.
 template <Is<ToiScratch> Self, typename Visit>
 void Fields(Self& scratch, Visit& visit) {
-    auto& [pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver, times,
-           knownTo, round, nearStatics, events, resuming, audit] = scratch;
+    auto& [pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, hitters, isPassedOver,
+           times, knownTo, round, nearStatics, events, resuming, audit] = scratch;
     visit(resuming);
     if (resuming) visit(alpha);
-    visit.LeftOut(pairs, firstPair, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver, times,
-                  knownTo, round);
+    visit.LeftOut(pairs, firstPair, touched, found, lookers, candidates, screened, sweptBoxes, hitters, isPassedOver,
+                  times, knownTo, round);
     visit.LeftOut(nearStatics, events, audit);
 }
 /// The settings and counters of a world beside its tables.
@@ -257,15 +262,15 @@ template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
     auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, editedPairs,
            isEdited, edited, islands, active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch,
-           continuousScratch, log, destructionListener, listener, heard, filter, errorHandler, errorContext, draw,
-           recorder, featureCounts, kernels, locks, autoClearForces, lastInverseDt, report, distanceWork, measureErrors,
-           isolatedPath] = s;
+           continuousScratch, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
+           draw, recorder, featureCounts, kernels, locks, autoClearForces, lastInverseDt, report, distanceWork,
+           measureErrors, isolatedPath] = s;
     visit(isEdited, autoClearForces, lastInverseDt);
     std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
     visit(toi);
     visit.LeftOut(def, bodies, fixtures, contacts, joints);  // walked by themselves
-    visit.LeftOut(world, pool, log, destructionListener, listener, heard, filter, errorHandler, errorContext, draw,
-                  recorder);
+    visit.LeftOut(world, pool, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
+                  draw, recorder);
     // Made anew from the rest, of the last step only, or without a bearing on results.
     visit.LeftOut(broadPhase, broadPhaseKind, pairs, editedPairs, edited, islands, active, substepGroups,
                   narrowPhaseScratch, islandScratch, solverScratch, featureCounts, kernels, locks, report, distanceWork,

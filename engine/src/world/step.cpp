@@ -6,9 +6,11 @@
 #include "world/step.h"
 
 #include "base/clock.h"
+#include "base/float_mode.h"
 #include "pipeline/parts/rouse.h"
 #include "state/limits.h"
 #include "world/guard.h"
+#include "world/joints/joint_definitions.h"
 
 namespace scree {
 
@@ -41,6 +43,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
+    BreakStrainedJoints(s);
 }
 
 }  // namespace
@@ -48,6 +51,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
 StepReport RunStep(WorldState& s, const StepRequest& request) {
     Stopwatch total, watch;
     StepResults r{.solved = {.substeps = request.substeps}};
+    const StandardFloats floats;
     const WorldLock lock(s);
     const ContactEvents events = s.Events(request.substeps == 0);  // Box2D's rule for Box2D's solver
     s.distanceWork = {};

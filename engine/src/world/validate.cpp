@@ -126,6 +126,10 @@ Finding Check(const BodyDef& def) {
                  CheckFinite(std::isfinite(def.gravityScale), "BodyDef::gravityScale"));
 }
 
+Finding CheckRule(MixRule rule, const char* field) {
+    return rule <= MixRule::custom ? Finding{} : Finding{ErrorCode::outOfRange, field, "give one of MixRule"};
+}
+
 Finding CheckReports(uint8_t reports, const char* field) {
     if ((reports & ~Report::all) == 0) return {};
     return {ErrorCode::outOfRange, field, "use bits of Report"};
@@ -137,6 +141,10 @@ Finding Check(const FixtureDef& def) {
     return First(CheckAmount(def.friction, "FixtureDef::friction"),
                  CheckFinite(std::isfinite(def.restitution), "FixtureDef::restitution"),
                  CheckAmount(def.restitutionThreshold, "FixtureDef::restitutionThreshold"),
+                 CheckNear(def.tangentSpeed, "FixtureDef::tangentSpeed"),
+                 CheckAmount(def.rollingResistance, "FixtureDef::rollingResistance"),
+                 CheckRule(def.frictionRule, "FixtureDef::frictionRule"),
+                 CheckRule(def.restitutionRule, "FixtureDef::restitutionRule"),
                  CheckAmount(def.density, "FixtureDef::density"), CheckReports(def.reports, "FixtureDef::reports"),
                  CheckMass(*def.shape, def.density, "FixtureDef::density"));
 }

@@ -24,6 +24,8 @@ Finding Check(const Shape& shape);
 Finding Check(const ChainShape& chain);
 /// The mass that a density gives to a shape is 0 or one to calculate with.
 Finding CheckMass(const Shape& shape, float density, const char* field);
+/// One of MixRule.
+Finding CheckRule(MixRule rule, const char* field);
 /// Bits of Report and no others.
 Finding CheckReports(uint8_t reports, const char* field);
 

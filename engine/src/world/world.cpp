@@ -6,9 +6,11 @@
 #include "scree/world.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
+#include "base/compiler.h"
 #include "pipeline/measure_errors.h"
 #include "world/guard.h"
 #include "world/joints/joint_definitions.h"
@@ -20,13 +22,6 @@ namespace {
 
 void WriteError(const Error& error, void*) {
     std::fprintf(stderr, "scree: %s: %s: %s; %s\n", error.function, error.field, GetName(error.code), error.cure);
-}
-
-template <typename Object>
-void SayGoodbye(WorldState& s, Object* object) {
-    if (s.destructionListener == nullptr) return;
-    const WorldLock lock(s);
-    s.destructionListener->SayGoodbye(object);
 }
 
 /// Which of these features bodies and fixtures would use, were all settings on.
@@ -57,7 +52,11 @@ World::World(const WorldDef& def) : m_state(std::make_unique<WorldState>()) {
     s.world = this;
     if (const Finding bad = Check(def)) {
         s.Refuse(bad.code, "World::World", bad.field, bad.cure);
+#if defined(SCREE_HAS_EXCEPTIONS)
         throw std::invalid_argument(std::string("scree: World::World: ") + bad.field + ": " + bad.cure);
+#else
+        std::abort();
+#endif
     }
     s.def = def;
     s.broadPhaseKind = s.def.broadPhase == BroadPhaseKind::automatic ? BroadPhaseKind::keys : s.def.broadPhase;
@@ -139,11 +138,7 @@ ErrorCode World::DestroyJoint(Joint* joint) {
     if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
     const int index = joint->GetIndex();
     const Recording recording(s, name, index);
-    for (int gear = FindGearOf(s, index); gear >= 0; gear = FindGearOf(s, index)) {
-        SayGoodbye(s, s.joints.handles[static_cast<size_t>(gear)]);
-        RemoveJoint(s, gear);
-    }
-    RemoveJoint(s, index);
+    RemoveJointWithGears(s, index);
     return ErrorCode::ok;
 }
 
@@ -182,6 +177,8 @@ ErrorCode World::SetContactFilter(ContactFilter* filter) {
     for (const int body : m_state->bodies.movers) m_state->bodies.List(body);
     return ErrorCode::ok;
 }
+
+void World::SetMaterialMixer(MaterialMixer* mixer) { m_state->mixer = mixer; }
 
 void World::SetErrorHandler(ErrorHandler handler, void* context) {
     m_state->errorHandler = handler;
@@ -336,6 +333,13 @@ int World::GetJointCount() const { return m_state->joints.slots.Count(); }
 int World::GetContactCount() const { return m_state->contacts.Count(); }
 int World::GetFixtureCount() const { return m_state->fixtures.slots.Count(); }
 int World::GetProxyCount() const { return m_state->broadPhase->GetProxyCount(); }
+
+float MaterialMixer::MixFriction(const Fixture* fixtureA, const Fixture* fixtureB) {
+    return scree::MixFriction(fixtureA->GetFriction(), fixtureB->GetFriction());
+}
+float MaterialMixer::MixRestitution(const Fixture* fixtureA, const Fixture* fixtureB) {
+    return scree::MixRestitution(fixtureA->GetRestitution(), fixtureB->GetRestitution());
+}
 
 bool ContactFilter::ShouldCollide(Fixture* fixtureA, Fixture* fixtureB) {
     return scree::ShouldCollide(fixtureA->GetFilterData(), fixtureB->GetFilterData());

@@ -58,6 +58,7 @@ struct WorldState {
     ContactListener* listener = nullptr;
     HeardCalls heard;                 ///< by the listener
     ContactFilter* filter = nullptr;  ///< null: filter data decide
+    MaterialMixer* mixer = nullptr;   ///< null: the standard rule
     ErrorHandler errorHandler = nullptr;
     void* errorContext = nullptr;
     Draw* draw = nullptr;
@@ -77,7 +78,7 @@ struct WorldState {
 
     [[nodiscard]] ContactEvents Events(bool restartsTimers = true) {
         const bool someReport = featureCounts.users[static_cast<size_t>(Feature::events)] > 0;
-        return {this, listener, heard, filter, someReport ? &log : nullptr, &distanceWork, restartsTimers};
+        return {this, listener, heard, filter, mixer, someReport ? &log : nullptr, &distanceWork, restartsTimers};
     }
     [[nodiscard]] SolveLists Lists() { return {islands, active, substepGroups}; }
     [[nodiscard]] PairTables ForPairs() {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Box2D 3 as an engine of the testbed: only where CMake finds it (box2d3_ROOT names where it is installed). This folder
-// is compiled apart, since both versions of Box2D call their header and their types alike; what crosses its border are
-// types of the testbed.
+// Box2D 3 as an engine of the testbed, built where CMake finds it (box2d3_ROOT names where it is installed). Both
+// versions of Box2D call their header and their types alike. So this folder is compiled apart, and only types of the
+// testbed cross its border.
 
 #pragma once
 

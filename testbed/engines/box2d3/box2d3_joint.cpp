@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of box2d3_joint.h. A spring of stiffness k and damping c between two bodies becomes the frequency and
-// damping ratio of the mass that two points feel which nothing turns: Box2D 2.4's b2LinearStiffness read backwards.
+// Implementation of box2d3_joint.h. A spring of stiffness k and damping c becomes a frequency and a damping ratio,
+// which Box2D 3 takes. The mass in between is the effective mass of the two bodies without their rotation, as in
+// b2LinearStiffness of Box2D 2.4.
 
 #include "testbed/engines/box2d3/box2d3_joint.h"
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A scene running in Box2D 3: loading, stepping, times by stage, capture. Nodes are those of box2d3_trees.h, made at
-// the first capture that asks for them and moved from one to the next. Times: refitting trees counts to the broad
-// phase, bullets to continuous collision; that of other bodies is part of its solver's last stage and cannot be
-// separated.
+// A scene running in Box2D 3: loading, stepping, times by stage, capture. Nodes are those of box2d3_trees.h. They are
+// made at the first capture that asks for them, and moved from one capture to the next. Refitting trees counts as broad
+// phase, and the continuous collision of bullets as continuous. That of other bodies is part of the last stage of its
+// solver and cannot be separated.
 
 #include <box2d/box2d.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of box2d3_trees.h. Margins: those of the library's constants.h, by the reach of a shape from its
-// middle.
+// Implementation of box2d3_trees.h. Margins are those of the library's constants.h; they depend on how far a shape
+// reaches from its middle.
 
 #include "testbed/engines/box2d3/box2d3_trees.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The broad phase of Box2D 3 beside a world: it does not let programs see the three trees of a world, so these are
-// trees of the same library, one a type of bodies, moved by the same rules (fat boxes that grow when left, and a
-// rebuild of what grew before each search).
+// The broad phase of Box2D 3 beside a world. Box2D 3 does not let programs see the three trees of its worlds. These are
+// trees of the same library, one for each type of bodies, and follow the same rules: fat boxes that grow when a body
+// leaves them, and a rebuild of what grew before each search.
 
 #pragma once
 

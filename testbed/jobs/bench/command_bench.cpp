@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree bench`: scenes timed in both engines, interleaved in one process; totals, single steps, stages, memory.
+// `scree bench`: scenes timed in every engine, interleaved in one process; totals, single steps, stages, memory.
 
 #include <fmt/format.h>
 
@@ -10,6 +10,7 @@
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,10 @@
 #include "testbed/base/progress.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/provenance.h"
+#include "testbed/jobs/bench/against.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/bench/files.h"
+#include "testbed/jobs/bench/games.h"
 #include "testbed/jobs/bench/object_bytes.h"
 #include "testbed/jobs/bench/plan.h"
 #include "testbed/jobs/bench/run.h"
@@ -74,7 +77,25 @@ std::string DescribeBytes(const BenchPlan& plan) {
     return text;
 }
 
+int CompareBuilds(const BenchArguments& arguments, const Request& request) {
+    const AgainstPlan plan = MakeAgainstPlan(arguments);
+    std::optional<OutputFolder> folder;
+    if (!arguments.output.empty()) folder.emplace(arguments.output);
+    const AgainstResult result = RunAgainst(plan);
+    Print(FormatAgainst(result));
+    const Page page = MakeAgainstPage(result, DescribeCommand(request.arguments));
+    if (folder) {
+        folder->WriteText("index.html", MakePage(page));
+        Print(FormatFiles(folder->GetFiles()));
+    }
+    if (!arguments.markdown.empty()) WriteMarkdown(arguments.markdown, page);
+    const auto isSlower = [&](const AgainstRow& row) { return IsSlower(row, arguments.atLeast); };
+    return std::ranges::any_of(result.rows, isSlower) ? exitDiffers : exitDone;
+}
+
 int RunBench(const BenchArguments& arguments, const Request& request) {
+    if (arguments.games) return RunGames(arguments, request);
+    if (!arguments.against.empty()) return CompareBuilds(arguments, request);
     const BenchPlan plan = MakeBenchPlan(arguments);
     BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});
     std::vector<nlohmann::ordered_json> made{ToJson(FindProvenance())};
@@ -108,7 +129,7 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddBenchCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in both engines");
+    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in every engine");
     auto arguments = std::make_shared<BenchArguments>();
     AddBenchOptions(*command, *arguments);
     command->callback(

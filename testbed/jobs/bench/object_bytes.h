@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What one body, fixture, contact and joint costs in memory: the slope of the heap an engine holds between two worlds,
-// one with twice as many of the objects. Counts are powers of two, so that arrays that grow by doubling count what they
-// hold on average, and no more.
+// What one body, fixture, contact and joint costs in memory. Two worlds differ in one kind of object: the second has
+// twice as many. The cost is the difference of the heaps over the difference of the counts. Counts are powers of two,
+// so that arrays that grow by doubling show what they hold on average.
 
 #pragma once
 

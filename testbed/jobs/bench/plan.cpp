@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "testbed/base/text.h"
+#include "testbed/jobs/bench/against.h"
 #include "testbed/jobs/bench/targets.h"
 #include "testbed/options/options.h"
 
@@ -99,17 +100,20 @@ std::vector<Pane> MakeContinuous(std::vector<Pane> panes) {
     return panes;
 }
 
+int CheckRepeats(int repeats) {
+    if (repeats >= 1 && repeats <= maxRepeats) return repeats;
+    throw UsageError(fmt::format("--repeat {}: legal from 1 to {}", repeats, maxRepeats));
+}
+
 BenchEffort MakeEffort(const BenchArguments& arguments) {
-    if (arguments.repeats < 1 || arguments.repeats > maxRepeats) {
-        throw UsageError(fmt::format("--repeat {}: legal from 1 to {}", arguments.repeats, maxRepeats));
-    }
+    const int repeats = CheckRepeats(arguments.repeats.value_or(3));
     if (arguments.steps < 0 || arguments.steps > maxStep) {
         throw UsageError(fmt::format("--steps {}: legal from 1 to {}", arguments.steps, maxStep));
     }
     if (!(arguments.timeLimitS >= 0)) {
         throw UsageError(fmt::format("--time-limit {}: give seconds, 0 for none", arguments.timeLimitS));
     }
-    return {arguments.repeats, arguments.steps, arguments.timeLimitS};
+    return {repeats, arguments.steps, arguments.timeLimitS};
 }
 
 }  // namespace
@@ -133,8 +137,18 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
                    "Threads of the engine scree, one or more numbers; 1 if not given, 1,2 with --targets")
         ->capture_default_str();
     AddSettingFlags(app, arguments.settings, {"broadPhase", "continuous"});
-    app.add_option("--repeat", arguments.repeats, "Runs of everything; the median of each step's times stands for them")
-        ->capture_default_str();
+    app.add_option(
+        "--repeat", arguments.repeats,
+        "Runs of everything; the median of each step's times stands for them; 3 if not given, 9 with --against");
+    app.add_option(
+           "--against", arguments.against,
+           "Another build of this program (its folder or the file): the same cases in both in turn, a ratio with "
+           "an interval of 95 % and whether both came to the same states; engines: scree if not given")
+        ->type_name("BUILD");
+    app.add_option("--at-least", arguments.atLeast,
+                   "With --against: exit 1 if a case is surely slower than this share of the other build's speed")
+        ->type_name("RATIO")
+        ->needs("--against");
     app.add_option("--steps", arguments.steps, "Steps at most; the scene's own number if not given");
     app.add_option("--time-limit", arguments.timeLimitS,
                    "Seconds after which a run of one scene in one engine is stopped: its total is then shown with ≥");
@@ -150,10 +164,46 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->type_name("FILE");
     app.add_flag("--targets", arguments.targets,
                  "Judge the speed to reach, also with continuous collision on; exit 1 when a target is missed or void");
+    app.add_flag("--games", arguments.games,
+                 "The second suite: what games do, with default settings, in every engine of this build in turn. "
+                 "SCENE names its cases; --repeat, --steps, --output and --markdown apply");
     app.add_option("--from", arguments.from, "Show and judge the rows of a --json file instead of running")
         ->type_name("FILE");
     AddShardOptions(app, arguments.shard);
     AddResumeOption(app, arguments.shard);
+}
+
+AgainstPlan MakeAgainstPlan(const BenchArguments& arguments) {
+    if (arguments.targets || !arguments.from.empty() || !arguments.csv.empty() || !arguments.plots.empty() ||
+        !arguments.shard.json.empty() || ParseShard(arguments.shard.shard).count != 1) {
+        throw UsageError(
+            "--against takes none of --targets, --from, --csv, --plots, --json, --shard; -o and --markdown write it");
+    }
+    AgainstPlan plan{FindBuiltProgram(arguments.against),
+                     ListScenes(arguments.scenes),
+                     {},
+                     CheckRepeats(arguments.repeats.value_or(9))};
+    (void)MakeBenchPlan(arguments);  // what this build refuses is not tried in both
+    const auto add = [&plan](std::string option, std::string value) {
+        plan.options.push_back(std::move(option));
+        plan.options.push_back(std::move(value));
+    };
+    add("--engines", arguments.settings.engines == SettingArguments().engines ? "scree" : arguments.settings.engines);
+    add("--solver", arguments.solver == "both" ? "si,soft" : arguments.solver);
+    if (!arguments.threads.empty()) add("--threads", arguments.threads);
+    if (arguments.sizes != "default") add("--sizes", arguments.sizes);
+    if (arguments.steps > 0) add("--steps", fmt::format("{}", arguments.steps));
+    if (arguments.timeLimitS > 0) add("--time-limit", fmt::format("{}", arguments.timeLimitS));
+    if (!arguments.input.format.empty()) add("--format", arguments.input.format);
+    for (const TypedSetting& flag : arguments.settings.flags) {
+        if (flag.setting == "continuous=on") {
+            plan.options.emplace_back("--continuous");
+        } else {
+            add("--set", flag.setting);
+        }
+    }
+    for (const std::string& set : arguments.settings.sets) add("--set", set);
+    return plan;
 }
 
 BenchPlan MakeBenchPlan(const BenchArguments& arguments) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,13 +23,16 @@ struct BenchArguments {
     std::string sizes = "default";
     SettingArguments settings;
     std::string solver = "both";
-    std::string threads;  ///< empty: 1, with targets 1,2
-    int repeats = 3;
+    std::string threads;         ///< empty: 1, with targets 1,2
+    std::optional<int> repeats;  ///< 3, and 9 rounds against another build
+    std::string against;         ///< a build to compare with instead of engines
+    double atLeast = 0;          ///< with it: the ratio that no case may surely miss
     int steps = 0;
     double timeLimitS = 0;
     ShardArguments shard;
     bool targets = false;
-    std::string from;  ///< rows to judge and show instead of a run
+    bool games = false;  ///< the cases of games instead of scenes
+    std::string from;    ///< rows to judge and show instead of a run
     std::string csv, plots, output, markdown;
 };
 
@@ -37,6 +41,10 @@ struct BenchPlan {
     Shard shard;
     BenchEffort effort;
 };
+
+struct AgainstPlan;
+/// What is asked of two builds. Throws UsageError for what only one can be asked.
+[[nodiscard]] AgainstPlan MakeAgainstPlan(const BenchArguments& arguments);
 
 void AddBenchOptions(CLI::App& app, BenchArguments& arguments);
 

@@ -17,8 +17,7 @@ namespace testbed {
 
 namespace {
 
-constexpr std::string_view assertsNote =
-    "Box2D 2.4.1 as Debian builds it, with its asserts (seen to cost up to 1.08 times the time without)";
+constexpr std::string_view assertsNote = "Box2D 2.4.1 as Debian builds it, with its asserts";
 
 std::string CurveTitle(const BenchRow& row) {
     if (row.GetName() != row.engine) return row.pane;

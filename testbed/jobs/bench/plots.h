@@ -17,8 +17,9 @@ namespace testbed {
 /// that were stopped are lower bounds.
 [[nodiscard]] Plot MakeTotalsPlot(std::span<const BenchRow> rows);
 
-/// Moving bodies on x, ns per body and step on y, both logarithmic: one curve per scene, engine and setting, for scenes
-/// whose sizes lie a factor of ten apart or more; beside them log n through the first point of the first curve.
+/// Time over size, both axes logarithmic: moving bodies on x, ns per body and step on y. One curve per scene, engine
+/// and setting, for scenes whose sizes lie a factor of ten apart or more. Beside them log n, through the first point of
+/// the first curve.
 [[nodiscard]] Plot MakeCostPlot(std::span<const BenchRow> rows);
 
 /// Steps on x, ms on y: the broad phase of every step of the case's variants (figures 8 and 10). `timing` belongs to

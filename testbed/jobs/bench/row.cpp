@@ -71,7 +71,7 @@ void ForEachTime(Row& row, Visit&& visit) {
     visit("cpu_ratio", row.cpuRatio);
 }
 
-/// How it was run. Files of before do not have these.
+/// How it was run. Lines that older programs wrote may lack these fields.
 template <typename Row, typename Visit>
 void ForEachSetting(Row& row, Visit&& visit) {
     visit("pane", row.pane);
@@ -188,7 +188,7 @@ const BenchRow* FindBaseline(std::span<const BenchRow> rows, const BenchRow& row
     for (const BenchRow& other : rows) {
         if (other.GetName() != row.baseline || other.scene != row.scene || other.size != row.size) continue;
         if (other.continuous == row.continuous) return &other;
-        // Files of before have no settings: their cases differ in the continuous setting alone.
+        // Rows without settings differ from their baseline in the continuous setting alone.
         if (found == nullptr && !row.settings.empty()) found = &other;
     }
     return found;

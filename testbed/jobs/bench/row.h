@@ -80,8 +80,9 @@ struct BenchRun {
     std::vector<WorkCounts> work;  ///< up to the end of each step
 };
 
-/// One run out of the repeats of one: the simulation is deterministic, so a step does the same work in each, and the
-/// one with the (lower) median time stands for it with all its stages. Cut to the shortest run. `runs` is not empty.
+/// One run out of several repeats. A step does the same work in each repeat, since the simulation is deterministic. The
+/// repeat with the (lower) median time of a step stands for it, with all its stages. Cut to the shortest run. `runs` is
+/// not empty.
 [[nodiscard]] BenchRun MergeRepeats(std::span<const BenchRun> runs);
 
 /// Fills in everything that follows from the steps: counts of steps, times, statistics.

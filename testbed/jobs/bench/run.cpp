@@ -54,7 +54,7 @@ void RunSlice(Runner& runner, int last, double timeLimitMs, const std::function<
     }
 }
 
-/// The solver's setting; what the rows of files of before have is as it was there.
+/// The name of the solver in a row: "si" and "soft" for the defaults, else as settings write it.
 std::string NameForRow(const RunSpec& spec) {
     if (spec.solver == Solver(SoftStep{})) return "soft";
     const SettingKey& solver = FindSettingKey("solver");

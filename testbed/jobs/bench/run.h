@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Runs one scene at one size in several engines and settings within one process, in slices of steps taken in turn, so
-// that a disturbance of the machine hits all alike while each engine's data stays in the caches for a slice. A case in,
-// one row per pane out. What is counted is counted between the timed steps.
+// Runs one scene at one size in several engines and settings, in one process: a case in, one row per pane out. They
+// take turns in slices of steps. So a disturbance of the machine hits all alike, and each engine keeps its data in the
+// caches for a slice. Counts are taken between the timed steps.
 
 #pragma once
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The speed that the engine has to reach, as data, and its verdict on measured rows. Every target is a ratio to Box2D
-// 2.4.1 in the same run, so that it means the same on every machine: the table holds what Box2D took and what ours may
-// take on one machine (2 cores of a Zen 3 server), and only quotients of its columns are used.
+// The speed that the engine has to reach, as data, and its verdict on measured rows. The table holds what Box2D 2.4.1
+// took on one machine (2 cores of a Zen 3 server), and what ours may take there. Only quotients of its columns are
+// used, and each is compared with a ratio of one run, so that a target means the same on every machine.
 
 #pragma once
 

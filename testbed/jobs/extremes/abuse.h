@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Calls that no well-behaved scene makes: bad values in every field, bad polygons, destruction in the middle of things,
-// many thousand bodies made and destroyed. Each is done to either engine; a crash is the caller's to see, so that each
-// belongs into a process of its own.
+// many thousand bodies made and destroyed. Each can be done to either engine. A crash ends the process, so each belongs
+// into a process of its own.
 
 #pragma once
 

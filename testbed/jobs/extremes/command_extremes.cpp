@@ -225,15 +225,16 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddExtremesCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("extremes", "Stability at the extremes: cases graded in both engines");
+    CLI::App* command = app.add_subcommand("extremes", "Stability at the extremes: cases graded in every engine");
     auto arguments = std::make_shared<ExtremesArguments>();
     command->add_flag("--quick", arguments->quick, "Shorter runs, at most 5 s of processor time each");
-    command->add_flag("--full", arguments->full, "Up to 60 s of processor time a run instead of 10");
+    command->add_flag("--full", arguments->full, "At most 60 s of processor time each instead of 10");
     command->add_flag("--list", arguments->list, "Only show the cases");
     command
         ->add_option("-g,--only", arguments->filter, "Only the cases whose name or group this regular expression finds")
         ->type_name("REGEX");
-    command->add_option("--limit", arguments->limit, "Processor time for a run, s")->check(CLI::PositiveNumber);
+    command->add_option("--limit", arguments->limit, "Processor time for a run, s; 10 if not given")
+        ->check(CLI::PositiveNumber);
     command->add_option("--jobs", arguments->jobs, "Runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();
     command->add_option("--from", arguments->from, "Run nothing: the report of a file that --json wrote, no pictures")
         ->type_name("FILE");
@@ -243,7 +244,8 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     command->add_option("--markdown", arguments->markdown, "Also write the report's text and tables as Markdown")
         ->type_name("FILE");
     AddSetOption(*command, arguments->settings, "Applied in all engines. A case keeps the settings that it is about");
-    AddEnginesOption(*command, arguments->settings, "Instead of box2d 8/3, scree 8/3 and scree soft 4");
+    AddEnginesOption(*command, arguments->settings,
+                     "Instead of box2d 8/3, scree 8/3, scree soft 4 and, where it is built in, box2d3 soft 4");
     AddShardOptions(*command, arguments->shard);
     AddResumeOption(*command, arguments->shard);
     command->footer("Exits with 1 when our engine aborts, hangs or goes non-finite in a case.");

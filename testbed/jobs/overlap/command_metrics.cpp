@@ -61,7 +61,7 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddMetricsCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("metrics", "The numbers of every step alone; needs no OpenGL");
+    CLI::App* command = app.add_subcommand("metrics", "The numbers of every step, without pictures");
     auto arguments = std::make_shared<MetricsArguments>();
     command->add_option("SCENE", arguments->scene, DescribeSceneArgument("A scene"));
     command

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree overlap`: the same scene in two engines, how many nodes of each broad-phase tree cover every pixel, and the
-// broad-phase time of every step (Tsamis 2020, section 3.8, figures 7 to 10).
+// `scree overlap`: the same scene in several engines. How many nodes of each broad-phase tree cover every pixel, and
+// the broad-phase time of every step (Tsamis 2020, section 3.8, figures 7 to 10).
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What stands beside (JSON) and inside (PNG text entries) every picture: scene, step, engine, how it was drawn and what
-// it counts, so that a picture explains itself and two of them can be compared by their data.
+// it counts. So a picture explains itself, and two pictures can be compared by their data.
 
 #pragma once
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Implementation of tree_quality.h. L(n) of every node is found through the tree itself: climbing from n to the root,
-// the subtree of each sibling on the way holds the fixtures that do not belong to n; its parts are skipped when apart
-// from n and added whole, from a sum kept per node, when inside n.
+// Implementation of tree_quality.h. L(n) of a node n is found by climbing from n to the root. The subtree of each
+// sibling on the way holds fixtures that do not belong to n. Its parts are skipped where they are apart from n. Parts
+// inside n are added whole, from a sum kept per node.
 
 #include "testbed/jobs/overlap/tree_quality.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What each feature of our engine costs a scene that does not use it: the scene runs with everything on, and with
-// everything but the feature. A kernel that serves several features goes only when all of them are left out, so that
-// these have a row together besides.
+// What each feature of our engine costs a scene that does not use it. The scene runs with everything on, and with
+// everything but the feature. A kernel that serves several features goes only when all of them are left out, so these
+// features have a row together too.
 
 #pragma once
 

@@ -34,13 +34,13 @@ enum class StaticLayout { scattered, beside };
 /// or in a tree of their own (with).
 [[nodiscard]] std::vector<BreakEvenPoint> MeasureStaticShare(const BreakEvenPlan& plan, StaticLayout layout,
                                                              const std::function<void()>& onPoint = {});
-/// Continuous stage and whole step, ns a mover: a share of the circles crosses more than its diameter in a step, above
-/// a row of static boxes; continuous collision off (without) and on (with).
+/// Cost of continuous collision: the whole step, ns a mover, with it off (without) and on (with). A share of the
+/// circles crosses more than its diameter in a step, above a row of static boxes.
 [[nodiscard]] std::vector<BreakEvenPoint> MeasureFastShare(const BreakEvenPlan& plan,
                                                            const std::function<void()>& onPoint = {});
-/// Islands and solver, ns a mover: a share of the circles falls freely, each of the others lies on the ground; bodies
-/// that nothing touches go through the solver like the others (without), or are integrated apart from it (with). By
-/// sequential impulses, or by the soft step with so many sub-steps.
+/// Cost of bodies that nothing touches: islands and solver, ns a mover. A share of the circles falls freely, each of
+/// the others lies on the ground. Free ones go through the solver like the others (without), or are integrated apart
+/// from it (with). With `substeps` of the soft step; 0: sequential impulses.
 [[nodiscard]] std::vector<BreakEvenPoint> MeasureIsolatedShare(const BreakEvenPlan& plan, int substeps,
                                                                const std::function<void()>& onPoint = {});
 

@@ -235,24 +235,25 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("requires", "What a scene needs of our engine, and what the rest costs");
     auto arguments = std::make_shared<RequiresArguments>();
     command->add_option("SCENE", arguments->scene,
-                        DescribeSceneArgument("A scene") + ". Without: the whole report, of a choice of scenes");
+                        DescribeSceneArgument("A scene") + "; if not given, a report of a choice of scenes is made");
     command->add_option("SIZE", arguments->size, "Its size; the scene's default if not given");
     AddInputOptions(*command, arguments->input);
     command->add_option("--steps", arguments->steps, "Steps to run; at most 200 of the scene's if not given")
         ->check(CLI::Range(1, maxStep));
     AddSetOption(*command, arguments->settings,
-                 "Runs begin with continuous=off; features are for this command to find, and the plots of --break-even "
-                 "have worlds of their own");
+                 "Runs begin with continuous=off. All keys but features, which this command finds; the plots of "
+                 "--break-even have settings of their own");
     AddSettingFlags(*command, arguments->settings, {"substeps", "continuous", "caps"});
-    command->add_flag("--quick", arguments->quick, "Fewer steps and repeats");
+    command->add_flag("--quick", arguments->quick, "At most 60 steps, and 3 repeats instead of 9");
     command->add_flag("--ablation", arguments->ablation,
-                      "Only the part of the report about what each feature costs; of SCENE or of a choice");
+                      "Only the part of the report about what each feature costs; of SCENE, or of a choice of scenes");
     command->add_flag("--break-even", arguments->breakEven,
-                      "Only the plots of where parts of the engine begin to pay (gnuplot)");
-    command->add_option("-o,--output", arguments->output, "Folder of the report")
+                      "Only the plots of where parts of the engine begin to pay; needs gnuplot");
+    command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
-    command->add_option("--header", arguments->header, "Write the set as a C++ header")->type_name("FILE");
+    command->add_option("--header", arguments->header, "Write the features that SCENE needs as a C++ header")
+        ->type_name("FILE");
     command->callback(
         [&request, arguments] { request.action = [&request, arguments] { return RunRequires(*arguments, request); }; });
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What a scene requires of our engine, and what it costs to model more than that. Variants of one scene run in
-// lockstep, step by step in turn, so that whatever else the machine does meets all of them alike; of every step the
-// fastest of several repeats counts, since all repeats do the same work.
+// lockstep, step by step in turn, so that a disturbance of the machine hits all alike. All repeats do the same work, so
+// of every step the fastest repeat counts.
 
 #pragma once
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Which pictures `scree snapshot` keeps: every scene of the catalogue at two steps, with the overlap of its tree at
-// both and some of the layer sets, so that each set is covered by a third of the scenes. To add a picture, add a row to
-// snapshotSets in snapshot_catalog.cpp; to add a scene, add it to the catalogue of scenes: nothing else is needed.
+// Which pictures `scree snapshot` keeps of the catalogue of scenes. Every scene has two steps: the overlap of its tree
+// at both, and some of the sets of layers, each of which covers a third of the scenes. To add a set, add a row to
+// snapshotSets in catalog.cpp. To add a scene, add it to the catalogue of scenes: nothing else is needed.
 
 #pragma once
 

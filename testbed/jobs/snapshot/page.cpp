@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The page of a comparison of pictures: results, pictures, sidecars and colour tables as JSON in the page, shown by
-// report/page/snapshot*.js.
+// snapshot*.js of this folder.
 
 #include "testbed/jobs/snapshot/page.h"
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The page of a comparison of pictures (`scree snapshot check --report DIR`, `scree diff A B -o DIR`): the list of
-// cases with a filter; of the chosen one both pictures side by side, under a slider, blinking, or their difference; the
-// pixels and overlap counts under the cursor, what changed in the structure, what made each picture, the rule, and the
-// command that accepts it. The pictures are embedded: the page can be moved or sent without the folder.
+// The page of a comparison of pictures: `scree snapshot check --report DIR`, `scree diff A B -o DIR`. It has a list of
+// cases with a filter. Of the chosen case it shows both pictures (side by side, under a slider, blinking, or their
+// difference) and the pixels and overlap counts under the cursor. It also says what changed in the structure, what made
+// each picture, which rule applied, and which command accepts the new picture. The pictures are embedded: the page can
+// be moved or sent without the folder.
 
 #pragma once
 

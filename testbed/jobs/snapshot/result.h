@@ -1,38 +1,43 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a comparison of pictures found, one result per picture, and results.json, which `scree snapshot check --report
-// DIR` and `scree diff -o DIR` leave in DIR beside actual/, expected/ and diff/. Paths in it are relative to DIR.
+// What a comparison of pictures found: one result per picture. `scree snapshot check --report DIR` and `scree diff -o
+// DIR` write them to DIR/results.json, beside actual/, expected/ and diff/. Paths in it are relative to DIR.
 //
 //     {"schema": 1, "command": "scree snapshot check", "clean": false,
-//      "renderer": {"backend": "osmesa", "gl_renderer": "llvmpipe …", "gl_version": "4.5 …"},      of `actual`
-//      "counts": {"equal": 170, "changed": 1, "size": 0, "missing": 1, "new": 0, "deleted": 0, "orphan": 0, "failed":
-//      0}, "results": [{
+//      "renderer": {"backend": "osmesa", "gl_renderer": "llvmpipe …", "gl_version": "4.5 …"},
+//      "counts": {"equal": 170, "changed": 1, "size": 0, "missing": 1, "new": 0, "deleted": 0, "orphan": 0,
+//                 "failed": 0},
+//      "results": [{
 //        "id": "tiles/step-0090-bvh", "scene": "tiles", "name": "step-0090-bvh", "size": 20, "step": 90,
-//        "kind": "overlap | render", "layers": "bodies,contacts",            these six are absent in `scree diff`
+//        "kind": "overlap | render", "layers": "bodies,contacts",
 //        "status": "equal | changed | size | missing | new | deleted | orphan | failed",
-//        "message": "…",                                                     one line for a reader, with the cure
+//        "message": "…",
 //        "rule": {"tolerance": 0, "mask": [[x0, y0, x1, y1], …], "source": "default | tests/snapshots/….json",
 //                 "reason": "…", "masked_pixels": 0, "tolerated_pixels": 0},
 //        "expected": {"image": "expected/….png", "sidecar": "expected/….json", "width": 480, "height": 300} | null,
-//        "actual": {"image": "actual/….png", …} | null,        image and sidecar are null where no file was left
+//        "actual": {"image": "actual/….png", …} | null,
 //        "difference": "diff/….png" | null,
-//        "changed_pixels": 12, "max_difference": 255, "box": [x0, y0, x1, y1] | null,        half-open, pixels
+//        "changed_pixels": 12, "max_difference": 255, "box": [x0, y0, x1, y1] | null,
 //        "structure": {"equal": false,
-//          "bodies":   {"expected": 40, "actual": 40, "changed": 3, "added": 0, "removed": 0,
-//            "list": [{"index": 7, "change": "changed | added | removed",
-//                      "expected": {"x": 1.25, "y": 0.5, "angle": 0.0, "awake": true} | null, "actual": {…} | null}]},
-//          "nodes":    {… the same counts …, "list": [{"index": 3, "change": …, "expected": {"level": 2, "box":
-//          [lowerX,
-//                      lowerY, upperX, upperY]} | null, "actual": … | null}]},
-//          "contacts": {… the same counts …, "list": [{"bodies": [3, 7], "fixtures": [3, 8], "change": …,
-//                      "expected": {"touching": true, "points": 2} | null, "actual": … | null}]}} | null,
-//        "update": "scree snapshot update -g '^tiles/step-0090-bvh$'" | null,       the command that accepts the
-//        picture "ms": {"simulate": 12.5, "render": 3.1, "compare": 0.4}}]}
+//          "bodies":   {"expected": 40, "actual": 40, "changed": 3, "added": 0, "removed": 0, "list": [
+//            {"index": 7, "change": "changed | added | removed",
+//             "expected": {"x": 1.25, "y": 0.5, "angle": 0.0, "awake": true} | null, "actual": {…} | null}]},
+//          "nodes":    {… the same counts …, "list": [
+//            {"index": 3, "change": …,
+//             "expected": {"level": 2, "box": [lowerX, lowerY, upperX, upperY]} | null, "actual": … | null}]},
+//          "contacts": {… the same counts …, "list": [
+//            {"bodies": [3, 7], "fixtures": [3, 8], "change": …,
+//             "expected": {"touching": true, "points": 2} | null, "actual": … | null}]}} | null,
+//        "update": "scree snapshot update -g '^tiles/step-0090-bvh$'" | null,
+//        "ms": {"simulate": 12.5, "render": 3.1, "compare": 0.4}}]}
 //
-// `expected` and `actual` may be null in a change too when the sidecars keep only hashes. Bodies and nodes also have
-// "block": above 1 so many neighbours share a hash, and all of a block that changed count as changed. `list`s hold the
-// first maxListed entries, the counts all. Lengths are m, angles rad, rounded as the sidecars store them.
+// `renderer` is that of the actual pictures. The fields from `scene` to `layers` are absent in `scree diff`. `message`
+// is one line for a reader, with the cure; `update` is the command that accepts the picture. `image` and `sidecar` are
+// null where no file was left. `box` is half-open, in pixels.
+// In a change, `expected` and `actual` may be null too when the sidecars keep only hashes. Bodies and nodes also have
+// `block`: above 1, so many neighbours share a hash, and all of a block that changed count as changed. A `list` holds
+// the first maxListed entries, the counts hold all. Lengths are m, angles rad, rounded as the sidecars store them.
 
 #pragma once
 

@@ -1,17 +1,18 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a snapshot consists of, small enough to stand in a sidecar: every body, tree node and contact with a short hash
-// of its exact bits, and its rounded values while there are few. Two of them say which bodies, nodes and contacts
-// changed, far more than pixels can.
+// What a snapshot consists of, small enough to stand in a sidecar. Every body, tree node and contact has a short hash
+// of its exact bits, and its rounded values while there are few. Two structures tell which bodies, nodes and contacts
+// changed.
 //
 //     "structure": {"bodies": {"count": 3, "hashes": "4 characters each", "poses": "x y angle,…"},
 //                   "nodes": {"count": 5, "hashes": "…", "boxes": "level x0 y0 x1 y1,…"},
 //                   "contacts": {"count": 2, "hash": "…", "list": "A-B t 2 hash,…"}}
 //
-// Lengths in mm, angles in mrad, a sleeping body's angle is followed by s. A contact names fixtures, with their body
-// after a point where its index is another ("7.5-8.5"), then t (touching) or n, and its number of points. poses, boxes
-// and list are absent when there would be too many, and then bodies or nodes share a hash: "block" of them each.
+// Lengths are in mm, angles in mrad; the angle of a sleeping body is followed by s. A contact names its two fixtures,
+// then t (touching) or n (not), its number of points and its hash. A fixture whose index is not that of its body is
+// followed by a point and the body ("7.5-8.5"). Where there are too many, poses, boxes and list are absent, and "block"
+// bodies or nodes share a hash.
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree snapshot verify`: every picture made again and again, with 1 and 2 threads (of the engine and of the software
-// rasteriser) and by every backend, must have equal pixels and an equal state.
+// `scree snapshot verify` makes every picture several times: with 1 and 2 threads (of the engine and of the software
+// rasteriser) and by every backend. All must have equal pixels and an equal state.
 
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree tradeoff`: laws of mechanics under every setting of both engines, error against cost.
+// `scree tradeoff`: laws of mechanics under every setting of every engine, error against cost.
 
 #include <fmt/format.h>
 
@@ -159,10 +159,10 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddTradeoffCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in both engines");
+    CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in every engine");
     command->footer("Exits with 1 when a bound of the dial was missed.");
     auto arguments = std::make_shared<TradeArguments>();
-    command->add_flag("--quick", arguments->quick, "Fewer settings, phases and repeats: under two minutes");
+    command->add_flag("--quick", arguments->quick, "Fewer settings, repeats and runs of each law");
     command->add_flag("--count", arguments->count, "Only print the number of cases");
     command->add_option("-g,--only", arguments->filter, "Only the laws whose name this regular expression finds")
         ->type_name("REGEX");
@@ -176,7 +176,8 @@ void AddTradeoffCommand(CLI::App& app, Request& request) {
     AddSetOption(*command, arguments->settings,
                  "Applied to all settings but Box2D's default, which they are compared with. A law about speed or "
                  "continuous collision keeps the caps it needs");
-    AddEnginesOption(*command, arguments->settings, "Instead of the grid of settings, beside Box2D's default");
+    AddEnginesOption(*command, arguments->settings,
+                     "These settings instead of the grid; Box2D's default runs in any case");
     AddShardOptions(*command, arguments->shard);
     AddResumeOption(*command, arguments->shard);
     command->callback(

@@ -120,7 +120,8 @@ scenes::Scene MakePull(double restOfBox, double restOfDisks) {
     AddFloor(scene, 30.0, {0.0, pullFriction * pullFriction / 0.5});  // friction mixes by the geometric mean
     AddDynamic(scene, {0.0, 0.5 + restOfBox}, scenes::Box(8.0, 0.5), {1.0, 0.5});
     for (int i = 0; i < topDisks; ++i) {
-        AddDynamic(scene, {1.2 * i - 5.4, 1.0 + restOfBox + topRadius + restOfDisks}, scenes::Circle(topRadius),
+        // On the box they fall behind by 3.3 m while it is pulled, and none is to leave it.
+        AddDynamic(scene, {1.2 * i - 4.2, 1.0 + restOfBox + topRadius + restOfDisks}, scenes::Circle(topRadius),
                    {1.0, 0.5});
     }
     return scene;

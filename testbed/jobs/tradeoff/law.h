@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The laws of mechanics that the trade between speed and accuracy is measured on. A law is a scenario with a known
-// result: its scenes are data, it runs in any engine under any setting, and its errors are read from the states of
-// bodies in double.
+// result. Its scenes are data and run in any engine under any setting; its errors are read from the states of bodies,
+// in double.
 
 #pragma once
 

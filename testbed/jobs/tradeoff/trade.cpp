@@ -210,7 +210,7 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         one.setting = fields.at("solver") == "soft" ? GetSoft(fields.at("substeps").get<int>(), rate, engine)
                                                     : GetSequential(engine, fields.at("velocityIterations").get<int>(),
                                                                     fields.at("positionIterations").get<int>(), rate);
-        // Files of before have no settings: theirs are the grid's.
+        // Lines without settings have those of the grid.
         if (fields.contains("settings")) {
             one.setting = MakeSpec(engine);
             ApplySettings(one.setting, fields.at("settings").get<std::string>());

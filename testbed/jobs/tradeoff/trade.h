@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Measuring the trade between speed and accuracy: every law under every setting of both engines, its errors once (they
-// are deterministic) and its cost several times in turns with the other settings.
+// Measuring the trade between speed and accuracy: every law under every setting of all engines. Errors are measured
+// once, since runs are deterministic; the cost several times, in turns with the other settings.
 
 #pragma once
 
@@ -27,12 +27,12 @@ namespace testbed {
 /// What a mark of our accuracy dial stands for.
 [[nodiscard]] RunSpec GetDial(Accuracy mark, int rate = 60);
 
-/// All settings to try, Box2D's default first: Box2D's and our sequential impulses over iterations and steps, our soft
-/// steps and, where it is built in, Box2D 3 over sub-steps and steps.
+/// All settings to try, Box2D's default first. Sequential impulses of Box2D and ours come with several iterations and
+/// time steps. The soft steps of ours and, where it is built in, of Box2D 3 come with several sub-steps and time steps.
 [[nodiscard]] std::vector<RunSpec> MakeGrid(Effort effort);
-/// The grid with `common` applied to all but Box2D's default, which everything is compared with; points that become the
-/// same count once. Where `engines` is given, as ParsePanes takes it, these settings instead of the grid's. Throws
-/// UsageError.
+/// The grid with `common` applied to all settings but Box2D's default, which everything is compared with. Settings that
+/// become the same count once. If `engines` is given, as ParsePanes takes it, its settings stand in place of the
+/// grid's. Throws UsageError.
 [[nodiscard]] std::vector<RunSpec> ChooseGrid(Effort effort, std::string_view engines,
                                               std::span<const TypedSetting> common);
 

@@ -194,7 +194,7 @@ void AddOptions(CLI::App& app, ViewArguments& arguments) {
         ->check(CLI::IsMember({"dark", "light"}))
         ->capture_default_str();
     app.add_option("--camera", arguments.camera,
-                   "fit, or X,Y,M: the world point in the middle of a pane, metres across")
+                   "fit, or X,Y,M: the world point in the middle of a pane, and the metres across it")
         ->capture_default_str();
     app.add_option("--window", arguments.window, "Width x height of the window, pixels")->capture_default_str();
     app.add_flag("--paused", arguments.isPaused, "Start paused");
@@ -205,7 +205,7 @@ void AddOptions(CLI::App& app, ViewArguments& arguments) {
         ->capture_default_str();
     app.add_option("--frames", arguments.frames, "Draw so many frames, as fast as they come, then quit")
         ->check(CLI::Range(1, 10'000'000));
-    app.add_option("--script", arguments.script, "Mouse and keyboard events from a file; quits at its end")
+    app.add_option("--script", arguments.script, "Play mouse and keyboard events from a file, then quit")
         ->type_name("FILE");
     app.add_option("--screenshot", arguments.screenshot, "Write the last frame as PNG")->type_name("FILE");
     app.add_option("--dump-state", arguments.dumpState, "Write what the window shows at the end as JSON")

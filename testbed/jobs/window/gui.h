@@ -36,8 +36,8 @@ public:
     void SetTheme(Theme theme);
     /// Coverage of the font's pixels, for the renderer.
     [[nodiscard]] const unsigned char* GetFontPixels(int& width, int& height);
-    /// Takes events in order. A button or key changes at most once in a frame, and the pointer does not move after it
-    /// did: what follows waits for the next frame, so that no click is lost, however slow frames are.
+    /// Takes events in order. In one frame a button or key changes at most once, and the pointer does not move after
+    /// that. Later events wait for the next frame, so that no click is lost in slow frames.
     void BeginFrame(std::span<const InputEvent> events, int width, int height, double deltaTime);
     [[nodiscard]] const ImDrawData& EndFrame();
 

@@ -51,5 +51,15 @@ echo "== pkg-config"
 PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name scree.pc)")
 export PKG_CONFIG_PATH
 read -ra flags <<<"$(pkg-config --cflags --libs scree)"
-"$compiler" -std=c++20 "$consumer/consumer.cpp" "${flags[@]}" "-Wl,-rpath,$(dirname "$library")" -o "$work/with-pkg-config"
+"$compiler" "$consumer/consumer.cpp" "${flags[@]}" "-Wl,-rpath,$(dirname "$library")" -o "$work/with-pkg-config"
 "$work/with-pkg-config"
+
+echo "== a program with flags of its own"
+own=(-O2 -ffast-math)
+if [[ $(uname -m) == x86_64 ]] && grep -qw fma /proc/cpuinfo; then own+=(-mfma -mavx2); fi
+"$compiler" "${own[@]}" "$consumer/consumer.cpp" "${flags[@]}" "-Wl,-rpath,$(dirname "$library")" -o "$work/with-own-flags"
+diff <("$work/with-pkg-config") <("$work/with-own-flags")  # the same state
+
+echo "== an older standard is told"
+if "$compiler" "${flags[@]}" -std=c++17 -fsyntax-only "$consumer/consumer.cpp" 2>"$work/older"; then exit 1; fi
+grep -q 'Scree needs C++20' "$work/older"

@@ -3,9 +3,11 @@
 //
 // A program outside this project: a circle falls onto an edge and must rest one radius above it. Exit code 0 if so.
 
+#include <cinttypes>
 #include <cmath>
 #include <cstdio>
 
+#include "scree/inspect.h"
 #include "scree/scree.h"
 
 int main() {
@@ -27,7 +29,8 @@ int main() {
 
     for (int step = 0; step < 120; ++step) world.Step(1.0f / 60.0f, 8, 3);
     const float height = ball->GetPosition().y;
-    std::printf("height after 2 s: %.3f m\n", static_cast<double>(height));
+    std::printf("height after 2 s: %.3f m, state %016" PRIx64 "\n", static_cast<double>(height),
+                scree::inspect::GetStateHash(world));
     // The edge has a skin, and the solver lets bodies sink by the slop.
     return std::abs(height - 0.5f) < scree::polygonRadius + 2.0f * scree::linearSlop ? 0 : 1;
 }

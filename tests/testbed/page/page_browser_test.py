@@ -70,6 +70,31 @@ def cells(browser, column):
     return browser.run("[...document.querySelectorAll('#totals tbody tr')].filter(r => !r.hidden).map(r => r.cells[a].textContent)", column)
 
 
+def test_figure(browser):
+    """A figure that came with its data."""
+    check(browser.run("document.querySelectorAll('canvas.plot').length"), 1, 'interactive figures')
+    chart = 'Object.values(Chart.instances)[0]'
+    said = f"{chart}.tooltip.dataPoints?.map(p => {chart}.options.plugins.tooltip.callbacks.label(p)) ?? []"
+    check(browser.run(said), [], 'nothing is chosen at first')
+    browser.run("document.querySelector('canvas.plot').focus()")
+    browser.press('right')
+    check(browser.run(said), ['draft: 10, 0.5'], 'the first point')
+    browser.press('right')
+    check(browser.run(said), ['game </script>: 100, 0.01'], 'the second point')
+    browser.press('right')
+    check(browser.run(said), ['fine: 1000, ≥ 0.002'], 'a lower bound')
+    seen = f'{chart}.scales.x.max / {chart}.scales.x.min'
+    before = browser.run(seen)
+    browser.press('+')
+    check(browser.run(seen) < before / 1.5, True, 'zoomed in')
+    browser.press('0')
+    check(abs(browser.run(seen) / before - 1) < 1e-6, True, 'all is seen again')
+    browser.click('figure .chart button')
+    check(browser.run(f"[{chart}.scales.x.type, {chart}.scales.y.type]"), ['linear', 'linear'], 'linear axes')
+    browser.click('figure .chart button')
+    check(browser.run(f"{chart}.scales.y.type"), 'logarithmic', 'logarithmic axes again')
+
+
 def test_sample(browser):
     browser.open((FOLDER / 'sample.html').as_uri())
     check(browser.run('document.querySelector("h1").textContent'), 'Sample & <report>', 'title')
@@ -91,6 +116,7 @@ def test_sample(browser):
     check(browser.run("document.querySelector('.filter output').value"), '1 of 4', 'what the filter says')
 
     check(browser.run("[...document.images].map(i => i.complete && i.naturalWidth > 0)"), [True, True], 'pictures decoded')
+    test_figure(browser)
     browser.run("document.querySelector('nav a:last-child').click()")
     check(browser.run('!!document.querySelector(location.hash)'), True, 'contents lead to a section')
     shoot(browser, 'sample-light')

@@ -71,7 +71,11 @@ TEST(PageCell, WritesNumbersAsPeopleReadThem) {
 
 TEST(Page, HoldsEveryBlockEscapedAndOnce) {
     const ScratchFolder scratch;
-    const std::string html = MakePage(MakeSamplePage(scratch.GetPath()));
+    const std::string whole = MakePage(MakeSamplePage(scratch.GetPath()));
+    const std::string html = whole.substr(0, whole.rfind("<script>"));  // behind it stand a library and our scripts
+    EXPECT_NE(whole.find("Chart.js"), std::string::npos) << "a figure with its data needs the library";
+    EXPECT_EQ(MakePage(Page{.title = "x"}).find("Chart.js v"), std::string::npos) << "and no other page has it";
+    EXPECT_NE(html.find("game \\u003c/script\\u003e"), std::string::npos);
     EXPECT_NE(html.find("<title>Sample &amp; &lt;report&gt;</title>"), std::string::npos);
     EXPECT_NE(html.find("&lt;none&gt; &amp; &quot;quoted&quot;"), std::string::npos);
     EXPECT_EQ(html.find("<none>"), std::string::npos);

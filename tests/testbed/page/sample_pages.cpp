@@ -14,6 +14,8 @@
 #include "scenes/catalog.h"
 #include "testbed/base/output.h"
 #include "testbed/engines/engine_run.h"
+#include "testbed/page/page_markup.h"
+#include "testbed/page/plot.h"
 #include "testbed/picture/png.h"
 #include "testbed/view/picture.h"
 
@@ -207,6 +209,15 @@ std::vector<SampleCount> PickCounts(const CountImage& expected, const CountImage
     return {grown, fallen, kept};
 }
 
+/// A picture that carries its data.
+std::string MakeSampleCurves() {
+    Plot plot{.title = "Data", .xLabel = "cost [ns]", .yLabel = "error", .logarithmic = true};
+    plot.curves.push_back({"<ours> & theirs", ourLooks[0], {{10, 0.5}, {100, 0.01}, {1000, 0.002, true}}});
+    plot.curves.back().names = {"draft", "game </script>", "fine"};
+    return PutPlotData("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 10 10\"><path d=\"M0 9L9 0\"/></svg>",
+                       MakePlotData(plot));
+}
+
 }  // namespace
 
 Page MakeSamplePage(const fs::path& folder) {
@@ -234,7 +245,8 @@ Page MakeSamplePage(const fs::path& folder) {
          .blocks = {PageFigures{.figures = {{.title = "Plot",
                                              .svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 "
                                                     "10 10\"><path d=\"M0 0L9 9\"/></svg>"},
-                                            {.title = "Picture", .file = folder / "picture.png"}},
+                                            {.title = "Picture", .file = folder / "picture.png"},
+                                            {.title = "Data", .svg = MakeSampleCurves()}},
                                 .columns = 2}}});
     page.sections.push_back({.title = "Numbers", .blocks = {PageText{"Folded text."}}, .folded = true});
     page.facts = {{"command", "scree sample"}};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "geometry/collide.h"
+#include "pipeline/parts/mix_materials.h"
 
 namespace scree {
 
@@ -20,7 +21,8 @@ bool MayHaveContact(int fixtureA, int fixtureB, const ContactEvents& events, Fix
     return events.filter->ShouldCollide(&fixtures.handles[a], &fixtures.handles[b]);
 }
 
-int MakeContact(int fixtureA, int fixtureB, const FixtureTable& fixtures, ContactTable& contacts) {
+int MakeContact(int fixtureA, int fixtureB, const ContactEvents& events, const FixtureTable& fixtures,
+                ContactTable& contacts) {
     const Shape::Type typeA = fixtures.type[static_cast<size_t>(fixtureA)];
     const Shape::Type typeB = fixtures.type[static_cast<size_t>(fixtureB)];
     const CollideEntry entry = FindCollide(typeA, typeB);
@@ -33,10 +35,8 @@ int MakeContact(int fixtureA, int fixtureB, const FixtureTable& fixtures, Contac
     const auto c = static_cast<size_t>(contact);
     contacts.flags[c] |= ContactFlag::enabled;
     if (fixtures.isSensor[a] || fixtures.isSensor[b]) contacts.flags[c] |= ContactFlag::sensor;
-    const Material& ma = fixtures.material[a];
-    const Material& mb = fixtures.material[b];
-    contacts.material[c] = {MixFriction(ma.friction, mb.friction), MixRestitution(ma.restitution, mb.restitution),
-                            MixRestitutionThreshold(ma.restitutionThreshold, mb.restitutionThreshold), 0.0f};
+    contacts.material[c] =
+        MixMaterials(static_cast<uint32_t>(fixtureA), static_cast<uint32_t>(fixtureB), fixtures, events.mixer);
     return contact;
 }
 

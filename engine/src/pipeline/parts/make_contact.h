@@ -17,6 +17,7 @@ namespace scree {
 bool MayHaveContact(int fixtureA, int fixtureB, const ContactEvents& events, FixtureTable& fixtures,
                     JointTable& joints);
 /// A new row for a pair that has none; −1 if the two shapes never touch (two edges).
-int MakeContact(int fixtureA, int fixtureB, const FixtureTable& fixtures, ContactTable& contacts);
+int MakeContact(int fixtureA, int fixtureB, const ContactEvents& events, const FixtureTable& fixtures,
+                ContactTable& contacts);
 
 }  // namespace scree

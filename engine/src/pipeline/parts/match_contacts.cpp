@@ -98,7 +98,7 @@ void MatchContacts(std::span<const Pair> pairs, const Searched& searched, FreshO
         const int a = static_cast<int>(key & 0xFFFFFFFFu);
         const int b = static_cast<int>(key >> 32);
         if (asks && !AskAbout(a, b, key, events, t)) continue;
-        if (MakeContact(a, b, t.fixtures, t.contacts) < 0 && asks) t.contacts.freshRefusals.push_back(key);
+        if (MakeContact(a, b, events, t.fixtures, t.contacts) < 0 && asks) t.contacts.freshRefusals.push_back(key);
     }
     t.contacts.refused.Add(t.contacts.freshRefusals);
     t.contacts.freshRefusals.clear();

@@ -5,8 +5,8 @@
 // it stays inside, continuous collision need not ask the broad phase; in free space there is nothing to look at at all.
 // A ball costs one query and serves for the steps until the body leaves it.
 //
-// Beside it, for a body that was shown to meet none of them, how far it may get from where it was without meeting one:
-// what rests or creeps about its place costs a comparison a step.
+// Beside it, for a body that was shown to meet none of them: how far it may get from where it was without meeting one.
+// What rests or creeps about its place costs a comparison a step.
 
 #pragma once
 

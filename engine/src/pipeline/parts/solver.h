@@ -12,6 +12,8 @@
 #include "constraints/contact_rows.h"
 #include "constraints/joint_solver.h"
 #include "constraints/joint_tree.h"
+#include "constraints/rolling_rows.h"
+#include "pipeline/parts/locked_bodies.h"
 #include "scree/accuracy.h"
 #include "scree/features.h"
 #include "scree/world_callbacks.h"
@@ -66,6 +68,8 @@ struct SolverScratch {
     JointTree restTree;  ///< of `rest`; each keeps its order while its joints stay the same
     ContactRows contacts;
     ContactBlocks blocks;
+    RollingRows rolling;  ///< of the contacts or the blocks
+    LockedBodies locked;  ///< of the bodies that are solved
     JointConstraints joints;
     std::vector<Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
@@ -81,12 +85,14 @@ struct SolverScratch {
         return BytesOf(contacts.velocity, contacts.position, delta, soft, startVelocity, jointed, before, islandSolved,
                        impulses) +
                rest.GetMemoryBytes() + tree.GetMemoryBytes() + restTree.GetMemoryBytes() + blocks.GetMemoryBytes() +
-               joints.GetMemoryBytes() + wide.GetMemoryBytes();
+               joints.GetMemoryBytes() + wide.GetMemoryBytes() + rolling.GetMemoryBytes() + locked.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
         contacts = {};
         blocks = {};
+        rolling = {};
+        locked = {};
         joints = {};
         delta = {};
         soft = {};
@@ -169,5 +175,14 @@ struct SolverTables {
     bool isRest = false;      ///< the rest of a step after a time of impact
     bool noteDemand = false;  ///< the soft step notes pull rates in BodyTable::demand
 };
+
+/// Rolling rows of a list of contacts; none without the feature.
+inline void PrepareRolling(const SolverSettings& settings, const FixtureTable& fixtures, std::span<const int> list,
+                           float impulseScale, SolverTables tables, RollingRows& rows) {
+    rows.Clear();
+    if (!settings.kernels.rolling) return;
+    EnsureRows(tables.contacts.rolling, tables.contacts.flags.size());
+    rows.Prepare({tables.bodies, fixtures, tables.contacts, list, impulseScale, settings.lengthScale});
+}
 
 }  // namespace scree

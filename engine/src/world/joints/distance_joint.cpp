@@ -32,7 +32,9 @@ void Check(const DistanceJointDef& def, Guard& guard) {
         .Require(def.minLength <= def.maxLength, ErrorCode::outOfRange, "DistanceJointDef::minLength",
                  "keep it at or below maxLength")
         .Amount(def.stiffness, "DistanceJointDef::stiffness")
-        .Amount(def.damping, "DistanceJointDef::damping");
+        .Amount(def.damping, "DistanceJointDef::damping")
+        .Require(def.maxSpringForce >= 0.0f, ErrorCode::outOfRange, "DistanceJointDef::maxSpringForce",
+                 "give a number of at least 0");
 }
 
 DistanceRow MakeRow(const DistanceJointDef& def, float slop) {
@@ -42,6 +44,7 @@ DistanceRow MakeRow(const DistanceJointDef& def, float slop) {
             .length = Max(def.length, slop),
             .stiffness = def.stiffness,
             .damping = def.damping,
+            .maxSpringForce = def.maxSpringForce,
             .shortest = slop,
             .limit = {.enabled = true, .lower = lower, .upper = Max(def.maxLength, lower)}};
 }
@@ -102,5 +105,13 @@ ErrorCode DistanceJoint::SetDamping(float damping) {
     return JointEdit(m_state, this, "DistanceJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);
 }
 float DistanceJoint::GetDamping() const { return Lives("DistanceJoint::GetDamping") ? Row().damping : 0.0f; }
+ErrorCode DistanceJoint::SetMaxSpringForce(float force) {
+    return JointEdit(m_state, this, "DistanceJoint::SetMaxSpringForce")
+        .Bound(force, "force")
+        .Set(Row().maxSpringForce, force);
+}
+float DistanceJoint::GetMaxSpringForce() const {
+    return Lives("DistanceJoint::GetMaxSpringForce") ? Row().maxSpringForce : 0.0f;
+}
 
 }  // namespace scree

@@ -81,6 +81,31 @@ ErrorCode Joint::SetUserData(const JointUserData& data) {
     InfoOf(m_state, m_index).userData = data;
     return ErrorCode::ok;
 }
+ErrorCode Joint::SetThresholds(float force, float torque, bool breaks) {
+    JointEdit edit(m_state, this, "Joint::SetThresholds");
+    if (edit.Bound(force, "force").Bound(torque, "torque").Failed()) return edit.Code();
+    JointInfo& info = InfoOf(m_state, m_index);
+    const JointInfo before = info;
+    info.forceThreshold = force;
+    info.torqueThreshold = torque;
+    info.breaks = breaks;
+    if (!edit.AllowsNow()) {
+        info = before;
+        return edit.Code();
+    }
+    const Recording recording = edit.Record(force, torque, breaks);
+    m_state->joints.NoteThresholds(m_index);
+    return ErrorCode::ok;
+}
+float Joint::GetForceThreshold() const {
+    return Lives("Joint::GetForceThreshold") ? InfoOf(m_state, m_index).forceThreshold : 0.0f;
+}
+float Joint::GetTorqueThreshold() const {
+    return Lives("Joint::GetTorqueThreshold") ? InfoOf(m_state, m_index).torqueThreshold : 0.0f;
+}
+bool Joint::BreaksAtThreshold() const {
+    return Lives("Joint::BreaksAtThreshold") ? InfoOf(m_state, m_index).breaks : false;
+}
 bool Joint::IsEnabled() const {
     return Lives("Joint::IsEnabled") ? GetBodyA()->IsEnabled() && GetBodyB()->IsEnabled() : false;
 }
@@ -117,6 +142,19 @@ ErrorCode SetLimits(JointEdit edit, LimitState& limit, float lower, float upper)
     limit.lower = lower;
     limit.upper = upper;
     limit.lowerImpulse = limit.upperImpulse = 0.0f;
+    return edit.Code();
+}
+
+ErrorCode EnableSpring(JointEdit edit, SpringState& spring, bool flag) { return edit.SetAndWake(spring.enabled, flag); }
+
+ErrorCode SetSpring(JointEdit edit, SpringState& spring, float stiffness, float damping) {
+    edit.Amount(stiffness, "stiffness").Amount(damping, "damping");
+    if (edit.Failed() || (spring.stiffness == stiffness && spring.damping == damping)) return edit.Code();
+    if (!edit.Allows(spring.stiffness, stiffness)) return edit.Code();
+    const Recording recording = edit.Record(stiffness, damping);
+    edit.WakeBodies();
+    spring.stiffness = stiffness;
+    spring.damping = damping;
     return edit.Code();
 }
 

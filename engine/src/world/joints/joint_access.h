@@ -28,6 +28,10 @@ public:
     }
     JointEdit& Finite(float value, const char* field) { return m_guard.Finite(value, field), *this; }
     JointEdit& Finite(Vec2 value, const char* field) { return m_guard.Finite(value, field), *this; }
+    /// Not negative, but it may be infinite.
+    JointEdit& Bound(float value, const char* field) {
+        return m_guard.Require(value >= 0.0f, ErrorCode::outOfRange, field, "give a number of at least 0"), *this;
+    }
     /// Finite and not negative.
     JointEdit& Amount(float value, const char* field) { return m_guard.Amount(value, field), *this; }
     JointEdit& Require(bool holds, const char* field, const char* cure) {
@@ -62,10 +66,12 @@ public:
     template <typename T>
     bool Allows(T& target, T value) {
         const T before = std::exchange(target, value);
-        m_guard.Uses(FeaturesOfJoint(m_state.joints, m_joint->GetIndex()));
+        AllowsNow();
         target = before;
         return !Failed();
     }
+    /// The same with the values that it has.
+    bool AllowsNow() { return !m_guard.Uses(FeaturesOfJoint(m_state.joints, m_joint->GetIndex())).Failed(); }
     void WakeBodies() {
         const JointInfo& info = m_state.joints.info[static_cast<size_t>(m_joint->GetIndex())];
         m_state.bodies.Wake(info.bodyA);
@@ -78,9 +84,11 @@ private:
     Guard m_guard;
 };
 
-/// The setters of limits and motors, equal for all joints that have them.
+/// The setters of limits, motors and springs, equal for all joints that have them.
 ErrorCode EnableLimit(JointEdit edit, LimitState& limit, bool flag);
 ErrorCode SetLimits(JointEdit edit, LimitState& limit, float lower, float upper);
+ErrorCode EnableSpring(JointEdit edit, SpringState& spring, bool flag);
+ErrorCode SetSpring(JointEdit edit, SpringState& spring, float stiffness, float damping);
 
 /// A point of each body and an axis in A, in body coordinates.
 struct SlideFrame {

@@ -6,6 +6,8 @@
 
 #include "world/joints/joint_definitions.h"
 
+#include <vector>
+
 #include "world/refresh.h"
 
 namespace scree {
@@ -37,6 +39,9 @@ JointInfo HeadOf(const JointDef& def) {
     head.type = def.type;
     head.collideConnected = def.collideConnected;
     head.userData = def.userData;
+    head.forceThreshold = def.forceThreshold;
+    head.torqueThreshold = def.torqueThreshold;
+    head.breaks = def.breaks;
     return head;
 }
 
@@ -83,6 +88,10 @@ Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
 
 Joint* AddJoint(WorldState& s, const JointDef& def) {
     Guard guard(s, "World::CreateJoint");
+    guard.Require(def.forceThreshold >= 0.0f && def.torqueThreshold >= 0.0f, ErrorCode::outOfRange,
+                  "JointDef::forceThreshold, torqueThreshold", "give numbers of at least 0");
+    if (HeadOf(def).HasThreshold()) guard.Uses({Feature::events});
+    if (guard.Failed()) return nullptr;
     Joint* joint = nullptr;
     bool known = false;
     JointTable::WithStore(s.joints, def.type, [&](auto& store) {
@@ -105,6 +114,33 @@ int FindGearOf(const WorldState& s, int joint) {
         if (gear.side[0].joint == joint || gear.side[1].joint == joint) return other;
     }
     return -1;
+}
+
+void RemoveJointWithGears(WorldState& s, int joint) {
+    for (int gear = FindGearOf(s, joint); gear >= 0; gear = FindGearOf(s, joint)) {
+        SayGoodbye(s, s.joints.handles[static_cast<size_t>(gear)]);
+        RemoveJoint(s, gear);
+    }
+    RemoveJoint(s, joint);
+}
+
+void BreakStrainedJoints(WorldState& s) {
+    if (s.joints.watched.IsEmpty()) return;
+    const float inverseDt = s.lastInverseDt;
+    std::vector<int> broken;
+    s.joints.watched.ForEach([&](int joint) {
+        const JointInfo& info = InfoOf(s, joint);
+        if (!s.bodies.IsActive(info.bodyA) && !s.bodies.IsActive(info.bodyB)) return;
+        const Joint* const handle = s.joints.handles[static_cast<size_t>(joint)];
+        const float force = handle->GetReactionForce(inverseDt).Length();
+        const float torque = Abs(handle->GetReactionTorque(inverseDt));
+        if (force <= info.forceThreshold && torque <= info.torqueThreshold) return;
+        s.log.NoteJoint({joint, s.joints.slots.GetGeneration(joint)}, force, torque, info.breaks);
+        if (info.breaks) broken.push_back(joint);
+    });
+    for (const int joint : broken) {
+        if (s.joints.slots.IsAlive(joint)) RemoveJointWithGears(s, joint);  // else a gear that went with its joint
+    }
 }
 
 void RemoveJoint(WorldState& s, int joint) {

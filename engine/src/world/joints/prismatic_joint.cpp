@@ -34,7 +34,12 @@ void Check(const PrismaticJointDef& def, Guard& guard) {
         .Require(def.lowerTranslation <= def.upperTranslation, ErrorCode::outOfRange,
                  "PrismaticJointDef::lowerTranslation", "keep it at or below upperTranslation")
         .Finite(def.motorSpeed, "PrismaticJointDef::motorSpeed")
-        .Amount(def.maxMotorForce, "PrismaticJointDef::maxMotorForce");
+        .Amount(def.maxMotorForce, "PrismaticJointDef::maxMotorForce")
+        .Amount(def.stiffness, "PrismaticJointDef::stiffness")
+        .Amount(def.damping, "PrismaticJointDef::damping")
+        .Finite(def.targetTranslation, "PrismaticJointDef::targetTranslation")
+        .Require(def.maxSpringForce >= 0.0f, ErrorCode::outOfRange, "PrismaticJointDef::maxSpringForce",
+                 "give a number of at least 0");
 }
 
 PrismaticRow MakeRow(const PrismaticJointDef& def) {
@@ -43,7 +48,12 @@ PrismaticRow MakeRow(const PrismaticJointDef& def) {
             .localAxisA = UnitAxis(def.localAxisA),
             .referenceAngle = def.referenceAngle,
             .limit = {.enabled = def.enableLimit, .lower = def.lowerTranslation, .upper = def.upperTranslation},
-            .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorForce}};
+            .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorForce},
+            .spring = {.enabled = def.enableSpring,
+                       .stiffness = def.stiffness,
+                       .damping = def.damping,
+                       .target = def.targetTranslation,
+                       .maximum = def.maxSpringForce}};
 }
 
 Vec2 PrismaticJoint::GetAnchorA() const {
@@ -55,7 +65,7 @@ Vec2 PrismaticJoint::GetAnchorB() const {
 Vec2 PrismaticJoint::GetReactionForce(float inverseDt) const {
     if (!Lives("PrismaticJoint::GetReactionForce")) return vec2Zero;
     const PrismaticRow& row = Row();
-    const float along = row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse;
+    const float along = row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse;
     return inverseDt * (row.impulse.x * row.axis.Skew() + along * row.axis);
 }
 float PrismaticJoint::GetReactionTorque(float inverseDt) const {
@@ -124,6 +134,39 @@ float PrismaticJoint::GetMaxMotorForce() const {
 }
 float PrismaticJoint::GetMotorForce(float inverseDt) const {
     return Lives("PrismaticJoint::GetMotorForce") ? inverseDt * Row().motor.impulse : 0.0f;
+}
+
+bool PrismaticJoint::IsSpringEnabled() const {
+    return Lives("PrismaticJoint::IsSpringEnabled") ? Row().spring.enabled : false;
+}
+ErrorCode PrismaticJoint::EnableSpring(bool flag) {
+    return scree::EnableSpring(JointEdit(m_state, this, "PrismaticJoint::EnableSpring"), Row().spring, flag);
+}
+ErrorCode PrismaticJoint::SetSpring(float stiffness, float damping) {
+    return scree::SetSpring(JointEdit(m_state, this, "PrismaticJoint::SetSpring"), Row().spring, stiffness, damping);
+}
+float PrismaticJoint::GetStiffness() const {
+    return Lives("PrismaticJoint::GetStiffness") ? Row().spring.stiffness : 0.0f;
+}
+float PrismaticJoint::GetDamping() const { return Lives("PrismaticJoint::GetDamping") ? Row().spring.damping : 0.0f; }
+ErrorCode PrismaticJoint::SetTargetTranslation(float translation) {
+    return JointEdit(m_state, this, "PrismaticJoint::SetTargetTranslation")
+        .Finite(translation, "translation")
+        .SetAndWake(Row().spring.target, translation);
+}
+float PrismaticJoint::GetTargetTranslation() const {
+    return Lives("PrismaticJoint::GetTargetTranslation") ? Row().spring.target : 0.0f;
+}
+ErrorCode PrismaticJoint::SetMaxSpringForce(float force) {
+    return JointEdit(m_state, this, "PrismaticJoint::SetMaxSpringForce")
+        .Bound(force, "force")
+        .SetAndWake(Row().spring.maximum, force);
+}
+float PrismaticJoint::GetMaxSpringForce() const {
+    return Lives("PrismaticJoint::GetMaxSpringForce") ? Row().spring.maximum : 0.0f;
+}
+float PrismaticJoint::GetSpringForce(float inverseDt) const {
+    return Lives("PrismaticJoint::GetSpringForce") ? inverseDt * Row().spring.impulse : 0.0f;
 }
 
 }  // namespace scree

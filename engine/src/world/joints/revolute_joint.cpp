@@ -30,7 +30,12 @@ void Check(const RevoluteJointDef& def, Guard& guard) {
         .Require(def.lowerAngle <= def.upperAngle, ErrorCode::outOfRange, "RevoluteJointDef::lowerAngle",
                  "keep it at or below upperAngle")
         .Finite(def.motorSpeed, "RevoluteJointDef::motorSpeed")
-        .Amount(def.maxMotorTorque, "RevoluteJointDef::maxMotorTorque");
+        .Amount(def.maxMotorTorque, "RevoluteJointDef::maxMotorTorque")
+        .Amount(def.stiffness, "RevoluteJointDef::stiffness")
+        .Amount(def.damping, "RevoluteJointDef::damping")
+        .Finite(def.targetAngle, "RevoluteJointDef::targetAngle")
+        .Require(def.maxSpringTorque >= 0.0f, ErrorCode::outOfRange, "RevoluteJointDef::maxSpringTorque",
+                 "give a number of at least 0");
 }
 
 RevoluteRow MakeRow(const RevoluteJointDef& def) {
@@ -38,7 +43,12 @@ RevoluteRow MakeRow(const RevoluteJointDef& def) {
             .localAnchorB = def.localAnchorB,
             .referenceAngle = def.referenceAngle,
             .limit = {.enabled = def.enableLimit, .lower = def.lowerAngle, .upper = def.upperAngle},
-            .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorTorque}};
+            .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorTorque},
+            .spring = {.enabled = def.enableSpring,
+                       .stiffness = def.stiffness,
+                       .damping = def.damping,
+                       .target = def.targetAngle,
+                       .maximum = def.maxSpringTorque}};
 }
 
 Vec2 RevoluteJoint::GetAnchorA() const {
@@ -53,7 +63,7 @@ Vec2 RevoluteJoint::GetReactionForce(float inverseDt) const {
 float RevoluteJoint::GetReactionTorque(float inverseDt) const {
     if (!Lives("RevoluteJoint::GetReactionTorque")) return 0.0f;
     const RevoluteRow& row = Row();
-    return inverseDt * (row.motor.impulse + row.limit.lowerImpulse - row.limit.upperImpulse);
+    return inverseDt * (row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse);
 }
 Vec2 RevoluteJoint::GetLocalAnchorA() const {
     return Lives("RevoluteJoint::GetLocalAnchorA") ? Row().localAnchorA : vec2Zero;
@@ -107,6 +117,39 @@ float RevoluteJoint::GetMaxMotorTorque() const {
 }
 float RevoluteJoint::GetMotorTorque(float inverseDt) const {
     return Lives("RevoluteJoint::GetMotorTorque") ? inverseDt * Row().motor.impulse : 0.0f;
+}
+
+bool RevoluteJoint::IsSpringEnabled() const {
+    return Lives("RevoluteJoint::IsSpringEnabled") ? Row().spring.enabled : false;
+}
+ErrorCode RevoluteJoint::EnableSpring(bool flag) {
+    return scree::EnableSpring(JointEdit(m_state, this, "RevoluteJoint::EnableSpring"), Row().spring, flag);
+}
+ErrorCode RevoluteJoint::SetSpring(float stiffness, float damping) {
+    return scree::SetSpring(JointEdit(m_state, this, "RevoluteJoint::SetSpring"), Row().spring, stiffness, damping);
+}
+float RevoluteJoint::GetStiffness() const {
+    return Lives("RevoluteJoint::GetStiffness") ? Row().spring.stiffness : 0.0f;
+}
+float RevoluteJoint::GetDamping() const { return Lives("RevoluteJoint::GetDamping") ? Row().spring.damping : 0.0f; }
+ErrorCode RevoluteJoint::SetTargetAngle(float angle) {
+    return JointEdit(m_state, this, "RevoluteJoint::SetTargetAngle")
+        .Finite(angle, "angle")
+        .SetAndWake(Row().spring.target, angle);
+}
+float RevoluteJoint::GetTargetAngle() const {
+    return Lives("RevoluteJoint::GetTargetAngle") ? Row().spring.target : 0.0f;
+}
+ErrorCode RevoluteJoint::SetMaxSpringTorque(float torque) {
+    return JointEdit(m_state, this, "RevoluteJoint::SetMaxSpringTorque")
+        .Bound(torque, "torque")
+        .SetAndWake(Row().spring.maximum, torque);
+}
+float RevoluteJoint::GetMaxSpringTorque() const {
+    return Lives("RevoluteJoint::GetMaxSpringTorque") ? Row().spring.maximum : 0.0f;
+}
+float RevoluteJoint::GetSpringTorque(float inverseDt) const {
+    return Lives("RevoluteJoint::GetSpringTorque") ? inverseDt * Row().spring.impulse : 0.0f;
 }
 
 }  // namespace scree

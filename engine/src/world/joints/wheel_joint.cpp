@@ -34,7 +34,9 @@ void Check(const WheelJointDef& def, Guard& guard) {
         .Finite(def.motorSpeed, "WheelJointDef::motorSpeed")
         .Amount(def.maxMotorTorque, "WheelJointDef::maxMotorTorque")
         .Amount(def.stiffness, "WheelJointDef::stiffness")
-        .Amount(def.damping, "WheelJointDef::damping");
+        .Amount(def.damping, "WheelJointDef::damping")
+        .Require(def.maxSpringForce >= 0.0f, ErrorCode::outOfRange, "WheelJointDef::maxSpringForce",
+                 "give a number of at least 0");
 }
 
 WheelRow MakeRow(const WheelJointDef& def) {
@@ -43,6 +45,7 @@ WheelRow MakeRow(const WheelJointDef& def) {
             .localAxisA = UnitAxis(def.localAxisA),
             .stiffness = def.stiffness,
             .damping = def.damping,
+            .maxSpringForce = def.maxSpringForce,
             .limit = {.enabled = def.enableLimit, .lower = def.lowerTranslation, .upper = def.upperTranslation},
             .motor = {.enabled = def.enableMotor, .speed = def.motorSpeed, .maximum = def.maxMotorTorque}};
 }
@@ -129,5 +132,13 @@ ErrorCode WheelJoint::SetDamping(float damping) {
     return JointEdit(m_state, this, "WheelJoint::SetDamping").Amount(damping, "damping").Set(Row().damping, damping);
 }
 float WheelJoint::GetDamping() const { return Lives("WheelJoint::GetDamping") ? Row().damping : 0.0f; }
+ErrorCode WheelJoint::SetMaxSpringForce(float force) {
+    return JointEdit(m_state, this, "WheelJoint::SetMaxSpringForce")
+        .Bound(force, "force")
+        .Set(Row().maxSpringForce, force);
+}
+float WheelJoint::GetMaxSpringForce() const {
+    return Lives("WheelJoint::GetMaxSpringForce") ? Row().maxSpringForce : 0.0f;
+}
 
 }  // namespace scree

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Explosions and wind, as functions over queries and impulses: nothing of them is kept in the world. Call them outside
+// of Step and callbacks. Recordings hold the impulses and forces that they apply.
+
+#pragma once
+
+#include <cstdint>
+
+#include "scree/errors.h"
+#include "scree/math.h"
+#include "scree/queries.h"
+#include "scree/world.h"
+
+namespace scree {
+
+/// Input of Explode.
+struct ExplosionDef {
+    Vec2 position{0.0f, 0.0f};  ///< m
+    float radius = 1.0f;        ///< within which it has its full strength, m, ≥ 0
+    float falloff = 0.0f;       ///< distance beyond it over which the strength falls to 0, m, ≥ 0
+    /// Per metre of a fixture's width as it is seen from the centre, N·s/m; negative: an implosion.
+    float impulsePerWidth = 0.0f;
+    QueryFilter filter{~uint64_t{0}, false};  ///< which fixtures it reaches
+};
+
+/// Pushes every dynamic body within reach away from the centre, fixture by fixture, at the point that is nearest to it,
+/// and wakes them. Walls do not shield. Bad numbers: an error, and nothing happens. O(fixtures within reach).
+ErrorCode Explode(World& world, const ExplosionDef& def);
+
+/// Input of ApplyWind.
+struct WindDef {
+    Vec2 velocity{0.0f, 0.0f};  ///< of the air, m/s
+    /// Pressure over density and the square of the speed at right angles to a side, kg/m² of the air times a factor of
+    /// the shape, ≥ 0. 1.2 is air on a flat plate of a depth of 1 m.
+    float density = 1.2f;
+    bool wake = false;  ///< sleeping bodies are blown awake
+};
+
+/// The force of wind on a fixture of a dynamic body in the next step: on each part of its outline that faces the wind
+/// (what is seen of it from the moving surface) a pressure against its normal of density · (speed along the normal)²
+/// (Newton's law of the sine square). Drag, lift and torque come of it. Static bodies, edges and chains: nothing
+/// happens. O(vertices).
+ErrorCode ApplyWind(Fixture* fixture, const WindDef& wind);
+
+}  // namespace scree

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Bodies that do not move along x or y (MotionLocks). The solvers take such a body for free and put its velocity there
+// back to 0 after every pass: constraints come to what they are against a wall as they are iterated, and the body does
+// not move at all.
+
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/bytes.h"
+#include "scree/features.h"
+#include "state/bodies.h"
+
+namespace scree {
+
+/// Whether a body is locked by these flags (BodyFlag).
+inline bool IsLockedBy(const BodyTable& bodies, int body, uint16_t flags) {
+    return bodies.type[static_cast<size_t>(body)] == dynamicBody && bodies.Has(body, flags);
+}
+
+class LockedBodies {
+public:
+    /// Those of a list; none without the feature.
+    void Gather(const KernelSet& kernels, std::span<const int> list, const BodyTable& bodies) {
+        m_x.clear(), m_y.clear();
+        if (!kernels.locks) return;
+        for (const int body : list) {
+            if (IsLockedBy(bodies, body, BodyFlag::lockX)) m_x.push_back(body);
+            if (IsLockedBy(bodies, body, BodyFlag::lockY)) m_y.push_back(body);
+        }
+    }
+    /// In a column of velocities, or of motions since the start of the step.
+    void Stop(std::vector<Velocity>& column) const {
+        for (const int body : m_x) column[static_cast<size_t>(body)].v.x = 0.0f;
+        for (const int body : m_y) column[static_cast<size_t>(body)].v.y = 0.0f;
+    }
+    /// Takes back what position passes did.
+    void Return(BodyTable& bodies) const {
+        for (const int body : m_x) {
+            const auto b = static_cast<size_t>(body);
+            bodies.position[b].c.x = bodies.startPosition[b].c.x;
+            if (bodies.IsFar()) bodies.rest[b].end.x = bodies.rest[b].start.x;
+        }
+        for (const int body : m_y) {
+            const auto b = static_cast<size_t>(body);
+            bodies.position[b].c.y = bodies.startPosition[b].c.y;
+            if (bodies.IsFar()) bodies.rest[b].end.y = bodies.rest[b].start.y;
+        }
+    }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_x, m_y); }
+
+private:
+    std::vector<int> m_x, m_y;
+};
+
+/// The same for one body by itself.
+inline void StopLocked(const BodyTable& bodies, int body, Velocity& v) {
+    if (IsLockedBy(bodies, body, BodyFlag::lockX)) v.v.x = 0.0f;
+    if (IsLockedBy(bodies, body, BodyFlag::lockY)) v.v.y = 0.0f;
+}
+
+}  // namespace scree

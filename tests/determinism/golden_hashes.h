@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// State hashes that every build on every machine must give: testbed::HashState of the bodies after some steps of small
+// scenes, run as Box2D runs them (caps on, continuous off). A deliberate change of the engine's arithmetic updates
+// them.
+
+#pragma once
+
+#include <cstdint>
+
+namespace determinism {
+
+struct GoldenHash {
+    const char* scene;
+    int size;
+    int steps;
+    uint64_t hash;      ///< sequential impulses
+    uint64_t softHash;  ///< soft step, 4 sub-steps
+};
+
+inline constexpr GoldenHash golden[] = {
+    {"tiles", 30, 60, 0x09305017abf583e2, 0xbf1e3b62fdc337e0},
+    {"falling-squares", 16, 200, 0x67d5532d5cea1d28, 0x7af4efd5080a9fcc},
+    {"falling-circles", 16, 200, 0x4aecc2ed06cc57c2, 0x0edd4c7e1f2b92c7},
+    {"tumbler", 100, 150, 0xcaf1ffb7890dfb43, 0x93580cc012de9398},
+    {"add-pair-400", 400, 40, 0xfb85f5787237ff4c, 0x926921731ffc185f},
+    {"mild-n2", 10, 60, 0xac76f4aa32dd68bb, 0x8289cfde11efa172},
+    {"n2", 40, 60, 0xbb1efa84e0a384c9, 0xe5d2db3d1305b3bc},
+    {"multi-fixture", 5, 60, 0x2586c8967129a7a0, 0x5e75a03200641f8b},
+    {"mostly-static-single", 20, 60, 0x642b833134143ee0, 0xff16f15e2a0532e8},
+    {"big-mobile", 5, 120, 0xaf812665a3e6aba7, 0x767df767730ffa46},
+    {"mixed", 300, 100, 0x0b12a89b27ff7c4f, 0x25ab08daf7fa48e1},
+    {"slow-explosion", 300, 100, 0x7ed2baff96f70b4f, 0x7ed2baff96f70b4f},
+};
+
+}  // namespace determinism

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A world goes back to an image of itself: same state and same future, handles stay, bad images change nothing.
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <vector>
+
+#include "scree/recording.h"
+#include "scree/snapshot.h"
+#include "tests/world/fixtures.h"
+
+namespace scree::test {
+namespace {
+
+constexpr int solvers[] = {0, 4};  // sequential impulses, soft step of four
+
+/// A game that is played from a seed and a frame number: what it does in a frame depends on nothing else.
+class Game {
+public:
+    explicit Game(int substeps) : m_substeps(substeps) {
+        AddGround(world);
+        for (int i = 0; i < 30; ++i) {
+            bodies.push_back(AddBody(world, dynamicBody, {1.1f * static_cast<float>(i % 6), 0.6f + 1.1f * (i / 6)}));
+            i % 2 == 0 ? AddBox(bodies.back(), 0.5f, 0.5f) : AddCircle(bodies.back(), 0.5f);
+        }
+        RevoluteJointDef hinge;
+        hinge.Initialize(bodies[0], bodies[1], {0.5f, 0.6f});
+        joint = world.CreateJoint(&hinge);
+    }
+    void Play(int from, int to) {
+        for (int number = from; number < to; ++number) {
+            std::mt19937 random(static_cast<uint32_t>(number));
+            if (number % 9 == 5) AddCircle(AddBody(world, dynamicBody, {3.0f, 9.0f}), 0.4f);
+            if (number % 13 == 7) {
+                Body* last = world.GetBodyList();
+                if (last->GetType() == dynamicBody && last->GetJointCount() == 0) world.DestroyBody(last);
+            }
+            if (Body* any = world.GetBodyList(); any != nullptr && any->GetType() == dynamicBody) {
+                any->ApplyLinearImpulseToCenter({static_cast<float>(random() % 5) - 2.0f, 1.0f}, true);
+            }
+            m_substeps == 0 ? world.Step(frame, 8, 3) : world.Step(frame, m_substeps);
+        }
+    }
+    World world{Vec2{0.0f, -10.0f}};
+    std::vector<Body*> bodies;
+    Joint* joint;
+
+private:
+    int m_substeps;
+};
+
+TEST(Restore, AWorldGoesOnFromAnImageAsItDidBefore) {
+    for (const int substeps : solvers) {
+        for (const int workers : {1, 3}) {
+            Game game(substeps);
+            game.world.SetWorkers(workers);
+            game.Play(0, 40);
+            const std::vector<std::byte> image = SaveWorld(game.world);
+            const uint64_t saved = inspect::GetStateHash(game.world);
+            game.Play(40, 90);
+            const uint64_t after = inspect::GetStateHash(game.world);
+            for (int round = 0; round < 3; ++round) {
+                ASSERT_EQ(RestoreWorld(game.world, image), SnapshotError::ok);
+                EXPECT_EQ(inspect::GetStateHash(game.world), saved);
+                EXPECT_EQ(SaveWorld(game.world), image);
+                EXPECT_EQ(game.world.GetWorkerCount(), workers);
+                game.Play(40, 90);
+                ASSERT_EQ(inspect::GetStateHash(game.world), after) << substeps << ' ' << workers << ' ' << round;
+            }
+        }
+    }
+}
+
+struct Counter : ContactListener {
+    void BeginContact(Contact*) override { ++begun; }
+    int begun = 0;
+};
+
+TEST(Restore, HandlesAndListenersStay) {
+    Game game(4);
+    Counter counter;
+    game.world.SetContactListener(&counter);
+    game.Play(0, 30);
+    World& world = game.world;
+    const BodyId id = world.GetId(game.bodies[4]);
+    Fixture* fixture = game.bodies[4]->GetFixtureList();
+    const Vec2 place = game.bodies[4]->GetPosition();
+    const std::vector<std::byte> image = SaveWorld(world);
+    Contact* contact = world.GetContactList();
+    const ContactId contactId = world.GetId(contact);
+
+    world.DestroyBody(game.bodies[4]);
+    world.DestroyJoint(game.joint);
+    Body* later = AddBody(world, dynamicBody, {50.0f, 0.0f});
+    Body* latest = AddBody(world, dynamicBody, {60.0f, 0.0f});
+    const BodyId laterId = world.GetId(latest);
+    EXPECT_EQ(later, game.bodies[4]) << "the number was free";
+    ASSERT_EQ(RestoreWorld(world, image), SnapshotError::ok);
+
+    EXPECT_EQ(world.Find(id), game.bodies[4]);
+    EXPECT_TRUE(game.bodies[4]->GetPosition() == place);
+    EXPECT_EQ(game.bodies[4]->GetFixtureList(), fixture);
+    EXPECT_EQ(fixture->GetBody(), game.bodies[4]);
+    EXPECT_EQ(game.joint->GetBodyB(), game.bodies[1]);
+    EXPECT_EQ(world.GetJointList(), game.joint);
+    EXPECT_EQ(world.Find(laterId), nullptr);
+    EXPECT_EQ(world.Find(contactId), nullptr);
+    EXPECT_NE(world.GetContactList(), nullptr);
+    EXPECT_EQ(world.Find(world.GetId(world.GetContactList())), world.GetContactList());
+    ErrorLog errors(world);
+    EXPECT_TRUE(latest->GetPosition() == vec2Zero);
+    EXPECT_EQ(errors.count, 1);
+    counter.begun = 0;
+    game.Play(30, 60);
+    EXPECT_GT(counter.begun, 0);
+    ASSERT_EQ(RestoreWorld(world, image), SnapshotError::ok);
+    EXPECT_EQ(game.joint->GetBodyA(), game.bodies[0]);
+}
+
+TEST(Restore, TakesImagesOfOtherWorlds) {
+    Game small(4);
+    small.Play(0, 20);
+    World world({1.0f, 2.0f});
+    WorldDef def;
+    def.broadPhase = BroadPhaseKind::fatTree;
+    World other(def);
+    AddBox(AddBody(other, dynamicBody, {0.0f, 0.0f}), 1.0f, 1.0f);
+    for (World* each : {&world, &other}) {
+        ASSERT_EQ(RestoreWorld(*each, SaveWorld(small.world)), SnapshotError::ok);
+        EXPECT_EQ(inspect::GetStateHash(*each), inspect::GetStateHash(small.world));
+        each->Step(frame, 4);
+    }
+    small.world.Step(frame, 4);
+    EXPECT_EQ(inspect::GetStateHash(world), inspect::GetStateHash(small.world));
+    EXPECT_EQ(inspect::GetStateHash(other), inspect::GetStateHash(small.world));
+}
+
+TEST(Restore, ABadImageAndABadMomentChangeNothing) {
+    Game game(4);
+    game.Play(0, 25);
+    const std::vector<std::byte> image = SaveWorld(game.world);
+    game.Play(25, 30);
+    const uint64_t before = inspect::GetStateHash(game.world);
+    std::vector<std::byte> bad = image;
+    bad[bad.size() / 2] ^= std::byte{8};
+    EXPECT_EQ(RestoreWorld(game.world, bad), SnapshotError::wrongChecksum);
+    EXPECT_EQ(RestoreWorld(game.world, {}), SnapshotError::notASnapshot);
+    ErrorLog errors(game.world);
+    game.world.QueryAABB({{-90.0f, -9.0f}, {90.0f, 90.0f}}, [&](Fixture*) {
+        EXPECT_EQ(RestoreWorld(game.world, image), SnapshotError::refused);
+        return false;
+    });
+    Recorder recorder;
+    StartRecording(game.world, recorder);
+    EXPECT_EQ(RestoreWorld(game.world, image), SnapshotError::refused);
+    StopRecording(game.world);
+    World fixed([] {
+        WorldDef def;
+        def.featureMode = FeatureMode::fixed;
+        def.features = {Feature::friction};
+        return def;
+    }());
+    ErrorLog fixedErrors(fixed);
+    EXPECT_EQ(RestoreWorld(fixed, image), SnapshotError::refused);
+    EXPECT_EQ(fixedErrors.last.code, ErrorCode::missingFeature);
+    EXPECT_EQ(errors.count, 2);
+    EXPECT_EQ(fixed.GetBodyCount(), 0);
+    EXPECT_EQ(inspect::GetStateHash(game.world), before);
+}
+
+}  // namespace
+}  // namespace scree::test
