@@ -91,14 +91,15 @@ struct Api {
     }
 
     template <typename Scene>
-    static bool WriteOwnShape(Scene& scene, const std::vector<const Fixture*>& group) {
-        if (group.front()->GetChainId() >= 0) {
+    static void WriteShape(Scene& scene, const std::vector<const Fixture*>& group) {
+        const Fixture& fixture = *group.front();
+        if (fixture.GetChainId() >= 0) {
             WriteChain(scene, group);
-            return true;
+        } else if (fixture.GetType() == Shape::e_convex) {
+            WriteConvex(scene, static_cast<const scree::ConvexShape&>(*fixture.GetShape()));
+        } else {
+            detail::UsualShapes<Api, Scene>::Write(scene, *fixture.GetShape());
         }
-        if (group.front()->GetType() != Shape::e_convex) return false;
-        WriteConvex(scene, static_cast<const scree::ConvexShape&>(*group.front()->GetShape()));
-        return true;
     }
 
     static const char* NameOf(const Joint& joint) {

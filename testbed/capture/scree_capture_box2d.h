@@ -155,8 +155,11 @@ struct Api {
     static bool GoOn(const Fixture&, const Fixture&) { return false; }
 
     template <typename Scene>
-    static bool WriteOwnShape(Scene& scene, const std::vector<const Fixture*>& group) {
-        if (group.front()->GetType() != b2Shape::e_chain) return false;
+    static void WriteShape(Scene& scene, const std::vector<const Fixture*>& group) {
+        if (group.front()->GetType() != b2Shape::e_chain) {
+            detail::UsualShapes<Api, Scene>::Write(scene, *group.front()->GetShape());
+            return;
+        }
         const b2ChainShape& chain = static_cast<const b2ChainShape&>(*group.front()->GetShape());
         const Vec2* v = chain.m_vertices;
         const int count = chain.m_count;
@@ -166,7 +169,6 @@ struct Api {
         const Vec2 ghosts[] = {chain.m_prevVertex, chain.m_nextVertex};
         if (!isLoop) scene.Points("vertices", ghosts, 2);
         scene.Points("chainVertices", v, isLoop ? count - 1 : count);
-        return true;
     }
 
     static const char* NameOf(const Joint& joint) {

@@ -16,8 +16,11 @@
 
 #include <box2d/box2d.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -432,7 +435,7 @@ struct Api {
             case b2_circleShape: {
                 const b2Circle circle = b2Shape_GetCircle(id);
                 scene.Text("type", "circle");
-                scene.Number("radius", circle.radius, 0.0f);
+                scene.Always("radius", circle.radius);
                 scene.Vector("center", ToPoint(circle.center), 0.0f, 0.0f);
                 break;
             }
@@ -441,7 +444,7 @@ struct Api {
                 const Point ends[] = {ToPoint(capsule.center1), ToPoint(capsule.center2)};
                 scene.Text("type", "capsule");
                 scene.Points("vertices", ends, 2);
-                scene.Number("radius", capsule.radius, 0.0f);
+                scene.Always("radius", capsule.radius);
                 break;
             }
             case b2_polygonShape:

@@ -104,6 +104,18 @@ inline void PutVarint(Bytes& out, std::uint64_t value) {
     out.push_back(static_cast<unsigned char>(value));
 }
 
+/// The same at a place that has room: the place behind it is returned.
+inline unsigned char* PutFloat(unsigned char* out, float value) {
+    const std::uint32_t bits = BitsOf(value);
+    for (int i = 0; i < 4; ++i) out[i] = static_cast<unsigned char>(bits >> 8 * i);
+    return out + 4;
+}
+inline unsigned char* PutVarint(unsigned char* out, std::uint64_t value) {
+    for (; value >= 0x80; value >>= 7) *out++ = static_cast<unsigned char>(value | 0x80);
+    *out++ = static_cast<unsigned char>(value);
+    return out;
+}
+
 /// CRC-32 of zlib, eight bytes at a time.
 class Crc32 {
 public:
@@ -379,9 +391,7 @@ inline unsigned char* PackState(unsigned char* out, std::int64_t number, std::in
     *out++ = static_cast<unsigned char>(lengths[3] + 5 * lengths[4] + 25 * lengths[5] + (now.awake ? 125 : 0));
     if (isFar) {
         const std::int64_t difference = number - lastNumber;
-        std::uint64_t left = static_cast<std::uint64_t>(difference < 0 ? -2 * difference - 1 : 2 * difference);
-        for (; left >= 0x80; left >>= 7) *out++ = static_cast<unsigned char>(left | 0x80);
-        *out++ = static_cast<unsigned char>(left);
+        out = PutVarint(out, static_cast<std::uint64_t>(difference < 0 ? -2 * difference - 1 : 2 * difference));
     }
     for (int i = 0; i < 6; ++i) {
         for (unsigned k = 0; k < 4; ++k) out[k] = static_cast<unsigned char>(residuals[i] >> 8 * k);

@@ -40,7 +40,6 @@ public:
     typedef typename Api::Body Body;
     typedef typename Api::Fixture Fixture;
     typedef typename Api::Joint Joint;
-    typedef typename Api::Shape Shape;
     typedef typename Api::Vec2 Vec2;
 
     explicit SceneWriter(Writer& writer) : m_out(writer) {}
@@ -96,6 +95,10 @@ public:
         m_out.EndMap();
     }
 
+    void Always(const char* key, float value) {
+        m_out.Key(key);
+        m_out.Value(value);
+    }
     // Members, left out where they have their default.
     void Number(const char* key, float value, float usual) {
         if (BitsOf(value) == BitsOf(usual)) return;
@@ -164,7 +167,7 @@ private:
         m_out.BeginMap();
         m_out.Key("shape");
         m_out.BeginMap();
-        if (!Api::WriteOwnShape(*this, group)) WriteShape(*fixture.GetShape());
+        Api::WriteShape(*this, group);
         m_out.EndMap();
         Number("density", fixture.GetDensity(), 0.0f);
         Number("friction", fixture.GetFriction(), 0.2f);
@@ -176,34 +179,44 @@ private:
         m_out.EndMap();
     }
 
-    void WriteShape(const Shape& shape) {
+    Writer& m_out;
+};
+
+/// Shapes that all engines of Box2D 2.4's kind have.
+template <typename Api, typename Scene>
+class UsualShapes {
+public:
+    typedef typename Api::Shape Shape;
+    typedef typename Api::Vec2 Vec2;
+
+    static void Write(Scene& scene, const Shape& shape) {
         if (shape.GetType() == Shape::e_circle) {
             const typename Api::Circle& circle = static_cast<const typename Api::Circle&>(shape);
-            Text("type", "circle");
-            m_out.Key("radius");
-            m_out.Value(circle.m_radius);
-            Vector("center", circle.m_p, 0.0f, 0.0f);
+            scene.Text("type", "circle");
+            scene.Always("radius", circle.m_radius);
+            scene.Vector("center", circle.m_p, 0.0f, 0.0f);
         } else if (shape.GetType() == Shape::e_edge) {
             const typename Api::Edge& edge = static_cast<const typename Api::Edge&>(shape);
             const Vec2 vertices[] = {edge.m_vertex1, edge.m_vertex2, edge.m_vertex0, edge.m_vertex3};
-            Text("type", "edge");
-            Points("vertices", vertices, edge.m_oneSided ? 4 : 2);
+            scene.Text("type", "edge");
+            scene.Points("vertices", vertices, edge.m_oneSided ? 4 : 2);
         } else if (shape.GetType() == Shape::e_polygon) {
-            WritePolygon(static_cast<const typename Api::Polygon&>(shape));
+            WritePolygon(scene, static_cast<const typename Api::Polygon&>(shape));
         }
     }
 
-    void WritePolygon(const typename Api::Polygon& polygon) {
+private:
+    static void WritePolygon(Scene& scene, const typename Api::Polygon& polygon) {
         Vec2 extents, center;
         float angle = 0.0f;
         if (IsBox(polygon, extents, center, angle)) {
-            Text("type", "box");
-            Vector("center", center, 0.0f, 0.0f);
-            Vector("halfExtents", extents, 0.0f, 0.0f);
-            Number("angle", angle, 0.0f);
+            scene.Text("type", "box");
+            scene.Vector("center", center, 0.0f, 0.0f);
+            scene.Vector("halfExtents", extents, 0.0f, 0.0f);
+            scene.Number("angle", angle, 0.0f);
         } else {
-            Text("type", "polygon");
-            Points("vertices", polygon.m_vertices, polygon.m_count);
+            scene.Text("type", "polygon");
+            scene.Points("vertices", polygon.m_vertices, polygon.m_count);
         }
     }
 
@@ -252,8 +265,6 @@ private:
         const std::uint32_t steps = static_cast<std::uint32_t>((which + 1) / 2);
         return FloatOf(which % 2 != 0 ? bits + steps : bits - steps);
     }
-
-    Writer& m_out;
 };
 
 // The members of joints that are named alike in every engine of Box2D's kind.

@@ -104,10 +104,17 @@ struct Place {
     std::int64_t fixture, child;
 };
 
+/// The most bytes that a place, and a contact, take.
+static const std::size_t mostPlaceBytes = 30, mostContactBytes = 2 * mostPlaceBytes + 9 + 2 * 20;
+
+inline unsigned char* PutPlace(unsigned char* out, const Place& place) {
+    out = PutVarint(out, static_cast<std::uint64_t>(place.body));
+    out = PutVarint(out, static_cast<std::uint64_t>(place.fixture));
+    return PutVarint(out, static_cast<std::uint64_t>(place.child));
+}
 inline void PutPlace(Bytes& bytes, const Place& place) {
-    PutVarint(bytes, static_cast<std::uint64_t>(place.body));
-    PutVarint(bytes, static_cast<std::uint64_t>(place.fixture));
-    PutVarint(bytes, static_cast<std::uint64_t>(place.child));
+    unsigned char text[mostPlaceBytes];
+    bytes.insert(bytes.end(), text, PutPlace(text, place));
 }
 
 template <typename Api>
@@ -518,35 +525,38 @@ private:
         m_out.Key("contacts");
         const std::size_t begin = m_out.BeginBytes();
         Bytes& bytes = m_out.GetBytes();
+        std::size_t used = bytes.size();
         for (typename Api::Contact* c = m_world.GetContactList(); c != nullptr; c = c->GetNext()) {
-            if (c->IsTouching()) WriteContact(*c, bytes);
+            if (!c->IsTouching()) continue;
+            // Room for many at once: a vector is slow byte by byte.
+            if (bytes.size() - used < mostContactBytes) bytes.resize(used + 64 * mostContactBytes);
+            used = static_cast<std::size_t>(WriteContact(*c, bytes.data() + used) - bytes.data());
         }
+        bytes.resize(used);
         m_out.EndBytes(begin);
     }
 
-    void WriteContact(typename Api::Contact& contact, Bytes& bytes) {
+    /// Writes at `out`, which has room for mostContactBytes, and returns the end.
+    unsigned char* WriteContact(typename Api::Contact& contact, unsigned char* out) {
         const std::pair<Place, Place> places = Api::PlacesOf(contact, m_places);
-        PutPlace(bytes, places.first);
-        PutPlace(bytes, places.second);
+        out = PutPlace(PutPlace(out, places.first), places.second);
         const typename Api::Manifold& manifold = Api::ManifoldOf(contact);
         const bool isSensor = contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
         const int count = manifold.pointCount;
-        bytes.push_back(static_cast<unsigned char>(count + (isSensor ? 4 : 0)));
+        *out++ = static_cast<unsigned char>(count + (isSensor ? 4 : 0));
         typename Api::WorldManifold points;
         if (count > 0) {
             contact.GetWorldManifold(&points);
         } else {
             points.normal.Set(0.0f, 0.0f);
         }
-        PutFloat(bytes, points.normal.x);
-        PutFloat(bytes, points.normal.y);
+        out = PutFloat(PutFloat(out, points.normal.x), points.normal.y);
         for (int i = 0; i < count; ++i) {
-            PutFloat(bytes, points.points[i].x);
-            PutFloat(bytes, points.points[i].y);
-            PutFloat(bytes, points.separations[i]);
-            PutFloat(bytes, manifold.points[i].normalImpulse);
-            PutFloat(bytes, manifold.points[i].tangentImpulse);
+            out = PutFloat(PutFloat(out, points.points[i].x), points.points[i].y);
+            out = PutFloat(out, points.separations[i]);
+            out = PutFloat(PutFloat(out, manifold.points[i].normalImpulse), manifold.points[i].tangentImpulse);
         }
+        return out;
     }
 
     static void PushEvents(Output& file, const Events& events) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Programs written for Box2D, each recorded while it runs, in Box2D and in our library: the track says of every body
-// that was there, and of no other, what the world said.
+// that was there, and of no other, what the world said; find, timeline and overlap take it.
 
 #include <gtest/gtest.h>
 
@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "testbed/base/errors.h"
+#include "testbed/cli/command_line.h"
 #include "testbed/input/track_file.h"
 
 namespace testbed {
@@ -54,6 +55,21 @@ std::vector<std::string> Sorted(const std::string& line) {
     return bodies;
 }
 
+/// What people do with a track, on one that a program wrote: every command takes it.
+void LookAt(const fs::path& track, const fs::path& folder) {
+    const std::string file = track.string(), out = (folder / "looked").string();
+    testing::internal::CaptureStdout();
+    const int found = RunCommandLine({"find", file});
+    const int page = RunCommandLine({"timeline", file, "-o", out + ".html"});
+    // A world without a second step has no motion to follow.
+    const bool hasMotion = ReadTrackFile(track).GetSteps().size() > 1;
+    const int overlap = hasMotion ? RunCommandLine({"overlap", file, "--image", "160x100", "-o", out}) : 0;
+    const std::string said = testing::internal::GetCapturedStdout();
+    EXPECT_TRUE(found == exitDone || found == exitDiffers) << file << "\n" << said;
+    EXPECT_EQ(page, exitDone) << file << "\n" << said;
+    EXPECT_EQ(overlap, exitDone) << file << "\n" << said;
+}
+
 class Recorded : public testing::TestWithParam<std::string> {};
 
 TEST_P(Recorded, ProgramsReadBackToTheSameBits) {
@@ -84,6 +100,7 @@ TEST_P(Recorded, ProgramsReadBackToTheSameBits) {
                 ASSERT_EQ(Sorted(line), Sorted(states[static_cast<std::size_t>(step)])) << entry.path() << ' ' << step;
                 contacts += static_cast<int>(track.Read(step).contacts.size());
             }
+            LookAt(entry.path(), own);
             ++tracks;
             steps += track.GetLastStep();
         }

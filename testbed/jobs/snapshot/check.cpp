@@ -88,6 +88,7 @@ void JudgePair(SnapshotResult& result, const Reference& reference, const Snapsho
 }
 
 std::string UpdateCommand(const SnapshotJob& job, const std::string& id, const char* mode) {
+    if (job.making.spec != SnapshotMaking{}.spec) return {};  // references are made in one way
     return fmt::format("{} --update {} -g '^{}$'", job.updateCommand, mode, PatternOf(id));
 }
 

@@ -117,6 +117,9 @@ void PrintOutcome(const SnapshotOutcome& outcome, const SnapshotJob& job) {
             "{} equal in their pixels alone: the state changed by less (`snapshot update` renews the sidecars)\n",
             outcome.structureOnly);
     }
+    if (job.making.spec != SnapshotMaking{}.spec) {
+        fmt::print("made with --set, unlike the references: nothing of it is to be accepted\n");
+    }
     if (!outcome.page.empty()) fmt::print("report: {}\n", outcome.page.string());
 }
 

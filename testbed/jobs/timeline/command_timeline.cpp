@@ -79,7 +79,7 @@ struct Recorded {
 };
 
 Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arguments, const SceneInput& input) {
-    const LaneOptions options{.contacts = WantsContacts(arguments.contacts), .trees = ParseKeptTrees(arguments.nodes)};
+    LaneOptions options{.contacts = WantsContacts(arguments.contacts), .trees = ParseKeptTrees(arguments.nodes)};
     Session& first = sessions.front().session;
     const Box view = ViewOf(first.Capture());
     const Grid grid(view);
@@ -97,6 +97,8 @@ Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arg
         }
         recorded.steps = std::max(recorded.steps, lane.told["steps"].size() - 1);
         recorded.changes += lane.changes;
+        // Trees of the same steps, to compare them.
+        if (options.trees.worst > 0) options.trees = {.steps = lane.told["nodeSteps"].get<std::vector<int>>()};
         lanes.push_back(lane.told);
     }
     std::ranges::stable_sort(moments, {}, [](const Json& moment) { return moment["step"].get<int>(); });
@@ -155,7 +157,7 @@ void AddTimelineCommand(CLI::App& app, Request& request) {
         ->type_name("LIST");
     command
         ->add_option("--nodes", arguments->nodes,
-                     "Keep the trees of some steps: every:N, worst:K (slowest) or at:STEP,STEP")
+                     "Keep the trees of some steps: every:N, worst:K (slowest of the first engine) or at:STEP,STEP")
         ->type_name("WHICH");
     command->add_option("--contacts", arguments->contacts, "on or off: contacts make the larger part of a page")
         ->capture_default_str()

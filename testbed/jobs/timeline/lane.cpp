@@ -176,7 +176,8 @@ LaneData RecordLane(Session& session, const std::string& name, Conditions condit
         times.push_back(std::round(time * 1e6) / 1e6);
         watch.Show(std::move(snapshot), timeStep);
     }
-    LaneData lane{.changes = motion.GetChangeCount()};
+    LaneData lane;
+    lane.changes = motion.GetChangeCount();
     lane.moments = watch.Finish();
     lane.told = {{"name", name},
                  {"steps", steps},

@@ -13,6 +13,8 @@ namespace testbed {
 
 namespace {
 
+/// The difference of two differences of such numbers still has 32 bits.
+constexpr double most = 268'435'456.0;
 constexpr unsigned isThere = 1, isAwake = 2, isNoNumber = 4;
 
 unsigned FlagsOf(const BodyState& body) {
@@ -32,11 +34,12 @@ Grid::Grid(const Box& view)
       m_unit(std::max({double{view.upper.x} - view.lower.x, double{view.upper.y} - view.lower.y, 1e-6}) / 65536.0) {}
 
 std::int32_t Grid::Round(double value) {
-    constexpr double most = 536'870'912.0;
     return std::isfinite(value) ? static_cast<std::int32_t>(std::lround(std::clamp(value, -most, most))) : 0;
 }
 
-std::int32_t Grid::Angle(float angle) { return Round(double{angle} * 65536.0 / (2.0 * std::numbers::pi)); }
+std::int32_t Grid::Angle(float angle) {
+    return Round(std::fmod(double{angle} * 65536.0 / (2.0 * std::numbers::pi), most));
+}
 
 MotionData::Numbers MotionData::NumbersOf(const BodyState& body) const {
     return {m_grid.X(body.position.x),           m_grid.Y(body.position.y),           Grid::Angle(body.angle),

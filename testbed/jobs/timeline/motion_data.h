@@ -23,14 +23,14 @@ public:
     [[nodiscard]] std::int32_t X(float x) const { return Round((double{x} - m_centerX) / m_unit); }
     [[nodiscard]] std::int32_t Y(float y) const { return Round((double{y} - m_centerY) / m_unit); }
     [[nodiscard]] std::int32_t Speed(float v) const { return Round(double{v} / m_unit); }
-    /// 2^-16 of a turn.
+    /// 2^-16 of a turn; it begins anew after 2^12 turns.
     [[nodiscard]] static std::int32_t Angle(float angle);
     /// 2^-12 rad/s.
     [[nodiscard]] static std::int32_t Spin(float spin) { return Round(double{spin} * 4096.0); }
     [[nodiscard]] double GetUnit() const { return m_unit; }
 
 private:
-    /// What lies 2^13 views away stays there; no number is 0.
+    /// What lies 2^12 views away stays there; no number is 0.
     static std::int32_t Round(double value);
     double m_centerX, m_centerY, m_unit;
 };

@@ -133,7 +133,8 @@ class Lane {
     this.last = this.steps.length - 1;
     this.now = new State();
     this.keys = [];
-    this.keyEvery = Math.max(64, Math.ceil(this.steps.length / 256));
+    // At most 256 of them, and 200 MB.
+    this.keyEvery = Math.max(64, Math.ceil(this.steps.length / 256), Math.ceil(this.steps.length * bodyCount * 53 / 2e8));
     this.cache = {contacts: null, at: -1};
   }
   async load() {

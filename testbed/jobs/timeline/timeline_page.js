@@ -53,13 +53,15 @@ const makeViews = () => {
   sizeViews();
   element('timeline').dataset.renderer = views[0].painter ? 'webgl' : 'canvas';
 };
-/** As high as the level needs at the width that there is; wide levels lie above each other. */
+/** Beside or above each other, whatever shows the level larger, and no higher than it needs. */
 const sizeViews = () => {
-  const parent = element('views'), aspect = (right - left) / Math.max(top_ - bottom, 1e-6);
-  const rows = aspect > 1.5 || parent.clientWidth < 560 ? views.length : 1, columns = views.length / rows;
-  const wanted = parent.clientWidth / columns / aspect + 50, most = Math.max(180, 0.6 * window.innerHeight / Math.min(rows, 2));
+  const parent = element('views'), width = parent.clientWidth, height = 0.6 * window.innerHeight, count = views.length;
+  const levelWidth = Math.max(right - left, 1e-6), levelHeight = Math.max(top_ - bottom, 1e-6);
+  const scaleOf = (columns, rows) => Math.min(width / columns / levelWidth, height / Math.min(rows, 2) / levelHeight);
+  const isBeside = width >= 560 && scaleOf(count, 1) >= scaleOf(1, count), columns = isBeside ? count : 1;
+  const wanted = width / columns / levelWidth * levelHeight + 50, most = isBeside ? height : height / Math.min(count, 2);
   parent.style.setProperty('--columns', columns);
-  parent.style.setProperty('--height', `${Math.round(Math.max(rows > 1 ? 150 : 260, Math.min(wanted, most)))}px`);
+  parent.style.setProperty('--height', `${Math.round(Math.max(isBeside ? 260 : 150, Math.min(wanted, most)))}px`);
 };
 const sizeOf = (view) => {
   const ratio = window.devicePixelRatio || 1, {over} = view;
@@ -481,7 +483,7 @@ const start = async () => {
     label.append(input, title);
     element('layers').append(label);
   }
-  element('levels').parentElement.hidden = !hasTrees;
+  element('tree-tools').hidden = !hasTrees;
   if (hasTrees) {
     for (const lane of lanes) {
       for (const step of lane.nodeSteps || []) {
@@ -493,12 +495,21 @@ const start = async () => {
       }
     }
   }
+  const goToTree = (way) => {
+    const times = lanes.flatMap((lane) => (lane.nodeSteps || []).map((step) => lane.times[lane.indexOfStep(step)])).sort((a, b) => a - b);
+    const found = way > 0 ? times.find((time) => time > clock + 1e-9) : times.findLast((time) => time < clock - 1e-9);
+    setPlaying(false);
+    if (found !== undefined) goToTime(found);
+  };
+  element('last-tree').addEventListener('click', () => goToTree(-1));
+  element('next-tree').addEventListener('click', () => goToTree(1));
   element('step').max = lanes[0].last;
   for (const lane of lanes) lane.seek(0);
   readAddress();
   for (const [name, [title, unitName]] of Object.entries(worldNames)) {
     const curves = lanes.filter((lane) => lane.series[name]).map((lane) => ({lane, values: lane.series[name]}));
-    if (curves.length > 0) worldPlots.push(new Plot(element('world'), title, unitName, curves, goToShare));
+    // A stage that never ran has no curve.
+    if (curves.some(({values}) => values.some((value) => value !== 0))) worldPlots.push(new Plot(element('world'), title, unitName, curves, goToShare));
   }
   const drawPlots = () => { for (const plot of [...worldPlots, ...chosenPlots]) plot.draw(); };
   drawPlots();

@@ -6,9 +6,11 @@
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -86,6 +88,44 @@ TEST(OwnWorld, EveryCommandOfThePageRuns) {
     EXPECT_TRUE(folder.Has("out/session/step-0060/compare.png"));
     EXPECT_TRUE(folder.Has("out/both/session/step-0001/render-box2d.png"));
     EXPECT_TRUE(folder.Has("level.scene.json"));
+}
+
+/// Counts of a tree by the columns of metrics.csv, of the rows of Box2D.
+std::vector<std::string> TreeCounts(const std::string& csv) {
+    std::istringstream lines(csv);
+    std::string line;
+    std::vector<std::string> names, rows;
+    while (std::getline(lines, line)) {
+        std::vector<std::string> cells;
+        std::istringstream row(line);
+        for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+        if (names.empty()) {
+            names = cells;
+            continue;
+        }
+        std::string counts;
+        bool isBox2d = false;
+        for (std::size_t i = 0; i < std::min(cells.size(), names.size()); ++i) {
+            isBox2d = isBox2d || (names[i] == "engine" && cells[i] == "box2d");
+            for (const char* name :
+                 {"step", "nodes", "height", "sibling_overlap", "overlap_mean", "pairs_reported", "false_pair_ratio"}) {
+                if (names[i] == name) counts += cells[i] + " ";
+            }
+        }
+        if (isBox2d) rows.push_back(counts);
+    }
+    return rows;
+}
+
+TEST(OwnWorld, ACapturedMotionGivesTheTreesOfTheWorldThatWasCaptured) {
+    const ScratchFolder folder;
+    ASSERT_EQ(folder.Run("convert tiles tiles.track --size 16 --engine box2d --steps 60").exitCode, exitDone);
+    const std::string steps = " --steps 15:60:15 --image 320x200 -o ";
+    ASSERT_EQ(folder.Run("metrics tiles --size 16 --poses box2d" + steps + "run").exitCode, exitDone);
+    ASSERT_EQ(folder.Run("metrics tiles.track --poses track" + steps + "captured").exitCode, exitDone);
+    const std::vector<std::string> run = TreeCounts(folder.Read("run/tiles/metrics.csv"));
+    EXPECT_EQ(run.size(), 4u);
+    EXPECT_EQ(run, TreeCounts(folder.Read("captured/tiles/metrics.csv")));
 }
 
 TEST(OwnWorld, TheLinesOfCodeAreThoseOfTheHeaders) {
