@@ -92,6 +92,20 @@ public:
     virtual void ApplyForce(int body, Point force) = 0;
     virtual void DestroyBody(int body) = 0;
 
+    // What games do between steps.
+    /// Its velocity stays.
+    virtual void SetPose(int body, Point origin, double angle) = 0;
+    /// Destroys a body that has no joints and makes it as the scene has it.
+    virtual void RemakeBody(int body) = 0;
+    /// The part of the way from one point to another until the first fixture; 1 if there is none.
+    [[nodiscard]] virtual double CastRay(Point from, Point to) const = 0;
+    /// Fixtures whose boxes, as the engine keeps them, overlap a box.
+    [[nodiscard]] virtual int CountInBox(Point low, Point high) const = 0;
+    /// From now on contacts that begin and end are listened to, as the engine tells of them.
+    virtual void Listen() = 0;
+    /// Heard since then.
+    [[nodiscard]] virtual long GetHeard() const = 0;
+
     /// Of the last step, mean over it, N.
     [[nodiscard]] virtual Point GetJointForce(int joint) const = 0;
     /// Replaces `contacts` by those that touch.

@@ -18,6 +18,8 @@ struct Box2dNames {
     using Body = b2Body;
     using Joint = b2Joint;
     using WorldManifold = b2WorldManifold;
+    using Contact = b2Contact;
+    using ContactListener = b2ContactListener;
 
     static Point ToPoint(b2Vec2 v) { return {double{v.x}, double{v.y}}; }
     static b2Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
@@ -70,6 +72,28 @@ struct Box2dNames {
         const Iterations iterations = *std::get<SequentialImpulses>(spec.solver).iterations;
         world.Step(dt, iterations.velocity, iterations.position);
         return {};
+    }
+
+    static double CastRay(const World& world, b2Vec2 from, b2Vec2 to) {
+        struct Nearest final : b2RayCastCallback {
+            float ReportFixture(b2Fixture*, const b2Vec2&, const b2Vec2&, float part) override {
+                return fraction = part;
+            }
+            float fraction = 1.0f;
+        } nearest;
+        world.RayCast(&nearest, from, to);
+        return double{nearest.fraction};
+    }
+    static int CountInBox(const World& world, b2Vec2 low, b2Vec2 high) {
+        struct Count final : b2QueryCallback {
+            bool ReportFixture(b2Fixture*) override { return ++number > 0; }
+            int number = 0;
+        } count;
+        b2AABB box;
+        box.lowerBound = low;
+        box.upperBound = high;
+        world.QueryAABB(&count, box);
+        return count.number;
     }
 
     static double GetSkins(const b2Contact&, const RunSpec&) { return 0.0; }  // it has no soft step

@@ -28,6 +28,8 @@ struct ScreeNames {
     using Body = scree::Body;
     using Joint = scree::Joint;
     using WorldManifold = scree::WorldManifold;
+    using Contact = scree::Contact;
+    using ContactListener = scree::ContactListener;
 
     static Point ToPoint(scree::Vec2 v) { return {double{v.x}, double{v.y}}; }
     static scree::Vec2 ToVec(Point p) { return {static_cast<float>(p.x), static_cast<float>(p.y)}; }
@@ -84,6 +86,16 @@ struct ScreeNames {
         facts.nonFinite = report.nonFiniteCount;
         facts.pairs = report.pairCount;
         return facts;
+    }
+
+    static double CastRay(const World& world, scree::Vec2 from, scree::Vec2 to) {
+        const auto hit = world.RayCastClosest(from, to);
+        return hit ? double{hit->fraction} : 1.0;
+    }
+    static int CountInBox(const World& world, scree::Vec2 low, scree::Vec2 high) {
+        int number = 0;
+        world.QueryAABB({low, high}, [&number](scree::Fixture*) { return ++number > 0; });
+        return number;
     }
 
     /// What both shapes have around their outlines, m.

@@ -25,7 +25,7 @@ public:
     LabWorldOf(const scenes::Scene& scene, const RunSpec& spec, const LabNeeds& needs)
         : LabWorld(scene), m_spec(Checked(Resolve(spec, scene))), m_world(E::MakeWorld(m_spec)) {
         if (!scene.spawns.empty()) throw std::invalid_argument("a laboratory has no spawns");
-        for (const scenes::Body& body : scene.bodies) AddBody(body, needs);
+        for (size_t i = 0; i < scene.bodies.size(); ++i) m_bodies.push_back(MakeBody(static_cast<int>(i), needs));
         for (const scenes::Joint& joint : scene.joints) {
             m_joints.push_back(E::MakeJoint(*m_world, joint, m_bodies, m_joints));
         }
@@ -75,6 +75,22 @@ public:
         m_world->DestroyBody(At(body));
         m_bodies[static_cast<size_t>(body)] = nullptr;
     }
+
+    void SetPose(int body, Point origin, double angle) override {
+        At(body)->SetTransform(E::ToVec(origin), static_cast<float>(angle));
+    }
+    void RemakeBody(int body) override {
+        m_world->DestroyBody(At(body));
+        m_bodies[static_cast<size_t>(body)] = MakeBody(body, {});
+    }
+    [[nodiscard]] double CastRay(Point from, Point to) const override {
+        return E::CastRay(*m_world, E::ToVec(from), E::ToVec(to));
+    }
+    [[nodiscard]] int CountInBox(Point low, Point high) const override {
+        return E::CountInBox(*m_world, E::ToVec(low), E::ToVec(high));
+    }
+    void Listen() override { m_world->SetContactListener(&m_counter); }
+    [[nodiscard]] long GetHeard() const override { return m_counter.heard; }
 
     [[nodiscard]] Point GetJointForce(int joint) const override {
         return ToPoint(m_joints[static_cast<size_t>(joint)]->GetReactionForce(static_cast<float>(m_lastInverseDt)));
@@ -135,20 +151,28 @@ private:
         return found;
     }
 
-    void AddBody(const scenes::Body& body, const LabNeeds& needs) {
+    struct Counter final : E::ContactListener {
+        void BeginContact(typename E::Contact*) override { ++heard; }
+        void EndContact(typename E::Contact*) override { ++heard; }
+        long heard = 0;
+    };
+
+    Body* MakeBody(int index, const LabNeeds& needs) {
+        const scenes::Body& body = GetScene().bodies[static_cast<size_t>(index)];
         auto def = E::MakeBodyDef(body, needs.place + ToPoint(body.position));
-        def.userData.pointer = m_bodies.size();
+        def.userData.pointer = static_cast<size_t>(index);
         Body* made = m_world->CreateBody(&def);
-        m_bodies.push_back(made);
         for (int i = body.firstFixture; i < body.firstFixture + body.fixtureCount; ++i) {
             E::AddFixture(*made, GetScene(), i, static_cast<float>(needs.restitutionThreshold));
         }
         // A scene gives the velocity of the centre of mass, a definition that of the origin; they differ in a spin.
         if (body.angularVelocity != 0.0f)
             made->SetLinearVelocity(E::ToVec({body.linearVelocity.x, body.linearVelocity.y}));
+        return made;
     }
 
     RunSpec m_spec;
+    Counter m_counter;
     std::unique_ptr<typename E::World> m_world;
     std::vector<Body*> m_bodies;
     std::vector<typename E::Joint*> m_joints;

@@ -41,10 +41,13 @@ std::vector<std::string> NamesIn(const TrackFile& track) {
 
 }  // namespace
 
-Session::Session(const SceneInput& input, const RunSpec& spec, int steps)
-    : m_start(input.Start()), m_lastStep(steps), m_timeStep(double{m_start.scene.timeStep}) {
+Session::Session(const SceneInput& input, const RunSpec& spec, int steps, bool follows)
+    : m_start(input.Start()),
+      m_lastStep(steps),
+      m_timeStep(double{m_start.scene.timeStep}),
+      m_follows(follows && m_start.motion != nullptr) {
     if (IsMotion()) {
-        m_run = MakeTrackRun(m_start.motion, m_start.step);
+        m_run = m_follows ? MakeFollower(m_start, spec) : MakeTrackRun(m_start.motion, m_start.step);
         m_names = NamesIn(*m_start.motion);
         m_lastStep = m_start.motion->GetLastStep();
         return;
@@ -65,9 +68,9 @@ double Session::GetTimeStep() const {
     return IsMotion() ? double{m_start.motion->Read(m_run->GetStep()).timeStep} : m_timeStep;
 }
 
-Snapshot Session::Capture() {
+Snapshot Session::Capture(bool hasNodes) {
     Snapshot snapshot;
-    m_run->Capture(snapshot, {.nodes = false, .pairs = false});
+    m_run->Capture(snapshot, {.nodes = hasNodes, .pairs = false});
     snapshot.times = m_run->GetTimes();
     return snapshot;
 }
@@ -80,7 +83,7 @@ std::string Session::NameOf(int body) const {
 bool Session::HasContacts() const { return !IsMotion() || m_start.motion->GetInfo().hasContacts; }
 
 bool Session::HasTimes() const {
-    if (!IsMotion()) return true;
+    if (!IsMotion() || m_follows) return true;
     TrackFile& track = *m_start.motion;
     return !track.GetSteps().empty() && !track.Read(track.GetSteps().front()).stages.empty();
 }
@@ -103,19 +106,35 @@ SceneInput ChooseSessionInput(const SessionArguments& arguments) {
     return ChooseScene(arguments.input, arguments.size, arguments.reading);
 }
 
-Session OpenSession(const SessionArguments& arguments, const SceneInput& input) {
-    if (input.motion != nullptr) {
-        if (!arguments.engine.empty() || arguments.steps || !arguments.settings.sets.empty()) {
-            throw UsageError(fmt::format("{} is taken as it was recorded: --engine, --steps and --set need --from K",
-                                         arguments.input));
-        }
-        return {input, RunSpec{}, input.steps};
+std::vector<NamedSession> OpenSessions(const SessionArguments& arguments, const SceneInput& input,
+                                       const std::string& engines) {
+    if (!engines.empty() && !arguments.engine.empty()) {
+        throw UsageError("--engine and --engines: give one of them");
     }
+    const bool isMotion = input.motion != nullptr;
+    const bool isAsRecorded = isMotion && engines.empty();
+    if (isMotion &&
+        (!arguments.engine.empty() || arguments.steps || (isAsRecorded && !arguments.settings.sets.empty()))) {
+        throw UsageError(
+            fmt::format("{} is taken as it was recorded: --engine, --steps and --set need --from K", arguments.input));
+    }
+    std::vector<NamedSession> sessions;
+    if (isAsRecorded) {
+        sessions.push_back({"as recorded", {input, RunSpec{}, input.steps}});
+        return sessions;
+    }
+    const std::string text = !engines.empty() ? engines : arguments.engine.empty() ? "scree" : arguments.engine;
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : std::string_view();
-    const std::vector<Pane> panes =
-        ParsePanes(arguments.engine.empty() ? "scree" : arguments.engine, GetTypedSettings(arguments.settings), base);
-    if (panes.size() != 1) throw UsageError(fmt::format("{}: give one engine", arguments.engine));
-    return {input, panes.front().spec, arguments.steps.value_or(input.steps)};
+    for (const Pane& pane : ParsePanes(text, GetTypedSettings(arguments.settings), base)) {
+        sessions.push_back({pane.name, {input, pane.spec, arguments.steps.value_or(input.steps), isMotion}});
+    }
+    return sessions;
+}
+
+Session OpenSession(const SessionArguments& arguments, const SceneInput& input) {
+    std::vector<NamedSession> sessions = OpenSessions(arguments, input, {});
+    if (sessions.size() != 1) throw UsageError(fmt::format("{}: give one engine", arguments.engine));
+    return std::move(sessions.front().session);
 }
 
 }  // namespace testbed

@@ -17,8 +17,9 @@ namespace testbed {
 
 class Session {
 public:
-    /// `steps` of an engine's run; a motion ends where it was recorded to.
-    Session(const SceneInput& input, const RunSpec& spec, int steps);
+    /// `steps` of an engine's run; a motion ends where it was recorded to. With `follows`, the tree of that engine
+    /// follows the motion, and times are its own.
+    Session(const SceneInput& input, const RunSpec& spec, int steps, bool follows = false);
 
     /// False at the end.
     bool Step();
@@ -26,8 +27,9 @@ public:
     [[nodiscard]] int GetLastStep() const { return m_lastStep; }
     /// Of the last step, s.
     [[nodiscard]] double GetTimeStep() const;
-    /// Without nodes.
-    [[nodiscard]] Snapshot Capture();
+    /// Of the last step.
+    [[nodiscard]] double GetStepMilliseconds() const { return m_run->GetTimes().step; }
+    [[nodiscard]] Snapshot Capture(bool hasNodes = false);
     /// What the indices of bodies mean.
     [[nodiscard]] const scenes::Scene& GetScene() const { return m_start.scene; }
     /// "player (37)", or "body 37" without a name.
@@ -47,6 +49,7 @@ private:
     std::vector<std::string> m_names;  ///< by index of a body
     int m_lastStep;
     double m_timeStep;  ///< of an engine's run
+    bool m_follows;
 };
 
 /// A session as typed.
@@ -61,6 +64,15 @@ struct SessionArguments {
 void AddSessionOptions(CLI::App& app, SessionArguments& arguments);
 /// The scene or the motion that was asked for. Throws UsageError and FileError.
 [[nodiscard]] SceneInput ChooseSessionInput(const SessionArguments& arguments);
+/// A session and what it is called among others.
+struct NamedSession {
+    std::string name;
+    Session session;
+};
+/// One for each of `engines` ([NAME=]ENGINE[:KEY=VALUE],…), each from its beginning; the trees of engines follow a
+/// motion. Without engines, the one of OpenSession. Throws UsageError.
+[[nodiscard]] std::vector<NamedSession> OpenSessions(const SessionArguments& arguments, const SceneInput& input,
+                                                     const std::string& engines);
 /// From its beginning. Throws UsageError for what cannot be meant together.
 [[nodiscard]] Session OpenSession(const SessionArguments& arguments, const SceneInput& input);
 

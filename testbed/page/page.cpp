@@ -17,6 +17,7 @@
 #include <string_view>
 #include <utility>
 
+#include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/page/page_markup.h"
 #include "testbed_generated/page_sources.h"

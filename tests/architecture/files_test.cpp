@@ -74,6 +74,8 @@ std::vector<std::string> HeadersToCompile() {
             shown.insert(folder + includes.front());
         }
     }
+    // Box2D 3's headers have the names of Box2D 2.4's, and need not be here: tests/capture compiles it where they are.
+    shown.insert("testbed/capture/scree_capture_box2d3.h");
     std::vector<std::string> headers;
     for (const SourceFile& file : SourceFiles()) {
         if (file.IsHeader() && !shown.contains(file.path)) headers.push_back(file.path);

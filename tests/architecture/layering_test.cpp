@@ -90,9 +90,10 @@ TEST(Layering, OnlyTheBaseOfTheEngineNamesCompilersAndInstructions) {
     static const std::regex names(
         R"(__builtin_|__attribute__|__atomic_|gnu::|_mm\d*_|__GNUC__|_MSC_VER|__SSE|__AVX|__ARM)");
     constexpr std::string_view base = "engine/src/base/";
+    constexpr std::string_view cInterface = "engine/include/scree/scree_c.h";  // C has no header of ours below it
     Lines wrong;
     for (const SourceFile& file : SourceFiles()) {
-        if (!file.path.starts_with("engine/") || file.path.starts_with(base)) continue;
+        if (!file.path.starts_with("engine/") || file.path.starts_with(base) || file.path == cInterface) continue;
         for (const std::string& line : file.lines) {
             if (std::regex_search(line, names)) wrong.push_back(file.path + ": " + line);
         }
@@ -120,7 +121,8 @@ TEST(Layering, CompatStandsOnThePublicHeadersAndItsOwn) {
 
 TEST(Layering, PublicHeadersIncludeOnlyPublicHeadersAndTheStandardLibrary) {
     const Lines wrong = FindIncludes("engine/include/", [](const std::string& name) {
-        return name.find_first_of("/.") != std::string::npos && !name.starts_with("scree/");
+        const bool isOfC = name == "stddef.h" || name == "stdint.h" || name == "stdbool.h";
+        return name.find_first_of("/.") != std::string::npos && !name.starts_with("scree/") && !isOfC;
     });
     EXPECT_TRUE(wrong.empty()) << Join(wrong);
 }
@@ -181,7 +183,7 @@ constexpr std::array<Folder, 12> folders = {{{"base", ""},
                                              {"gl", "base picture"},
                                              {"page", "base picture"},
                                              {"view", "base picture engines gl"},
-                                             {"options", "base input picture engines gl view"},
+                                             {"options", "base input picture engines gl view moments"},
                                              {"jobs", "base input picture engines moments gl page view options"},
                                              {"cli", "base input picture engines gl page view options jobs"}}};
 

@@ -309,6 +309,32 @@ TEST(Standing, AFallingLimbDoesNotTearItsJoints) {
     }
 }
 
+/// Limbs that begin with their middles at the ground and on their way into it: none is held there step after step.
+TEST(Standing, FiguresInTheGroundAreNotHeldForEver) {
+    Dice dice(16);
+    for (int round = 0; round < 40; ++round) {
+        Lab<Ours> lab;
+        lab.Ground();
+        Body* last = nullptr;
+        for (int i = 0; i < 3; ++i) {
+            Body* limb = lab.Dynamic(0.5 * i, dice.In(0.0, 0.02) + 0.1 * i);
+            const auto box = BoxShape<Ours>(0.25f, 0.08f);
+            FixtureDef def;
+            def.shape = &box;
+            def.density = 1.0f;
+            def.filter.groupIndex = -1;
+            limb->CreateFixture(&def);
+            limb->SetLinearVelocity(Lab<Ours>::At(dice.In(-5.0, 5.0), dice.In(-10.0, -4.0)));
+            limb->SetAngularVelocity(static_cast<float>(dice.In(-30.0, 30.0)));
+            if (last != nullptr) lab.Hinge(last, limb, 0.5 * i - 0.25, Centre(last).y);
+            last = limb;
+        }
+        int held = 0;
+        for (int i = 0; i < 2 * stepRate; ++i) held += lab.world.Step(static_cast<float>(h), 4).abandonedCount;
+        EXPECT_LE(held, 3 * 20) << round;
+    }
+}
+
 /// How high the last ball of a cradle swings at first, in shares of how high the first ones were lifted (angles).
 double Cradle(int count, int lifted, double radius, double gap, int substeps) {
     Lab<Ours> lab;

@@ -60,6 +60,36 @@ TEST(ContactTable, LowestFreeRowIsTakenFirstAfterCompact) {
     EXPECT_EQ(table.Add({54, 55, 0, 1}), 9);
 }
 
+TEST(ContactTable, ContactsOfABodyAreRowsOfTheTable) {
+    EXPECT_TRUE(rc::check("after any additions, removals and compactions", [] {
+        const auto actions = *rc::gen::inRange(1, 200);
+        ContactTable table;
+        std::map<Key, int> reference;
+        for (int i = 0; i < actions; ++i) {
+            const auto a = *rc::gen::inRange<uint32_t>(0, 12);
+            const auto b = *rc::gen::inRange<uint32_t>(12, 24);
+            if (const auto found = reference.find({a, b}); found == reference.end()) {
+                reference[{a, b}] = table.Add({a, b, static_cast<int>(a), static_cast<int>(b)});
+            } else {
+                table.Remove(found->second);
+                reference.erase(found);
+            }
+            if (*rc::gen::inRange(0, 4) == 0) table.Compact();
+            const auto body = *rc::gen::inRange(0, 24);
+            std::set<int> listed, expected;
+            for (const int row : table.OfBody(body)) {
+                RC_ASSERT(row < table.Size());
+                if (table.IsAlive(row)) listed.insert(row);
+            }
+            for (const auto& [key, row] : reference) {
+                if (static_cast<int>(key.first) == body || static_cast<int>(key.second) == body) expected.insert(row);
+            }
+            RC_ASSERT(listed == expected);
+            RC_ASSERT(table.CountOfBody(body) == static_cast<int>(expected.size()));
+        }
+    }));
+}
+
 TEST(ContactTable, MostlyFreeRowsAreClosedInOrderAndHandlesFollow) {
     constexpr uint32_t count = 6000;
     ContactTable table;

@@ -156,6 +156,7 @@ private:
         if (!May(Feature::gravityScale)) body->SetGravityScale(1.0f);
         if (!May(Feature::continuousBullet)) body->SetBullet(false);
         if (!May(Feature::rotation)) body->SetFixedRotation(true);
+        if (!May(Feature::motionLocks)) body->SetMotionLocks({.angle = body->IsFixedRotation()});
         if (!May(Feature::kinematicBodies) && body->GetType() == kinematicBody) body->SetType(dynamicBody);
         for (Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) {
             if (!May(Feature::friction)) f->SetFriction(0.0f);
@@ -278,6 +279,7 @@ private:
                 if (May(Feature::sleeping)) body->SetAwake(Chance(2));
                 break;
             default:
+                if (Wants(Feature::motionLocks)) body->SetMotionLocks({Chance(2), Chance(2), body->IsFixedRotation()});
                 body->SetLinearVelocity({Number(-5.0f, 5.0f), Number(-5.0f, 5.0f)});
         }
     }

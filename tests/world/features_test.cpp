@@ -142,6 +142,7 @@ TEST_F(FixedSet, RefusesBodies) {
     ExpectBodyMissing(Feature::gravityScale, [](BodyDef& d) { d.gravityScale = 0.5f; });
     ExpectBodyMissing(Feature::sleeping, [](BodyDef& d) { d.awake = false; });
     ExpectBodyMissing(Feature::continuousBullet, [](BodyDef& d) { d.bullet = true; });
+    ExpectBodyMissing(Feature::motionLocks, [](BodyDef& d) { d.locks.y = true; });
     ExpectBodyMissing(Feature::kinematicBodies, [](BodyDef& d) { d.type = kinematicBody; });
 }
 
@@ -178,6 +179,7 @@ TEST_F(FixedSet, RefusesSetters) {
     ExpectMissing(Feature::forces, [&] { ball->ApplyTorque(1.0f, true); });
     ExpectMissing(Feature::continuousBullet, [&] { ball->SetBullet(true); });
     ExpectMissing(Feature::sleeping, [&] { ball->SetAwake(false); });
+    ExpectMissing(Feature::motionLocks, [&] { ball->SetMotionLocks({.x = true, .angle = true}); });
     const BodyDef bare = MakeBody();
     Body* withoutFixtures = world.CreateBody(&bare);
     ExpectMissing(Feature::kinematicBodies, [&] { withoutFixtures->SetType(kinematicBody); });

@@ -317,7 +317,7 @@ TEST(Snapshot, AFieldAddedToTheStateIsAddedToTheImage) {
     EXPECT_EQ(sizeof(FixtureInfo), 32u);
     EXPECT_EQ(sizeof(ContactPair), 16u);
     EXPECT_EQ(sizeof(Manifold), 60u);
-    EXPECT_EQ(sizeof(JointInfo), 56u);
+    EXPECT_EQ(sizeof(JointInfo), 64u);
 }
 
 }  // namespace

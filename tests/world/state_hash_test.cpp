@@ -157,6 +157,8 @@ TEST(StateHash, SeesEveryEditOfARandomWorld) {
         [](World& w) { Newest(w)->SetGravityScale(0.25f); },
         [](World& w) { Newest(w)->ApplyTorque(3.0f, true); },
         [](World& w) { Newest(w)->SetBullet(true); },
+        [](World& w) { Newest(w)->SetMotionLocks({.x = true}); },
+        [](World& w) { w.GetJointList()->SetThresholds(5.0f, 7.0f, true); },
         [](World& w) { Newest(w)->SetSleepingAllowed(false); },
         [](World& w) { Newest(w)->GetFixtureList()->SetFriction(0.9f); },
         [](World& w) { Newest(w)->GetFixtureList()->SetRestitution(0.9f); },
@@ -257,6 +259,7 @@ TEST(FieldList, VisitsEveryMemberThatItNames) {
     ExpectWhole<GearSide>(3);    // behind `slides`
     ExpectWhole<LimitState>(3);  // behind `enabled`
     ExpectWhole<MotorState>(3);
+    ExpectWhole<SpringState>(3);
     ExpectWhole<RevoluteRow>();
     ExpectWhole<PrismaticRow>();
     ExpectWhole<WheelRow>();

@@ -23,6 +23,8 @@ struct JointPhases {
     int (*prepare)(const JointTask& task, int joint);
     /// The same of a joint that a direct solve holds, for its limits, motors and springs.
     int (*prepareBounds)(const JointTask& task, int joint);
+    /// Whether such a joint's limits are too far for the coming time step to matter, and it has nothing else.
+    bool (*isIdle)(const JointTask& task, int joint);
     void (*warmStart)(const JointTask& task, const JointRun& run);
     void (*solveVelocity)(const JointTask& task, const JointRun& run);
     /// Only limits, motors and springs; null for types that no direct solve takes over.
@@ -76,6 +78,14 @@ constexpr JointPhases MakePhases() {
         phases.prepareBounds = [](const JointTask& task, int joint) {
             return AppendConstraint<Row>(
                 task, joint, [](const JointInput& in, Row& row, Constraint& c) { PrepareBounds(in, row, c); });
+        };
+    }
+    phases.isIdle = [](const JointTask&, int) { return false; };
+    if constexpr (requires(const JointInput& in, const Row& row) { IsIdle(in, row); }) {
+        phases.isIdle = [](const JointTask& task, int joint) {
+            const JointInfo& info = task.joints.info[static_cast<size_t>(joint)];
+            const Row& row = task.joints.Store<Row>().rows[static_cast<size_t>(info.row)];
+            return IsIdle(JointInput{task.step, task.bodies, info}, row);
         };
     }
     phases.warmStart = [](const JointTask& task, const JointRun& run) {

@@ -41,6 +41,7 @@ void PrepareJoints(const JointTask& task, std::span<const int> joints, std::span
     };
     for (const int joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
     for (const int joint : bounded) {
+        if (PhasesOf(task.joints.info[static_cast<size_t>(joint)].type).isIdle(task, joint)) continue;
         ForgetExactImpulse(joint, task.joints);
         add(joint, task.scratch.bounds, &JointPhases::prepareBounds);
     }

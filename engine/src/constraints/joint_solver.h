@@ -12,7 +12,7 @@
 namespace scree {
 
 /// Makes the constraints of these joints, in this order, and warm-starts them. Of `bounded`, which a direct solve
-/// holds, only limits, motors and springs.
+/// holds, only limits, motors and springs, and those that are idle are left out.
 void PrepareJoints(const JointTask& task, std::span<const int> joints, std::span<const int> bounded = {});
 /// Applies the impulses that the joints have at present once more.
 void WarmStartJoints(const JointTask& task);

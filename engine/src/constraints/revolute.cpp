@@ -31,6 +31,21 @@ void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
     c.k = PointMatrix(c.pair, c.arms);
 }
 
+/// What a blow within the step brings beyond the limit, the next one takes back.
+bool IsIdle(const JointInput& in, const RevoluteRow& row) {
+    constexpr float margin = 0.1f;  // rad
+    const bool isAtWork = row.motor.enabled || row.motor.impulse != 0.0f || row.spring.enabled ||
+                          row.spring.impulse != 0.0f || row.limit.lowerImpulse != 0.0f ||
+                          row.limit.upperImpulse != 0.0f;
+    if (isAtWork) return false;
+    if (!row.limit.enabled) return true;
+    const auto a = static_cast<size_t>(in.info.bodyA), b = static_cast<size_t>(in.info.bodyB);
+    const float angle = in.bodies.position[b].a - in.bodies.position[a].a - row.referenceAngle;
+    const float turn = in.bodies.velocity[b].w - in.bodies.velocity[a].w;
+    const float reach = margin + 2.0f * Abs(turn) / in.step.inverseDt;
+    return angle - row.limit.lower > reach && row.limit.upper - angle > reach;
+}
+
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     ApplyPoint(c.pair, c.arms, row.impulse, v);

@@ -24,6 +24,8 @@ struct RevoluteConstraint {
 void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
 /// The same for limits and motors alone.
 void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
+/// Whether limits alone could act, and are too far for it.
+[[nodiscard]] bool IsIdle(const JointInput& in, const RevoluteRow& row);
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity);
 /// Only limits, motors and springs.
 void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step, std::vector<Velocity>& velocity);

@@ -448,18 +448,19 @@ private:
         v = {vec2Zero, 0.0f, 0.0f};
     }
 
-    /// Holds the dynamic bodies of the pair where they meet, for the rest of the step.
+    /// Holds the dynamic bodies of the pair where they meet, for the rest of the step. They keep the velocities that
+    /// contacts and joints left them, or the next step would begin, and end, like this one.
     void Abandon(int index, float alpha) {
         const ToiPair pair = m_s.pairs[Row(index)];
         m_s.pairs[Row(index)].over = true;
         if (IsJointed(pair)) {
             GatherJointed(pair);
-            AdvanceJointed(alpha);
         } else {
             for (const int body : {pair.bodyA, pair.bodyB}) AddMember(body);
         }
         for (const int body : m_s.islandBodies) {
             if (!m_toi.IsDynamic(body)) continue;
+            if (m_s.firstPair[Row(body)] < 0) m_s.touched.push_back(body);
             if (m_s.alpha[Row(body)] < alpha) Advance(body, alpha);
             ++m_report.abandoned;
             m_report.lostTime += (1.0f - alpha) * m_settings.dt;

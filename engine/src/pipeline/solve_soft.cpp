@@ -303,15 +303,16 @@ private:
     void PrepareRows(bool isFirst) {
         if (!m_plan.hasRows) return;
         PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers(), m_tree.GetBounded());
+        m_rowsAct = !m_s.joints.runs.empty() || !m_s.joints.bounds.empty();
     }
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
         if (isFirst) m_tree.Factorize(Poses(), m_h);
-        if (m_plan.hasContacts || m_plan.hasRows) m_tree.SolveAfterMove(m_bodies.velocity);
+        if (m_plan.hasContacts || m_rowsAct) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
-        if (m_plan.hasRows) SolveJointVelocities(JointWork(1.0f));
+        if (m_rowsAct) SolveJointVelocities(JointWork(1.0f));
     }
     /// Without warm starting nothing is known of the contacts in the first sub-step: piles would sag before their
     /// impulses have grown.
@@ -346,6 +347,8 @@ private:
     }
     void CorrectRows() {
         if (!m_plan.hasRows) return;
+        PlaceJointed();
+        if (!m_rowsAct) return;
         CorrectJoints();
         m_s.locked.Stop(m_s.delta);
         WarmStartJoints(JointWork(1.0f));
@@ -357,7 +360,7 @@ private:
         m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
-        if (!m_plan.hasRows) return;
+        if (!m_rowsAct) return;
         SolveJointVelocities(JointWork(1.0f));
         if (m_plan.hasTrees) m_tree.SolveAfterMove(m_bodies.velocity);
     }
@@ -431,13 +434,15 @@ private:
     }
     [[nodiscard]] SoftBody& Jointed(size_t i) { return m_s.soft[static_cast<size_t>(m_s.jointed[i])]; }
 
-    /// Moves jointed bodies, removes the joints' position errors, and takes the result back as motion.
-    void CorrectJoints() {
+    void PlaceJointed() {
         for (const int i : m_s.jointed) {
             const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
             m_bodies.SetMotion(b, m_s.delta[b].v);
             m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
         }
+    }
+    /// Removes the position errors of joints that are rows, and takes the result back as motion.
+    void CorrectJoints() {
         SolveJointPositions(JointWork(1.0f));
         for (const int i : m_s.jointed) {
             const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
@@ -456,6 +461,7 @@ private:
     const ContactKernels& m_kernels;
     KernelTask m_task{};
     Plan m_plan;
+    bool m_rowsAct = false;  ///< in this sub-step some joint is solved row by row
 };
 
 }  // namespace

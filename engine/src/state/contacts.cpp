@@ -277,6 +277,7 @@ void ContactTable::Compact() {
     m_isCompact = true;
     size_t rows = flags.size();
     while (rows > 0 && flags[rows - 1] == 0) --rows;
+    if (rows < flags.size()) m_adjacency.Set(0);  // it may list rows that are over, but none behind the end
     flags.resize(rows);
     pair.resize(rows);
     manifold.resize(rows);

@@ -323,7 +323,7 @@ ErrorCode Body::SetMotionLocks(const MotionLocks& locks) {
     if (GetType() == dynamicBody && (locks.x || locks.y)) guard.Uses({Feature::motionLocks});
     if (GetType() != staticBody && !locks.angle) guard.Uses({Feature::rotation});
     if (guard.Failed()) return guard.Code();
-    const Recording recording = guard.Record(locks);
+    const Recording recording = guard.Record(m_index, locks);
     if (locks == GetMotionLocks()) return ErrorCode::ok;
     SetFixedRotation(locks.angle);
     const BodyFeatureEdit edit(*m_state, m_index);
@@ -357,7 +357,7 @@ ErrorCode Body::SetTargetTransform(Vec2 position, float angle, float timeStep) {
                   "give less way or more time: the velocity would exceed 1e18");
     if (w != 0.0f) guard.Uses({Feature::rotation});
     if (guard.Failed()) return guard.Code();
-    const Recording recording = guard.Record(position, angle, timeStep);
+    const Recording recording = guard.Record(m_index, position, angle, timeStep);
     SetLinearVelocity(v);
     return SetAngularVelocity(w);
 }

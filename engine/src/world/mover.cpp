@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/outline.h"
 #include "scree/collision.h"
 #include "scree/convex_shape.h"
 #include "world/guard.h"
@@ -33,7 +34,8 @@ Guard& CheckCapsule(Guard& guard, const MoverCapsule& capsule) {
 }
 
 /// The plane of one fixture; false if it is farther than the margin.
-bool MakePlane(Fixture& fixture, const ConvexShape& grown, Vec2 position, float margin, MoverPlane& plane) {
+bool MakePlane(Fixture& fixture, const ConvexShape& grown, Vec2 position, float margin, float lengthScale,
+               MoverPlane& plane) {
     const Shape& shape = *std::as_const(fixture).GetShape();
     const Transform xf = fixture.GetBody()->GetTransform(), at = At(position);
     Manifold manifold;
@@ -44,21 +46,23 @@ bool MakePlane(Fixture& fixture, const ConvexShape& grown, Vec2 position, float 
     world.Initialize(&manifold, xf, shape.m_radius, at, grown.m_radius);
     const int nearest = manifold.pointCount == 2 && world.separations[1] < world.separations[0] ? 1 : 0;
     const float separation = world.separations[nearest];
+    const float skin = shape.m_radius - OutlineRadius(shape, lengthScale);
     // The point is midway between both surfaces.
     plane = {.fixture = &fixture,
              .normal = world.normal,
-             .point = world.points[nearest] - (0.5f * separation) * world.normal,
-             .separation = separation + margin};
+             .point = world.points[nearest] - (0.5f * separation + skin) * world.normal,
+             .separation = separation + margin + skin};
     return true;
 }
 
 /// A capsule on its way through a world: the parts of MoveMover.
 class Walk {
 public:
-    Walk(World& world, const MoverDef& def) : m_world(world), m_def(def), m_level(std::cos(def.maxSlope)) {}
+    Walk(World& world, const MoverDef& def) : m_world(world), m_def(def), m_level(Rot(def.maxSlope).c) {}
 
-    /// Goes by `wish` as far as it can along what it meets. Returns the planes that were in the way in the end.
-    const std::vector<MoverPlane>& Slide(Vec2& position, Vec2 wish) {
+    /// Goes by `wish` as far as it can along what it meets. Returns the planes that were in the way. For one who walks
+    /// what is too steep to stand on is a wall.
+    const std::vector<MoverPlane>& Slide(Vec2& position, Vec2 wish, bool walks) {
         constexpr int rounds = 5;
         const Vec2 target = position + wish;
         m_met.clear();
@@ -66,7 +70,10 @@ public:
             const Vec2 left = target - position;
             // Far enough ahead that all that is met in this round is a plane.
             (void)CollideMover(m_world, m_def.capsule, position, 2.0f * m_def.skin, m_def.filter, m_planes);
-            for (MoverPlane& plane : m_planes) plane.separation -= m_def.skin;
+            for (MoverPlane& plane : m_planes) {
+                plane.separation -= m_def.skin;
+                if (walks) MakeUpright(plane);
+            }
             const Vec2 way = SolvePlanes(left, m_planes);
             for (const MoverPlane& plane : m_planes) {
                 if (plane.push > 0.0f) m_met.push_back(plane);
@@ -77,6 +84,12 @@ public:
             if (step.LengthSquared() < 0.01f * m_def.skin * m_def.skin) break;
         }
         return m_met;
+    }
+    void MakeUpright(MoverPlane& plane) const {
+        const float rise = Dot(plane.normal, m_def.up);
+        if (rise <= 0.0f || rise >= m_level) return;
+        plane.normal -= rise * m_def.up;
+        plane.separation /= plane.normal.Normalize();
     }
     [[nodiscard]] float Cast(Vec2 position, Vec2 way) const {
         return CastMover(m_world, m_def.capsule, position, way, m_def.skin, m_def.filter);
@@ -92,8 +105,9 @@ public:
         }
         return best;
     }
-    /// Down onto ground that is at most `height` below; false if there is none.
+    /// Down onto ground that is at most `height` below; false if there is none. Who stands stays.
     bool Lower(Vec2& position, float height) {
+        if (FindGround(position, m_def.skin) != nullptr) return true;
         const Vec2 down = -(height + m_def.skin) * m_def.up;
         const float share = Cast(position, down);
         if (share >= 1.0f) return false;
@@ -113,8 +127,9 @@ public:
         const Vec2 up = m_def.stepHeight * m_def.up;
         const float rise = Cast(start, up);
         Vec2 there = start + rise * up;
-        // Short steps of a slow mover: far enough to stand on the edge.
-        const Vec2 reach = (length + m_def.skin) * ahead;
+        // At least so far that the edge is under what it can stand on.
+        const float onEdge = m_def.capsule.radius * (1.0f - std::sqrt(1.0f - m_level * m_level)) + 2.0f * m_def.skin;
+        const Vec2 reach = (Max(length, onEdge) + m_def.skin) * ahead;
         const float share = Cast(there, reach);
         there += share * reach;
         if (Dot(there - start, ahead) <= before + 0.1f * length) return false;
@@ -142,7 +157,10 @@ ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 pos
     const ConvexShape grown = ShapeOf(capsule, margin);
     const auto add = [&](Fixture* fixture) {
         MoverPlane plane;
-        if (MakePlane(*fixture, grown, position, margin, plane)) planes.push_back(plane);
+        const float scale = world.GetState().def.lengthScale;
+        if (MakePlane(*fixture, grown, position, margin, scale, plane) && plane.separation <= margin) {
+            planes.push_back(plane);
+        }
         return true;
     };
     const ErrorCode code = world.OverlapShape(grown, At(position), add, filter);
@@ -222,23 +240,25 @@ MoverState MoveMover(World& world, const MoverDef& def, const MoverState& state,
     const Fixture* ground = state.isGrounded ? world.Find(state.ground) : nullptr;
     const Vec2 carried =
         ground == nullptr ? vec2Zero : ground->GetBody()->GetLinearVelocityFromWorldPoint(state.groundPoint);
-    if (!(carried == vec2Zero)) (void)walk.Slide(moved.position, timeStep * carried);
+    if (!(carried == vec2Zero)) (void)walk.Slide(moved.position, timeStep * carried, false);
 
-    // On ground the wish goes along it.
+    // Who walks goes along the ground, up or down, as fast as on the level.
+    constexpr float jumpSpeed = 0.01f;  // m/s
+    const float rising = Dot(state.velocity, def.up);
+    const bool jumps = state.isGrounded && rising > jumpSpeed && Dot(state.velocity, state.groundNormal) > jumpSpeed;
+    const bool rises = !state.isGrounded && rising > 0.0f;
+    const bool walks = state.isGrounded && !jumps;
     Vec2 wish = timeStep * state.velocity;
-    const bool rises = Dot(state.velocity, def.up) > 0.0f && !state.isGrounded;
-    if (state.isGrounded && Dot(state.groundNormal, wish) < 0.0f) {
+    if (walks) {
         const Vec2 along = state.groundNormal.Skew();
-        wish = (Dot(along, wish) < 0.0f ? -1.0f : 1.0f) * wish.Length() * along;
-        if (Abs(Dot(along, timeStep * state.velocity)) < 1e-6f) wish = vec2Zero;
+        const float way = Dot(along, wish);
+        wish = Abs(way) < 1e-3f * wish.Length() ? vec2Zero : (way < 0.0f ? -wish.Length() : wish.Length()) * along;
     }
     const Vec2 start = moved.position;
-    const std::vector<MoverPlane> met = walk.Slide(moved.position, wish);
-    const bool jumps = Dot(state.velocity, state.isGrounded ? state.groundNormal : def.up) > 0.0f && !rises;
-    bool hasStepped = false;
-    if (state.isGrounded && !jumps) hasStepped = walk.StepUp(moved.position, start, wish);
+    const std::vector<MoverPlane> met = walk.Slide(moved.position, wish, walks);
+    const bool hasStepped = walks && walk.StepUp(moved.position, start, wish);
     if (!hasStepped) moved.velocity = ClipVelocity(state.velocity, met);
-    if (state.isGrounded && !jumps && !hasStepped) (void)walk.Lower(moved.position, def.stepHeight);
+    if (walks && !hasStepped) (void)walk.Lower(moved.position, def.stepHeight);
 
     const bool leaves = Dot(moved.velocity, def.up) > 0.0f && (jumps || rises);
     const MoverPlane* under = leaves ? nullptr : walk.FindGround(moved.position, def.skin);

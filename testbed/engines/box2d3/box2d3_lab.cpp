@@ -51,6 +51,10 @@ public:
     StepFacts Step(double dt) override {
         const Stopwatch watch;
         b2World_Step(m_world.Get(), static_cast<float>(dt), std::get<SoftStep>(m_spec.solver).substeps);
+        if (m_listens) {
+            const b2ContactEvents events = b2World_GetContactEvents(m_world.Get());
+            m_heard += events.beginCount + events.endCount;
+        }
         StepFacts facts;
         facts.milliseconds = watch.GetMilliseconds();
         facts.contacts = b2World_GetCounters(m_world.Get()).contactCount;
@@ -89,6 +93,28 @@ public:
         (void)At(body);
         m_world.DestroyBody(body);
     }
+
+    void SetPose(int body, Point origin, double angle) override {
+        b2Body_SetTransform(At(body), b2ToPos(ToVec(origin)), b2MakeRot(static_cast<float>(angle)));
+    }
+    void RemakeBody(int body) override {
+        (void)At(body);
+        m_world.RemakeBody(GetScene(), body);
+    }
+    [[nodiscard]] double CastRay(Point from, Point to) const override {
+        const b2RayResult result =
+            b2World_CastRayClosest(m_world.Get(), b2ToPos(ToVec(from)), ToVec(to - from), b2DefaultQueryFilter());
+        return result.hit ? double{result.fraction} : 1.0;
+    }
+    [[nodiscard]] int CountInBox(Point low, Point high) const override {
+        int number = 0;
+        const b2AABB box{ToVec(low), ToVec(high)};
+        const auto count = [](b2ShapeId, void* context) { return ++*static_cast<int*>(context) > 0; };
+        b2World_OverlapAABB(m_world.Get(), b2ToPos({0.0f, 0.0f}), box, b2DefaultQueryFilter(), count, &number);
+        return number;
+    }
+    void Listen() override { m_listens = true; }
+    [[nodiscard]] long GetHeard() const override { return m_heard; }
 
     [[nodiscard]] Point GetJointForce(int joint) const override {
         return ToPoint(b2Joint_GetConstraintForce(m_world.GetJoints()[static_cast<size_t>(joint)]));
@@ -138,6 +164,8 @@ private:
     RunSpec m_spec;
     World m_world;
     std::vector<double> m_angles;  ///< with whole turns, by body
+    bool m_listens = false;
+    long m_heard = 0;
 };
 
 }  // namespace

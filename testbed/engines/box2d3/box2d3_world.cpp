@@ -46,6 +46,16 @@ void World::DestroyBody(int index) {
     m_bodies[static_cast<size_t>(index)] = b2_nullBodyId;
 }
 
+void World::RemakeBody(const scenes::Scene& scene, int index) {
+    DestroyBody(index);
+    const size_t proxies = m_proxies.size();
+    AddBody(scene, scene.bodies[static_cast<size_t>(index)]);
+    m_proxies.resize(proxies);
+    m_bodies[static_cast<size_t>(index)] = m_bodies.back();
+    m_bodies.pop_back();
+    b2Body_SetUserData(m_bodies[static_cast<size_t>(index)], ToUserData(static_cast<size_t>(index)));
+}
+
 /// Chains and one-sided edges: a chain of Box2D 3, whose first and last points are the ghosts.
 void World::CreateChain(const scenes::Scene& scene, b2BodyId body, const scenes::Fixture& fixture,
                         const b2ShapeDef& shapeDef) {

@@ -45,6 +45,8 @@ public:
     [[nodiscard]] std::span<const b2JointId> GetJoints() const { return m_joints; }
     /// The body with this index is gone.
     void DestroyBody(int index);
+    /// A body without joints goes and comes anew as the scene has it. Its proxies are not listed again.
+    void RemakeBody(const scenes::Scene& scene, int index);
 
     /// Index into the scene's bodies, and into the proxies.
     [[nodiscard]] static int IndexOf(b2BodyId body) { return FromUserData(b2Body_GetUserData(body)); }

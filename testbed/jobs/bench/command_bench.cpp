@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree bench`: scenes timed in both engines, interleaved in one process; totals, single steps, stages, memory.
+// `scree bench`: scenes timed in every engine, interleaved in one process; totals, single steps, stages, memory.
 
 #include <fmt/format.h>
 
@@ -23,6 +23,7 @@
 #include "testbed/jobs/bench/against.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/bench/files.h"
+#include "testbed/jobs/bench/games.h"
 #include "testbed/jobs/bench/object_bytes.h"
 #include "testbed/jobs/bench/plan.h"
 #include "testbed/jobs/bench/run.h"
@@ -93,6 +94,7 @@ int CompareBuilds(const BenchArguments& arguments, const Request& request) {
 }
 
 int RunBench(const BenchArguments& arguments, const Request& request) {
+    if (arguments.games) return RunGames(arguments, request);
     if (!arguments.against.empty()) return CompareBuilds(arguments, request);
     const BenchPlan plan = MakeBenchPlan(arguments);
     BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});
@@ -127,7 +129,7 @@ int RunBench(const BenchArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddBenchCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in both engines");
+    CLI::App* command = app.add_subcommand("bench", "Times of whole runs, single steps and stages in every engine");
     auto arguments = std::make_shared<BenchArguments>();
     AddBenchOptions(*command, *arguments);
     command->callback(

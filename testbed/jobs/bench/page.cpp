@@ -160,7 +160,7 @@ PageTiles MakeTiles(std::span<const BenchRow> rows) {
 }  // namespace
 
 Page MakeBenchPage(const BenchReport& report) {
-    Page page{.title = "Bench", .intro = "Both engines in one process, stepped in slices in turn."};
+    Page page{.title = "Bench", .intro = "All engines in one process, stepped in slices in turn."};
     page.facts.push_back({"command", report.command});
     const PageTiles tiles = MakeTiles(report.rows);
     PageSection table{.title = "Times", .intro = report.notes, .blocks = {}};

@@ -164,6 +164,9 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->type_name("FILE");
     app.add_flag("--targets", arguments.targets,
                  "Judge the speed to reach, also with continuous collision on; exit 1 when a target is missed or void");
+    app.add_flag("--games", arguments.games,
+                 "The second suite: what games do, with default settings, in every engine of this build in turn. "
+                 "SCENE names its cases; --repeat, --steps, --output and --markdown apply");
     app.add_option("--from", arguments.from, "Show and judge the rows of a --json file instead of running")
         ->type_name("FILE");
     AddShardOptions(app, arguments.shard);

@@ -31,7 +31,8 @@ struct BenchArguments {
     double timeLimitS = 0;
     ShardArguments shard;
     bool targets = false;
-    std::string from;  ///< rows to judge and show instead of a run
+    bool games = false;  ///< the cases of games instead of scenes
+    std::string from;    ///< rows to judge and show instead of a run
     std::string csv, plots, output, markdown;
 };
 

@@ -225,7 +225,7 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddExtremesCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("extremes", "Stability at the extremes: cases graded in both engines");
+    CLI::App* command = app.add_subcommand("extremes", "Stability at the extremes: cases graded in every engine");
     auto arguments = std::make_shared<ExtremesArguments>();
     command->add_flag("--quick", arguments->quick, "Shorter runs, at most 5 s of processor time each");
     command->add_flag("--full", arguments->full, "At most 60 s of processor time each instead of 10");

@@ -259,7 +259,7 @@ Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std
                       const std::string& command) {
     Page page{.title = "Stability at the extremes",
               .intro =
-                  "What both engines do with masses, sizes, speeds, places, loads and input that no engine is made "
+                  "What each engine does with masses, sizes, speeds, places, loads and input that no engine is made "
                   "for.",
               .facts = {{"command", command}, {"runs", fmt::format("{}", results.size())}}};
     page.sections.push_back({.title = "Grades",

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree timeline`: a whole session in one page that plays in any browser, offline.
+// `scree timeline`: a whole session in one page that plays in any browser, offline; several engines beside each other.
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -14,8 +15,8 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/jobs/timeline/commands.h"
-#include "testbed/jobs/timeline/motion_data.h"
-#include "testbed/moments/conditions.h"
+#include "testbed/jobs/timeline/lane.h"
+#include "testbed/options/condition_options.h"
 #include "testbed/options/options.h"
 #include "testbed/options/session.h"
 #include "testbed/page/page.h"
@@ -28,81 +29,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Lanes that fit beside each other and have a colour of their own.
+constexpr std::size_t mostLanes = 4;
+
 struct TimelineArguments {
     SessionArguments session;
+    ConditionArguments conditions;
+    std::string engines, nodes, contacts = "on";
     std::string output = "timeline.html";
 };
 
-Json Numbers(const std::vector<Vec2>& points) {
-    Json numbers = Json::array();
-    for (const Vec2 p : points) numbers.push_back(p.x), numbers.push_back(p.y);
-    return numbers;
-}
-
-/// What timeline.js draws of a fixture, in its body's coordinates.
-Json ShapeOf(const FixtureState& fixture) {
-    const scenes::Shape& shape = fixture.shape;
-    if (!fixture.outline.empty()) return {{"v", Numbers(fixture.outline)}};
-    if (shape.type == scenes::ShapeType::circle) {
-        return {{"x", shape.center.x}, {"y", shape.center.y}, {"r", shape.radius}};
-    }
-    if (shape.type == scenes::ShapeType::edge) return {{"v", Numbers({shape.vertices[0], shape.vertices[1]})}};
-    if (shape.type == scenes::ShapeType::box) {
-        const float c = std::cos(shape.angle), s = std::sin(shape.angle);
-        std::vector<Vec2> corners;
-        for (const Vec2 sign : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}}) {
-            const float x = sign.x * shape.halfExtents.x, y = sign.y * shape.halfExtents.y;
-            corners.push_back({c * x - s * y + shape.center.x, s * x + c * y + shape.center.y});
-        }
-        return {{"v", Numbers(corners)}};
-    }
-    return {{"v", Numbers({shape.Vertices().begin(), shape.Vertices().end()})}};
-}
-
-/// The bodies of a session as they come, with their shapes.
-class Bodies {
-public:
-    explicit Bodies(const Session& session) : m_session(session) {
-        const std::size_t count = session.GetScene().bodies.size();
-        if (count > mostTimelineBodies) {
-            throw UsageError(fmt::format("{} bodies: a page holds at most {}", count, mostTimelineBodies));
-        }
-        for (std::size_t i = 0; i < count; ++i) {
-            constexpr const char* types[] = {"static", "kinematic", "dynamic"};
-            const auto type = static_cast<std::size_t>(session.GetScene().bodies[i].type);
-            m_rows.push_back({{"index", i},
-                              {"name", session.GetName(static_cast<int>(i))},
-                              {"type", types[type]},
-                              {"reach", 0.0},
-                              {"shapes", Json::array()}});
-        }
-        m_isKnown.resize(count);
-    }
-    void Note(const Snapshot& snapshot) {
-        const auto indexOf = [&](const FixtureState& fixture) {
-            return static_cast<std::size_t>(snapshot.bodies[static_cast<std::size_t>(fixture.body)].index);
-        };
-        for (const FixtureState& fixture : snapshot.fixtures) {
-            const std::size_t index = indexOf(fixture);
-            if (m_isKnown[index]) continue;
-            Json& row = m_rows[index];
-            row["shapes"].push_back(ShapeOf(fixture));
-            const Vec2 p = snapshot.bodies[static_cast<std::size_t>(fixture.body)].position;
-            const double reach = std::max(std::hypot(fixture.tight.upper.x - p.x, fixture.tight.upper.y - p.y),
-                                          std::hypot(fixture.tight.lower.x - p.x, fixture.tight.lower.y - p.y));
-            if (std::isfinite(reach)) row["reach"] = std::max(row["reach"].get<double>(), reach);
-        }
-        for (const BodyState& body : snapshot.bodies) m_isKnown[static_cast<std::size_t>(body.index)] = true;
-    }
-    [[nodiscard]] const Json& GetRows() const { return m_rows; }
-
-private:
-    const Session& m_session;
-    Json m_rows = Json::array();
-    std::vector<bool> m_isKnown;
-};
-
-/// Around everything at the start, and around it as much again on each side: what flies off is shown at the edge.
+/// Around everything at the start.
 Box ViewOf(const Snapshot& start) {
     Box box{{-5.0f, -5.0f}, {5.0f, 5.0f}};
     bool isFirst = true;
@@ -117,59 +54,72 @@ Box ViewOf(const Snapshot& start) {
     return box;
 }
 
-Box Grow(const Box& box) {
-    const float by = std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);
-    return {{box.lower.x - by, box.lower.y - by}, {box.upper.x + by, box.upper.y + by}};
-}
-
-Json MomentsOf(const std::vector<Moment>& found, const Session& session) {
-    Json rows = Json::array();
+void AddMoments(const std::vector<Moment>& found, const Session& session, std::size_t lane, std::vector<Json>& rows) {
     for (const Moment& moment : found) {
         std::string bodies;
         for (const int body : moment.bodies) bodies += (bodies.empty() ? "" : ", ") + session.NameOf(body);
-        rows.push_back(
-            {{"step", moment.step},
-             {"bodies", moment.bodies},
-             {"text", fmt::format("step {}: {}: {}: {}", moment.step, moment.condition, bodies, moment.what)}});
+        rows.push_back({{"lane", lane},
+                        {"step", moment.step},
+                        {"bodies", moment.bodies},
+                        {"text", fmt::format("step {}: {}: {}{}{}", moment.step, moment.condition, bodies,
+                                             bodies.empty() ? "" : ": ", moment.what)}});
     }
-    return rows;
+}
+
+bool WantsContacts(const std::string& text) {
+    if (text == "on" || text == "off") return text == "on";
+    throw UsageError(fmt::format("--contacts {}: give on or off", text));
+}
+
+/// The lanes, the bodies that they share, and the moments of all by time.
+struct Recorded {
+    Json data;
+    std::string streams;  ///< markup
+    std::size_t steps = 0, changes = 0;
+};
+
+Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arguments, const SceneInput& input) {
+    const LaneOptions options{.contacts = WantsContacts(arguments.contacts), .trees = ParseKeptTrees(arguments.nodes)};
+    Session& first = sessions.front().session;
+    const Box view = ViewOf(first.Capture());
+    const Grid grid(view);
+    BodyRows bodies(first.GetScene(), first.GetNames());
+    Recorded recorded;
+    Json lanes = Json::array();
+    std::vector<Json> moments;
+    for (NamedSession& one : sessions) {
+        AskedConditions asked = MakeConditions(arguments.conditions, arguments.session, input, one.session);
+        const LaneData lane = RecordLane(one.session, one.name, std::move(asked.conditions), grid, bodies, options);
+        AddMoments(lane.moments, one.session, lanes.size(), moments);
+        for (const auto& [name, packed] : lane.streams) {
+            recorded.streams += fmt::format("<script type=\"text/plain\" id=\"timeline-{}-{}\">{}</script>\n", name,
+                                            lanes.size(), packed);
+        }
+        recorded.steps = std::max(recorded.steps, lane.told["steps"].size() - 1);
+        recorded.changes += lane.changes;
+        lanes.push_back(lane.told);
+    }
+    std::ranges::stable_sort(moments, {}, [](const Json& moment) { return moment["step"].get<int>(); });
+    recorded.data = {{"view", {view.lower.x, view.lower.y, view.upper.x, view.upper.y}},
+                     {"unit", grid.GetUnit()},
+                     {"bodies", bodies.GetRows()},
+                     {"lanes", lanes},
+                     {"moments", moments}};
+    return recorded;
 }
 
 int RunTimeline(const TimelineArguments& arguments, const Request& request) {
     const SceneInput input = ChooseSessionInput(arguments.session);
-    Session session = OpenSession(arguments.session, input);
-    Bodies bodies(session);
-    Conditions conditions;
-    conditions.push_back(MakeTunnelCondition());
-    conditions.push_back(MakeNonFiniteCondition());
-    Watch watch(session.GetScene(), std::move(conditions));
-    Snapshot snapshot = session.Capture();
-    const Box view = ViewOf(snapshot), range = Grow(view);
-    MotionData motion(session.GetScene().bodies.size(), range);
-    Json steps = Json::array(), times = Json::array();
-    double time = 0.0, timeStep = 0.0;
-    for (bool goesOn = true; goesOn;) {
-        bodies.Note(snapshot);
-        motion.Add(snapshot);
-        steps.push_back(session.GetStep());
-        times.push_back(std::round(time * 1e6) / 1e6);
-        watch.Show(std::move(snapshot), timeStep);
-        goesOn = session.Step();
-        if (!goesOn) break;
-        snapshot = session.Capture();
-        timeStep = session.GetTimeStep();
-        time += timeStep;
+    std::vector<NamedSession> sessions = OpenSessions(arguments.session, input, arguments.engines);
+    if (sessions.size() > mostLanes) {
+        throw UsageError(fmt::format("--engines {}: a page shows at most {}", arguments.engines, mostLanes));
     }
-    const Json data{{"steps", steps},
-                    {"times", times},
-                    {"bodies", bodies.GetRows()},
-                    {"view", {view.lower.x, view.lower.y, view.upper.x, view.upper.y}},
-                    {"left", range.lower.x},
-                    {"bottom", range.lower.y},
-                    {"width", range.upper.x - range.lower.x},
-                    {"height", range.upper.y - range.lower.y},
-                    {"moments", MomentsOf(watch.Finish(), session)},
-                    {"motion", EncodeBase64(motion.GetBytes())}};
+    if (!arguments.nodes.empty() && input.motion != nullptr && arguments.engines.empty()) {
+        throw UsageError(fmt::format("--nodes: {} has no tree; --engines scree,box2d lets those of engines follow it",
+                                     arguments.session.input));
+    }
+    const std::size_t bodyCount = sessions.front().session.GetScene().bodies.size();
+    const Recorded recorded = Record(std::move(sessions), arguments, input);
     Page page{.title = fmt::format("{}: timeline", input.name),
               .intro = fmt::format("`{}`", DescribeCommand(request.arguments))};
     page.style = timeline_sources::timelineCss;
@@ -177,15 +127,17 @@ int RunTimeline(const TimelineArguments& arguments, const Request& request) {
     page.sections.push_back(
         {.blocks = {PageHtml{std::string(timeline_sources::timelineHtml) +
                              "<script type=\"application/json\" id=\"timeline-data\">" +
-                             ProtectJson(data.dump(-1, ' ', false, Json::error_handler_t::replace)) + "</script>"}}});
+                             ProtectJson(recorded.data.dump(-1, ' ', false, Json::error_handler_t::replace)) +
+                             "</script>\n" + recorded.streams}}});
     page.facts.push_back({"precision",
-                          "positions to 1/65534 of three times the level; what flies farther stays at the edge; "
-                          "speeds are those of the shown positions"});
-    page.facts.push_back(
-        {"keys", "space plays · ← → one step, with shift ten · click a body · wheel zooms · drag pans"});
+                          "positions and speeds to 1/65536 of the level's longer side, spins to 1/4096 rad/s, "
+                          "impulses and depths to eight bits"});
+    page.facts.push_back({"keys",
+                          "space plays · ← → one step, with shift ten · Home End · n p next and last moment · [ ] loop "
+                          "· f fit · Escape chooses nothing · shift and click choose one more"});
     WritePage(arguments.output, page);
-    fmt::print("{}\n{} steps, {} bodies, {} changes of a body\n", arguments.output, steps.size() - 1,
-               session.GetScene().bodies.size(), motion.GetChangeCount());
+    fmt::print("{}\n{} steps, {} bodies, {} changes of a body\n", arguments.output, recorded.steps, bodyCount,
+               recorded.changes);
     return exitDone;
 }
 
@@ -196,6 +148,19 @@ void AddTimelineCommand(CLI::App& app, Request& request) {
         app.add_subcommand("timeline", "A whole session as one page that plays in any browser, offline");
     auto arguments = std::make_shared<TimelineArguments>();
     AddSessionOptions(*command, arguments->session);
+    command
+        ->add_option(
+            "--engines", arguments->engines,
+            "Up to four engines on one clock: [NAME=]ENGINE[:KEY=VALUE],..; of a motion: whose trees follow it")
+        ->type_name("LIST");
+    command
+        ->add_option("--nodes", arguments->nodes,
+                     "Keep the trees of some steps: every:N, worst:K (slowest) or at:STEP,STEP")
+        ->type_name("WHICH");
+    command->add_option("--contacts", arguments->contacts, "on or off: contacts make the larger part of a page")
+        ->capture_default_str()
+        ->type_name("on|off");
+    AddConditionOptions(*command, arguments->conditions);
     command->add_option("-o,--output", arguments->output, "The page")->capture_default_str()->type_name("FILE");
     command->callback(
         [&request, arguments] { request.action = [&request, arguments] { return RunTimeline(*arguments, request); }; });

@@ -13,45 +13,71 @@ namespace testbed {
 
 namespace {
 
-/// A share of a span as 0…65534; what is no number lies at its beginning.
-std::uint16_t Quantise(float value, float lower, float upper) {
-    const double share = (double{value} - lower) / (double{upper} - lower);
-    return static_cast<std::uint16_t>(std::lround(65534.0 * (share >= 0.0 ? std::min(share, 1.0) : 0.0)));
+constexpr unsigned isThere = 1, isAwake = 2, isNoNumber = 4;
+
+unsigned FlagsOf(const BodyState& body) {
+    const bool isNumber = std::isfinite(body.position.x) && std::isfinite(body.position.y) &&
+                          std::isfinite(body.angle) && std::isfinite(body.linearVelocity.x) &&
+                          std::isfinite(body.linearVelocity.y) && std::isfinite(body.angularVelocity);
+    return isThere | (body.awake ? isAwake : 0u) | (isNumber ? 0u : isNoNumber);
 }
+
+bool HasNumbers(unsigned flags) { return (flags & isThere) != 0 && (flags & isNoNumber) == 0; }
 
 }  // namespace
 
-void MotionData::Put(std::uint32_t value, int bytes) {
-    for (int i = 0; i < bytes; ++i) m_bytes.push_back(static_cast<unsigned char>(value >> (8 * i) & 0xFFu));
+Grid::Grid(const Box& view)
+    : m_centerX((double{view.lower.x} + view.upper.x) / 2),
+      m_centerY((double{view.lower.y} + view.upper.y) / 2),
+      m_unit(std::max({double{view.upper.x} - view.lower.x, double{view.upper.y} - view.lower.y, 1e-6}) / 65536.0) {}
+
+std::int32_t Grid::Round(double value) {
+    constexpr double most = 536'870'912.0;
+    return std::isfinite(value) ? static_cast<std::int32_t>(std::lround(std::clamp(value, -most, most))) : 0;
 }
 
-MotionData::Words MotionData::WordsOf(const BodyState& body) const {
-    const double turns = double{body.angle} / (2.0 * std::numbers::pi);
-    const double share = std::isfinite(turns) ? turns - std::floor(turns) : 0.0;
-    return {static_cast<std::uint16_t>(body.awake ? 0x8000 : 0),
-            Quantise(body.position.x, m_view.lower.x, m_view.upper.x),
-            Quantise(body.position.y, m_view.lower.y, m_view.upper.y),
-            static_cast<std::uint16_t>(std::lround(65536.0 * share) & 0xFFFF)};
+std::int32_t Grid::Angle(float angle) { return Round(double{angle} * 65536.0 / (2.0 * std::numbers::pi)); }
+
+MotionData::Numbers MotionData::NumbersOf(const BodyState& body) const {
+    return {m_grid.X(body.position.x),           m_grid.Y(body.position.y),           Grid::Angle(body.angle),
+            m_grid.Speed(body.linearVelocity.x), m_grid.Speed(body.linearVelocity.y), Grid::Spin(body.angularVelocity)};
+}
+
+void MotionData::Put(const Numbers& numbers, Known& known) {
+    const bool goesOn = known.step == m_step - 1;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        const std::int32_t change = numbers[i] - known.numbers[i];
+        m_stream.PutSigned(change - (goesOn ? known.changes[i] : 0));
+        known.changes[i] = change;
+    }
+    known.numbers = numbers;
+    known.step = m_step;
 }
 
 void MotionData::Add(const Snapshot& snapshot) {
-    std::vector<Words> now(m_last.size());
-    for (const BodyState& body : snapshot.bodies) now[static_cast<std::size_t>(body.index)] = WordsOf(body);
-    const std::size_t countAt = m_bytes.size();
-    Put(0, 4);
-    std::uint32_t count = 0;
+    ++m_step;
+    std::vector<const BodyState*> now(m_last.size(), nullptr);
+    for (const BodyState& body : snapshot.bodies) now[static_cast<std::size_t>(body.index)] = &body;
+    std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < now.size(); ++i) {
-        if (now[i] == m_last[i]) continue;
-        Put(static_cast<std::uint32_t>(i) | now[i].awake, 2);
-        Put(now[i].x, 2);
-        Put(now[i].y, 2);
-        Put(now[i].angle, 2);
-        ++count;
+        const Known& known = m_last[i];
+        const unsigned flags = now[i] != nullptr ? FlagsOf(*now[i]) : 0;
+        const bool isSame = flags == known.flags && (!HasNumbers(flags) || known.numbers == NumbersOf(*now[i]));
+        if (!isSame) changed.push_back(i);
     }
-    for (int i = 0; i < 4; ++i)
-        m_bytes[countAt + static_cast<std::size_t>(i)] = static_cast<unsigned char>(count >> (8 * i) & 0xFFu);
-    m_changes += count;
-    m_last = std::move(now);
+    m_stream.BeginStep();
+    m_stream.PutNumber(static_cast<std::uint32_t>(changed.size()));
+    std::size_t next = 0;
+    for (const std::size_t i : changed) {
+        m_stream.PutNumber(static_cast<std::uint32_t>(i - next));
+        next = i + 1;
+        Known& known = m_last[i];
+        known.flags = now[i] != nullptr ? FlagsOf(*now[i]) : 0;
+        m_stream.PutByte(known.flags);
+        if (HasNumbers(known.flags)) Put(NumbersOf(*now[i]), known);
+    }
+    m_stream.EndStep();
+    m_changes += changed.size();
 }
 
 }  // namespace testbed

@@ -1,43 +1,68 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The motion of a session as the bytes that timeline.js decodes: step by step the bodies that changed, 8 bytes each.
-// Positions are quantised to 1/65534 of the view, angles to 1/65536 of a turn.
+// The motion of a session as the bytes that timeline_data.js decodes: step by step the bodies that changed, each number
+// as what it differs by from going on as before. Most bodies cost a few bytes a step before they are deflated.
 
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "testbed/engines/snapshot.h"
+#include "testbed/jobs/timeline/byte_stream.h"
 
 namespace testbed {
 
-/// Bodies that a page can tell apart.
-inline constexpr std::size_t mostTimelineBodies = 0x8000;
+/// Lengths as whole numbers: of the middle of the view, in units of 2^-16 of its longer side.
+class Grid {
+public:
+    explicit Grid(const Box& view);
+    [[nodiscard]] std::int32_t X(float x) const { return Round((double{x} - m_centerX) / m_unit); }
+    [[nodiscard]] std::int32_t Y(float y) const { return Round((double{y} - m_centerY) / m_unit); }
+    [[nodiscard]] std::int32_t Speed(float v) const { return Round(double{v} / m_unit); }
+    /// 2^-16 of a turn.
+    [[nodiscard]] static std::int32_t Angle(float angle);
+    /// 2^-12 rad/s.
+    [[nodiscard]] static std::int32_t Spin(float spin) { return Round(double{spin} * 4096.0); }
+    [[nodiscard]] double GetUnit() const { return m_unit; }
+
+private:
+    /// What lies 2^13 views away stays there; no number is 0.
+    static std::int32_t Round(double value);
+    double m_centerX, m_centerY, m_unit;
+};
 
 class MotionData {
 public:
-    /// Positions outside of the view are shown at its edge.
-    MotionData(std::size_t bodies, const Box& view) : m_view(view), m_last(bodies) {}
+    MotionData(std::size_t bodies, const Grid& grid) : m_grid(grid), m_last(bodies) {}
 
-    /// Per step: a count, 32 bits, and for each body that changed: index with the awake bit above it, x, y, angle, 16
-    /// bits each, little-endian; all ones in the last three: it is gone.
+    /// Per step: how many changed, and for each by growing index: how many are left out before it; 1 it is there + 2
+    /// awake + 4 its pose or velocity is no number; if it is there and a number, how x, y, angle, both velocities and
+    /// the spin differ from the last change going on; it goes on if the body was named in the step before.
     void Add(const Snapshot& snapshot);
-    [[nodiscard]] const std::vector<unsigned char>& GetBytes() const { return m_bytes; }
+    [[nodiscard]] const ByteStream& GetStream() const { return m_stream; }
     [[nodiscard]] std::size_t GetChangeCount() const { return m_changes; }
+    /// Place of a body in the last step, in units of the grid.
+    [[nodiscard]] std::int32_t GetX(int body) const { return m_last[static_cast<std::size_t>(body)].numbers[0]; }
+    [[nodiscard]] std::int32_t GetY(int body) const { return m_last[static_cast<std::size_t>(body)].numbers[1]; }
 
 private:
-    struct Words {
-        std::uint16_t awake = 0, x = 0xFFFF, y = 0xFFFF, angle = 0xFFFF;
-        friend bool operator==(const Words&, const Words&) = default;
+    using Numbers = std::array<std::int32_t, 6>;
+    struct Known {
+        unsigned flags = 0;
+        int step = -2;  ///< in which it was named
+        Numbers numbers{}, changes{};
     };
-    [[nodiscard]] Words WordsOf(const BodyState& body) const;
-    void Put(std::uint32_t value, int bytes);
+    [[nodiscard]] Numbers NumbersOf(const BodyState& body) const;
+    void Put(const Numbers& numbers, Known& known);
 
-    Box m_view;
-    std::vector<Words> m_last;
-    std::vector<unsigned char> m_bytes;
+    Grid m_grid;
+    std::vector<Known> m_last;
+    ByteStream m_stream;
+    int m_step = -1;
     std::size_t m_changes = 0;
 };
 

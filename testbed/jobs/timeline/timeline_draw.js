@@ -67,7 +67,7 @@ const drawBodies = (pen, lane, view, asOutline) => {
 /** Bodies by WebGL2: all shapes once as triangles and lines, poses in a texture. */
 class Painter {
   constructor(canvas) {
-    const gl = this.gl = canvas.getContext('webgl2', {antialias: true, premultipliedAlpha: true});
+    const gl = this.gl = canvas.getContext('webgl2', {antialias: bodyCount <= mostByCanvas, premultipliedAlpha: true});
     if (!gl) throw new Error('no WebGL2');
     const vertex = `#version 300 es
       layout(location = 0) in vec2 point;
@@ -242,9 +242,11 @@ const drawLayers = (pen, lane, view, layers, chosen, trails, levels) => {
       const [a, b] = lane.anchors(joint);
       pen.lineWidth = (chosen.joint === joint ? 3 : 1) * ratio;
       pen.beginPath();
-      line(lane.x(lane.joints[joint].a), lane.y(lane.joints[joint].a), ...a);
       line(...a, ...b);
-      line(...b, lane.x(lane.joints[joint].b), lane.y(lane.joints[joint].b));
+      // A static body's origin may be anywhere.
+      for (const [body, end] of [[lane.joints[joint].a, a], [lane.joints[joint].b, b]]) {
+        if (data.bodies[body].type !== 'static') line(lane.x(body), lane.y(body), ...end);
+      }
       pen.stroke();
       for (const end of [a, b]) {
         const [px, py] = toScreen(...end);

@@ -22,7 +22,6 @@ const makeViews = () => {
   const parent = element('views');
   parent.replaceChildren();
   const groups = look.mode === 'over' ? [lanes] : shownLanes().map((lane) => [lane]);
-  parent.style.setProperty('--columns', groups.length);
   views = groups.map((group) => {
     const box = document.createElement('figure'), under = document.createElement('canvas'), over = document.createElement('canvas');
     under.className = 'under';
@@ -51,7 +50,16 @@ const makeViews = () => {
     listen(view);
     return view;
   });
+  sizeViews();
   element('timeline').dataset.renderer = views[0].painter ? 'webgl' : 'canvas';
+};
+/** As high as the level needs at the width that there is; wide levels lie above each other. */
+const sizeViews = () => {
+  const parent = element('views'), aspect = (right - left) / Math.max(top_ - bottom, 1e-6);
+  const rows = aspect > 1.5 || parent.clientWidth < 560 ? views.length : 1, columns = views.length / rows;
+  const wanted = parent.clientWidth / columns / aspect + 50, most = Math.max(180, 0.6 * window.innerHeight / Math.min(rows, 2));
+  parent.style.setProperty('--columns', columns);
+  parent.style.setProperty('--height', `${Math.round(Math.max(rows > 1 ? 150 : 260, Math.min(wanted, most)))}px`);
 };
 const sizeOf = (view) => {
   const ratio = window.devicePixelRatio || 1, {over} = view;
@@ -91,12 +99,17 @@ const redraw = () => {
 };
 
 // What is told of the step and of what is chosen.
+let toldAt = 0;
 const tell = () => {
   const main = lanes[0], share = shareOf(main, main.now.index), index = main.now.index;
-  element('where').textContent = `step ${main.steps[index]} · ${main.times[index].toFixed(2)} s`;
+  for (const plot of [...worldPlots, ...chosenPlots]) plot.point(share);
   element('step').value = index;
+  // Nobody reads numbers that change with every frame.
+  if (isPlaying && performance.now() - toldAt < 120) return;
+  toldAt = performance.now();
+  element('where').textContent = `step ${main.steps[index]} · ${main.times[index].toFixed(2)} s`;
   element('step').setAttribute('aria-valuetext', `step ${main.steps[index]} of ${main.steps[main.last]}`);
-  for (const plot of [...worldPlots, ...chosenPlots]) plot.tell(share);
+  for (const plot of [...worldPlots, ...chosenPlots]) plot.tell();
   tellChosen();
   const kept = main.nodeSteps && main.nodeSteps.includes(main.steps[index]);
   element('kept').textContent = main.nodeSteps && look.layers.has('tree') ? kept ? 'The tree of this step is shown.' : 'No tree was kept of this step.' : '';
@@ -122,9 +135,9 @@ const rowsOf = (lane) => {
   if (!lane.isThere(body)) return [['now', 'not there']];
   if (now.flags[body] & isNoNumber) return [['now', 'its pose is no number']];
   const vx = now.vx[body] * unit, vy = now.vy[body] * unit, spin = now.spin[body] * spinUnit, speed = Math.hypot(vx, vy);
-  const rows = [['x, y', `${shown(lane.x(body))}, ${shown(lane.y(body))} m`], ['angle', `${shown(lane.angle(body))} rad`]];
+  const rows = [['x', `${shown(lane.x(body))} m`], ['y', `${shown(lane.y(body))} m`], ['angle', `${shown(lane.angle(body))} rad`]];
   if (data.bodies[body].type === 'static') return rows;
-  rows.push(['velocity', `${shown(vx)}, ${shown(vy)} m/s`], ['speed', `${shown(speed)} m/s`], ['spin', `${shown(spin)} rad/s`]);
+  rows.push(['velocity x', `${shown(vx)} m/s`], ['velocity y', `${shown(vy)} m/s`], ['speed', `${shown(speed)} m/s`], ['spin', `${shown(spin)} rad/s`]);
   if (data.bodies[body].type === 'dynamic') {
     rows.push(['energy', `${shown(0.5 * (data.bodies[body].mass * speed * speed + data.bodies[body].inertia * spin * spin))} J`], ['awake', lane.isAwake(body) ? 'yes' : 'no']);
   }
@@ -196,7 +209,7 @@ const showChosen = () => {
   } else if (chosen.bodies.length > 0) {
     const found = lanes.map((lane) => ({lane, bodies: collectBodies(lane, chosen.bodies)}));
     for (const {lane, bodies} of found) trails[lane.number] = [...bodies];
-    for (const [key, name, unitName] of [['x', 'x', 'm'], ['y', 'y', 'm'], ['speed', 'Speed', 'm/s'], ['spin', 'Spin', 'rad/s'], ['energy', 'Kinetic energy', 'J']]) {
+    for (const [key, name, unitName] of [['x', 'x', 'm'], ['y', 'y', 'm'], ['speed', 'Speed', 'm/s'], ['spin', 'Spin', 'rad/s'], ['energy', 'Energy', 'J']]) {
       if (key === 'energy' && data.bodies[chosen.bodies[0]].type !== 'dynamic') continue;
       add(name, unitName, found.map(({lane, bodies}) => ({lane, values: bodies.get(chosen.bodies[0])[key]})));
     }
@@ -275,6 +288,7 @@ const setPlaying = (flag) => {
   playedFrom = clock;
   playedAt = performance.now();
   if (flag) requestAnimationFrame(tick); else remember();
+  tell();
 };
 const tick = (at) => {
   if (!isPlaying) return;
@@ -532,7 +546,7 @@ const start = async () => {
   let renewing = null;
   window.addEventListener('resize', () => {
     clearTimeout(renewing);
-    renewing = setTimeout(() => { if (!look.isMoved) fit(); renew(); }, 100);
+    renewing = setTimeout(() => { sizeViews(); if (!look.isMoved) fit(); renew(); }, 100);
     redraw();
   });
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', renew);

@@ -37,7 +37,8 @@ class Plot {
   /** Once, and when the size or the theme changed. */
   draw() {
     const {canvas, curves} = this, ratio = window.devicePixelRatio || 1, pen = canvas.getContext('2d');
-    canvas.width = Math.max(1, Math.round(canvas.clientWidth * ratio));
+    this.width = canvas.clientWidth;
+    canvas.width = Math.max(1, Math.round(this.width * ratio));
     canvas.height = Math.max(1, Math.round(canvas.clientHeight * ratio));
     let low = Infinity, high = -Infinity;
     for (const {values} of curves) for (const value of values) if (Number.isFinite(value)) low = Math.min(low, value), high = Math.max(high, value);
@@ -78,9 +79,9 @@ class Plot {
       pen.stroke();
     });
   }
+  point(share) { this.cursor.style.transform = `translateX(${barInset + share * (this.width - 2 * barInset)}px)`; }
   /** What it is now. */
-  tell(share) {
-    this.cursor.style.left = `calc(${barInset}px + ${share} * (100% - ${2 * barInset}px))`;
+  tell() {
     const values = this.curves.map(({lane, values}) => shown(values[lane.now.index]));
     const text = `${this.name}${this.unit ? `, ${this.unit}` : ''}`;
     this.label.replaceChildren(Object.assign(document.createElement('span'), {textContent: text}));

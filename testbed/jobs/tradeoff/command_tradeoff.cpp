@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree tradeoff`: laws of mechanics under every setting of both engines, error against cost.
+// `scree tradeoff`: laws of mechanics under every setting of every engine, error against cost.
 
 #include <fmt/format.h>
 
@@ -159,7 +159,7 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddTradeoffCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in both engines");
+    CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in every engine");
     command->footer("Exits with 1 when a bound of the dial was missed.");
     auto arguments = std::make_shared<TradeArguments>();
     command->add_flag("--quick", arguments->quick, "Fewer settings, repeats and runs of each law");

@@ -287,14 +287,14 @@ Plot MakeTradePlot(const Law& law, std::span<const TradeCase> cases) {
 Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path& plots, const std::string& command) {
     Page page{.title = "Speed against accuracy",
               .intro =
-                  "Laws of mechanics with a known result, run by both engines under many settings: how far off they "
+                  "Laws of mechanics with a known result, run by every engine under many settings: how far off they "
                   "are and what that costs.",
               .facts = {{"command", command}, {"cases", fmt::format("{}", cases.size())}}};
     PageSection gains{.title = "Against Box2D's default",
                       .intro =
                           "Equal accuracy: the cheapest setting that is as accurate as Box2D 2.4.1 at 8/3 and 60 Hz "
                           "in every error of the law, as a speed-up over that. Equal cost: the most accurate setting "
-                          "that costs no more, by the error that gains least. Both engines choose from their settings "
+                          "that costs no more, by the error that gains least. Each engine chooses from its settings "
                           "by this rule. `both choose` is our gain over Box2D's own; the numbers on top are its "
                           "medians. A law is lost when one of them is below 1 or out of reach. Left out of the medians "
                           "are laws whose errors no number of Box2D's iterations changes (`cannot trade`), and laws in "
@@ -341,7 +341,7 @@ std::string FormatTrade(std::span<const TradeCase> cases) {
         text += fmt::format(
             "{}: {} as fast at equal accuracy, no slower in {} of {} laws; {} as accurate at equal cost, no worse in "
             "{} "
-            "(medians, both engines choose their settings)\n",
+            "(medians; each engine chooses its settings)\n",
             choice.name, show(h.speedUp), h.fasterIn, h.laws, show(h.errorRatio), h.closerIn);
         text += "  lost to Box2D: " + ListLaws(gains, [](const LawGain& g) { return g.IsLost(); }) + "\n";
     }

@@ -66,7 +66,12 @@ void ToiPairs::FindAll() {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
     }
-    if (m_dynamicTargets) SweepBoxes();
+    m_fewToMeet = m_dynamicTargets && AreFewToMeet();
+    if (m_fewToMeet) {
+        GatherTargets();
+    } else if (m_dynamicTargets) {
+        SweepBoxes();
+    }
     Screen();
     const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale};
     m_timesFollow = true;
@@ -174,6 +179,61 @@ void ToiPairs::SweepBoxes() {
     m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
 }
 
+/// No bullets, few kinematic fixtures, and boxes in the broad phase that are those of the start of the step.
+bool ToiPairs::AreFewToMeet() const {
+    constexpr int most = 24;
+    if (m_s.resuming || m_bodies.IsFar()) return false;
+    int fixtures = 0;
+    for (const int body : m_s.lookers) {
+        if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
+        if (IsDynamic(body)) {
+            if (IsBullet(body) && m_bodies.IsActive(body)) return false;
+        } else {
+            fixtures += m_bodies.info[Row(body)].fixtureCount;
+            if (fixtures > most) return false;
+        }
+    }
+    return true;
+}
+
+/// Gives the kinematic bodies boxes that cover their motion, and lists the dynamic fixtures whose own boxes then
+/// overlap one of these: one pass over the bodies instead of a tree of all their swept boxes.
+void ToiPairs::GatherTargets() {
+    m_s.sweptBoxes.clear();
+    m_s.hitters.clear();
+    for (const int body : m_s.lookers) {
+        if (IsDynamic(body) || !m_bodies.Has(body, BodyFlag::enabled)) continue;
+        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+            m_s.hitters.push_back(SweptBox(body, f));
+            if (m_bodies.IsActive(body)) m_t.broadPhase.Update(static_cast<uint32_t>(f), m_s.hitters.back(), vec2Zero);
+        }
+    }
+    const float slop = linearSlop * m_lengthScale;  // boxes of what fell asleep may lag behind
+    for (const int body : m_bodies.Listed()) {
+        if (!IsDynamic(body) || !m_bodies.IsActive(body)) continue;
+        const Position& from = m_bodies.startPosition[Row(body)];
+        const Position& to = m_bodies.position[Row(body)];
+        const float turn = Abs(to.a - from.a);
+        const float way = Max(Abs(to.c.x - from.c.x), Abs(to.c.y - from.c.y)) + slop;
+        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+            // No point leaves its box at the start by more than the centre goes and a turn about it takes it, nor does
+            // SweptBox widen it by more.
+            AABB box = m_t.broadPhase.GetBox(static_cast<uint32_t>(f));
+            float most = way;
+            if (turn > 0.0f) {
+                const Vec2 low = from.c - box.lowerBound, high = box.upperBound - from.c;
+                const Vec2 corner{Max(Abs(low.x), Abs(high.x)), Max(Abs(low.y), Abs(high.y))};
+                const float bulge = turn < pi ? 0.125f * turn * turn : 2.0f;
+                most += (Min(turn, 2.0f) + bulge) * (corner.Length() + slop);
+            }
+            box = {box.lowerBound - Vec2{most, most}, box.upperBound + Vec2{most, most}};
+            const auto isNear = [&box](const AABB& hitter) { return TestOverlap(box, hitter); };
+            if (std::ranges::none_of(m_s.hitters, isNear)) continue;
+            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, static_cast<uint32_t>(f)});
+        }
+    }
+}
+
 void ToiPairs::SweepBoxesOf(int body) {
     for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
         m_t.broadPhase.Update(static_cast<uint32_t>(f), SweptBox(body, f), vec2Zero);
@@ -267,6 +327,16 @@ void ToiPairs::FindCandidates(int body, int fixture, bool withDynamic) {
     if (withDynamic) {
         m_t.broadPhase.PrepareQueries();  // boxes were swept
         m_t.broadPhase.Query(box, visit);
+        if (m_fewToMeet && !IsDynamic(body)) {
+            // The boxes of what moves were not: those that are near are listed.
+            std::erase_if(m_s.found, [this](int other) {
+                const int otherBody = m_t.fixtures.body[Row(other)];
+                return IsDynamic(otherBody) && m_bodies.IsActive(otherBody);
+            });
+            for (const BoxUpdate& target : m_s.sweptBoxes) {
+                if (TestOverlap(box, target.box)) m_s.found.push_back(static_cast<int>(target.fixture));
+            }
+        }
     } else {
         m_t.broadPhase.QueryStatic(box, visit);
     }

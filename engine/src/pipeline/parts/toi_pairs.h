@@ -72,6 +72,7 @@ struct ToiScratch {
     std::vector<ToiCandidate> candidates;  ///< of one body
     std::vector<ScreenedBody> screened;    ///< by place among the lookers
     std::vector<BoxUpdate> sweptBoxes;     ///< when someone can hit moving bodies
+    std::vector<AABB> hitters;             ///< swept boxes of kinematic fixtures, while they are few
     std::vector<uint8_t> isPassedOver;     ///< per body: 1 if it has no pairs because it meets nothing static
     std::vector<float> times;              ///< per pair
     std::vector<int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -82,8 +83,8 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, isPassedOver,
-                       times, knownTo) +
+        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, hitters,
+                       isPassedOver, times, knownTo) +
                nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
@@ -147,6 +148,8 @@ private:
     void Audit(const ToiPair& pair) const;
     void FindTimes();
     void SweepBoxes();
+    [[nodiscard]] bool AreFewToMeet() const;
+    void GatherTargets();
     void SweepBoxesOf(int body);
     [[nodiscard]] AABB SweptBox(int body, int fixture) const;
     void CollectFirst(int body, const NearStatics::Tables& tables);
@@ -173,6 +176,7 @@ private:
     ToiScratch& m_s;
     bool m_timesFollow = false;     ///< of all pairs, once they are there
     bool m_dynamicTargets = false;  ///< some body can hit dynamic ones: a bullet or a kinematic body
+    bool m_fewToMeet = false;       ///< these are few and kinematic: sweptBoxes holds what is near them
 };
 
 }  // namespace scree

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# Drives a timeline's page like a reader: scrubs, clicks a body, plays, goes to a moment, and opens a link.
+# Drives pages of timelines like a reader. Arguments: the test (reads, engines, fast) and its page.
 
 import os
 import sys
@@ -9,6 +9,8 @@ import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'page'))
 import webdriver
+
+BUSY = 'document.getElementById("timeline").dataset.ready === "yes"'
 
 
 def text(browser, name):
@@ -20,40 +22,128 @@ def expect(what, got, wanted):
         sys.exit(f'{what}: {wanted!r} is not in {got!r}')
 
 
-def main(page):
-    with tempfile.TemporaryDirectory() as profile, webdriver.Browser(profile) as browser:
-        browser.open('file://' + page)
-        expect('the start', text(browser, 'where'), 'step 0 ')
-        expect('the moment', text(browser, 'moments'), 'step 4: tunnel: shot (1), body 0')
-        browser.run('document.dispatchEvent(new KeyboardEvent("keydown", {key: "ArrowRight", bubbles: true}))')
-        expect('a step on', text(browser, 'where'), 'step 1 ')
-        browser.click('#moments button')
-        expect('at the moment', text(browser, 'where'), 'step 4 ')
-        expect('its body', text(browser, 'chosen'), 'shot (1)')
-        expect('its speed', text(browser, 'values'), 'speed')
-        expect('the address', browser.run('location.hash'), '#step=4&body=1')
-        # A click on the crate: its middle is at 3, 2 of a view from -5.3 to 4 and from -5 to 5.
-        place = browser.run('(() => { const box = document.getElementById("world").getBoundingClientRect();'
-                            ' const scale = 0.92 * Math.min(box.width / 9.3, box.height / 10);'
-                            ' return [box.left + box.width / 2 + (3 + 0.65) * scale, box.top + box.height / 2 - 2 * scale]; })()')
-        browser.point(place[0], place[1], drag_to=place)
-        expect('the crate', text(browser, 'chosen'), 'crate (2)')
-        expect('it rests', text(browser, 'values'), 'awakeno')
-        filled = browser.run('(() => { const c = document.getElementById("world"), d = c.getContext("2d").getImageData(0, 0, c.width, c.height).data;'
-                             ' let n = 0; for (let i = 3; i < d.length; i += 4) n += d[i] > 0; return n; })()')
-        if filled < 1000:
-            sys.exit(f'only {filled} pixels are drawn')
+def key(browser, name, shift=False):
+    browser.run(f'document.body.dispatchEvent(new KeyboardEvent("keydown", {{key: "{name}", shiftKey: {str(shift).lower()}, bubbles: true}}))')
+
+
+def place_of(browser, x, y):
+    """Where a point of a view of 9.3 by 10 m around (-0.65, 0) is in the window."""
+    return browser.run('(() => { const box = document.querySelector("#views .over").getBoundingClientRect();'
+                       ' const scale = 0.92 * Math.min(box.width / 9.3, box.height / 10);'
+                       f' return [box.left + box.width / 2 + ({x} + 0.65) * scale, box.top + box.height / 2 - {y} * scale]; }})()')
+
+
+def click(browser, x, y):
+    place = place_of(browser, x, y)
+    browser.point(place[0], place[1], drag_to=place)
+
+
+def filled(browser, canvas):
+    """Pixels that are not empty."""
+    return browser.run(f'(() => {{ const c = document.createElement("canvas"), from = document.querySelector("{canvas}");'
+                       ' c.width = from.width; c.height = from.height; const pen = c.getContext("2d"); pen.drawImage(from, 0, 0);'
+                       ' const d = pen.getImageData(0, 0, c.width, c.height).data;'
+                       ' let n = 0; for (let i = 3; i < d.length; i += 4) n += d[i] > 0; return n; })()')
+
+
+def reads(browser, page):
+    browser.open('file://' + page)
+    browser.wait(BUSY)
+    expect('the start', text(browser, 'where'), 'step 0 ')
+    expect('the moment', text(browser, 'moments'), 'step 4: tunnel: shot (1), body 0')
+    if filled(browser, '#marks canvas') < 100:
+        sys.exit('the moment has no picture')
+    key(browser, 'ArrowRight')
+    expect('a step on', text(browser, 'where'), 'step 1 ')
+    key(browser, 'ArrowRight', shift=True)
+    expect('ten steps on', text(browser, 'where'), 'step 11 ')
+    key(browser, 'End')
+    expect('the end', text(browser, 'where'), 'step 60 ')
+    key(browser, 'Home')
+    browser.click('#moments button')
+    expect('at the moment', text(browser, 'where'), 'step 4 ')
+    expect('its body', text(browser, 'chosen'), 'shot (1)')
+    expect('its speed', text(browser, 'values'), 'speed100 m/s')
+    expect('its plots', text(browser, 'chosen-plots'), 'Energy, J')
+    browser.wait('location.hash === "#step=4&body=1"')
+    click(browser, 3, 2)
+    expect('the crate', text(browser, 'chosen'), 'crate (2), dynamic, 4 kg')
+    expect('it is awake', text(browser, 'values'), 'awakeyescontacts1')
+    click(browser, 2, 1)
+    expect('the contact', text(browser, 'chosen'), 'Contact of crate (2) and shelf (3)')
+    expect('its plots', text(browser, 'chosen-plots'), 'Impulse, N·s')
+    click(browser, -4, -4)
+    expect('the joint', text(browser, 'chosen'), 'Joint of shelf (3) and body 4')
+    expect('its plot', text(browser, 'chosen-plots'), 'Gap, m')
+    if filled(browser, '#views .over') < 1000 or filled(browser, '#world canvas') < 50:
+        sys.exit('too little is drawn')
+    # A click in the middle of a curve goes to the middle.
+    box = browser.run('(() => { const b = document.querySelector("#world .plot-box").getBoundingClientRect(); return [b.left + b.width / 2, b.top + 5]; })()')
+    browser.point(box[0], box[1], drag_to=box)
+    expect('a click on a curve', text(browser, 'where'), 'step 30 ')
+    browser.run('document.getElementById("speed").value = "4", document.getElementById("speed").dispatchEvent(new Event("change"))')
+    browser.click('#play')
+    browser.wait('document.getElementById("where").textContent.startsWith("step 60 ")')
+    expect('the end', text(browser, 'play'), 'Play')
+    # A link shows what was looked at.
+    browser.open('file://' + page + '?again#step=17&body=1&x=1&y=2&zoom=30&layers=bodies,labels&speed=0.25&loop=10:20&follow=1')
+    browser.wait(BUSY)
+    expect('a link', text(browser, 'where'), 'step 17 ')
+    expect('its body', text(browser, 'chosen'), 'shot (1)')
+    expect('its loop', text(browser, 'loop'), 'Loop 10 to 20')
+    expect('its speed', browser.run('document.getElementById("speed").value'), '0.25')
+    expect('its layers', browser.run('[...document.querySelectorAll("#layers input:checked")].map((i) => i.value).join()'), 'bodies,labels')
+    key(browser, 'ArrowRight')
+    browser.wait('location.hash === "#step=18&body=1&x=1&y=2&zoom=30&layers=bodies,labels&speed=0.25&loop=10:20&follow=1" || '
+                 'location.hash.startsWith("#step=18&body=1&x=") && location.hash.endsWith("&layers=bodies,labels&speed=0.25&loop=10:20&follow=1")')
+    browser.click('#play')
+    browser.wait('Number(document.getElementById("step").value) > 18')
+    browser.wait('Number(document.getElementById("step").value) < 15')
+    browser.click('#play')
+    # A phone.
+    browser.resize(390, 844)
+    browser.wait('document.documentElement.scrollWidth <= window.innerWidth')
+
+
+def engines(browser, page):
+    browser.open('file://' + page + '#step=30&body=5')
+    browser.wait(BUSY)
+    expect('both engines', browser.run('[...document.querySelectorAll("#views figcaption")].map((c) => c.textContent).join()'), 'scree,box2d')
+    expect('both values', browser.run('document.querySelectorAll("#values tr:nth-child(2) td").length'), '2')
+    expect('the tree', text(browser, 'kept'), 'The tree of this step is shown.')
+    for view in ('figure:nth-child(1)', 'figure:nth-child(2)'):
+        if filled(browser, f'#views {view} .over') < 1000:
+            sys.exit(f'{view} is empty')
+    key(browser, 'ArrowRight')
+    expect('no tree', text(browser, 'kept'), 'No tree was kept of this step.')
+    expect('one clock', browser.run('document.querySelector("#world .plot-label").querySelectorAll("b").length'), '2')
+    browser.run('document.getElementById("mode").value = "over", document.getElementById("mode").dispatchEvent(new Event("change"))')
+    expect('one over the other', browser.run('document.querySelectorAll("#views figure").length'), '1')
+    browser.wait('location.hash.includes("engines=over")')
+
+
+def fast(browser, page):
+    """Frames a second while it plays: each by Canvas 2D and by WebGL2, as the address asks."""
+    for renderer in ('canvas', 'webgl'):
+        browser.open('file://' + page + f'?{renderer}#renderer={renderer}&speed=0.5')
+        browser.wait(BUSY)
+        expect('the renderer', browser.run('document.getElementById("timeline").dataset.renderer'), renderer)
         browser.click('#play')
-        browser.wait('document.getElementById("where").textContent.startsWith("step 60 ")')
-        expect('the end', text(browser, 'play'), 'Play')
-        browser.open('file://' + page + '#step=17&body=1')
-        browser.run('window.dispatchEvent(new Event("hashchange"))')
-        expect('a link', text(browser, 'where'), 'step 17 ')
-        expect('its body', text(browser, 'chosen'), 'shot (1)')
+        frames = 'Number(document.getElementById("timeline").dataset.frames)'
+        first, start = browser.run(frames), browser.run('performance.now()')
+        browser.wait(f'performance.now() > {start + 2000}')
+        print(renderer, round((browser.run(frames) - first) / (browser.run('performance.now()') - start) * 1000), 'frames a second')
+        if filled(browser, '#views .over' if renderer == 'canvas' else '#views .under') < 1000 and renderer == 'canvas':
+            sys.exit('too little is drawn')
+
+
+def main(test, page):
+    with tempfile.TemporaryDirectory() as profile, webdriver.Browser(profile) as browser:
+        {'reads': reads, 'engines': engines, 'fast': fast}[test](browser, page)
         log = [entry for entry in browser.log('browser') if entry.get('level') == 'SEVERE']
         if log:
             sys.exit(f'the page complains: {log}')
 
 
 if __name__ == '__main__':
-    main(sys.argv[1])
+    main(*sys.argv[1:])

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string>
 
 #include "testbed/base/errors.h"
@@ -17,15 +18,28 @@
 namespace testbed {
 namespace {
 
-/// A ball that goes through a wall in step 4, and one that rests.
+/// A ball that goes through a wall in step 4, a crate that rests on a shelf, and a joint.
 void WriteScene(const std::filesystem::path& path) {
     std::ofstream(path) << R"({"format": "scree-scene", "version": 1, "gravity": [0, 0], "steps": 60,
         "bodies": [{"fixtures": [{"shape": {"type": "edge", "vertices": [[0, -5], [0, 5]]}}]},
                    {"type": "dynamic", "position": [-5.2, 0], "linearVelocity": [100, 0],
                     "fixtures": [{"density": 1, "shape": {"type": "circle", "radius": 0.1}}]},
-                   {"type": "dynamic", "position": [3, 2], "awake": false,
-                    "fixtures": [{"density": 1, "shape": {"type": "box", "halfExtents": [1, 1]}}]}],
-        "user": {"bodies": {"1": {"name": "shot"}, "2": {"name": "crate"}}}})";
+                   {"type": "dynamic", "position": [3, 2],
+                    "fixtures": [{"density": 1, "shape": {"type": "box", "halfExtents": [1, 1]}}]},
+                   {"fixtures": [{"shape": {"type": "box", "halfExtents": [1, 0.25], "center": [3, 0.75]}}]},
+                   {"type": "dynamic", "position": [-4, -4],
+                    "fixtures": [{"density": 1, "shape": {"type": "circle", "radius": 0.3, "center": [0.6, 0]}}]}],
+        "joints": [{"type": "revolute", "bodyA": 3, "bodyB": 4, "localAnchorA": [-4, -4]}],
+        "user": {"bodies": {"1": {"name": "shot"}, "2": {"name": "crate"}, "3": {"name": "shelf"}}}})";
+}
+
+/// What the browser's test of this name says of a page; its exit code is 0.
+std::string Drive(const ScratchFolder& folder, const std::string& test, const std::string& page) {
+    const std::string command =
+        "python3 -B '" SCREE_SOURCE_DIR "/tests/testbed/jobs/timeline/timeline_browser_test.py' " + test + " '" +
+        (folder.GetPath() / page).string() + "' >'" + (folder.GetPath() / "said").string() + "' 2>&1 </dev/null";
+    EXPECT_EQ(std::system(command.c_str()), 0) << folder.Read("said");
+    return folder.Read("said");
 }
 
 TEST(Timeline, DoesInABrowserWhatAReaderAsks) {
@@ -35,16 +49,38 @@ TEST(Timeline, DoesInABrowserWhatAReaderAsks) {
     ASSERT_EQ(made.exitCode, exitDone) << made.output;
     const std::string page = folder.Read("page.html");
     EXPECT_EQ(page.find("src="), std::string::npos) << "nothing beside the page is needed";
-    const std::string command =
-        "python3 -B '" SCREE_SOURCE_DIR "/tests/testbed/jobs/timeline/timeline_browser_test.py' '" +
-        (folder.GetPath() / "page.html").string() + "' >'" + (folder.GetPath() / "said").string() + "' 2>&1 </dev/null";
-    EXPECT_EQ(std::system(command.c_str()), 0) << folder.Read("said");
+    Drive(folder, "reads", "page.html");
+}
+
+TEST(Timeline, ShowsEnginesBesideEachOtherWithTheirTrees) {
+    const ScratchFolder folder;
+    const ProgramResult run =
+        folder.Run("timeline pyramid --size 6 --steps 60 --engines scree,box2d --nodes every:15 -o page.html");
+    ASSERT_EQ(run.exitCode, exitDone) << run.output;
+    Drive(folder, "engines", "page.html");
+    // The trees of engines follow a motion that was recorded.
+    ASSERT_EQ(folder.Run("convert pyramid session.track --size 6 --steps 60").exitCode, exitDone);
+    const ProgramResult followed =
+        folder.Run("timeline session.track --engines scree,box2d --nodes at:30,60 -o followed.html");
+    ASSERT_EQ(followed.exitCode, exitDone) << followed.output;
+    Drive(folder, "engines", "followed.html");
+    EXPECT_EQ(folder.Run("timeline session.track --nodes worst:3 -o none.html").exitCode, exitUsage);
+}
+
+TEST(Timeline, PlaysFluentlyByCanvasAndByWebGl) {
+    const ScratchFolder folder;
+    ASSERT_EQ(folder.Run("timeline falling-squares --size 20 --steps 200 -o page.html").exitCode, exitDone);
+    std::istringstream said(Drive(folder, "fast", "page.html"));
+    std::string renderer, word;
+    // How many depends on the machine and on what else it does; none is a fault.
+    for (int frames = 0; said >> renderer >> frames; std::getline(said, word)) EXPECT_GT(frames, 1) << renderer;
 }
 
 TEST(Timeline, TakesAtMostTwelveBytesAStepOfABody) {
     const ScratchFolder folder;
-    const ProgramResult shorter = folder.Run("timeline falling-squares --size 8 --steps 20 -o shorter.html");
-    const ProgramResult longer = folder.Run("timeline falling-squares --size 8 --steps 120 -o longer.html");
+    const std::string command = "timeline falling-squares --size 8 --contacts off --steps ";
+    const ProgramResult shorter = folder.Run(command + "20 -o shorter.html");
+    const ProgramResult longer = folder.Run(command + "320 -o longer.html");
     ASSERT_EQ(shorter.exitCode, exitDone) << shorter.output;
     ASSERT_EQ(longer.exitCode, exitDone) << longer.output;
     const auto changesOf = [](const std::string& output) {
@@ -61,7 +97,12 @@ TEST(Timeline, WhatCannotBeMeantIsRefused) {
     const ScratchFolder folder;
     EXPECT_EQ(folder.Run("timeline").exitCode, exitUsage);
     EXPECT_EQ(folder.Run("timeline pyramd").exitCode, exitUsage);
-    EXPECT_EQ(folder.Run("timeline pyramid --engine scree,box2d").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --engine box2d --engines scree").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --engines scree,scree,scree,scree,scree").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --nodes often").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --nodes every:0").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --contacts some").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --when 'body(0).y'").exitCode, exitUsage);
     EXPECT_EQ(folder.Run("timeline pyramid --size 4 --steps 3 -o no-folder/page.html").exitCode, exitIo);
 }
 

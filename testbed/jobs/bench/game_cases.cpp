@@ -1,0 +1,316 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Scenes and drivers of the cases.
+
+#include "testbed/jobs/bench/game_cases.h"
+
+#include <cmath>
+#include <vector>
+
+#include "scenes/build.h"
+#include "scenes/build_joints.h"
+#include "scenes/catalog.h"
+
+namespace testbed {
+namespace {
+
+using scenes::AddBody;
+using scenes::AddFixture;
+using scenes::BodyType;
+using scenes::Scene;
+
+/// Of dynamic boxes.
+void AddBox(Scene& scene, double x, double y, double half = 0.5) {
+    AddBody(scene, BodyType::dynamic, scenes::Point(x, y));
+    AddFixture(scene, scenes::Box(half, half), 1.0).friction = 0.6f;
+}
+
+void AddGround(Scene& scene, double halfWidth) {
+    AddBody(scene, BodyType::isStatic, {});
+    AddFixture(scene, scenes::Edge(scenes::Point(-halfWidth, 0.0), scenes::Point(halfWidth, 0.0))).friction = 0.6f;
+}
+
+/// A chain collides on its right: from the far end to the near one.
+template <typename Height>
+void AddTerrain(Scene& scene, double end, double grain, Height&& heightAt) {
+    std::vector<scenes::Vec2> surface;
+    for (double x = end; x >= 0.0; x -= grain) surface.push_back(scenes::Point(x, heightAt(x)));
+    AddBody(scene, BodyType::isStatic, {});
+    AddFixture(scene, scenes::Chain(scene, surface)).friction = 0.8f;
+}
+
+Scene Crates() {
+    Scene scene;
+    AddGround(scene, 1000.0);
+    for (int i = 0; i < 1000; ++i) AddBox(scene, 1.5 * i - 750.0, 0.5);
+    return scene;
+}
+
+constexpr int stackCount = 2000, stackHeight = 10;
+
+/// Stacks, and behind them (the last body) a lone box in the air.
+Scene Stacks(BodyType extra, int extraCount) {
+    Scene scene;
+    AddGround(scene, 2.0 * stackCount);
+    for (int i = 0; i < stackCount; ++i) {
+        for (int k = 0; k < stackHeight; ++k) AddBox(scene, 1.5 * i - 0.75 * stackCount, 0.5 + k);
+    }
+    for (int i = 0; i < extraCount; ++i) {
+        AddBody(scene, extra, scenes::Point(40.0 * i - 400.0, 40.0));
+        AddFixture(scene, scenes::Box(1.0, 0.25), extra == BodyType::dynamic ? 1.0 : 0.0);
+        scene.bodies.back().gravityScale = 0.0f;
+    }
+    return scene;
+}
+
+int Last(const LabWorld& lab) { return static_cast<int>(lab.GetScene().bodies.size()) - 1; }
+
+void MoveLast(LabWorld& lab, int frame) { lab.SetPose(Last(lab), {0.01 * (frame % 400), 40.0}, 0.0); }
+void RemakeLast(LabWorld& lab, int) { lab.RemakeBody(Last(lab)); }
+void TeleportLast(LabWorld& lab, int frame) { lab.SetPose(Last(lab), {10.0 * (frame % 40) - 200.0, 40.0}, 0.3); }
+void MovePlatforms(LabWorld& lab, int frame) {
+    for (int i = 0; i < 20; ++i) lab.SetVelocity(Last(lab) - i, {frame % 120 < 60 ? 1.0 : -1.0, 0.0}, 0.0);
+}
+
+constexpr int walkerCount = 60;
+
+double LevelAt(double x) { return 1.5 * std::sin(0.05 * x) + 0.4 * std::sin(0.31 * x); }
+
+/// A chain of 2,400 vertices, blocks, sensors, crates; the last bodies walk.
+Scene Platformer() {
+    Scene scene;
+    AddTerrain(scene, 600.0, 0.25, LevelAt);
+    for (int i = 0; i < 300; ++i) {
+        AddBody(scene, BodyType::isStatic, scenes::Point(2.0 * i, LevelAt(2.0 * i) + 4.0 + i % 3));
+        AddFixture(scene, scenes::Box(0.8, 0.2));
+    }
+    for (int i = 0; i < 100; ++i) {
+        AddBody(scene, BodyType::isStatic, scenes::Point(6.0 * i + 3.0, LevelAt(6.0 * i + 3.0) + 1.0));
+        AddFixture(scene, scenes::Circle(0.5)).isSensor = true;
+    }
+    for (int i = 0; i < 100; ++i) AddBox(scene, 6.0 * i + 1.0, LevelAt(6.0 * i + 1.0) + 1.0, 0.4);
+    for (int i = 0; i < walkerCount; ++i) {
+        AddBody(scene, BodyType::dynamic, scenes::Point(9.0 * i + 20.0, LevelAt(9.0 * i + 20.0) + 2.0));
+        scene.bodies.back().fixedRotation = true;
+        AddFixture(scene, scenes::Box(0.3, 0.6), 1.0).friction = 0.1f;
+        AddFixture(scene, scenes::Circle(0.3, scenes::Point(0.0, -0.6)), 1.0).friction = 0.1f;
+    }
+    return scene;
+}
+void Walk(LabWorld& lab, int frame) {
+    for (int i = 0; i < walkerCount; ++i) {
+        const int body = Last(lab) - i;
+        const double speed = (frame / 90 + i) % 2 == 0 ? 3.0 : -3.0;
+        const double rise = lab.Read(body).velocity.y;
+        lab.SetVelocity(body, {speed, (frame + 7 * i) % 100 == 0 ? 6.0 : rise}, 0.0);
+    }
+}
+
+Scene Cars() {
+    Scene scene;
+    AddTerrain(scene, 800.0, 0.5, [](double x) { return 0.25 * std::sin(0.9 * x) + 0.8 * std::sin(0.11 * x); });
+    for (int i = 0; i < 50; ++i) {
+        const double x = 12.0 * i + 20.0;
+        AddBody(scene, BodyType::dynamic, scenes::Point(x, 3.0));
+        AddFixture(scene, scenes::Box(1.5, 0.4), 1.0);
+        const int chassis = scenes::LastBody(scene);
+        for (const double offset : {-1.0, 1.0}) {
+            const scenes::Vec2 hub = scenes::Point(x + offset, 2.4);
+            AddBody(scene, BodyType::dynamic, hub);
+            AddFixture(scene, scenes::Circle(0.4), 1.0).friction = 0.9f;
+            scenes::Joint& wheel =
+                scenes::AddWheel(scene, chassis, scenes::LastBody(scene), hub, scenes::Point(0.0, 1.0));
+            const scenes::Spring spring = scenes::MakeSpring(0.5, 4.0, 0.7);
+            wheel.stiffness = 4.0f * spring.stiffness;
+            wheel.damping = 4.0f * spring.damping;
+            wheel.enableLimit = true;
+            wheel.lowerTranslation = -0.25f;
+            wheel.upperTranslation = 0.25f;
+            wheel.enableMotor = true;
+            wheel.motorSpeed = -10.0f;
+            wheel.maxMotorTorque = 20.0f;
+        }
+    }
+    return scene;
+}
+
+Scene TopDown() {
+    Scene scene;
+    scene.gravity = {};
+    for (int i = 0; i < 2000; ++i) {
+        AddBody(scene, BodyType::dynamic, scenes::Point(1.4 * (i % 50), 1.4 * (i / 50)));
+        scene.bodies.back().linearDamping = 1.0f;
+        scene.bodies.back().angularDamping = 1.0f;
+        AddFixture(scene, i % 2 == 0 ? scenes::Circle(0.5) : scenes::Box(0.5, 0.4), 1.0);
+    }
+    return scene;
+}
+void Push(LabWorld& lab, int frame) {
+    for (int i = 0; i < 40; ++i) {
+        const double angle = 2.4 * (frame + 3 * i);
+        lab.SetVelocity((97 * frame + 53 * i) % 2000, {6.0 * std::cos(angle), 6.0 * std::sin(angle)}, 1.0);
+    }
+}
+
+constexpr int bulletCount = 20;
+
+/// A heap of 300, and bullets, the last bodies, that are shot into it again and again.
+Scene Bullets() {
+    Scene scene;
+    AddGround(scene, 200.0);
+    for (int i = 0; i < 300; ++i) AddBox(scene, 0.95 * (i % 20) + 0.02 * (i % 7), 0.5 + 1.02 * (i / 20), 0.45);
+    for (int i = 0; i < bulletCount; ++i) {
+        AddBody(scene, BodyType::dynamic, scenes::Point(-60.0, 1.0 + 0.5 * i));
+        scene.bodies.back().bullet = true;
+        scene.bodies.back().linearVelocity = scenes::Point(120.0, 0.0);
+        AddFixture(scene, scenes::Circle(0.15), 3.0);
+    }
+    return scene;
+}
+void Shoot(LabWorld& lab, int frame) {
+    if (frame % 5 == 0) lab.RemakeBody(Last(lab) - frame / 5 % bulletCount);
+}
+
+Scene Bin(int count) {
+    Scene scene;
+    AddGround(scene, 20.0);
+    for (const double x : {-12.0, 12.0}) {
+        AddFixture(scene, scenes::Edge(scenes::Point(x, 0.0), scenes::Point(x, 200.0)));
+    }
+    for (int i = 0; i < count; ++i) {
+        AddBody(scene, BodyType::dynamic, scenes::Point(0.55 * (i % 40) - 10.8 + 0.01 * (i % 7), 1.0 + 0.6 * (i / 40)));
+        AddFixture(scene, i % 2 == 0 ? scenes::Circle(0.25) : scenes::Box(0.25, 0.25), 1.0);
+    }
+    return scene;
+}
+void Churn(LabWorld& lab, int frame) {
+    for (int i = 0; i < 4; ++i) lab.RemakeBody(1 + (211 * frame + 577 * i) % Last(lab));
+}
+
+/// A stack, a hinge, some loose things.
+Scene Tiny() {
+    Scene scene;
+    AddGround(scene, 20.0);
+    for (int i = 0; i < 5; ++i) AddBox(scene, 0.0, 0.5 + i);
+    for (int i = 0; i < 4; ++i) AddBox(scene, 3.0 + 2.0 * i, 0.5);
+    AddBody(scene, BodyType::dynamic, scenes::Point(-4.0, 5.0));
+    AddFixture(scene, scenes::Box(0.5, 0.2), 1.0);
+    scenes::AddJoint(scene, scenes::JointType::revolute, 0, scenes::LastBody(scene), scenes::Point(-4.5, 5.0));
+    AddBody(scene, BodyType::dynamic, scenes::Point(-8.0, 0.5));
+    AddFixture(scene, scenes::Circle(0.5), 1.0);
+    return scene;
+}
+Scene Empty() { return {}; }
+
+void AddLevel(Scene& scene, int count) {
+    for (int i = 0; i < count; ++i) {
+        AddBody(scene, BodyType::isStatic, scenes::Point(1.7 * (i % 200), 2.3 * (i / 200) - 150.0));
+        AddFixture(scene, scenes::Box(0.6, 0.3, {}, 0.1 * (i % 30)));
+    }
+}
+Scene Level() {
+    Scene scene;
+    AddLevel(scene, 20000);
+    for (int i = 0; i < 2000; ++i) AddBox(scene, 1.7 * (i % 200) + 0.3, 2.3 * (i / 200) + 90.0, 0.3);
+    return scene;
+}
+Scene RestingLevel() {
+    Scene scene;
+    AddLevel(scene, 5000);
+    for (scenes::Body& body : scene.bodies) body.position.y += 150.0f;
+    return scene;
+}
+void Ask(LabWorld& lab, int frame) {
+    for (int i = 0; i < 2000; ++i) {
+        const double x = (37 * i + frame) % 340, y = (53 * i) % 58;
+        (void)lab.CastRay({x, y}, {x + 20.0 * std::cos(0.7 * i), y + 20.0 * std::sin(0.7 * i)});
+    }
+    for (int i = 0; i < 500; ++i) {
+        const double x = (61 * i + frame) % 340, y = (29 * i) % 58;
+        (void)lab.CountInBox({x, y}, {x + 6.0, y + 4.0});
+    }
+}
+
+std::vector<GameCase> MakeCases() {
+    const auto stacks = [](BodyType extra, int count) { return [extra, count] { return Stacks(extra, count); }; };
+    return {
+        {.name = "crates", .what = "1,000 boxes at rest, awake", .build = Crates, .sleeping = false},
+        {.name = "asleep", .what = "20,000 boxes in stacks, asleep", .build = stacks(BodyType::kinematic, 1)},
+        {.name = "asleep-mover",
+         .what = "the same, a body set in each frame",
+         .build = stacks(BodyType::kinematic, 1),
+         .play = MoveLast},
+        {.name = "asleep-platforms",
+         .what = "the same, 20 platforms that move",
+         .build = stacks(BodyType::kinematic, 20),
+         .play = MovePlatforms},
+        {.name = "asleep-spawn",
+         .what = "the same, a body made and destroyed in each frame",
+         .build = stacks(BodyType::dynamic, 1),
+         .play = RemakeLast},
+        {.name = "asleep-teleport",
+         .what = "the same, a body teleported in each frame",
+         .build = stacks(BodyType::dynamic, 1),
+         .play = TeleportLast},
+        {.name = "platformer",
+         .what = "a level of a chain, blocks, sensors, crates; 60 walkers; a listener",
+         .build = Platformer,
+         .play = Walk,
+         .listens = true},
+        {.name = "ragdolls",
+         .what = "50 figures fall",
+         .build = [] { return scenes::Build("ragdolls", 50); },
+         .warmUp = 30},
+        {.name = "cars", .what = "50 cars on bumps", .build = Cars, .warmUp = 60},
+        {.name = "top-down",
+         .what = "2,000 bodies without gravity, 40 pushed in each frame",
+         .build = TopDown,
+         .play = Push},
+        {.name = "bullets", .what = "bullets into a heap of 300", .build = Bullets, .play = Shoot, .warmUp = 90},
+        {.name = "bin",
+         .what = "a bin of 2,000, four made anew in each frame",
+         .build = [] { return Bin(2000); },
+         .play = Churn,
+         .warmUp = 200,
+         .frames = 100},
+        {.name = "heap-listener",
+         .what = "a heap of 1,500, a listener",
+         .build = [] { return Bin(1500); },
+         .sleeping = false,
+         .listens = true,
+         .warmUp = 200,
+         .frames = 100},
+        {.name = "heap",
+         .what = "the same without",
+         .build = [] { return Bin(1500); },
+         .sleeping = false,
+         .warmUp = 200,
+         .frames = 100},
+        {.name = "tiny",
+         .what = "one of 125 worlds of 12 bodies, awake",
+         .build = Tiny,
+         .sleeping = false,
+         .frames = 100,
+         .worlds = 125},
+        {.name = "empty", .what = "one of 125 worlds without bodies", .build = Empty, .frames = 100, .worlds = 125},
+        {.name = "queries",
+         .what = "2,000 rays and 500 boxes against a level of 5,000",
+         .build = RestingLevel,
+         .play = Ask,
+         .warmUp = 2,
+         .frames = 20,
+         .timing = GameTiming::queries},
+        {.name = "load", .what = "a level of 22,000 made", .build = Level, .frames = 1, .timing = GameTiming::creation},
+        {.name = "load-step", .what = "its first step", .build = Level, .frames = 1, .timing = GameTiming::firstStep},
+    };
+}
+
+}  // namespace
+
+std::span<const GameCase> GetGameCases() {
+    static const std::vector<GameCase> cases = MakeCases();
+    return cases;
+}
+
+}  // namespace testbed
