@@ -14,6 +14,8 @@ namespace scree {
 inline constexpr float farthest = 1e18f;
 /// Bounds of the mass of a fixture or a body, kg, if it has any.
 inline constexpr float leastMass = 1e-30f, mostMass = 1e30f;
+/// Bound of the inertia of a fixture, kg·m²: those of a hundred have a finite sum.
+inline constexpr float mostInertia = 1e36f;
 /// Shorter steps count as 0, s: the inverse of a small part of one must be finite.
 inline constexpr float shortestStep = 1e-30f;
 /// Impulses of a step so much shorter than this one tell nothing about it: they are not taken over.

@@ -13,7 +13,11 @@ namespace scree {
 ErrorCode World::ShiftOrigin(Vec2 newOrigin) {
     WorldState& s = *m_state;
     Guard guard(s, "World::ShiftOrigin");
-    guard.Unlocked("shift the origin outside of Step and callbacks").Finite(newOrigin, "newOrigin");
+    guard.Unlocked("shift the origin outside of Step and callbacks").Near(newOrigin, "newOrigin");
+    for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
+        guard.Require(IsInRange(s.bodies.position[static_cast<size_t>(body)].c - newOrigin), ErrorCode::outOfRange,
+                      "newOrigin", "leave every body within 1e18 m of the origin");
+    }
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(newOrigin);
     for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {

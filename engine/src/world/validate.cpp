@@ -152,8 +152,12 @@ Finding Check(const FixtureDef& def) {
 Finding CheckMass(const Shape& shape, float density, const char* field) {
     MassData data;
     shape.ComputeMass(&data, density);
-    if (data.mass == 0.0f || (data.mass >= leastMass && data.mass <= mostMass)) return {};
-    return {ErrorCode::outOfRange, field, "give a density that makes a mass of 0 or of 1e-30 to 1e30 kg"};
+    if (data.mass == 0.0f) return {};
+    if (!(data.mass >= leastMass && data.mass <= mostMass))
+        return {ErrorCode::outOfRange, field, "give a density that makes a mass of 0 or of 1e-30 to 1e30 kg"};
+    if (!data.center.IsValid() || !(data.I <= mostInertia))
+        return {ErrorCode::outOfRange, field, "give a shape and a density that make an inertia of at most 1e36 kg m^2"};
+    return {};
 }
 
 Finding Check(const WorldDef& def) {
