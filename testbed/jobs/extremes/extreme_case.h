@@ -40,10 +40,11 @@ struct ExtremeCase {
     std::string what{};   ///< one line for readers
     std::function<scenes::Scene()> make{};
     double seconds = 5.0;
-    double quickSeconds = 1.0;  ///< at most this with --quick
-    double scale = 1.0;         ///< size of the bodies, m: what pictures and energies are measured by
-    std::string settings{};     ///< what the case changes of a run, as PrintSettings writes it
-    Point place{};              ///< where the scene's origin is put, m
+    double quickSeconds = 1.0;          ///< at most this with --quick
+    double scale = 1.0;                 ///< size of the bodies, m: what pictures and energies are measured by
+    std::string settings{};             ///< what the case changes of a run, as PrintSettings writes it
+    Point place{};                      ///< where the scene's origin is put, m
+    double restitutionThreshold = 1.0;  ///< of all fixtures, m/s
     Demands demands{};
     std::function<double(int step)> stepLength{};        ///< s; instead of the spec's
     std::function<void()> prepare{};                     ///< of the process, before the world is made
@@ -60,7 +61,9 @@ struct ExtremeCase {
 
 // By theme; GetExtremeCases joins them.
 [[nodiscard]] std::vector<ExtremeCase> MakePileCases();
+[[nodiscard]] std::vector<ExtremeCase> MakeBuiltCases();
 [[nodiscard]] std::vector<ExtremeCase> MakeJointCases();
+[[nodiscard]] std::vector<ExtremeCase> MakeHoldingCases();
 [[nodiscard]] std::vector<ExtremeCase> MakePlaceCases();
 [[nodiscard]] std::vector<ExtremeCase> MakeMotionCases();
 [[nodiscard]] std::vector<ExtremeCase> MakeInputCases();

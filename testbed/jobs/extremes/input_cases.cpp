@@ -87,7 +87,8 @@ std::vector<ExtremeCase> MakeInputCases() {
 std::span<const ExtremeCase> GetExtremeCases() {
     static const std::vector<ExtremeCase> cases = [] {
         std::vector<ExtremeCase> all;
-        for (auto make : {MakePileCases, MakeJointCases, MakePlaceCases, MakeMotionCases, MakeInputCases}) {
+        for (auto make : {MakePileCases, MakeBuiltCases, MakeJointCases, MakeHoldingCases, MakePlaceCases,
+                          MakeMotionCases, MakeInputCases}) {
             for (ExtremeCase& one : make()) all.push_back(std::move(one));
         }
         return all;

@@ -165,6 +165,47 @@ PageTable MakeGroups(std::span<const ExtremeResult> results) {
     return table;
 }
 
+/// A number that a case is asked for, and how a report names it.
+struct Question {
+    const char* name;
+    double Demands::*asked;
+    double Outcome::*found;
+};
+constexpr Question questions[] = {{"error", &Demands::accuracy, &Outcome::accuracy},
+                                  {"joint gap, m", &Demands::jointGap, &Outcome::jointGap},
+                                  {"overlap, m", &Demands::overlap, &Outcome::overlap},
+                                  {"speed at rest, m/s", &Demands::restSpeed, &Outcome::restSpeed}};
+
+/// Of every case with such questions the answers of all settings, in the order of the questions.
+PageTable MakeAnswers(std::span<const ExtremeResult> results) {
+    PageTable table{.columns = {{.name = "case"}, {.name = "what"}, {.name = "asked, at most"}}, .filter = true};
+    const std::vector<std::string> settings = SettingsOf(results);
+    for (const std::string& setting : settings) table.columns.push_back({.name = setting});
+    for (const ExtremeCase& one : GetExtremeCases()) {
+        std::vector<std::string> asked;
+        for (const Question& question : questions) {
+            const double most = one.demands.*question.asked;
+            if (most > 0.0) asked.push_back(fmt::format("{} {:.2g}", question.name, most));
+        }
+        if (asked.empty() || std::ranges::find(results, one.name, &ExtremeResult::name) == results.end()) continue;
+        std::vector<PageCell> row{one.name, one.what, fmt::format("{}", fmt::join(asked, ", "))};
+        for (const std::string& setting : settings) {
+            const ExtremeResult* result = Find(results, one.name, setting);
+            std::string answers = result == nullptr ? "–" : "";
+            for (const Question& question : questions) {
+                if (result == nullptr || !(one.demands.*question.asked > 0.0)) continue;
+                const double found = result->outcome.*question.found;
+                answers += answers.empty() ? "" : ", ";
+                answers += found < 0.0 ? "–" : fmt::format("{:.2g}", found);
+            }
+            if (result != nullptr && result->outcome.escapes > 0) answers += ", escapes";
+            row.emplace_back(answers);
+        }
+        table.rows.push_back(row);
+    }
+    return table;
+}
+
 PageTable MakeMeasurements(std::span<const ExtremeResult> results) {
     PageTable table{.columns = {{.name = "case"},
                                 {.name = "setting"},
@@ -265,6 +306,7 @@ Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std
     page.sections.push_back({.title = "Grades",
                              .intro = std::string(meaning),
                              .blocks = {MakeCounts(results), MakeGroups(results), MakeMatrix(results)}});
+    page.sections.push_back({.title = "What was asked, and the answers", .blocks = {MakeAnswers(results)}});
     page.sections.push_back({.title = "Why not the full grade", .blocks = {MakeReasons(results)}});
     PageSection figures{.title = "Worst moments",
                         .intro =

@@ -36,7 +36,7 @@ public:
         : m_case(one),
           m_seconds(seconds),
           m_timeStep(GetTimeStep(spec)),
-          m_lab(MakeLab(one.make(), spec, {.place = one.place})) {
+          m_lab(MakeLab(one.make(), spec, {.restitutionThreshold = one.restitutionThreshold, .place = one.place})) {
         const scenes::Scene& scene = m_lab->GetScene();
         m_gravity = {double{scene.gravity.x}, double{scene.gravity.y}};
         for (int i = 0; i < m_lab->GetBodyCount(); ++i) m_extents.push_back(SmallestExtent(scene, i));
@@ -274,7 +274,7 @@ CaseRun RunCase(const ExtremeCase& one, const RunSpec& setting, const CaseBudget
         run.outcome = first.GetOutcome();
         run.picture = first.DrawWorst();
         const double used = ReadProcessClock() - start;
-        if (run.outcome.finite && !run.outcome.shortened && used < 0.4 * budget.cpuSeconds) {
+        if (budget.repeats && run.outcome.finite && !run.outcome.shortened && used < 0.4 * budget.cpuSeconds) {
             spec.threads = spec.threads == 2 ? 1 : 2;  // where the engine has them
             Watcher second(one, spec, seconds);
             second.Run(start + budget.cpuSeconds);

@@ -13,6 +13,7 @@ namespace testbed {
 
 struct CaseBudget {
     bool quick = false;
+    bool repeats = true;      ///< run it twice where there is time, and compare the ends
     double cpuSeconds = 7.0;  ///< processor time after which the case is cut short
 };
 
