@@ -276,9 +276,9 @@ TEST(Materials, BadValuesAreRefused) {
 }
 
 /// Disks, capsules and boxes of random materials on a belt and a slope, which are edited on the way.
-class Mill {
+class Spinner {
 public:
-    explicit Mill(uint32_t seed) : m_random(seed) {
+    explicit Spinner(uint32_t seed) : m_random(seed) {
         FixtureDef belt = Random();
         belt.tangentSpeed = 1.0f;
         EdgeShape edge;
@@ -344,7 +344,7 @@ private:
 
 TEST(Materials, RecordingsImagesAndWorkersLeadToTheSameState) {
     for (const int substeps : solvers) {
-        Mill mill(7), threaded(7);
+        Spinner mill(7), threaded(7);
         threaded.world.SetWorkers(3);
         Recorder recorder;
         ASSERT_EQ(StartRecording(mill.world, recorder), ErrorCode::ok);
