@@ -184,8 +184,10 @@ Scene Bin(int count) {
     }
     return scene;
 }
+/// Bodies of the rows that begin above the pile: made anew they fall on it.
 void Churn(LabWorld& lab, int frame) {
-    for (int i = 0; i < 4; ++i) lab.RemakeBody(1 + (211 * frame + 577 * i) % Last(lab));
+    constexpr int above = 360;
+    for (int i = 0; i < 4; ++i) lab.RemakeBody(Last(lab) - (4 * frame + i) % above);
 }
 
 /// A stack, a hinge, some loose things.

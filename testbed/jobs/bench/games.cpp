@@ -58,7 +58,10 @@ public:
             if (game.listens) world->Listen();
         }
         if (game.timing == GameTiming::creation || game.timing == GameTiming::firstStep) return;
-        for (int i = 0; i < game.warmUp; ++i) Advance(i);
+        for (int i = 0; i < game.warmUp; ++i) {
+            Advance(i);
+            if (game.timing == GameTiming::queries) StepAll();  // a game steps its level before it asks
+        }
     }
     /// The time of a frame, or of what else is timed: µs, ms.
     void Time(int frame) {
@@ -74,8 +77,11 @@ private:
     void Advance(int frame) {
         for (const auto& world : m_worlds) {
             if (m_game.play) m_game.play(*world, frame);
-            if (m_game.timing != GameTiming::queries) (void)world->Step();
         }
+        if (m_game.timing != GameTiming::queries) StepAll();
+    }
+    void StepAll() {
+        for (const auto& world : m_worlds) (void)world->Step();
     }
 
     const GameCase& m_game;
