@@ -102,7 +102,7 @@ def lines():
 
 
 prepare()
-has_box2d3 = 'not installed' not in ''.join(line for line in execute('scree env').stdout.split('\n') if 'ox2D 3' in line)
+has_box2d3 = not re.search(r'^box2d3\s+not found', execute('scree env').stdout, re.M)
 failures, count, left = [], 0, 0
 for place, line in lines():
     if not all(word in line for word in words):
