@@ -139,6 +139,30 @@ Vec2 MiddleOf(const Shape& shape) {
     return mass.center;
 }
 
+float DepthOfMiddle(const Shape& shape) {
+    const Vec2 middle = MiddleOf(shape);
+    const auto least = [&](const Vec2* vertices, const Vec2* normals, int count) {
+        float depth = std::numeric_limits<float>::max();
+        for (int i = 0; i < count; ++i) depth = Min(depth, Dot(normals[i], vertices[i] - middle));
+        return Max(depth, 0.0f);
+    };
+    switch (shape.GetType()) {
+        case Shape::e_circle:
+            return shape.m_radius;
+        case Shape::e_polygon: {
+            const auto& polygon = static_cast<const PolygonShape&>(shape);
+            return least(polygon.m_vertices, polygon.m_normals, polygon.m_count);
+        }
+        case Shape::e_convex: {
+            const auto& convex = static_cast<const ConvexShape&>(shape);
+            if (convex.m_count < 3) return convex.m_radius;
+            return least(convex.m_vertices, convex.m_normals, convex.m_count) + convex.m_radius;
+        }
+        default:
+            return 0.0f;
+    }
+}
+
 Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
     DistanceProxy proxy;
     proxy.Set(&p.mover, 0);

@@ -46,5 +46,7 @@ Clearance BoundClearance(const Passage& passage, Watched watched, float lengthSc
 
 /// The centroid of a shape, in its own coordinates.
 Vec2 MiddleOf(const Shape& shape);
+/// How far that is from the surface of the shape at least, m; of shapes that are not convex 0.
+float DepthOfMiddle(const Shape& shape);
 
 }  // namespace scree

@@ -22,6 +22,10 @@ size_t Row(int index) { return static_cast<size_t>(index); }
 /// Below these counts bodies to look over and searches are not worth waking workers for.
 constexpr int leastToScreen = 512, leastSearches = 32;
 
+/// The middle of a mover is stopped at the slop before a surface, or at this share of its depth in the mover where that
+/// is less, but not below a fiftieth of the slop: there rounding has a say.
+constexpr float middleShare = 0.25f, leastMiddleScale = 0.02f;
+
 }  // namespace
 
 void ToiPairs::Clear() {
@@ -489,8 +493,15 @@ float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
     // one that moves must not pass to the other side.
     if (pair.isHeld || output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
         const bool isA = IsMoverA(pair);
-        const Vec2 middle = MiddleOf(*m_t.fixtures.shape[Row(isA ? pair.fixtureA : pair.fixtureB)]);
+        const Shape& mover = *m_t.fixtures.shape[Row(isA ? pair.fixtureA : pair.fixtureB)];
+        const Shape& still = *m_t.fixtures.shape[Row(isA ? pair.fixtureB : pair.fixtureA)];
+        const Vec2 middle = MiddleOf(mover);
         (isA ? input.proxyA : input.proxyB).Set(&middle, 1, 0.0f);
+        // The middle of a small thing that lies on the surface is nearer to it than some slops: it may come nearer.
+        const float share = middleShare * DepthOfMiddle(mover) / (linearSlop * m_lengthScale);
+        input.lengthScale *= Clamp(share, leastMiddleScale, 1.0f);
+        const bool hasSkin = still.GetType() == Shape::e_polygon || still.GetType() == Shape::e_edge;
+        if (hasSkin) (isA ? input.proxyB : input.proxyA).m_radius = 0.0f;
         search();
     }
     // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
