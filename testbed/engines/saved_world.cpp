@@ -9,10 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <span>
-#include <system_error>
 #include <utility>
 
 #include "scree/inspect.h"
@@ -20,6 +17,7 @@
 #include "scree/snapshot.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
+#include "testbed/base/temporary_folder.h"
 #include "testbed/capture/scree_capture.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/engines/scree_step.h"
@@ -27,8 +25,6 @@
 
 namespace testbed {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::span<const std::byte> AsBytes(std::string_view text) {
     return {reinterpret_cast<const std::byte*>(text.data()), text.size()};
@@ -59,36 +55,15 @@ SavedWorld Describe(scree::World& world, const scree::RecordedStep& step, std::s
             SettingsOf(world, step)};
 }
 
-/// A file name that is free, removed with the object.
-class TemporaryFile {
-public:
-    TemporaryFile() {
-        std::string name = (fs::temp_directory_path() / "scree-replay-XXXXXX").string();
-        if (mkdtemp(name.data()) == nullptr) throw FileError(fmt::format("{}: cannot make this folder", name));
-        m_folder = name;
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        fs::remove_all(m_folder, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    [[nodiscard]] std::string GetPath() const { return (m_folder / "replay.track").string(); }
-
-private:
-    fs::path m_folder;
-};
-
 /// The motion of a replay, as it is recorded.
 class Motion {
 public:
-    explicit Motion(scree::World& world) : m_track(world, m_file.GetPath(), GetOptions()) {}
+    explicit Motion(scree::World& world) : m_track(world, GetPath(), GetOptions()) {}
     void Step(float timeStep) { m_track.Step(timeStep); }
     [[nodiscard]] std::string Take() {
         m_track.Close();
         if (const std::string error = m_track.GetError(); !error.empty()) throw FileError(error);
-        return ReadText(m_file.GetPath(), "");
+        return ReadText(GetPath(), "");
     }
 
 private:
@@ -98,7 +73,9 @@ private:
         options.memory = std::size_t{1} << 40;  // no step is left out
         return options;
     }
-    TemporaryFile m_file;
+    [[nodiscard]] std::string GetPath() const { return (m_folder.GetPath() / "replay.track").string(); }
+
+    TemporaryFolder m_folder{"scree-replay"};
     scree_capture::Track m_track;
 };
 

@@ -18,6 +18,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/new_file.h"
 #include "testbed/base/output.h"
+#include "testbed/base/temporary_folder.h"
 #include "testbed/jobs/find/commands.h"
 #include "testbed/jobs/find/report.h"
 #include "testbed/options/condition_options.h"
@@ -36,7 +37,7 @@ constexpr std::size_t mostShown = 50, mostPictures = 20;
 struct FindArguments {
     SessionArguments session;
     ConditionArguments conditions;
-    std::string pictures, json, junit;
+    std::string pictures, json, junit, page, timeline;
 };
 
 /// Around the bodies of a moment, several times their size; everything if they are nowhere.
@@ -85,7 +86,25 @@ void DrawMoments(Session session, FindReport& report, const std::string& folder)
     }
 }
 
+/// The page; its pictures are inside, so that they need no folder that stays.
+void WritePageOf(const FindReport& report, const Session& session, const FindArguments& arguments,
+                 const SceneInput& input) {
+    if (!arguments.pictures.empty()) return WriteFindPage(arguments.page, report, session);
+    const TemporaryFolder folder("scree-find");
+    FindReport drawn = report;
+    DrawMoments(OpenSession(arguments.session, input), drawn, folder.GetPath().string());
+    WriteFindPage(arguments.page, drawn, session);
+}
+
+/// Refuses a link into nothing before the work.
+void CheckTimeline(const FindArguments& arguments) {
+    if (arguments.timeline.empty() || std::filesystem::exists(arguments.timeline)) return;
+    throw UsageError(fmt::format("--timeline {0}: no such file; `scree timeline {1} -o {0}` makes it",
+                                 arguments.timeline, arguments.session.input));
+}
+
 int RunFind(const FindArguments& arguments, const Request& request) {
+    CheckTimeline(arguments);
     const SceneInput input = ChooseSessionInput(arguments.session);
     Session session = OpenSession(arguments.session, input);
     AskedConditions asked = MakeConditions(arguments.conditions, arguments.session, input, session);
@@ -98,9 +117,14 @@ int RunFind(const FindArguments& arguments, const Request& request) {
     while (session.Step()) watch.Show(session.Capture(), session.GetTimeStep());
     report.steps = session.GetStep() - first;
     for (Moment& moment : watch.Finish()) report.found.push_back({std::move(moment)});
+    report.timeline = arguments.timeline;
+    for (FoundMoment& found : report.found) {
+        if (!arguments.timeline.empty()) found.link = LinkTo(arguments.timeline, found.moment);
+    }
     if (!arguments.pictures.empty()) {
         DrawMoments(OpenSession(arguments.session, input), report, arguments.pictures);
     }
+    if (!arguments.page.empty()) WritePageOf(report, session, arguments, input);
     if (!arguments.json.empty()) WriteTextFile(arguments.json, WriteFindJson(report, session));
     if (!arguments.junit.empty()) WriteTextFile(arguments.junit, WriteFindJUnit(report, session));
     for (std::size_t i = 0; i < std::min(report.found.size(), mostShown); ++i) {
@@ -121,6 +145,12 @@ void AddFindCommand(CLI::App& app, Request& request) {
     AddConditionOptions(*command, arguments->conditions);
     command->add_option("--pictures", arguments->pictures, "Folder for a picture of each of the first 20 moments")
         ->type_name("DIR");
+    command->add_option("--page", arguments->page, "The moments as a page, with the first 20 pictures inside")
+        ->type_name("FILE");
+    command
+        ->add_option("--timeline", arguments->timeline,
+                     "A page that `scree timeline` made of the same session: each moment gets a link into it")
+        ->type_name("FILE");
     command->add_option("--json", arguments->json, "The moments as JSON")->type_name("FILE");
     command->add_option("--junit", arguments->junit, "A test case a condition, for CI")->type_name("FILE");
     command->callback(

@@ -139,6 +139,16 @@ TEST_F(Find, TheHiddenTunnelOfALongSessionIsNamed) {
     EXPECT_EQ(page.exitCode, exitDone) << page.output;
     EXPECT_NE(folder.Read("page.html").find(fmt::format("step {}: tunnel: escapee (137), walls (0)", hidden)),
               std::string::npos);
+
+    // A link into that page, wherever the list of moments stands.
+    const std::string link = fmt::format("page.html#step={}&body=137,0", hidden);
+    Expect("stirred.track --tunnel --timeline page.html --json linked.json --page pictures/moments.html", exitDiffers,
+           link);
+    EXPECT_EQ(Json::parse(folder.Read("linked.json")).at("moments")[0].at("link"), link);
+    const std::string moments = folder.Read("pictures/moments.html");
+    EXPECT_NE(moments.find(fmt::format("href=\"../page.html#step={}&amp;body=137,0\"", hidden)), std::string::npos);
+    EXPECT_NE(moments.find("data:image/png;base64,"), std::string::npos);
+    Expect("stirred.track --tunnel --timeline none.html", exitUsage, "`scree timeline stirred.track -o none.html`");
 }
 
 TEST_F(Find, ScenesAreRunInAnyEngine) {
