@@ -45,7 +45,9 @@ def lighter(line):
         extra.append('--repeat 1 --steps 3')
         if '--sizes' not in line and 'scene.json' not in line:
             extra.append('--sizes 20')
-    if command == 'tradeoff' and ' -g' not in line and '--from' not in line:
+    if command == 'tradeoff' and re.search(r'tradeoff (?!-)\S', line):
+        extra.append('--seconds 0.2')
+    elif command == 'tradeoff' and ' -g' not in line and '--from' not in line:
         extra.append('-g incline')
     if command == 'tradeoff' and '--quick' not in line and '--from' not in line:
         extra.append('--quick')

@@ -24,6 +24,7 @@
 #include "testbed/jobs/tradeoff/commands.h"
 #include "testbed/jobs/tradeoff/report.h"
 #include "testbed/options/options.h"
+#include "testbed/options/scene_input.h"
 #include "testbed/page/gnuplot.h"
 #include "testbed/page/markdown.h"
 
@@ -38,6 +39,10 @@ struct TradeArguments {
     std::string from;
     std::string markdown;
     std::string output = "out/tradeoff";
+    std::vector<std::string> scenes;  ///< in place of the laws
+    std::optional<int> size;
+    std::optional<double> seconds;  ///< of each scene; none: GetSceneSeconds
+    InputArguments input;
     SettingArguments settings{.engines = ""};
     ShardArguments shard;
 };
@@ -65,9 +70,67 @@ std::vector<RunSpec> ChooseGrid(const TradeArguments& arguments) {
     return ChooseGrid(GetEffort(arguments), arguments.settings.engines, GetTypedSettings(arguments.settings));
 }
 
-/// Runs the shard's cases and notes each as a line.
-std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& lines) {
-    const TradePlan plan{.effort = GetEffort(arguments), .repeats = arguments.quick ? 3 : 9};
+/// A scene of the user's, and what it is run with.
+struct PlannedScene {
+    scenes::Scene scene;
+    std::vector<RunSpec> settings;
+    std::string leftOut;
+    double seconds = 0.0;
+};
+
+/// In place of the laws where scenes were given. Throws UsageError and FileError.
+std::vector<PlannedScene> ChooseScenes(const TradeArguments& arguments) {
+    if (arguments.scenes.empty()) {
+        if (arguments.size) throw UsageError("--size: it is the size of a SCENE, and none was given");
+        if (arguments.seconds) throw UsageError("--seconds: laws have their own times; give a SCENE");
+        return {};
+    }
+    if (!arguments.filter.empty()) throw UsageError("-g chooses laws, and none runs where a SCENE is given");
+    if (!arguments.from.empty()) throw UsageError("--from measures nothing; leave SCENE out");
+    if (arguments.seconds && !(*arguments.seconds >= leastSceneSeconds && *arguments.seconds <= mostSceneSeconds)) {
+        throw UsageError(
+            fmt::format("--seconds {}: from {} to {}", *arguments.seconds, leastSceneSeconds, mostSceneSeconds));
+    }
+    std::vector<PlannedScene> planned;
+    const std::vector<RunSpec> grid = ChooseGrid(arguments);
+    for (const SceneInput& input : ChooseScenes(arguments.scenes, arguments.size, arguments.input)) {
+        PlannedScene one{.scene = input.Build(), .settings = {}, .leftOut = {}};
+        one.scene.name = input.name;
+        one.settings = ChooseForScene(one.scene, grid, one.leftOut);
+        one.seconds = arguments.seconds.value_or(GetSceneSeconds(one.scene, GetEffort(arguments)));
+        planned.push_back(std::move(one));
+    }
+    return planned;
+}
+
+TradePlan MakePlan(const TradeArguments& arguments) {
+    return {.effort = GetEffort(arguments), .repeats = arguments.quick ? 3 : 9};
+}
+
+/// Runs the shard's cases of scenes and notes each as a line.
+void MeasureScenes(const TradeArguments& arguments, std::span<const PlannedScene> scenes, CaseLines& lines) {
+    const TradePlan plan = MakePlan(arguments);
+    const Shard shard = ParseShard(arguments.shard.shard);
+    std::size_t number = 0;
+    for (const PlannedScene& one : scenes) {
+        std::vector<bool> isWanted;
+        std::vector<std::size_t> numbers;
+        for (std::size_t i = 0; i < one.settings.size(); ++i, ++number) {
+            isWanted.push_back(shard.Contains(number) && !lines.Has(number));
+            if (isWanted.back()) numbers.push_back(number);
+        }
+        if (numbers.empty()) continue;
+        Progress progress(one.scene.name, CountSceneWork(one.settings, isWanted, plan, one.seconds));
+        const std::vector<TradeCase> cases = MeasureScene(one.scene, one.settings, isWanted, plan, one.seconds,
+                                                          one.leftOut, [&](double work) { progress.Advance(work); });
+        progress.Finish(fmt::format("{} settings", cases.size()));
+        for (std::size_t i = 0; i < cases.size(); ++i) lines.Add(numbers[i], ToJson(cases[i]));
+    }
+}
+
+/// Runs the shard's cases of laws and notes each as a line.
+void MeasureLaws(const TradeArguments& arguments, CaseLines& lines) {
+    const TradePlan plan = MakePlan(arguments);
     const std::vector<RunSpec> grid = ChooseGrid(arguments);
     const Shard shard = ParseShard(arguments.shard.shard);
     std::size_t number = 0;
@@ -87,22 +150,26 @@ std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, CaseLines& li
         progress.Finish(fmt::format("{} settings", cases.size()));
         for (std::size_t i = 0; i < cases.size(); ++i) lines.Add(numbers[i], ToJson(cases[i]));
     }
+}
+
+/// Runs what is to be measured, and returns it with what was there before.
+std::vector<TradeCase> MeasureAll(const TradeArguments& arguments, std::span<const PlannedScene> scenes,
+                                  CaseLines& lines) {
+    if (scenes.empty()) {
+        MeasureLaws(arguments, lines);
+    } else {
+        MeasureScenes(arguments, scenes, lines);
+    }
     std::vector<TradeCase> all;
     ParseJsonLines("--resume", lines.GetText(), "tradeoff",
-                   [&](const auto& fields) { all.push_back(TradeCaseFromJson(fields)); });
+                   [&](const auto& fields) { AddCase(all, TradeCaseFromJson(fields)); });
     return all;
 }
 
 /// The cases of a file that --json or `scree merge` wrote.
 std::vector<TradeCase> ReadCases(const std::string& file, std::vector<nlohmann::ordered_json>& made) {
     std::vector<TradeCase> cases;
-    made = ReadCaseLines(file, "tradeoff", [&](const auto& fields) {
-        const TradeCase one = TradeCaseFromJson(fields);
-        const bool isKnown = std::ranges::any_of(
-            cases, [&](const TradeCase& other) { return other.law == one.law && other.setting == one.setting; });
-        if (isKnown) throw FileError(fmt::format("law '{}' with this setting is there twice", one.law));
-        cases.push_back(one);
-    });
+    made = ReadCaseLines(file, "tradeoff", [&](const auto& fields) { AddCase(cases, TradeCaseFromJson(fields)); });
     return cases;
 }
 
@@ -111,11 +178,10 @@ void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, std::sp
     output.WriteText("cases.csv", MakeTradeCsv(cases));
     output.WriteText("bounds.csv", MakeBoundsCsv(cases));
     std::filesystem::path plots;
-    for (const Law& law : GetLaws()) {
-        if (std::ranges::find(cases, law.name, &TradeCase::law) == cases.end()) continue;
-        const std::filesystem::path relative = std::filesystem::path("plots") / (law.name + ".svg");
+    for (const Law* law : LawsOf(cases)) {
+        const std::filesystem::path relative = std::filesystem::path("plots") / (law->name + ".svg");
         output.WriteBy(relative,
-                       [&](const std::filesystem::path& place) { DrawPlot(MakeTradePlot(law, cases), "svg", place); });
+                       [&](const std::filesystem::path& place) { DrawPlot(MakeTradePlot(*law, cases), "svg", place); });
         plots = output.Prepare(relative).parent_path();
     }
     Page page = MakeTradePage(cases, plots, command);
@@ -125,13 +191,19 @@ void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, std::sp
 }
 
 int RunTradeoff(const TradeArguments& arguments, const Request& request) {
+    const std::vector<PlannedScene> scenes = ChooseScenes(arguments);
     const std::size_t settings = ChooseGrid(arguments).size();
-    const std::size_t count = ChooseLaws(arguments.filter).size() * settings;
+    std::size_t count = 0;
+    for (const PlannedScene& one : scenes) count += one.settings.size();
+    if (scenes.empty()) count = ChooseLaws(arguments.filter).size() * settings;
     const Shard shard = ParseShard(arguments.shard.shard);
-    if (arguments.from.empty()) {
+    if (!scenes.empty()) {
+        fmt::print("{} cases: {} scene{}, {} settings\n", count, scenes.size(), scenes.size() == 1 ? "" : "s",
+                   settings);
+    } else if (arguments.from.empty()) {
         fmt::print("{} cases: {} laws, {} settings\n", count, ChooseLaws(arguments.filter).size(), settings);
-        std::fflush(stdout);
     }
+    std::fflush(stdout);
     if (arguments.count) return exitDone;
     CheckGnuplot();
     OutputFolder output(arguments.output);
@@ -140,7 +212,7 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
     CheckResume(arguments.shard);
     if (arguments.from.empty()) lines.Keep(arguments.shard.json, arguments.shard.resume);
     const std::vector<TradeCase> cases =
-        arguments.from.empty() ? MeasureAll(arguments, lines) : ReadCases(arguments.from, made);
+        arguments.from.empty() ? MeasureAll(arguments, scenes, lines) : ReadCases(arguments.from, made);
     lines.Finish();
     if (shard.count > 1) {
         output.WriteText(fmt::format("cases-{}-of-{}.csv", shard.index, shard.count), MakeTradeCsv(cases));
@@ -159,9 +231,18 @@ int RunTradeoff(const TradeArguments& arguments, const Request& request) {
 }  // namespace
 
 void AddTradeoffCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics in every engine");
+    CLI::App* command =
+        app.add_subcommand("tradeoff", "Speed against accuracy: laws of mechanics, or your scene, in every engine");
     command->footer("Exits with 1 when a bound of the dial was missed.");
     auto arguments = std::make_shared<TradeArguments>();
+    command->add_option("SCENE", arguments->scenes,
+                        DescribeSceneArgument("Scenes in place of the laws, measured against finer runs"));
+    command->add_option("--size", arguments->size, "Size of a scene that `scree list` shows; its default if not given");
+    command
+        ->add_option("--seconds", arguments->seconds,
+                     "Simulated time of each scene; its whole run if not given, at most 4 s, with --quick 2 s")
+        ->type_name("S");
+    AddFormatOption(*command, arguments->input);
     command->add_flag("--quick", arguments->quick, "Fewer settings, repeats and runs of each law");
     command->add_flag("--count", arguments->count, "Only print the number of cases");
     command->add_option("-g,--only", arguments->filter, "Only the laws whose name this regular expression finds")

@@ -12,6 +12,26 @@
 
 namespace testbed {
 
+Family FamilyOf(const RunSpec& setting) {
+    if (setting.engine == "box2d") return Family::box2d;
+    if (setting.engine == "box2d3") return Family::box2d3;
+    return IsSequential(setting) ? Family::sequential : Family::soft;
+}
+
+std::string NameFamily(Family family) {
+    switch (family) {
+        case Family::box2d:
+            return "Box2D 2.4.1";
+        case Family::box2d3:
+            return "Box2D 3";
+        case Family::sequential:
+            return "Scree, sequential impulses";
+        case Family::soft:
+            break;
+    }
+    return "Scree, soft step";
+}
+
 std::span<const Law> GetLaws() {
     static const std::vector<Law> laws = [] {
         std::vector<Law> all;

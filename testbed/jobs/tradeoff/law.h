@@ -37,6 +37,12 @@ struct LawError {
     double failed = noBound;
 };
 
+/// A family of settings that is compared as a whole.
+enum class Family { box2d, box2d3, sequential, soft };
+[[nodiscard]] Family FamilyOf(const RunSpec& setting);
+/// "Box2D 2.4.1", "Box2D 3", "Scree, sequential impulses", "Scree, soft step".
+[[nodiscard]] std::string NameFamily(Family family);
+
 /// How thorough a measurement is.
 enum class Effort { quick, full };
 

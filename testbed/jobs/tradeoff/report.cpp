@@ -199,6 +199,73 @@ PageTable MakeAllTable(std::span<const TradeCase> cases) {
     return table;
 }
 
+/// What the cases say of scenes, each once.
+std::vector<const SceneFacts*> ListScenes(std::span<const TradeCase> cases) {
+    std::vector<const SceneFacts*> scenes;
+    for (const TradeCase& one : cases) {
+        if (one.scene == nullptr) continue;
+        const auto isIt = [&](const SceneFacts* other) { return other->scene == one.scene->facts.scene; };
+        if (std::ranges::none_of(scenes, isIt)) scenes.push_back(&one.scene->facts);
+    }
+    return scenes;
+}
+
+/// How far distances have a meaning, in a sentence.
+std::string DescribeWindow(const SceneFacts& facts) {
+    if (facts.window == 0.0) {
+        return fmt::format(
+            "{}: references and runs half as fine part at once, so distance and energy have no meaning in this scene. "
+            "Only overlap{} compared.",
+            facts.scene, facts.hasJoints ? " and joint gaps are" : " is");
+    }
+    if (facts.window >= facts.seconds) {
+        return fmt::format("{}: references and runs half as fine agree over all {:.3g} s.", facts.scene, facts.seconds);
+    }
+    return fmt::format(
+        "{}: references and runs half as fine agree for {:.3g} of {:.3g} s. Distance and energy are compared up to "
+        "there; later, small causes decide where bodies are.",
+        facts.scene, facts.window, facts.seconds);
+}
+
+PageSection MakeReferenceSection(std::span<const SceneFacts* const> scenes) {
+    PageTable table{.columns = {{.name = "scene"},
+                                {.name = "settings of"},
+                                {.name = "reference"},
+                                {.name = "compared with"},
+                                {.name = "part at", .unit = "s", .numeric = true},
+                                {.name = "apart", .unit = "mm", .numeric = true},
+                                {.name = "from ours", .unit = "mm", .numeric = true}}};
+    PageSection section{
+        .title = "References",
+        .intro = fmt::format(
+            "Nobody knows how a scene should move exactly. So the settings of each engine and solver are measured "
+            "against one of their own with much finer steps. Distance is the root mean square over bodies of how far "
+            "their mass is from where the reference has it, at its largest. Energy is the largest difference from the "
+            "reference's, over the mass. Overlap and joint gap are the deepest and widest of a moment, as "
+            "`World::MeasureErrors` gives them, averaged over the run.\n\n"
+            "How good a reference is tells a second one, half as fine. Where both are apart by {:.0f} % of the size of "
+            "a body, they part: from there on no distance has a meaning, and all engines are compared up to the first "
+            "parting. Errors below what two references differ by count as that. `from ours` is the way between the "
+            "references themselves: engines model contact differently, and no setting changes that.",
+            100.0 * partedShare),
+        .blocks = {}};
+    for (const SceneFacts* facts : scenes) {
+        section.blocks.push_back(
+            PageNote{DescribeWindow(*facts), facts->window >= facts->seconds ? PageTone::plain : PageTone::warning});
+        if (!facts->leftOut.empty()) {
+            section.blocks.push_back(
+                PageNote{fmt::format("{} is left out: {}", facts->scene, facts->leftOut), PageTone::warning});
+        }
+        for (const SceneReference& r : facts->references) {
+            table.rows.push_back({facts->scene, NameFamily(r.family), r.setting, r.coarser,
+                                  r.parted ? PageCell::Number(*r.parted, 2) : PageCell("never"),
+                                  PageCell::Number(1e3 * r.apart, 2), PageCell::Number(1e3 * r.fromOurs, 2)});
+        }
+    }
+    section.blocks.push_back(table);
+    return section;
+}
+
 PageTiles MakeTiles(std::span<const TradeCase> cases) {
     PageTiles tiles;
     for (const Choice& choice : choices) {
@@ -208,7 +275,10 @@ PageTiles MakeTiles(std::span<const TradeCase> cases) {
             tiles.tiles.push_back({.label = fmt::format("{}, {}", what, choice.name),
                                    .value = value ? fmt::format("{:.2f}", *value) : "–",
                                    .unit = "×",
-                                   .note = fmt::format("median of {} laws, not lost in {}", headline.laws, won),
+                                   .note = ListScenes(cases).empty()
+                                               ? fmt::format("median of {} laws, not lost in {}", headline.laws, won)
+                                               : fmt::format("median of {} scene{}, not lost in {}", headline.laws,
+                                                             headline.laws == 1 ? "" : "s", won),
                                    .tone = value.value_or(0.0) < 1.0 ? PageTone::bad : PageTone::good});
         };
         add("speed at equal accuracy", headline.speedUp, headline.fasterIn);
@@ -247,12 +317,12 @@ std::string MakeTradeCsv(std::span<const TradeCase> cases) {
                    "unit", "error",  "cost_ns", "cost_ns_q1", "cost_ns_q3"};
     const auto ns = [](double cost) { return fmt::format("{:.4f}", cost); };
     for (const TradeCase& one : cases) {
-        const auto law = std::ranges::find(GetLaws(), one.law, &Law::name);
+        const Law& law = LawOf(one);
         const Quartiles cost = one.GetCost();
         for (std::size_t i = 0; i < one.errors.size(); ++i) {
-            table.AddRow(one.law, one.setting.engine, NameSolver(one.setting), GetRate(one.setting),
-                         law->errors[i].name, law->errors[i].unit, fmt::format("{:.9g}", one.errors[i]),
-                         ns(cost.median), ns(cost.low), ns(cost.high));
+            table.AddRow(one.law, one.setting.engine, NameSolver(one.setting), GetRate(one.setting), law.errors[i].name,
+                         law.errors[i].unit, fmt::format("{:.9g}", one.errors[i]), ns(cost.median), ns(cost.low),
+                         ns(cost.high));
         }
     }
     return table.GetText();
@@ -285,10 +355,12 @@ Plot MakeTradePlot(const Law& law, std::span<const TradeCase> cases) {
 }
 
 Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path& plots, const std::string& command) {
+    const std::vector<const SceneFacts*> scenes = ListScenes(cases);
     Page page{.title = "Speed against accuracy",
-              .intro =
-                  "Laws of mechanics with a known result, run by every engine under many settings: how far off they "
-                  "are and what that costs.",
+              .intro = scenes.empty() ? "Laws of mechanics with a known result, run by every engine under many "
+                                        "settings: how far off they are and what that costs."
+                                      : "Scenes without a known result, run by every engine under many settings: how "
+                                        "far they are from much finer runs, and what that costs.",
               .facts = {{"command", command}, {"cases", fmt::format("{}", cases.size())}}};
     PageSection gains{.title = "Against Box2D's default",
                       .intro =
@@ -312,17 +384,19 @@ Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path
                      PageTone::warning});
     }
     page.sections.push_back(gains);
-    page.sections.push_back({.title = "Bounds of the dial",
-                             .intro = "What the marks of the dial promise at 60 Hz, and what was measured. Sequential "
-                                      "impulses at 8/3 stand beside them.",
+    if (!scenes.empty()) page.sections.push_back(MakeReferenceSection(scenes));
+    page.sections.push_back({.title = scenes.empty() ? "Bounds of the dial" : "Errors at the marks of the dial",
+                             .intro = scenes.empty() ? "What the marks of the dial promise at 60 Hz, and what was "
+                                                       "measured. Sequential impulses at 8/3 stand beside them."
+                                                     : "What the marks of the dial reach at 60 Hz. Sequential impulses "
+                                                       "at 8/3 stand beside them. Scenes have no bounds.",
                              .blocks = {MakeBoundsTable(CheckBounds(cases))}});
     PageSection figures{.title = "Error against cost", .intro = std::string(howToRead), .blocks = {}};
     PageFigures all{.figures = {}, .columns = 2};
-    for (const Law& law : GetLaws()) {
-        if (std::ranges::find(cases, law.name, &TradeCase::law) == cases.end()) continue;
-        all.figures.push_back({.title = law.name,
-                               .caption = fmt::format("{}. Exact: {}.", law.title, law.exact),
-                               .file = plots / (law.name + ".svg")});
+    for (const Law* law : LawsOf(cases)) {
+        all.figures.push_back({.title = law->name,
+                               .caption = fmt::format("{}. Exact: {}.", law->title, law->exact),
+                               .file = plots / (law->name + ".svg")});
     }
     figures.blocks.push_back(all);
     page.sections.push_back(figures);
@@ -362,10 +436,15 @@ std::string FormatTrade(std::span<const TradeCase> cases) {
                                   row.error->name, *value, bound, UnitOf(*row.error));
         }
     };
+    for (const SceneFacts* facts : ListScenes(cases)) {
+        text += DescribeWindow(*facts) + "\n";
+        if (!facts->leftOut.empty()) text += fmt::format("left out of {}: {}\n", facts->scene, facts->leftOut);
+    }
     for (const BoundRow& row : CheckBounds(cases)) {
         judge(row, "game", row.game, row.error->game, row.MeetsGame());
         judge(row, "precise", row.precise, row.error->precise, row.MeetsPrecise());
     }
+    if (met + missed == 0) return text;
     return text + fmt::format("bounds of the dial: {} met, {} missed\n", met, missed) + misses;
 }
 

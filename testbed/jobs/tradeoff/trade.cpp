@@ -42,6 +42,16 @@ double TimeRun(const scenes::Scene& scene, const Law& law, const RunSpec& settin
     return ReadThreadClock() - start;
 }
 
+/// In turns, so that a slow minute of the machine meets all settings alike.
+template <typename Time>
+void TimeInTurns(std::vector<TradeCase>& cases, int repeats, Time&& time) {
+    std::vector<std::vector<double>> times(cases.size());
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        for (std::size_t i = 0; i < cases.size(); ++i) times[i].push_back(time(cases[i].setting));
+    }
+    for (std::size_t i = 0; i < cases.size(); ++i) cases[i].milliseconds = FindQuartiles(times[i]);
+}
+
 }  // namespace
 
 RunSpec GetSequential(std::string_view engine, int velocityIterations, int positionIterations, int rate) {
@@ -148,16 +158,56 @@ std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const RunSpec> set
         cases.push_back(one);
         advance();
     }
-    // In turns, so that a slow minute of the machine meets all settings alike.
-    std::vector<std::vector<double>> times(settings.size());
-    for (int repeat = 0; repeat < plan.repeats; ++repeat) {
-        for (std::size_t i = 0; i < settings.size(); ++i) {
-            times[i].push_back(TimeRun(scene, law, settings[i]));
-            advance();
-        }
-    }
-    for (std::size_t i = 0; i < settings.size(); ++i) cases[i].milliseconds = FindQuartiles(times[i]);
+    TimeInTurns(cases, plan.repeats, [&](const RunSpec& setting) {
+        advance();
+        return TimeRun(scene, law, setting);
+    });
     return cases;
+}
+
+std::vector<const Law*> LawsOf(std::span<const TradeCase> cases) {
+    std::vector<const Law*> laws;
+    for (const Law& law : GetLaws()) {
+        if (std::ranges::find(cases, law.name, &TradeCase::law) != cases.end()) laws.push_back(&law);
+    }
+    for (const TradeCase& one : cases) {
+        if (one.scene == nullptr) continue;
+        const auto isIt = [&](const Law* law) { return law->name == one.law; };
+        if (std::ranges::none_of(laws, isIt)) laws.push_back(&one.scene->law);
+    }
+    return laws;
+}
+
+const Law& LawOf(const TradeCase& one) {
+    return one.scene != nullptr ? one.scene->law : *std::ranges::find(GetLaws(), one.law, &Law::name);
+}
+
+std::vector<TradeCase> MeasureScene(const scenes::Scene& scene, std::span<const RunSpec> settings,
+                                    const std::vector<bool>& isWanted, const TradePlan& plan, double seconds,
+                                    const std::string& leftOut, const std::function<void(double)>& advance) {
+    SceneMeter meter(scene, settings, plan.effort, seconds, leftOut, advance);
+    const int bodies = scenes::Count(scene).dynamicBodies;
+    std::vector<TradeCase> cases;
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        if (!isWanted[i]) continue;
+        cases.push_back({.law = meter.GetLaw()->law.name,
+                         .setting = settings[i],
+                         .errors = meter.MeasureErrors(settings[i], advance),
+                         .milliseconds = {},
+                         .bodyFrames = bodies * 60.0 * seconds,
+                         .scene = meter.GetLaw()});
+    }
+    TimeInTurns(cases, plan.repeats, [&](const RunSpec& setting) { return meter.TimeRun(setting, advance); });
+    return cases;
+}
+
+double CountSceneWork(std::span<const RunSpec> settings, const std::vector<bool>& isWanted, const TradePlan& plan,
+                      double seconds) {
+    double work = SceneMeter::CountReferenceWork(settings, plan.effort, seconds);
+    for (std::size_t i = 0; i < settings.size(); ++i) {
+        if (isWanted[i]) work += SceneMeter::CountWork(settings[i], seconds) * (1 + plan.repeats);
+    }
+    return work;
 }
 
 double FlooredError(const Law& law, const TradeCase& one, std::size_t index) {
@@ -198,6 +248,7 @@ nlohmann::ordered_json ToJson(const TradeCase& one) {
     fields["errors"] = errors;
     fields["bodyFrames"] = one.bodyFrames;
     fields["ms"] = {one.milliseconds.low, one.milliseconds.median, one.milliseconds.high};
+    if (one.scene != nullptr) fields["scene"] = ToJson(one.scene->facts);
     return fields;
 }
 
@@ -218,10 +269,17 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
         for (const auto& error : fields.at("errors")) {
             one.errors.push_back(error.is_null() ? std::numeric_limits<double>::infinity() : error.get<double>());
         }
-        const auto law = std::ranges::find(GetLaws(), one.law, &Law::name);
-        if (law == GetLaws().end()) throw FileError(fmt::format("no law is called '{}'", one.law));
-        if (one.errors.size() != law->errors.size()) {
-            throw FileError(fmt::format("{} errors; law '{}' has {}", one.errors.size(), one.law, law->errors.size()));
+        if (fields.contains("scene")) {
+            one.scene = MakeSceneLaw(SceneFactsFromJson(fields.at("scene")));
+            if (one.scene->law.name != one.law) {
+                throw FileError(fmt::format("law '{}' is not that of scene '{}'", one.law, one.scene->facts.scene));
+            }
+        } else if (std::ranges::find(GetLaws(), one.law, &Law::name) == GetLaws().end()) {
+            throw FileError(fmt::format("no law is called '{}'", one.law));
+        }
+        const Law& law = LawOf(one);
+        if (one.errors.size() != law.errors.size()) {
+            throw FileError(fmt::format("{} errors; law '{}' has {}", one.errors.size(), one.law, law.errors.size()));
         }
         one.bodyFrames = fields.at("bodyFrames").get<double>();
         const auto& ms = fields.at("ms");
@@ -235,6 +293,24 @@ TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields) {
     } catch (const nlohmann::json::exception& error) {
         throw FileError(std::string("a field is missing or of another kind: ") + error.what());
     }
+}
+
+void AddCase(std::vector<TradeCase>& cases, TradeCase one) {
+    for (const TradeCase& other : cases) {
+        if (other.law != one.law) continue;
+        if (other.setting == one.setting) {
+            throw FileError(fmt::format("law '{}' with this setting is there twice", one.law));
+        }
+        if (one.scene == nullptr || other.scene == one.scene) continue;
+        if (other.scene == nullptr || ToJson(other.scene->facts) != ToJson(one.scene->facts)) {
+            throw FileError(
+                fmt::format("\"scene\" says other things than an earlier line about '{}': they are of two "
+                            "different scenes or runs",
+                            one.scene->facts.scene));
+        }
+        one.scene = other.scene;
+    }
+    cases.push_back(std::move(one));
 }
 
 }  // namespace testbed

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@
 #include "testbed/engines/panes.h"
 #include "testbed/jobs/tradeoff/law.h"
 #include "testbed/jobs/tradeoff/pareto.h"
+#include "testbed/jobs/tradeoff/scene_law.h"
 
 namespace testbed {
 
@@ -46,13 +48,20 @@ namespace testbed {
 struct TradeCase {
     std::string law;
     RunSpec setting;
-    std::vector<double> errors;  ///< as Law::errors; infinity: the run failed
-    Quartiles milliseconds;      ///< processor time of the timed steps
-    double bodyFrames = 0.0;     ///< moving bodies × simulated time in 1/60 s
+    std::vector<double> errors;               ///< as Law::errors; infinity: the run failed
+    Quartiles milliseconds;                   ///< processor time of the timed steps
+    double bodyFrames = 0.0;                  ///< moving bodies × simulated time in 1/60 s
+    std::shared_ptr<const SceneLaw> scene{};  ///< whose law it is; null: one of GetLaws
 
     /// ns per body and 1/60 s of simulated time.
     [[nodiscard]] Quartiles GetCost() const;
 };
+
+/// The laws of these cases: of mechanics in the order of GetLaws, then scenes as they come. Scenes live as long as the
+/// cases.
+[[nodiscard]] std::vector<const Law*> LawsOf(std::span<const TradeCase> cases);
+/// The law of one of them.
+[[nodiscard]] const Law& LawOf(const TradeCase& one);
 
 struct TradePlan {
     Effort effort = Effort::full;
@@ -64,6 +73,15 @@ struct TradePlan {
 [[nodiscard]] std::vector<TradeCase> MeasureTrade(const Law& law, std::span<const RunSpec> settings,
                                                   const TradePlan& plan, const std::function<void()>& advance);
 
+/// A user's scene for `seconds`, under settings that ChooseForScene chose. `advance` is called with the work done, of
+/// CountSceneWork in all. All of `settings` decide about the references; those that `isWanted` are measured.
+[[nodiscard]] std::vector<TradeCase> MeasureScene(const scenes::Scene& scene, std::span<const RunSpec> settings,
+                                                  const std::vector<bool>& isWanted, const TradePlan& plan,
+                                                  double seconds, const std::string& leftOut,
+                                                  const std::function<void(double work)>& advance);
+[[nodiscard]] double CountSceneWork(std::span<const RunSpec> settings, const std::vector<bool>& isWanted,
+                                    const TradePlan& plan, double seconds);
+
 /// Error of quantity `index`, floored at its rounding; what is not finite is infinity.
 [[nodiscard]] double FlooredError(const Law& law, const TradeCase& one, std::size_t index = 0);
 
@@ -71,8 +89,11 @@ struct TradePlan {
 [[nodiscard]] bool HasFailed(const Law& law, const TradeCase& one);
 
 /// A case as the fields of a JSON line and back. Throws FileError for fields that are not there, for an unknown
-/// law and for another number of errors than its own.
+/// law and for another number of errors than its own. Cases of one scene share what was found of it: AddCase.
 [[nodiscard]] nlohmann::ordered_json ToJson(const TradeCase& one);
 [[nodiscard]] TradeCase TradeCaseFromJson(const nlohmann::ordered_json& fields);
+/// Puts a case to the others. Throws FileError for a scene of which the others say something else, and for a setting
+/// that is there.
+void AddCase(std::vector<TradeCase>& cases, TradeCase one);
 
 }  // namespace testbed

@@ -64,26 +64,6 @@ std::optional<bool> Meets(std::optional<double> error, double bound) {
 
 }  // namespace
 
-Family FamilyOf(const RunSpec& setting) {
-    if (setting.engine == "box2d") return Family::box2d;
-    if (setting.engine == "box2d3") return Family::box2d3;
-    return IsSequential(setting) ? Family::sequential : Family::soft;
-}
-
-std::string NameFamily(Family family) {
-    switch (family) {
-        case Family::box2d:
-            return "Box2D 2.4.1";
-        case Family::box2d3:
-            return "Box2D 3";
-        case Family::sequential:
-            return "Scree, sequential impulses";
-        case Family::soft:
-            break;
-    }
-    return "Scree, soft step";
-}
-
 std::optional<double> LawGain::GetSpeedUp() const { return Divide(ours.speedUp, box2d.speedUp); }
 std::optional<double> LawGain::GetErrorRatio() const { return Divide(ours.errorRatio, box2d.errorRatio); }
 
@@ -97,7 +77,8 @@ bool LawGain::IsBox2d3Closer() const { return box2d3.errorRatio.value_or(0.0) > 
 std::vector<LawGain> CompareWithBaseline(std::span<const TradeCase> cases, std::span<const Family> families) {
     constexpr Family theirs[] = {Family::box2d}, others[] = {Family::box2d3};
     std::vector<LawGain> gains;
-    for (const Law& law : GetLaws()) {
+    for (const Law* one : LawsOf(cases)) {
+        const Law& law = *one;
         const TradeCase* found = Find(cases, law.name, GetBaseline());
         if (found == nullptr) continue;
         const ErrorPoint baseline = PointOf(law, *found);
@@ -143,10 +124,11 @@ std::optional<bool> BoundRow::MeetsPrecise() const { return Meets(precise, error
 
 std::vector<BoundRow> CheckBounds(std::span<const TradeCase> cases) {
     std::vector<BoundRow> rows;
-    for (const Law& law : GetLaws()) {
+    for (const Law* one : LawsOf(cases)) {
+        const Law& law = *one;
         const auto at = [&](const RunSpec& setting, std::size_t index) -> std::optional<double> {
-            const TradeCase* one = Find(cases, law.name, setting);
-            return one ? std::optional(one->errors.at(index)) : std::nullopt;
+            const TradeCase* found = Find(cases, law.name, setting);
+            return found != nullptr ? std::optional(found->errors.at(index)) : std::nullopt;
         };
         for (std::size_t i = 0; i < law.errors.size(); ++i) {
             if (!at(GetBaseline(), i)) continue;

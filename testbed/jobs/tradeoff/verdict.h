@@ -14,12 +14,6 @@
 
 namespace testbed {
 
-/// A family of settings that is compared as a whole.
-enum class Family { box2d, box2d3, sequential, soft };
-[[nodiscard]] Family FamilyOf(const RunSpec& setting);
-/// "Box2D 2.4.1", "Box2D 3", "Scree, sequential impulses", "Scree, soft step".
-[[nodiscard]] std::string NameFamily(Family family);
-
 /// Why a law says nothing about the trade, or that it does.
 enum class Standing {
     compared,
