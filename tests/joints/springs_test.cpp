@@ -15,12 +15,6 @@
 namespace scree::test {
 namespace {
 
-constexpr int solvers[] = {0, 4};  // sequential impulses, soft step of four
-
-void StepWith(World& world, int substeps, int steps) {
-    for (int i = 0; i < steps; ++i) substeps == 0 ? world.Step(frame, 8, 3) : world.Step(frame, substeps);
-}
-
 /// A box that slides along y on a ground.
 struct Slider {
     explicit Slider(float stiffness, float damping, float target = 0.0f, float gravity = -10.0f)

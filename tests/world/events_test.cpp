@@ -58,7 +58,7 @@ struct Bin {
         def.workerCount = workers;
         return def;
     }
-    void Step(int substeps) { substeps > 0 ? world.Step(frame, substeps) : world.Step(frame, 8, 3); }
+    void Step(int substeps) { StepWith(world, substeps); }
 
     World world;
     std::vector<Body*> bodies;
@@ -142,7 +142,7 @@ TEST(Events, AHitTellsWhereAndHowFast) {
             Fixture* fixture = AddBody(world, dynamicBody, {3.0f, 0.5f + height})->CreateFixture(&def);
             std::vector<HitEvent> hits;
             for (int step = 0; step < 180; ++step) {
-                substeps > 0 ? world.Step(frame, substeps) : world.Step(frame, 8, 3);
+                StepWith(world, substeps);
                 const Events events = world.GetEvents();
                 hits.insert(hits.end(), events.hits.begin(), events.hits.end());
                 EXPECT_TRUE(events.contactsBegun.empty()) << "only hits are reported";
@@ -174,7 +174,7 @@ TEST(Events, MovesTellWhoWasSimulatedAndFellAsleep) {
         world.SetReportMoves(true);
         int asleep = 0;
         for (int step = 0; step < 300; ++step) {
-            const StepReport report = substeps > 0 ? world.Step(frame, substeps) : world.Step(frame, 8, 3);
+            const StepReport report = StepWith(world, substeps);
             const std::span<const MoveEvent> moved = world.GetEvents().moved;
             EXPECT_EQ(static_cast<int>(moved.size()), report.awakeBodyCount) << "step " << step;
             for (const MoveEvent& event : moved) {

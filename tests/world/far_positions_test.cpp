@@ -253,7 +253,7 @@ TEST(FarPositions, DoNotDependOnThreads) {
             def.workerCount = workers;
             World world(def);
             for (int copy = 0; copy < 6; ++copy) BuildPile(world);
-            for (int step = 0; step < 15; ++step) soft ? world.Step(1.0f / 60.0f, 4) : world.Step(1.0f / 60.0f, 8, 3);
+            for (int step = 0; step < 15; ++step) StepWith(world, soft ? 4 : 0);
             hashes[workers - 1] = inspect::GetStateHash(world);
         }
         EXPECT_EQ(hashes[0], hashes[1]) << soft;

@@ -206,7 +206,7 @@ std::vector<double> Trace(const Case& one, bool soft, Place place, bool rests = 
     one.build(site);
     std::vector<double> trace;
     for (int step = 0; step < one.steps; ++step) {
-        soft ? world.Step(1.0f / 60.0f, 4) : world.Step(1.0f / 60.0f, 8, 3);
+        StepWith(world, soft ? 4 : 0);
         site.Read(trace);
     }
     return trace;
@@ -277,7 +277,7 @@ TEST_P(FarScenes, DoNotDisturbEachOther) {
     for (const Place place : places) BuildStack(sites.emplace_back(world, place));
     std::vector<std::vector<double>> traces(2);
     for (int step = 0; step < cases[0].steps; ++step) {
-        soft ? world.Step(1.0f / 60.0f, 4) : world.Step(1.0f / 60.0f, 8, 3);
+        StepWith(world, soft ? 4 : 0);
         for (size_t i = 0; i < 2; ++i) sites[i].Read(traces[i]);
     }
     for (size_t i = 0; i < 2; ++i) EXPECT_LE(Differ(Trace(cases[0], soft, places[i]), traces[i]), 1e-5) << i;

@@ -115,7 +115,7 @@ TEST(ListenerCalls, NoneAfterTheListenerWasTakenAway) {
         for (int step = 0; step < 5; ++step) {
             listener.calls = 0;
             world.SetContactListener(&listener);
-            substeps > 0 ? world.Step(1.0f / 60.0f, substeps) : world.Step(1.0f / 60.0f, 8, 3);
+            StepWith(world, substeps);
             EXPECT_EQ(listener.calls, 1);
         }
     }

@@ -52,6 +52,17 @@ inline StepReport StepFor(World& world, int steps) {
     return report;
 }
 
+/// What StepWith takes as `substeps`: sequential impulses, soft step of four.
+inline constexpr int solvers[] = {0, 4};
+
+/// Steps at 60 Hz with so many sub-steps; with 0 by sequential impulses, as StepFor.
+inline StepReport StepWith(World& world, int substeps, int steps = 1) {
+    if (substeps == 0) return StepFor(world, steps);
+    StepReport report;
+    for (int i = 0; i < steps; ++i) report = world.Step(1.0f / 60.0f, substeps);
+    return report;
+}
+
 /// Collects refused calls.
 struct ErrorLog {
     int count = 0;

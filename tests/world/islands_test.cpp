@@ -45,7 +45,7 @@ TEST(Islands, ThePathOfIsolatedBodiesGivesTheBitsOfTheSolver) {
             StepReport reports[2];
             for (const int which : {0, 1}) {
                 World& world = which == 0 ? apart : among;
-                reports[which] = substeps > 0 ? world.Step(1.0f / 60.0f, substeps) : world.Step(1.0f / 60.0f, 8, 3);
+                reports[which] = StepWith(world, substeps);
             }
             ASSERT_EQ(inspect::GetStateHash(apart), inspect::GetStateHash(among)) << step << ", " << substeps;
             ASSERT_EQ(reports[0].awakeBodyCount, reports[1].awakeBodyCount);

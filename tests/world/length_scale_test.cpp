@@ -41,7 +41,7 @@ public:
         AddBall({10, 4})->SetLinearVelocity(scale * Vec2(600, 10));
     }
 
-    void Step(bool soft) { soft ? m_world.Step(1.0f / 60.0f, 4) : m_world.Step(1.0f / 60.0f, 8, 3); }
+    void Step(bool soft) { StepWith(m_world, soft ? 4 : 0); }
     [[nodiscard]] float GetScale() const { return m_scale; }
     [[nodiscard]] World& Get() { return m_world; }
 
@@ -136,7 +136,7 @@ public:
         m_world.CreateJoint(&weld);
     }
 
-    void Step(bool soft) { soft ? m_world.Step(1.0f / 60.0f, 4) : m_world.Step(1.0f / 60.0f, 8, 3); }
+    void Step(bool soft) { StepWith(m_world, soft ? 4 : 0); }
     [[nodiscard]] World& Get() { return m_world; }
 
     DistanceJoint* shortest;

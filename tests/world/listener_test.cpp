@@ -49,7 +49,7 @@ struct Heap {
         def.workerCount = workers;
         return def;
     }
-    void Step(int substeps) { substeps > 0 ? world.Step(test::frame, substeps) : world.Step(test::frame, 8, 3); }
+    void Step(int substeps) { test::StepWith(world, substeps); }
 
     World world;
 };

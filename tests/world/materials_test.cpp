@@ -19,12 +19,6 @@
 namespace scree::test {
 namespace {
 
-constexpr int solvers[] = {0, 4};  // sequential impulses, soft step of four
-
-void StepWith(World& world, int substeps, int steps) {
-    for (int i = 0; i < steps; ++i) substeps == 0 ? world.Step(frame, 8, 3) : world.Step(frame, substeps);
-}
-
 Fixture* AddShape(Body* body, const Shape& shape, FixtureDef def) {
     def.shape = &shape;
     return body->CreateFixture(&def);

@@ -95,7 +95,7 @@ TEST(Memory, TheReportCountsWhatIsAllocatedAndTrimGivesItBack) {
             bodies.push_back(AddBody(world, dynamicBody, {0.0001f * static_cast<float>(i), 0.0f}));
             AddCircle(bodies.back(), 0.5f);
         }
-        const auto step = [&] { substeps > 0 ? world.Step(1.0f / 60.0f, substeps) : world.Step(1.0f / 60.0f, 8, 3); };
+        const auto step = [&] { StepWith(world, substeps); };
         step();
         const auto inUse = static_cast<double>(AllocatedBytes() - before);
         const auto reported = static_cast<double>(Sum(inspect::GetMemoryUse(world)));
@@ -123,7 +123,7 @@ TEST(Memory, TrimmingChangesNoResult) {
         }
         for (int step = 0; step < 40; ++step) {
             for (World* world : {&trimmed, &plain}) {
-                substeps > 0 ? world->Step(1.0f / 60.0f, substeps) : world->Step(1.0f / 60.0f, 8, 3);
+                StepWith(*world, substeps);
                 if (step == 10) world->DestroyBody(world->GetBodyList()->GetNext());
             }
             if (step % 5 == 0) {

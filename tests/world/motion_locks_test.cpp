@@ -15,12 +15,6 @@
 namespace scree::test {
 namespace {
 
-constexpr int solvers[] = {0, 4};  // sequential impulses, soft step of four
-
-void StepWith(World& world, int substeps, int steps) {
-    for (int i = 0; i < steps; ++i) substeps == 0 ? world.Step(frame, 8, 3) : world.Step(frame, substeps);
-}
-
 /// A heap of boxes and disks with random locks, some of them hinged to the next, and a ball that is shot into it.
 struct Heap {
     explicit Heap(uint32_t seed, bool hasJoints) {

@@ -15,8 +15,6 @@
 namespace scree::test {
 namespace {
 
-constexpr int solvers[] = {0, 4};  // sequential impulses, soft step of four
-
 /// A game that is played from a seed and a frame number: what it does in a frame depends on nothing else.
 class Game {
 public:
@@ -41,7 +39,7 @@ public:
             if (Body* any = world.GetBodyList(); any != nullptr && any->GetType() == dynamicBody) {
                 any->ApplyLinearImpulseToCenter({static_cast<float>(random() % 5) - 2.0f, 1.0f}, true);
             }
-            m_substeps == 0 ? world.Step(frame, 8, 3) : world.Step(frame, m_substeps);
+            StepWith(world, m_substeps);
         }
     }
     World world{Vec2{0.0f, -10.0f}};

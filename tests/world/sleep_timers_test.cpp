@@ -14,7 +14,7 @@ namespace {
 /// Steps until the body sleeps; −1: it does not within a hundred.
 int StepsToSleep(World& world, const Body* body, int substeps) {
     for (int step = 1; step <= 100; ++step) {
-        substeps > 0 ? world.Step(1.0f / 60.0f, substeps) : world.Step(1.0f / 60.0f, 8, 3);
+        StepWith(world, substeps);
         if (!body->IsAwake()) return step;
     }
     return -1;

@@ -89,7 +89,7 @@ TEST(SparedSearches, LoseNoEvent) {
         s.continuousScratch.audit = &audit;
         const bool isSoft = seed % 2 == 1;
         for (int step = 0; step < 300; ++step) {
-            const StepReport report = isSoft ? world.Step(frame, 4) : world.Step(frame, 8, 3);
+            const StepReport report = StepWith(world, isSoft ? 4 : 0);
             events += report.continuousEventCount;
             ASSERT_EQ(audit.missed, 0) << "seed " << seed << " step " << step;
         }
@@ -108,10 +108,10 @@ TEST(SparedSearches, AreThoseOfWhatRests) {
         for (int i = 0; i < 100; ++i) {
             AddBox(AddBody(world, dynamicBody, {2.0f * static_cast<float>(i) - 100.0f, 0.51f}), 0.5f, 0.5f);
         }
-        for (int step = 0; step < 60; ++step) isSoft ? world.Step(frame, 4) : world.Step(frame, 8, 3);
+        for (int step = 0; step < 60; ++step) StepWith(world, isSoft ? 4 : 0);
         int searches = 0;
         for (int step = 0; step < 60; ++step) {
-            isSoft ? world.Step(frame, 4) : world.Step(frame, 8, 3);
+            StepWith(world, isSoft ? 4 : 0);
             searches += world.GetState().distanceWork.calls;
         }
         EXPECT_EQ(searches, 0) << (isSoft ? "soft" : "8/3");
@@ -153,7 +153,7 @@ TEST(SparedSearches, AreMostOfThoseOfWhatSlides) {
         }
         int searches = 0;
         for (int step = 0; step < 120; ++step) {
-            isSoft ? world.Step(frame, 4) : world.Step(frame, 8, 3);
+            StepWith(world, isSoft ? 4 : 0);
             if (step >= 30) searches += world.GetState().distanceWork.calls;
         }
         EXPECT_LT(searches, 90 * 100 / 50) << (isSoft ? "soft" : "8/3");
@@ -168,7 +168,7 @@ uint64_t RunOn(int workers, bool isSoft, int& events) {
     Source random(11);
     for (int i = 0; i < 12; ++i) BuildPit(world, {40.0f * static_cast<float>(i), 0.0f}, random);
     for (int step = 0; step < 90; ++step) {
-        events += (isSoft ? world.Step(frame, 4) : world.Step(frame, 8, 3)).continuousEventCount;
+        events += StepWith(world, isSoft ? 4 : 0).continuousEventCount;
     }
     return inspect::GetStateHash(world);
 }
