@@ -171,6 +171,7 @@ void SlideFarAway(World& world, Body* a, Body* b, Vec2 anchor, float angle) {
     def.bodyA = a, def.bodyB = b;
     def.localAnchorA = anchor, def.localAnchorB = -anchor;
     def.localAxisA = {std::cos(angle), std::sin(angle)};
+    def.enableLimit = true, def.lowerTranslation = -1.0f, def.upperTranslation = 1.0f;
     ASSERT_NE(world.CreateJoint(&def), nullptr);
 }
 
