@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# check.sh SOURCE BUILD WORK: installs what was built in BUILD below WORK, as a folder and as a Debian package, and uses
+# check.sh SOURCE BUILD WORK: installs what was built in BUILD below WORK, as a folder and as Debian packages, and uses
 # the program from there in a repository that is not the checkout: its snapshots agree with their references, a changed
 # level is found, and the program tells what was installed.
 
@@ -51,9 +51,8 @@ cmake --install "$build" --prefix "$work/first" >/dev/null
 mv "$work/first" "$work/prefix"  # an installed tree can be moved
 Check "$work/prefix"
 
-echo "== as a Debian package"
+echo "== as Debian packages"
 (cd "$build" && cpack -G DEB -B "$work/package" >"$work/cpack.txt") || { cat "$work/cpack.txt"; exit 1; }
-package=$(ls "$work"/package/*.deb)
-dpkg-deb -I "$package" | grep -E "Package: scree$|Depends: .*libc6"
-dpkg-deb -x "$package" "$work/unpacked"
+for package in scree libscree-dev; do dpkg-deb -x "$work"/package/"$package"_*.deb "$work/unpacked"; done
+dpkg-deb -I "$work"/package/scree_*.deb | grep -E "Depends: .*libc6"
 Check "$work/unpacked/usr"

@@ -8,11 +8,12 @@
 #
 # usage: mutators.py CLANG INCLUDE_FOLDER PROGRAM_THAT_LISTS_RECORDED_CALLS
 
-import json
-import os
 import subprocess
 import sys
-import tempfile
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
+from public_headers import declarations  # noqa: E402
 
 CLASSES = {'World', 'Body', 'Fixture', 'Contact', 'Joint'}
 
@@ -53,23 +54,6 @@ EXEMPT = {
     'Contact::GetNext': READS,
     'Joint::SetUserData': PROGRAM,
 }
-
-
-def declarations(clang, include):
-    """The declarations in namespace scree, in the order of the dump."""
-    with tempfile.TemporaryDirectory() as folder:
-        source = os.path.join(folder, 'all.cpp')
-        with open(source, 'w', encoding='utf-8') as out:
-            out.write('#include "scree/scree.h"\n')
-        command = [clang, '-std=c++20', '-fsyntax-only', '-I' + include, '-Xclang', '-ast-dump=json', '-Xclang',
-                   '-ast-dump-filter=scree::', source]
-        result = subprocess.run(command, capture_output=True, text=True, check=False)
-    if result.returncode != 0:
-        sys.exit(result.stderr)
-    decoder, at, text = json.JSONDecoder(), 0, result.stdout
-    while (at := text.find('{', at)) >= 0:
-        node, at = decoder.raw_decode(text, at)
-        yield node
 
 
 def mutators(record):

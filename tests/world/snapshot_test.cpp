@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cstring>
 
 #include "fixtures.h"
@@ -263,6 +264,16 @@ TEST(Snapshot, AnyFlippedByteGivesAnError) {
         image[i] ^= static_cast<std::byte>(1u << (i % 8));
     }
     EXPECT_NE(LoadWorld(image), nullptr);
+}
+
+TEST(Snapshot, OfAMachineOfTheOtherByteOrderIsToldApart) {
+    Image image = SaveWorld(*MakeMixedWorld());
+    std::reverse(image.begin() + 8, image.begin() + 12);   // the version
+    std::reverse(image.begin() + 12, image.begin() + 16);  // the mark of the order
+    SnapshotError error = SnapshotError::ok;
+    EXPECT_EQ(LoadWorld(image, &error), nullptr);
+    EXPECT_EQ(error, SnapshotError::wrongByteOrder);
+    EXPECT_STREQ(GetName(error), "wrong byte order");
 }
 
 /// Puts the right checksum on changed content, as a forger would.

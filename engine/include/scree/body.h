@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/errors.h"
 #include "scree/fixture.h"
 #include "scree/function_ref.h"
@@ -56,7 +57,7 @@ struct BodyDef {
 
 /// A thin, stable handle on a body; made by World::CreateBody, dead after World::DestroyBody: then every call is an
 /// error (ErrorCode::foreignHandle) and gives 0, false or null.
-class Body {
+class SCREE_API Body {
 public:
     /// Attaches a fixture and updates the mass if its density is not 0. Returns null (and changes nothing) for a null
     /// shape, a degenerate shape, a number out of range, or while the world is locked. A ChainShape makes one fixture

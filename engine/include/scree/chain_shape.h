@@ -9,13 +9,14 @@
 
 #include <vector>
 
+#include "scree/api.h"
 #include "scree/shape.h"
 
 namespace scree {
 
 /// An open chain or a loop. Segments collide on the right of v[i] → v[i+1]: a loop wound counter-clockwise collides
 /// outside, one wound clockwise inside. Massless.
-class ChainShape final : public Shape {
+class SCREE_API ChainShape final : public Shape {
 public:
     ChainShape() : Shape(e_chain, polygonRadius) {}
 

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
@@ -46,7 +47,7 @@ struct Manifold {
 };
 
 /// A manifold in world coordinates.
-struct WorldManifold {
+struct SCREE_API WorldManifold {
     Vec2 normal;                           ///< from A to B
     Vec2 points[maxManifoldPoints];        ///< midway between the two surfaces
     float separations[maxManifoldPoints];  ///< m, negative is overlap (radii included)
@@ -56,15 +57,15 @@ struct WorldManifold {
 };
 
 /// Manifold of two shapes; pointCount 0 when they are apart. Impulses are not set.
-void CollideCircles(Manifold* manifold, const CircleShape* circleA, const Transform& xfA, const CircleShape* circleB,
-                    const Transform& xfB);
-void CollidePolygonAndCircle(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA,
-                             const CircleShape* circleB, const Transform& xfB);
-void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA,
-                     const PolygonShape* polygonB, const Transform& xfB);
-void CollideEdgeAndCircle(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA, const CircleShape* circleB,
-                          const Transform& xfB);
-void CollideEdgeAndPolygon(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA,
-                           const PolygonShape* polygonB, const Transform& xfB);
+SCREE_API void CollideCircles(Manifold* manifold, const CircleShape* circleA, const Transform& xfA,
+                              const CircleShape* circleB, const Transform& xfB);
+SCREE_API void CollidePolygonAndCircle(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA,
+                                       const CircleShape* circleB, const Transform& xfB);
+SCREE_API void CollidePolygons(Manifold* manifold, const PolygonShape* polygonA, const Transform& xfA,
+                               const PolygonShape* polygonB, const Transform& xfB);
+SCREE_API void CollideEdgeAndCircle(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA,
+                                    const CircleShape* circleB, const Transform& xfB);
+SCREE_API void CollideEdgeAndPolygon(Manifold* manifold, const EdgeShape* edgeA, const Transform& xfA,
+                                     const PolygonShape* polygonB, const Transform& xfB);
 
 }  // namespace scree

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "scree/api.h"
 #include "scree/collision.h"
 #include "scree/errors.h"
 #include "scree/fixture.h"
@@ -17,7 +18,7 @@ namespace scree {
 /// A thin handle on a contact, alive until the pair's boxes part (EndContact is the last call for a touching one): then
 /// every call is an error and gives 0, false or null, until the handle serves another contact. World::GetId tells two
 /// contacts with the same handle apart.
-class Contact {
+class SCREE_API Contact {
 public:
     /// In local coordinates; pointCount 0 when not touching.
     [[nodiscard]] Manifold GetManifold() const;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/collision.h"
 #include "scree/shape.h"
 
@@ -17,7 +18,7 @@ namespace scree {
 /// A convex core of 1 (disk), 2 (capsule) or up to maxConvexVertices vertices, counter-clockwise, grown by m_radius. A
 /// curved side is a quadratic Bézier arc between its vertices. Contacts, the box and the mass use the arcs; distances,
 /// overlap tests, casts and times of impact use the straight core, which lies inside by at most m_error.
-class ConvexShape final : public Shape {
+class SCREE_API ConvexShape final : public Shape {
 public:
     /// Empty, refused by CreateFixture: fill it by a Make function.
     ConvexShape() : Shape(e_convex, polygonRadius) {}
@@ -47,15 +48,17 @@ public:
 
 /// A segment p1…p2 grown by `radius` > 0; equal ends make a disk. As with every Make function, a bad argument gives a
 /// shape that CreateFixture refuses with the argument's name.
-[[nodiscard]] ConvexShape MakeCapsule(Vec2 p1, Vec2 p2, float radius);
+[[nodiscard]] SCREE_API ConvexShape MakeCapsule(Vec2 p1, Vec2 p2, float radius);
 /// The convex hull of 3…64 points, with the skin of a PolygonShape.
-[[nodiscard]] ConvexShape MakePolygon(const Vec2* points, int count);
+[[nodiscard]] SCREE_API ConvexShape MakePolygon(const Vec2* points, int count);
 /// The convex hull of 3…64 points, grown by `radius` > 0, which is solid.
-[[nodiscard]] ConvexShape MakeRoundedPolygon(const Vec2* points, int count, float radius);
+[[nodiscard]] SCREE_API ConvexShape MakeRoundedPolygon(const Vec2* points, int count, float radius);
 /// Semi-axes along x and y, > 0, m, then turned by `angle` rad around `center`; at most 1000 : 1.
-[[nodiscard]] ConvexShape MakeEllipse(float semiAxisX, float semiAxisY, Vec2 center = {0.0f, 0.0f}, float angle = 0.0f);
+[[nodiscard]] SCREE_API ConvexShape MakeEllipse(float semiAxisX, float semiAxisY, Vec2 center = {0.0f, 0.0f},
+                                                float angle = 0.0f);
 /// A slice of a disk around `apex`: `opening` rad in (0.01, π], symmetric about the direction `angle`.
-[[nodiscard]] ConvexShape MakeCircleSector(float radius, float opening, Vec2 apex = {0.0f, 0.0f}, float angle = 0.0f);
+[[nodiscard]] SCREE_API ConvexShape MakeCircleSector(float radius, float opening, Vec2 apex = {0.0f, 0.0f},
+                                                     float angle = 0.0f);
 
 /// A convex shape described by how far it reaches. Called only by MakeFromSupport, about 150 times.
 struct SupportDef {
@@ -68,11 +71,11 @@ struct SupportDef {
 };
 
 /// Samples the support function, most where the outline bends most, into at most 64 arcs.
-[[nodiscard]] ConvexShape MakeFromSupport(const SupportDef& def);
+[[nodiscard]] SCREE_API ConvexShape MakeFromSupport(const SupportDef& def);
 
 /// Manifold of two shapes of any type but chains, at least one of them convex; an edge comes first. One point where
 /// curves or corners touch, up to two where straight sides do.
-void CollideConvex(Manifold* manifold, const Shape* shapeA, const Transform& xfA, const Shape* shapeB,
-                   const Transform& xfB);
+SCREE_API void CollideConvex(Manifold* manifold, const Shape* shapeA, const Transform& xfA, const Shape* shapeB,
+                             const Transform& xfB);
 
 }  // namespace scree

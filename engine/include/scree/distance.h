@@ -9,13 +9,14 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/math.h"
 #include "scree/shape.h"
 
 namespace scree {
 
 /// A convex core and its radius. Points at vertices that live elsewhere: they must outlive the proxy.
-struct DistanceProxy {
+struct SCREE_API DistanceProxy {
     /// Views a shape. `index` is the child of a shape made of several; other shapes ignore it.
     void Set(const Shape* shape, int index);
     /// Views the convex hull of `count` points (1…255) grown by `radius` >= 0, m.
@@ -60,7 +61,7 @@ struct DistanceOutput {
 
 /// Closest points of two shapes. With radii, overlapping shapes give the point midway between their cores' closest
 /// points. An empty proxy is infinitely far away.
-void Distance(DistanceOutput* output, SimplexCache* cache, const DistanceInput* input);
+SCREE_API void Distance(DistanceOutput* output, SimplexCache* cache, const DistanceInput* input);
 
 struct ShapeCastInput {
     DistanceProxy proxyA;
@@ -81,11 +82,11 @@ struct ShapeCastOutput {
 /// and a touch is a distance of the cores of max(polygonRadius, sum of radii − polygonRadius), up to half of linearSlop
 /// more. Returns false when they never touch or overlap from the start (their cores cross, or the vertices that lead
 /// the motion are that near); shapes that merely start within touching distance hit at lambda 0.
-bool ShapeCast(ShapeCastOutput* output, const ShapeCastInput* input);
+SCREE_API bool ShapeCast(ShapeCastOutput* output, const ShapeCastInput* input);
 
 /// True if the shapes, radii included, overlap or touch (within 10 float epsilons, m). The indices name children as in
 /// DistanceProxy::Set.
-bool TestOverlap(const Shape* shapeA, int indexA, const Shape* shapeB, int indexB, const Transform& xfA,
-                 const Transform& xfB);
+SCREE_API bool TestOverlap(const Shape* shapeA, int indexA, const Shape* shapeB, int indexB, const Transform& xfA,
+                           const Transform& xfB);
 
 }  // namespace scree

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -14,7 +15,7 @@ namespace scree {
 struct DistanceRow;
 
 /// Input for a distance joint.
-struct DistanceJointDef : JointDef {
+struct SCREE_API DistanceJointDef : JointDef {
     DistanceJointDef() : JointDef(e_distanceJoint) {}
 
     /// Sets bodies, local anchors and the length from two world points; minimum and maximum become that length.
@@ -31,7 +32,7 @@ struct DistanceJointDef : JointDef {
 };
 
 /// A distance joint. Its setters do not wake the bodies.
-class DistanceJoint final : public Joint {
+class SCREE_API DistanceJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/math.h"
 
 namespace scree {
@@ -21,7 +22,7 @@ struct Color {
 };
 
 /// Receives the shapes of a world. All coordinates are world coordinates in m; vertices are counter-clockwise.
-class Draw {
+class SCREE_API Draw {
 public:
     /// What DebugDraw shows.
     enum Flag : uint32_t {

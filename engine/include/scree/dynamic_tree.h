@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "scree/api.h"
 #include "scree/function_ref.h"
 #include "scree/math.h"
 #include "scree/settings.h"
@@ -17,7 +18,7 @@ namespace scree {
 
 /// Boxes are kept fattened by a margin, so that a proxy which moves a little needs no work. A call with a proxy
 /// that does not exist, or with a box that is not valid, changes nothing and returns what is stated.
-class DynamicTree {
+class SCREE_API DynamicTree {
 public:
     /// `margin`: m on each side, ≥ 0; another value gives the default one.
     explicit DynamicTree(float margin = aabbExtension);

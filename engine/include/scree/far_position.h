@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/math.h"
 
 namespace scree {
@@ -17,6 +18,6 @@ struct FarPosition {
 
 /// The point (x, y), m. To be preferred to taking the differences oneself: g++ 12 at -O2 rounds x − double(float(x)) of
 /// two neighbours to 0.
-FarPosition ToFarPosition(double x, double y);
+SCREE_API FarPosition ToFarPosition(double x, double y);
 
 }  // namespace scree

@@ -15,6 +15,8 @@
 #include <string>
 #include <string_view>
 
+#include "scree/api.h"
+
 namespace scree {
 
 /// One thing that a world may or may not need. In brackets: who counts as a user.
@@ -146,7 +148,7 @@ struct KernelSet {
     friend constexpr bool operator==(const KernelSet&, const KernelSet&) = default;
 };
 /// "forces, friction, continuous": what is on; "none" for nothing.
-std::string GetName(const KernelSet& kernels);
+SCREE_API std::string GetName(const KernelSet& kernels);
 /// The smallest set that contains the features.
 constexpr KernelSet ChooseKernels(Features f) {
     return {.bodyForces = f.Has(Feature::damping) || f.Has(Feature::gravityScale) || f.Has(Feature::forces),

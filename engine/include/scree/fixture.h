@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/errors.h"
 #include "scree/events.h"
 #include "scree/shape.h"
@@ -58,7 +59,7 @@ struct FixtureDef {
 
 /// A thin, stable handle on a fixture; made by Body::CreateFixture, dead after DestroyFixture or DestroyBody: then
 /// every call is an error and gives 0, false or null.
-class Fixture {
+class SCREE_API Fixture {
 public:
     [[nodiscard]] Shape::Type GetType() const;
     /// The fixture's own copy, which may be changed between steps; the new form counts from the next step on (call

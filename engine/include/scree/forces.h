@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/errors.h"
 #include "scree/math.h"
 #include "scree/queries.h"
@@ -27,7 +28,7 @@ struct ExplosionDef {
 
 /// Pushes every dynamic body within reach away from the centre, fixture by fixture, at the point that is nearest to it,
 /// and wakes them. Walls do not shield. Bad numbers: an error, and nothing happens. O(fixtures within reach).
-ErrorCode Explode(World& world, const ExplosionDef& def);
+SCREE_API ErrorCode Explode(World& world, const ExplosionDef& def);
 
 /// Input of ApplyWind.
 struct WindDef {
@@ -42,6 +43,6 @@ struct WindDef {
 /// (what is seen of it from the moving surface) a pressure against its normal of density · (speed along the normal)²
 /// (Newton's law of the sine square). Drag, lift and torque come of it. Static bodies, edges and chains: nothing
 /// happens. O(vertices).
-ErrorCode ApplyWind(Fixture* fixture, const WindDef& wind);
+SCREE_API ErrorCode ApplyWind(Fixture* fixture, const WindDef& wind);
 
 }  // namespace scree

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -12,7 +13,7 @@ namespace scree {
 struct FrictionRow;
 
 /// Input for a friction joint.
-struct FrictionJointDef : JointDef {
+struct SCREE_API FrictionJointDef : JointDef {
     FrictionJointDef() : JointDef(e_frictionJoint) {}
 
     /// Sets bodies and local anchors from a world point.
@@ -25,7 +26,7 @@ struct FrictionJointDef : JointDef {
 };
 
 /// A friction joint. Its setters do not wake the bodies.
-class FrictionJoint final : public Joint {
+class SCREE_API FrictionJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -23,7 +24,7 @@ struct GearJointDef : JointDef {
 
 /// A gear joint. It lives no longer than its two joints: destroying one of them (or a body under it) destroys the gear
 /// first.
-class GearJoint final : public Joint {
+class SCREE_API GearJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scree/api.h"
 #include "scree/bvh_node.h"
 #include "scree/time_of_impact.h"
 #include "scree/world.h"
@@ -17,48 +18,48 @@ namespace scree::inspect {
 
 /// The broad-phase tree of the poses at the end of the last step: static and moving part joined under a virtual root,
 /// one fixture per leaf. Empty for algorithms that keep no tree.
-void GetNodes(const World& world, std::vector<BvhNode>& nodes);
+SCREE_API void GetNodes(const World& world, std::vector<BvhNode>& nodes);
 /// Boxes per leaf of the production tree; 0 without a tree.
-int GetLeafSize(const World& world);
+SCREE_API int GetLeafSize(const World& world);
 /// True while static fixtures have a tree of their own.
-bool IsStaticTreeSeparate(const World& world);
+SCREE_API bool IsStaticTreeSeparate(const World& world);
 /// What the world was made with, and what was set since then.
-const WorldDef& GetDefinition(const World& world);
+SCREE_API const WorldDef& GetDefinition(const World& world);
 /// The algorithm in use (`automatic` resolved).
-BroadPhaseKind GetBroadPhase(const World& world);
+SCREE_API BroadPhaseKind GetBroadPhase(const World& world);
 /// Box–box comparisons of the last pair finding.
-uint64_t GetBoxTests(const World& world);
+SCREE_API uint64_t GetBoxTests(const World& world);
 /// Bodies and contacts that the next step looks at as things are now: those that are awake or were edited, those around
 /// them, and a few that have just fallen asleep.
-int GetListedCount(const World& world);
-int GetActiveContactCount(const World& world);
+SCREE_API int GetListedCount(const World& world);
+SCREE_API int GetActiveContactCount(const World& world);
 
 /// Distance and time-of-impact searches of the last step: sensors and continuous collision.
-const TOIStats& GetDistanceWork(const World& world);
+SCREE_API const TOIStats& GetDistanceWork(const World& world);
 /// By Contact::GetIndex: the colour in which the vector kernels worked on a contact in the last step, or −1 for
 /// contacts that they did not see (not touching then, sensors, islands solved contact by contact). Contacts of one
 /// colour push no body twice. O(contacts).
-void GetContactColours(const World& world, std::vector<int>& colours);
+SCREE_API void GetContactColours(const World& world, std::vector<int>& colours);
 
 /// Bytes that each table keeps, room for more rows included. Scratch of all stages is `solverScratch`.
 struct MemoryUse {
     size_t bodies = 0, fixtures = 0, contacts = 0, joints = 0, broadPhase = 0, solverScratch = 0;
     size_t bytesPerBody = 0, bytesPerFixture = 0, bytesPerContact = 0;  ///< of one record, solver scratch excluded
 };
-MemoryUse GetMemoryUse(const World& world);
+SCREE_API MemoryUse GetMemoryUse(const World& world);
 
 /// Whether bodies without contacts and joints are integrated apart from the solver (the default), or go through it like
 /// all others, which takes longer and gives the same bits: what that path is worth. Where a body is stopped at a time
 /// of impact the two may differ.
-void SetIsolatedPath(World& world, bool apart);
+SCREE_API void SetIsolatedPath(World& world, bool apart);
 
 /// The kernels that the last step ran.
-KernelSet GetKernels(const World& world);
+SCREE_API KernelSet GetKernels(const World& world);
 
 /// 64 bits over all that steps and calls read: bodies, fixtures with shapes and boxes, contacts with impulses, joints,
 /// settings, the orders of lists and which numbers are free. Equal hashes mean equal futures. Not in it: what changes
 /// no result (workers, features, which broad phase with tight boxes), user data, listeners and filters. −0 counts as 0.
 /// O(size of the world).
-uint64_t GetStateHash(const World& world);
+SCREE_API uint64_t GetStateHash(const World& world);
 
 }  // namespace scree::inspect

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 
+#include "scree/api.h"
 #include "scree/errors.h"
 #include "scree/math.h"
 
@@ -55,16 +56,16 @@ protected:
 
 /// Stiffness (N/m) and damping (N·s/m) of a spring between two bodies that oscillates at `frequencyHertz` with
 /// `dampingRatio` (0 none, 1 critical). Null bodies, negative or non-finite numbers: an error, outputs unchanged.
-ErrorCode LinearStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio, const Body* bodyA,
-                          const Body* bodyB);
+SCREE_API ErrorCode LinearStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio,
+                                    const Body* bodyA, const Body* bodyB);
 /// The same for a rotational spring: N·m/rad and N·m·s/rad.
-ErrorCode AngularStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio,
-                           const Body* bodyA, const Body* bodyB);
+SCREE_API ErrorCode AngularStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio,
+                                     const Body* bodyA, const Body* bodyB);
 
 /// A thin, stable handle on a joint; made by World::CreateJoint. Setters return an error and change nothing for bad
 /// numbers. Destroying a joint destroys the gears that use it first. Every call on a dead one is an error and gives 0,
 /// false or null.
-class Joint {
+class SCREE_API Joint {
 public:
     virtual ~Joint() = default;
     [[nodiscard]] JointType GetType() const;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/settings.h"
 
 namespace scree {
@@ -75,10 +76,10 @@ struct SinCosResult {
 };
 
 /// Sine and cosine of an angle in rad, the same bits on every machine; within 1 ulp for |angle| < 1e9 (math.cpp).
-SinCosResult SinCos(float angle);
+SCREE_API SinCosResult SinCos(float angle);
 /// The angle of the vector (x, y) in [−π, π], rad, the same bits on every
 /// machine; within 1 ulp. 0 for (0, 0).
-float Atan2(float y, float x);
+SCREE_API float Atan2(float y, float x);
 
 /// A rotation as sine and cosine.
 struct Rot {

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -12,7 +13,7 @@ namespace scree {
 struct MotorRow;
 
 /// Input for a motor joint.
-struct MotorJointDef : JointDef {
+struct SCREE_API MotorJointDef : JointDef {
     MotorJointDef() : JointDef(e_motorJoint) {}
 
     /// Sets bodies and offsets from the present poses.
@@ -26,7 +27,7 @@ struct MotorJointDef : JointDef {
 };
 
 /// A motor joint. Changing an offset wakes the bodies; the other setters do not.
-class MotorJoint final : public Joint {
+class SCREE_API MotorJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

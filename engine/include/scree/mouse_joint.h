@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -23,7 +24,7 @@ struct MouseJointDef : JointDef {
 };
 
 /// A mouse joint. Changing the target wakes body B; the other setters do not.
-class MouseJoint final : public Joint {
+class SCREE_API MouseJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

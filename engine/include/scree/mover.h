@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "scree/api.h"
 #include "scree/ids.h"
 #include "scree/math.h"
 #include "scree/queries.h"
@@ -35,20 +36,20 @@ struct MoverPlane {
 
 /// The planes of all fixtures that the filter sees within `margin` ≥ 0 m of the capsule at `position`, by fixture
 /// index. `planes` is overwritten. Bad input: an error and no planes.
-ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 position, float margin,
-                       const QueryFilter& filter, std::vector<MoverPlane>& planes);
+SCREE_API ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 position, float margin,
+                                 const QueryFilter& filter, std::vector<MoverPlane>& planes);
 
 /// The translation nearest to `wish` that leaves every plane with a separation of at least 0, as far as that is
 /// possible (projection onto an intersection of half planes: Dykstra, 1983). Fills in the pushes.
-Vec2 SolvePlanes(Vec2 wish, std::span<MoverPlane> planes);
+SCREE_API Vec2 SolvePlanes(Vec2 wish, std::span<MoverPlane> planes);
 
 /// A velocity without what points into planes that have pushed.
-Vec2 ClipVelocity(Vec2 velocity, std::span<const MoverPlane> planes);
+SCREE_API Vec2 ClipVelocity(Vec2 velocity, std::span<const MoverPlane> planes);
 
 /// How much of `translation` the capsule can go before it comes nearer than `margin` to something, 0…1. What it
 /// overlaps at the start does not stop it: that is for CollideMover.
-float CastMover(const World& world, const MoverCapsule& capsule, Vec2 position, Vec2 translation, float margin,
-                const QueryFilter& filter);
+SCREE_API float CastMover(const World& world, const MoverCapsule& capsule, Vec2 position, Vec2 translation,
+                          float margin, const QueryFilter& filter);
 
 /// What a mover is.
 struct MoverDef {
@@ -76,6 +77,7 @@ struct MoverState {
 /// way, and down to the ground again if it stood on it and does not rise. Its velocity loses what pointed into
 /// obstacles; who leaves the ground takes its velocity along. Bad input: an error is told and the state is given back
 /// as it was.
-[[nodiscard]] MoverState MoveMover(World& world, const MoverDef& def, const MoverState& state, float timeStep);
+[[nodiscard]] SCREE_API MoverState MoveMover(World& world, const MoverDef& def, const MoverState& state,
+                                             float timeStep);
 
 }  // namespace scree

@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -14,7 +15,7 @@ namespace scree {
 struct PrismaticRow;
 
 /// Input for a prismatic joint.
-struct PrismaticJointDef : JointDef {
+struct SCREE_API PrismaticJointDef : JointDef {
     PrismaticJointDef() : JointDef(e_prismaticJoint) {}
 
     /// Sets bodies, local anchors, local axis and the reference angle from a world point and a world axis.
@@ -38,7 +39,7 @@ struct PrismaticJointDef : JointDef {
 };
 
 /// A slider joint. Setters that change something wake both bodies.
-class PrismaticJoint final : public Joint {
+class SCREE_API PrismaticJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

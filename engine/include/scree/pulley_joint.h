@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -21,7 +22,7 @@ struct PulleyPoints {
 };
 
 /// Input for a pulley joint.
-struct PulleyJointDef : JointDef {
+struct SCREE_API PulleyJointDef : JointDef {
     PulleyJointDef() : JointDef(e_pulleyJoint) { collideConnected = true; }
 
     /// Sets bodies, anchors and lengths from world points.
@@ -41,7 +42,7 @@ struct PulleyJointDef : JointDef {
 };
 
 /// A pulley joint.
-class PulleyJoint final : public Joint {
+class SCREE_API PulleyJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

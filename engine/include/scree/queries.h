@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/math.h"
 
 namespace scree {
@@ -41,7 +42,7 @@ struct ShapeHit {
 };
 
 /// Box2D 2.4's form of World::QueryAABB's visitor.
-class QueryCallback {
+class SCREE_API QueryCallback {
 public:
     virtual ~QueryCallback() = default;
     /// False ends the query.
@@ -49,7 +50,7 @@ public:
 };
 
 /// Box2D 2.4's form of World::RayCast's visitor.
-class RayCastCallback {
+class SCREE_API RayCastCallback {
 public:
     virtual ~RayCastCallback() = default;
     /// −1 ignores the fixture, 0 ends the cast, `fraction` shortens the ray to this hit, 1 goes on.

@@ -21,6 +21,7 @@
 #include <utility>
 #include <vector>
 
+#include "scree/api.h"
 #include "scree/errors.h"
 #include "scree/snapshot.h"
 #include "scree/world.h"
@@ -28,7 +29,7 @@
 namespace scree {
 
 /// Where a recording goes. It must outlive the recording of its world.
-class Recorder {
+class SCREE_API Recorder {
 public:
     /// The recording so far; complete and replayable after every call.
     [[nodiscard]] std::span<const std::byte> GetBytes() const { return m_bytes; }
@@ -46,9 +47,9 @@ private:
 
 /// Records every call from now on into `recorder` (cleared first), in place of a recorder before. Refused while the
 /// world is locked.
-ErrorCode StartRecording(World& world, Recorder& recorder);
+SCREE_API ErrorCode StartRecording(World& world, Recorder& recorder);
 /// Ends the recording; nothing happens without one.
-void StopRecording(World& world);
+SCREE_API void StopRecording(World& world);
 
 /// How a Step was called.
 struct RecordedStep {
@@ -70,7 +71,7 @@ struct ReplayReport {
 };
 
 /// Makes the calls of a recording step by step on a world of its own.
-class Player {
+class SCREE_API Player {
 public:
     /// The bytes must outlive the player. `prepare` (may be null) gets the world before the first call, to set
     /// listeners.
@@ -96,9 +97,10 @@ private:
 
 /// Makes all calls of a recording on a world of its own, up to the end or the first difference. `prepare` (may be null)
 /// gets the world before the first call, to set listeners. Damaged bytes end the replay with valid = false.
-ReplayReport Replay(std::span<const std::byte> recording, const std::function<void(World&)>& prepare = nullptr);
+SCREE_API ReplayReport Replay(std::span<const std::byte> recording,
+                              const std::function<void(World&)>& prepare = nullptr);
 
 /// The names of all calls that are recorded, such as "Body::SetTransform".
-std::vector<std::string_view> GetRecordedCalls();
+SCREE_API std::vector<std::string_view> GetRecordedCalls();
 
 }  // namespace scree

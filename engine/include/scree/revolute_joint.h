@@ -7,6 +7,7 @@
 
 #include <limits>
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -14,7 +15,7 @@ namespace scree {
 struct RevoluteRow;
 
 /// Input for a revolute joint.
-struct RevoluteJointDef : JointDef {
+struct SCREE_API RevoluteJointDef : JointDef {
     RevoluteJointDef() : JointDef(e_revoluteJoint) {}
 
     /// Sets bodies, local anchors and the reference angle from a world point and the present poses.
@@ -37,7 +38,7 @@ struct RevoluteJointDef : JointDef {
 };
 
 /// A hinge joint. Setters that change something wake both bodies.
-class RevoluteJoint final : public Joint {
+class SCREE_API RevoluteJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

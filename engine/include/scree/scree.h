@@ -5,11 +5,8 @@
 
 #pragma once
 
-#if __cplusplus < 202002L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
-#error "Scree needs C++20: compile with -std=c++20."
-#endif
-
 #include "scree/accuracy.h"
+#include "scree/api.h"
 #include "scree/body.h"
 #include "scree/broad_phase_kind.h"
 #include "scree/chain_shape.h"

@@ -14,9 +14,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(_WIN32) && defined(SCREE_C_EXPORTS)
+#if defined(_WIN32) && defined(SCREE_SHARED) && defined(SCREE_EXPORTS)
 #define SCREE_C_API __declspec(dllexport)
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define SCREE_C_API __attribute__((visibility("default")))
 #else
 #define SCREE_C_API

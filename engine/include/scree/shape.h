@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "scree/api.h"
 #include "scree/math.h"
 #include "scree/settings.h"
 
@@ -34,7 +35,7 @@ struct RayCastOutput {
 
 /// What is common to all shapes. The shape of a fixture is a circle, an edge, a polygon or a ConvexShape; valid ones
 /// hold no pointers and can be copied byte by byte. A chain (chain_shape.h) is a definition that makes edges.
-class Shape {
+class SCREE_API Shape {
 public:
     enum Type : uint8_t {
         e_circle = 0,
@@ -68,7 +69,7 @@ protected:
 };
 
 /// A solid disk.
-class CircleShape final : public Shape {
+class SCREE_API CircleShape final : public Shape {
 public:
     CircleShape() : Shape(e_circle, 0.0f), m_p(0.0f, 0.0f) {}
 
@@ -82,7 +83,7 @@ public:
 
 /// A line segment from m_vertex1 to m_vertex2, massless. One-sided edges collide only on the right of v1→v2 and use the
 /// ghost vertices m_vertex0 and m_vertex3 of their neighbours to give smooth contacts at seams.
-class EdgeShape final : public Shape {
+class SCREE_API EdgeShape final : public Shape {
 public:
     EdgeShape() : Shape(e_edge, polygonRadius) {}
 
@@ -102,7 +103,7 @@ public:
 };
 
 /// A convex polygon, counter-clockwise, 3 to maxPolygonVertices vertices.
-class PolygonShape final : public Shape {
+class SCREE_API PolygonShape final : public Shape {
 public:
     PolygonShape() : Shape(e_polygon, polygonRadius), m_centroid(0.0f, 0.0f) {}
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "scree/api.h"
 #include "scree/world.h"
 
 namespace scree {
@@ -23,12 +24,13 @@ inline constexpr uint32_t snapshotVersion = 9;
 /// Why an image was refused.
 enum class SnapshotError : uint8_t {
     ok,
-    notASnapshot,   ///< it does not begin like an image (or was written on a machine of the other byte order)
-    wrongVersion,   ///< of another version of this library
-    wrongSize,      ///< cut off, or something was appended
-    wrongChecksum,  ///< bytes were changed
-    badContent,     ///< the bytes are whole but describe no possible world
-    refused,        ///< the world is locked or recorded, or may not use what the image uses
+    notASnapshot,    ///< it does not begin like an image
+    wrongVersion,    ///< of another version of this library
+    wrongSize,       ///< cut off, or something was appended
+    wrongChecksum,   ///< bytes were changed
+    badContent,      ///< the bytes are whole but describe no possible world
+    refused,         ///< the world is locked or recorded, or may not use what the image uses
+    wrongByteOrder,  ///< written on a machine that keeps the bytes of a number in the other order
 };
 
 constexpr const char* GetName(SnapshotError error) {
@@ -47,6 +49,8 @@ constexpr const char* GetName(SnapshotError error) {
             return "bad content";
         case SnapshotError::refused:
             return "refused";
+        case SnapshotError::wrongByteOrder:
+            return "wrong byte order";
     }
     return "unknown";
 }
@@ -54,17 +58,18 @@ constexpr const char* GetName(SnapshotError error) {
 /// The image of a world. Equal worlds give equal bytes. Not in it: listeners, the filter, the error handler, the
 /// drawer, the last report. User data is saved as the number it holds. Refused (empty) while the world is locked.
 /// O(size of the world).
-[[nodiscard]] std::vector<std::byte> SaveWorld(const World& world);
+[[nodiscard]] SCREE_API std::vector<std::byte> SaveWorld(const World& world);
 
 /// A new world from an image; its objects have the indices and ids of the saved ones. Null for a bad image, and `error`
 /// (if given) says why: no image, however damaged, does more than that. O(size of the world).
-[[nodiscard]] std::unique_ptr<World> LoadWorld(std::span<const std::byte> image, SnapshotError* error = nullptr);
+[[nodiscard]] SCREE_API std::unique_ptr<World> LoadWorld(std::span<const std::byte> image,
+                                                         SnapshotError* error = nullptr);
 
 /// Puts a world back to the state of an image, which may be of this world or of any other. It keeps its listeners,
 /// filter, workers and features, and its handles: the body, fixture or joint with an index of the image has the handle
 /// that had this index before, so pointers to what is in the image are valid, also where it had been destroyed since.
 /// What is not in the image is dead. Not kept: ids of contacts, and pointers that GetShape gave. A bad image changes
 /// nothing. O(size of the world).
-SnapshotError RestoreWorld(World& world, std::span<const std::byte> image);
+SCREE_API SnapshotError RestoreWorld(World& world, std::span<const std::byte> image);
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/distance.h"
 #include "scree/math.h"
 
@@ -51,10 +52,10 @@ inline constexpr float toiTolerance = 0.25f * linearSlop;
 /// Finds the first time at which the distance of the cores falls to TOITarget (within toiTolerance above it). The time
 /// is conservative: however fast the shapes move or spin, they do not come nearer than the target before it. Bodies
 /// that start nearer than the target touch at 0.
-void TimeOfImpact(TOIOutput* output, const TOIInput* input);
+SCREE_API void TimeOfImpact(TOIOutput* output, const TOIInput* input);
 
 /// Sums over calls, for statistics. Plain sums and maxima: merge in any order.
-struct TOIStats {
+struct SCREE_API TOIStats {
     int calls = 0;
     int iterations = 0, maxIterations = 0;
     int rootIterations = 0, maxRootIterations = 0;

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -12,7 +13,7 @@ namespace scree {
 struct WeldRow;
 
 /// Input for a weld joint.
-struct WeldJointDef : JointDef {
+struct SCREE_API WeldJointDef : JointDef {
     WeldJointDef() : JointDef(e_weldJoint) {}
 
     /// Sets bodies, local anchors and the reference angle from a world point and the present poses.
@@ -26,7 +27,7 @@ struct WeldJointDef : JointDef {
 };
 
 /// A weld joint.
-class WeldJoint final : public Joint {
+class SCREE_API WeldJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

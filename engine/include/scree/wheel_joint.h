@@ -8,6 +8,7 @@
 
 #include <limits>
 
+#include "scree/api.h"
 #include "scree/joint.h"
 
 namespace scree {
@@ -15,7 +16,7 @@ namespace scree {
 struct WheelRow;
 
 /// Input for a wheel joint.
-struct WheelJointDef : JointDef {
+struct SCREE_API WheelJointDef : JointDef {
     WheelJointDef() : JointDef(e_wheelJoint) {}
 
     /// Sets bodies, local anchors and the local axis from a world point and a world axis.
@@ -36,7 +37,7 @@ struct WheelJointDef : JointDef {
 };
 
 /// A wheel joint. Setters of limits and motor that change something wake both bodies.
-class WheelJoint final : public Joint {
+class SCREE_API WheelJoint final : public Joint {
 public:
     [[nodiscard]] Vec2 GetAnchorA() const override;
     [[nodiscard]] Vec2 GetAnchorB() const override;

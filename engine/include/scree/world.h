@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scree/accuracy.h"
+#include "scree/api.h"
 #include "scree/body.h"
 #include "scree/broad_phase_kind.h"
 #include "scree/chain_shape.h"
@@ -88,7 +89,7 @@ struct WorldDef {
 
 struct WorldState;
 
-class World {
+class SCREE_API World {
 public:
     /// A world of these settings. Of settings that cannot be there is no world: stderr gets one line with the field and
     /// the cure, and the constructor throws std::invalid_argument. CreateWorld, below, gives null instead.
@@ -263,7 +264,7 @@ private:
 
 /// Makes a world. Of settings that cannot be there is none: null, and the handler hears the field and the cure. It
 /// becomes the world's (World::SetErrorHandler; null: one line on stderr).
-[[nodiscard]] std::unique_ptr<World> CreateWorld(const WorldDef& def, ErrorHandler handler = nullptr,
-                                                 void* context = nullptr);
+[[nodiscard]] SCREE_API std::unique_ptr<World> CreateWorld(const WorldDef& def, ErrorHandler handler = nullptr,
+                                                           void* context = nullptr);
 
 }  // namespace scree

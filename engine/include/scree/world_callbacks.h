@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "scree/api.h"
 #include "scree/collision.h"
 #include "scree/settings.h"
 
@@ -23,7 +24,7 @@ struct ContactImpulse {
 };
 
 /// Decides which pairs get a contact at all.
-class ContactFilter {
+class SCREE_API ContactFilter {
 public:
     virtual ~ContactFilter() = default;
     /// The default looks at Filter: group first, then category and mask.
@@ -33,7 +34,7 @@ public:
 /// Mixes the materials of fixtures with MixRule::custom: when their contact begins and when one of the materials
 /// changes. It is asked inside of Step, must not change anything, and must give the same answers in a replay. What is
 /// no finite number, and friction below 0, is replaced by the standard rule's.
-class MaterialMixer {
+class SCREE_API MaterialMixer {
 public:
     virtual ~MaterialMixer() = default;
     virtual float MixFriction(const Fixture* fixtureA, const Fixture* fixtureB);
@@ -42,7 +43,7 @@ public:
 
 /// Hears of objects that go because another is destroyed: the joints and fixtures of a body in World::DestroyBody. They
 /// are still alive in the call; creating and destroying are refused there.
-class DestructionListener {
+class SCREE_API DestructionListener {
 public:
     virtual ~DestructionListener() = default;
     virtual void SayGoodbye(Joint* joint) = 0;
@@ -50,7 +51,7 @@ public:
 };
 
 /// Hears of contacts.
-class ContactListener {
+class SCREE_API ContactListener {
 public:
     virtual ~ContactListener() = default;
     /// Two fixtures begin to touch (sensors too).

@@ -6,6 +6,7 @@
 
 #include "pipeline/measure_errors.h"
 
+#include <limits>
 #include <type_traits>
 
 #include "constraints/joint_constraints.h"
@@ -53,6 +54,9 @@ float MeasureContact(const MeasuredTables& t, int contact, float slop, float dt,
     return overlap;
 }
 
+/// Of anchors far beyond all places the gap is a difference of infinities: it counts as infinite.
+float Told(float error) { return error >= 0.0f ? error : std::numeric_limits<float>::infinity(); }
+
 /// Calls note(body, body, overlap or gap, member of BodyDemand) for each contact and joint.
 template <typename Note>
 StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
@@ -62,7 +66,7 @@ StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
         const ContactPair& pair = t.contacts.pair[Row(contact)];
         if ((t.contacts.flags[Row(contact)] & (pushing | ContactFlag::sensor)) != pushing) continue;
         if (!IsAnyActive(t.bodies, pair.bodyA, pair.bodyB)) continue;
-        const float overlap = MeasureContact(t, contact, slop, dt, errors.residual);
+        const float overlap = Told(MeasureContact(t, contact, slop, dt, errors.residual));
         errors.overlap = Max(errors.overlap, overlap);
         note(pair.bodyA, pair.bodyB, overlap, &BodyDemand::overlap);
     }
@@ -71,7 +75,7 @@ StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
         if (!IsAnyActive(t.bodies, info.bodyA, info.bodyB)) continue;
         JointTable::WithStore(t.joints, info.type, [&](const auto& store) {
             const auto& row = store.rows[Row(info.row)];
-            const float gap = JointTraits<std::remove_cvref_t<decltype(row)>>::GetError(t.bodies, info, row);
+            const float gap = Told(JointTraits<std::remove_cvref_t<decltype(row)>>::GetError(t.bodies, info, row));
             errors.jointGap = Max(errors.jointGap, gap);
             note(info.bodyA, info.bodyB, gap, &BodyDemand::jointGap);
         });

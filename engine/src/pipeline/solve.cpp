@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
+#include <type_traits>
 
 #include "pipeline/parts/rouse.h"
 #include "pipeline/solve_islands.h"
@@ -104,13 +106,46 @@ void SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fix
     }
 }
 
-void ForgetNonFiniteImpulses(ContactTable& contacts) {
+namespace {
+
+/// Numbers of a joint's row that are none become 0. Bounds may be infinite.
+struct ForgetNoNumbers {
+    void Visit(float& value) {
+        if (std::isnan(value)) value = 0.0f;
+    }
+    void Visit(Vec2& value) { Visit(value.x), Visit(value.y); }
+    template <typename T>
+    void Visit(T& value) {
+        if constexpr (std::is_array_v<T>) {
+            for (auto& element : value) Visit(element);
+        } else if constexpr (std::is_class_v<T>) {
+            T::Fields(value, *this);
+        }
+    }
+    template <typename... T>
+    void operator()(T&... values) {
+        (Visit(values), ...);
+    }
+    template <typename... T>
+    void LeftOut(T&... values) {
+        (Visit(values), ...);
+    }
+};
+
+}  // namespace
+
+void ForgetNonFiniteImpulses(ContactTable& contacts, JointTable& joints) {
     for (Manifold& manifold : contacts.manifold) {
         for (ManifoldPoint& point : manifold.points) {
             if (!std::isfinite(point.normalImpulse)) point.normalImpulse = 0.0f;
             if (!std::isfinite(point.tangentImpulse)) point.tangentImpulse = 0.0f;
         }
     }
+    ForgetNoNumbers forget;
+    const auto visit = [&](auto& store) {
+        for (auto& row : store.rows) forget(row);
+    };
+    std::apply([&](auto&... store) { (visit(store), ...); }, joints.stores);
 }
 
 }  // namespace scree

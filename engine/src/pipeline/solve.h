@@ -50,7 +50,8 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
 void SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
                const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
 
-/// Impulses that are not finite become 0: warm starting would bring them back in every later step.
-void ForgetNonFiniteImpulses(ContactTable& contacts);
+/// Impulses that are not finite become 0: warm starting would bring them back in every later step, and no image could
+/// be read that has them.
+void ForgetNonFiniteImpulses(ContactTable& contacts, JointTable& joints);
 
 }  // namespace scree

@@ -3,9 +3,6 @@
 //
 // scree/scree_c.h over the interface in C++: ids become handles and back, and arrays are the world's own.
 
-#if defined(_WIN32)
-#define SCREE_C_EXPORTS
-#endif
 #include "scree/scree_c.h"
 
 #include <algorithm>

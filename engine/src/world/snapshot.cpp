@@ -35,7 +35,7 @@ struct Header {
     uint64_t checksum;   ///< of everything behind the header
 };
 static_assert(sizeof(Header) == 32);
-constexpr uint32_t snapshotByteOrder = 0x01020304u;
+constexpr uint32_t snapshotByteOrder = 0x01020304u, otherByteOrder = 0x04030201u;
 
 bool ReadShape(FixtureTable& fixtures, int fixture, ImageReader& in) {
     bool safe = true;
@@ -120,7 +120,9 @@ std::span<const std::byte> Open(std::span<const std::byte> image, SnapshotError&
         return {};
     }
     std::memcpy(&header, image.data(), sizeof(header));
-    if (header.name != magic || header.byteOrder != snapshotByteOrder) return {};
+    if (header.name != magic) return {};
+    if (header.byteOrder == otherByteOrder) error = SnapshotError::wrongByteOrder;
+    if (header.byteOrder != snapshotByteOrder) return {};
     error = SnapshotError::wrongVersion;
     if (header.version != snapshotVersion) return {};
     error = SnapshotError::wrongSize;

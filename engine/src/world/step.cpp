@@ -36,7 +36,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     }
     if (NeedsContinuous(s)) r.continuous = RunContinuous(s, settings, events, r.solved.substeps);
     r.profile.continuous = watch.Lap();
-    if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts);
+    if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts, s.joints);
     FindPairsOfMoved({&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, s.FarDistance(),
                      events, s.ForPairs());
     s.log.NoteMoves(s.bodies);
