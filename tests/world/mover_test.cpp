@@ -53,10 +53,10 @@ struct Walker {
 };
 
 TEST(MoverPlanes, AreSolvedToTheNearestTranslation) {
-    EXPECT_TRUE(rc::check("two planes", [] {
+    EXPECT_TRUE(rc::check("one to four planes", [] {
         const auto number = [](int most) { return 0.01f * static_cast<float>(*rc::gen::inRange(-most, most + 1)); };
         const Vec2 wish{number(100), number(100)};
-        MoverPlane planes[2];
+        std::vector<MoverPlane> planes(*rc::gen::inRange<size_t>(1, 5));
         for (MoverPlane& plane : planes) {
             const float angle = number(314);
             plane = {nullptr,
@@ -64,10 +64,18 @@ TEST(MoverPlanes, AreSolvedToTheNearestTranslation) {
                      vec2Zero,
                      0.01f * static_cast<float>(*rc::gen::inRange(0, 50))};
         }
+        for (const MoverPlane& a : planes)
+            for (const MoverPlane& b : planes)
+                RC_PRE(&a == &b || Dot(a.normal, b.normal) > 0.0f || std::abs(Cross(a.normal, b.normal)) > 0.1f);
         const Vec2 found = SolvePlanes(wish, planes);
-        const bool isSharp = std::abs(Cross(planes[0].normal, planes[1].normal)) < 0.2f;
-        RC_PRE(!isSharp);
-        for (const MoverPlane& plane : planes) RC_ASSERT(Dot(plane.normal, found) + plane.separation >= -1e-3f);
+        for (const MoverPlane& plane : planes) RC_ASSERT(Dot(plane.normal, found) + plane.separation >= -1e-4f);
+        // What was pushed leads there.
+        Vec2 pushed = wish;
+        for (const MoverPlane& plane : planes) {
+            RC_ASSERT(plane.push >= 0.0f);
+            pushed += plane.push * plane.normal;
+        }
+        RC_ASSERT((pushed - found).Length() < 1e-4f * (1.0f + (found - wish).Length()));
         // No point of a fan around it that keeps out is nearer to the wish.
         for (int i = 0; i < 64; ++i) {
             const float angle = 2.0f * pi * static_cast<float>(i) / 64.0f;
@@ -77,6 +85,24 @@ TEST(MoverPlanes, AreSolvedToTheNearestTranslation) {
             if (isOut) RC_ASSERT((other - wish).Length() >= (found - wish).Length() - 1e-3f);
         }
     }));
+}
+
+TEST(MoverPlanes, AreSolvedInASharpCorner) {
+    MoverPlane planes[2];
+    planes[0].normal = {std::cos(0.53f), std::sin(0.53f)};
+    planes[1].normal = {std::cos(3.02f), std::sin(-3.02f)};
+    const Vec2 found = SolvePlanes({-0.13f, -1.0f}, planes);
+    EXPECT_NEAR(found.x, 0.0f, 1e-5f);
+    EXPECT_NEAR(found.y, 0.0f, 1e-5f);
+}
+
+TEST(MoverPlanes, ThatLeaveNoRoomAreGivenWayToInTurn) {
+    MoverPlane planes[2];
+    planes[0].normal = {1.0f, 0.0f}, planes[0].separation = -0.1f;
+    planes[1].normal = {-1.0f, 0.0f}, planes[1].separation = -0.1f;
+    const Vec2 found = SolvePlanes({0.0f, 0.5f}, planes);
+    EXPECT_LE(std::abs(found.x), 0.1f);
+    EXPECT_EQ(found.y, 0.5f);
 }
 
 TEST(Mover, WalksOverLevelGroundAtItsSpeedInAnyDirectionOfUp) {

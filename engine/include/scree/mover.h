@@ -39,8 +39,8 @@ struct MoverPlane {
 SCREE_API ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 position, float margin,
                                  const QueryFilter& filter, std::vector<MoverPlane>& planes);
 
-/// The translation nearest to `wish` that leaves every plane with a separation of at least 0, as far as that is
-/// possible (projection onto an intersection of half planes: Dykstra, 1983). Fills in the pushes.
+/// The translation nearest to `wish` that leaves every plane with a separation of at least 0. Where planes leave no
+/// room, it gives way to each of them in turn. Fills in the pushes: their sum leads from `wish` to the result.
 SCREE_API Vec2 SolvePlanes(Vec2 wish, std::span<MoverPlane> planes);
 
 /// A velocity without what points into planes that have pushed.

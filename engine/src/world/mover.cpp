@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "geometry/outline.h"
 #include "scree/collision.h"
@@ -146,6 +148,59 @@ private:
     std::vector<MoverPlane> m_planes, m_met;
 };
 
+float GapOf(const MoverPlane& plane, Vec2 way) { return Dot(plane.normal, way) + plane.separation; }
+
+/// Of the points on plane `at` that the planes before it allow, the nearest to `wish`, with the pushes that lead to it;
+/// none if there is no such point, or planes that face each other are so near to parallel that it lies far away. As
+/// the sum of squares is convex, a point that a further plane forbids moves onto that plane (Seidel, "Small-Dimensional
+/// Linear Programming and Convex Hulls Made Easy", 1991, here for a quadratic aim).
+std::optional<Vec2> SolveOnPlane(Vec2 wish, std::span<MoverPlane> planes, size_t at) {
+    constexpr float leastSine = 0.05f;
+    MoverPlane& plane = planes[at];
+    const Vec2 foot = wish - GapOf(plane, wish) * plane.normal, along = plane.normal.Skew();
+    float low = -std::numeric_limits<float>::max(), high = -low;
+    size_t lowest = at, highest = at;
+    for (size_t j = 0; j < at; ++j) {
+        planes[j].push = 0.0f;
+        const float sine = Dot(planes[j].normal, along), gap = GapOf(planes[j], foot);
+        if (Abs(sine) < leastSine && Dot(planes[j].normal, plane.normal) < 0.0f && gap < 0.0f) return std::nullopt;
+        if (sine == 0.0f) continue;
+        const float bound = -gap / sine;
+        if (sine > 0.0f && bound > low) low = bound, lowest = j;
+        if (sine < 0.0f && bound < high) high = bound, highest = j;
+    }
+    if (low > high) return std::nullopt;
+    const float place = Clamp(0.0f, low, high);
+    const Vec2 way = foot + place * along, pushed = way - wish;
+    plane.push = Max(Dot(plane.normal, pushed), 0.0f);
+    const size_t corner = low > 0.0f ? lowest : high < 0.0f ? highest : at;
+    if (corner != at) {
+        const float sine = Cross(plane.normal, planes[corner].normal);
+        plane.push = Max(Cross(pushed, planes[corner].normal) / sine, 0.0f);
+        planes[corner].push = Max(Cross(plane.normal, pushed) / sine, 0.0f);
+    }
+    return way;
+}
+
+/// Where planes leave no room: gives way to all of them in turn (Hildreth's method, 1957).
+Vec2 SolveTight(Vec2 wish, std::span<MoverPlane> planes) {
+    constexpr int mostRounds = 32;
+    constexpr float tolerance = 1e-6f;  // m
+    for (MoverPlane& plane : planes) plane.push = 0.0f;
+    Vec2 way = wish;
+    for (int round = 0; round < mostRounds; ++round) {
+        float change = 0.0f;
+        for (MoverPlane& plane : planes) {
+            const float push = Max(plane.push - GapOf(plane, way), 0.0f);
+            way += (push - plane.push) * plane.normal;
+            change = Max(change, Abs(push - plane.push));
+            plane.push = push;
+        }
+        if (change < tolerance) break;
+    }
+    return way;
+}
+
 }  // namespace
 
 ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 position, float margin,
@@ -171,19 +226,13 @@ ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 pos
 }
 
 Vec2 SolvePlanes(Vec2 wish, std::span<MoverPlane> planes) {
-    constexpr int mostRounds = 32;
-    constexpr float tolerance = 1e-6f;  // m
     for (MoverPlane& plane : planes) plane.push = 0.0f;
     Vec2 way = wish;
-    for (int round = 0; round < mostRounds; ++round) {
-        float change = 0.0f;
-        for (MoverPlane& plane : planes) {
-            const float push = Max(plane.push - (Dot(plane.normal, way) + plane.separation), 0.0f);
-            way += (push - plane.push) * plane.normal;
-            change = Max(change, Abs(push - plane.push));
-            plane.push = push;
-        }
-        if (change < tolerance) break;
+    for (size_t i = 0; i < planes.size(); ++i) {
+        if (GapOf(planes[i], way) >= 0.0f) continue;
+        const auto nearest = SolveOnPlane(wish, planes, i);
+        if (!nearest) return SolveTight(wish, planes);
+        way = *nearest;
     }
     return way;
 }
