@@ -27,7 +27,10 @@ ErrorCode World::ShiftOrigin(Vec2 newOrigin) {
         s.bodies.ShiftOrigin(static_cast<size_t>(body), newOrigin);
         if (s.bodies.Has(body, BodyFlag::enabled)) UpdateBodyBoxes(s.bodies, s.fixtures, body, vec2Zero, *s.broadPhase);
     }
-    for (const int body : s.bodies.movers) s.bodies.List(body);  // boxes are rounded anew
+    // Boxes are rounded anew, and some may come to touch.
+    for (const int body : s.bodies.movers) s.bodies.List(body);
+    s.edited.AddAll();
+    s.isEdited = true;
     s.continuousScratch.nearStatics.ForgetAll();
     s.joints.ShiftOrigin(newOrigin);
     return ErrorCode::ok;
