@@ -38,37 +38,37 @@ void MakeHeap(World& world, int count, float spread) {
     world.Step(1.0f / 60.0f, 8, 3);
 }
 
-std::vector<int> TouchingContacts(const WorldState& s) {
-    std::vector<int> list;
-    for (int c = 0; c < s.contacts.Size(); ++c) {
-        if (s.contacts.IsAlive(c) && s.contacts.manifold[static_cast<size_t>(c)].pointCount > 0) list.push_back(c);
+std::vector<ContactIndex> TouchingContacts(const WorldState& s) {
+    std::vector<ContactIndex> list;
+    for (const ContactIndex c : s.contacts.Rows()) {
+        if (s.contacts.IsAlive(c) && s.contacts.manifold[c].pointCount > 0) list.push_back(c);
     }
     return list;
 }
 
-void ExpectProper(const WorldState& s, const std::vector<int>& list, std::span<const int> colours) {
+void ExpectProper(const WorldState& s, const std::vector<ContactIndex>& list, std::span<const int> colours) {
     ASSERT_EQ(colours.size(), list.size());
     std::set<std::pair<int, int>> pushed;  // (colour, body)
     for (size_t i = 0; i < list.size(); ++i) {
-        const ContactPair& pair = s.contacts.pair[static_cast<size_t>(list[i])];
-        for (const int body : {pair.bodyA, pair.bodyB}) {
-            if (s.bodies.type[static_cast<size_t>(body)] != dynamicBody) continue;
+        const ContactPair& pair = s.contacts.pair[list[i]];
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
+            if (s.bodies.type[body] != dynamicBody) continue;
             EXPECT_TRUE(pushed.insert({colours[i], body}).second) << "contact " << list[i] << " colour " << colours[i];
         }
     }
 }
 
 /// What inspect tells after a step: every contact that was solved has a colour, and no colour pushes a body twice.
-void ExpectToldColours(const World& world, const std::vector<int>& list, int leastColours) {
+void ExpectToldColours(const World& world, const std::vector<ContactIndex>& list, int leastColours) {
     std::vector<int> told;
     inspect::GetContactColours(world, told);
     ASSERT_EQ(told.size(), static_cast<size_t>(world.GetState().contacts.Size()));
-    std::vector<int> solved;
+    std::vector<ContactIndex> solved;
     std::vector<int> colours;
-    for (const int contact : list) {
-        if (told[static_cast<size_t>(contact)] < 0) continue;
+    for (const ContactIndex contact : list) {
+        if (told[ToSize(contact)] < 0) continue;
         solved.push_back(contact);
-        colours.push_back(told[static_cast<size_t>(contact)]);
+        colours.push_back(told[ToSize(contact)]);
     }
     EXPECT_EQ(static_cast<ptrdiff_t>(solved.size()),
               std::count_if(told.begin(), told.end(), [](int c) { return c >= 0; }));
@@ -108,7 +108,7 @@ TEST(ContactBlocks, NoColourPushesABodyTwice) {
         World world({0.0f, -10.0f});
         MakeHeap(world, 150, spread);
         const WorldState& s = world.GetState();
-        const std::vector<int> list = TouchingContacts(s);
+        const std::vector<ContactIndex> list = TouchingContacts(s);
         ContactBlocks blocks;
         blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
         ExpectProper(s, list, blocks.GetColours());
@@ -122,15 +122,15 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
     World world({0.0f, -10.0f});
     MakeHeap(world, 100, 3.0f);
     WorldState& s = world.GetState();
-    const std::vector<int> list = TouchingContacts(s);
+    const std::vector<ContactIndex> list = TouchingContacts(s);
     ContactBlocks blocks;
     blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 0.25f});
-    std::vector<Manifold> stored = s.contacts.manifold;
+    Column<ContactIndex, Manifold> stored = s.contacts.manifold;
     for (Manifold& m : stored) m.points[0].normalImpulse = m.points[1].normalImpulse = -1.0f;
     blocks.Store(4.0f, stored);
-    for (const int c : list) {
-        const Manifold& before = s.contacts.manifold[static_cast<size_t>(c)];
-        const Manifold& after = stored[static_cast<size_t>(c)];
+    for (const ContactIndex c : list) {
+        const Manifold& before = s.contacts.manifold[c];
+        const Manifold& after = stored[c];
         for (int p = 0; p < before.pointCount; ++p) {
             EXPECT_EQ(after.points[p].normalImpulse, before.points[p].normalImpulse) << c;
         }
@@ -138,48 +138,46 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
 }
 
 /// What one lane must hold, by WorldManifold::Initialize; block sides are swapped where B cannot be pushed.
-void ExpectFilled(const WorldState& s, int contact, bool onMoverSurface, const ContactBlock& block, int l) {
-    const auto c = static_cast<size_t>(contact);
+void ExpectFilled(const WorldState& s, ContactIndex c, bool onMoverSurface, const ContactBlock& block, int l) {
     const ContactPair& pair = s.contacts.pair[c];
     const Manifold& m = s.contacts.manifold[c];
-    const auto at = [](int body) { return static_cast<size_t>(body); };
-    const bool swapped = s.bodies.type[at(pair.bodyB)] != dynamicBody;
-    const int a = swapped ? pair.bodyB : pair.bodyA, b = swapped ? pair.bodyA : pair.bodyB;
+    const bool swapped = s.bodies.type[pair.bodyB] != dynamicBody;
+    const BodyIndex a = swapped ? pair.bodyB : pair.bodyA, b = swapped ? pair.bodyA : pair.bodyB;
     WorldManifold world;
-    world.Initialize(&m, s.bodies.transform[at(pair.bodyA)], s.fixtures.shape[pair.fixtureA]->m_radius,
-                     s.bodies.transform[at(pair.bodyB)], s.fixtures.shape[pair.fixtureB]->m_radius);
+    world.Initialize(&m, s.bodies.transform[pair.bodyA], s.fixtures.shape[pair.fixtureA]->m_radius,
+                     s.bodies.transform[pair.bodyB], s.fixtures.shape[pair.fixtureB]->m_radius);
     const Vec2 normal = swapped ? -world.normal : world.normal, tangent = Cross(normal, 1.0f);
     EXPECT_EQ(block.bodyA[l], a);
     EXPECT_EQ(block.bodyB[l], b);
     EXPECT_EQ((Vec2{block.normalX[l], block.normalY[l]}), normal);
-    const bool atSurface = onMoverSurface && s.bodies.type[at(a)] != dynamicBody;
+    const bool atSurface = onMoverSurface && s.bodies.type[a] != dynamicBody;
     Vec2 middle = vec2Zero;
     for (int p = 0; p < m.pointCount; ++p) {
-        EXPECT_EQ(block.armA[p][l], Cross(world.points[p] - s.bodies.position[at(a)].c, normal));
-        EXPECT_EQ(block.armB[p][l], Cross(world.points[p] - s.bodies.position[at(b)].c, normal));
+        EXPECT_EQ(block.armA[p][l], Cross(world.points[p] - s.bodies.position[a].c, normal));
+        EXPECT_EQ(block.armB[p][l], Cross(world.points[p] - s.bodies.position[b].c, normal));
         EXPECT_EQ(block.separation[p][l], world.separations[p] + linearSlop);
         EXPECT_EQ(block.normalImpulse[p][l], 0.5f * m.points[p].normalImpulse);
-        const Vec2 rA = world.points[p] - s.bodies.position[at(a)].c, rB = world.points[p] - s.bodies.position[at(b)].c;
-        const Velocity &vA = s.bodies.velocity[at(a)], &vB = s.bodies.velocity[at(b)];
+        const Vec2 rA = world.points[p] - s.bodies.position[a].c, rB = world.points[p] - s.bodies.position[b].c;
+        const Velocity &vA = s.bodies.velocity[a], &vB = s.bodies.velocity[b];
         const float closing = Dot(normal, vB.v + Cross(vB.w, rB) - vA.v - Cross(vA.w, rA));
         const ContactMaterial& material = s.contacts.material[c];
         EXPECT_EQ(block.bias[p][l], closing < -material.restitutionThreshold ? -material.restitution * closing : 0.0f);
         middle += atSurface ? world.points[p] + 0.5f * world.separations[p] * normal : world.points[p];
     }
     if (m.pointCount == 2) middle *= 0.5f;
-    EXPECT_EQ(block.tangentArmA[l], Cross(middle - s.bodies.position[at(a)].c, tangent));
-    EXPECT_EQ(block.tangentArmB[l], Cross(middle - s.bodies.position[at(b)].c, tangent));
+    EXPECT_EQ(block.tangentArmA[l], Cross(middle - s.bodies.position[a].c, tangent));
+    EXPECT_EQ(block.tangentArmB[l], Cross(middle - s.bodies.position[b].c, tangent));
     EXPECT_EQ(block.friction[l], s.contacts.material[c].friction);
-    EXPECT_EQ(block.invMassB[l], s.bodies.mass[at(b)].invMass);
-    EXPECT_EQ(block.invIB[l], s.bodies.mass[at(b)].invI);
+    EXPECT_EQ(block.invMassB[l], s.bodies.mass[b].invMass);
+    EXPECT_EQ(block.invIB[l], s.bodies.mass[b].invI);
 }
 
 TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
     World world({0.0f, -10.0f});
     MakeHeap(world, 200, 4.0f);
     WorldState& s = world.GetState();
-    const std::vector<int> list = TouchingContacts(s);
-    for (size_t i = 0; i < list.size(); i += 2) s.contacts.material[static_cast<size_t>(list[i])].restitution = 0.5f;
+    const std::vector<ContactIndex> list = TouchingContacts(s);
+    for (size_t i = 0; i < list.size(); i += 2) s.contacts.material[list[i]].restitution = 0.5f;
     for (const bool onMoverSurface : {false, true}) {
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
@@ -191,7 +189,7 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
                           .impulseScale = 0.5f,
                           .onMoverSurface = onMoverSurface,
                           .kernels = *kernels});
-            std::vector<Velocity> unused(s.bodies.velocity.size());
+            Column<BodyIndex, Velocity> unused(s.bodies.velocity.size());
             const KernelTask task = blocks.Task(unused, unused);
             size_t lanes = 0, circles = 0, spare = 0;
             for (int r = 0; r < task.rangeCount; ++r) {
@@ -204,11 +202,10 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
                             EXPECT_GT(block.separation[0][l], 0.0f);
                             continue;
                         }
-                        const int contact = list[static_cast<size_t>(block.slot[l])];
+                        const ContactIndex contact = list[static_cast<size_t>(block.slot[l])];
                         ExpectFilled(s, contact, onMoverSurface, block, l);
                         ++lanes;
-                        circles +=
-                            s.contacts.manifold[static_cast<size_t>(contact)].type == Manifold::e_circles ? 1 : 0;
+                        circles += s.contacts.manifold[contact].type == Manifold::e_circles ? 1 : 0;
                     }
                 }
             }
@@ -220,7 +217,8 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
 }
 
 /// All kernels in turn on one copy of the bodies; what they leave behind, as bytes.
-std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s, const std::vector<int>& list) {
+std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s,
+                              const std::vector<ContactIndex>& list) {
     ContactBlocks blocks;
     blocks.Build({.pool = *s.pool,
                   .bodies = s.bodies,
@@ -229,8 +227,8 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
                   .list = list,
                   .impulseScale = 1.0f,
                   .kernels = kernels});
-    std::vector<Velocity> velocity = s.bodies.velocity;
-    std::vector<Velocity> delta(velocity.size());
+    Column<BodyIndex, Velocity> velocity = s.bodies.velocity;
+    Column<BodyIndex, Velocity> delta(velocity.size());
     KernelTask task = blocks.Task(velocity, delta);
     task.soft = {240.0f, 9.0f, {9.0f, 1.06f}, {12.0f, 1.04f}};
     task.sumImpulses = true;
@@ -242,7 +240,7 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
         kernels.solveSoft(task);
         kernels.relax(task);
     }
-    std::vector<Manifold> manifold = s.contacts.manifold;
+    Column<ContactIndex, Manifold> manifold = s.contacts.manifold;
     blocks.Store(1.0f, manifold);
     std::vector<std::byte> bytes;
     const auto append = [&](const void* from, size_t size) {
@@ -263,7 +261,7 @@ TEST(ContactKernels, EveryInstructionSetGivesTheSameBits) {
         World world({0.0f, -10.0f});
         MakeHeap(world, 120, spread);
         const WorldState& s = world.GetState();
-        const std::vector<int> list = TouchingContacts(s);
+        const std::vector<ContactIndex> list = TouchingContacts(s);
         ASSERT_GT(list.size(), 100u);
         EXPECT_EQ(RunAll(baseContactKernels, s, list), RunAll(best, s, list)) << best.name;
     }
@@ -284,9 +282,9 @@ TEST(ContactKernels, BothPointsOfAContactAreSolvedAtOnce) {
         above->SetAngularVelocity(2.0f * any(random));
         world.Step(0.0f, 8, 3);
         WorldState& s = world.GetState();
-        const std::vector<int> list = TouchingContacts(s);
+        const std::vector<ContactIndex> list = TouchingContacts(s);
         ASSERT_EQ(list.size(), 1u);
-        s.contacts.material[static_cast<size_t>(list[0])].friction = 0.0f;
+        s.contacts.material[list[0]].friction = 0.0f;
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
             blocks.Build({.pool = *s.pool,
@@ -296,12 +294,11 @@ TEST(ContactKernels, BothPointsOfAContactAreSolvedAtOnce) {
                           .list = list,
                           .impulseScale = 1.0f,
                           .kernels = *kernels});
-            std::vector<Velocity> velocity = s.bodies.velocity, delta(velocity.size());
+            Column<BodyIndex, Velocity> velocity = s.bodies.velocity, delta(velocity.size());
             const KernelTask task = blocks.Task(velocity, delta);
             kernels->relax(task);
             const ContactBlock& block = task.blocks[0];
-            const Velocity &a = velocity[static_cast<size_t>(block.bodyA[0])],
-                           &b = velocity[static_cast<size_t>(block.bodyB[0])];
+            const Velocity &a = velocity[BodyIndex{block.bodyA[0]}], &b = velocity[BodyIndex{block.bodyB[0]}];
             int pushes = 0;
             for (int p = 0; p < 2; ++p) {
                 const float speed = block.normalX[0] * (b.v.x - a.v.x) + block.normalY[0] * (b.v.y - a.v.y) +
@@ -330,10 +327,10 @@ TEST(ContactKernels, OneContactEqualsTheScalarRows) {
         body->SetAngularVelocity(0.3f);
         world.Step(0.0f, 8, 3);
         WorldState& s = world.GetState();
-        const std::vector<int> list = TouchingContacts(s);
+        const std::vector<ContactIndex> list = TouchingContacts(s);
         ASSERT_EQ(list.size(), 1u);
 
-        std::vector<Velocity> scalar = s.bodies.velocity, wide = scalar, delta(scalar.size());
+        Column<BodyIndex, Velocity> scalar = s.bodies.velocity, wide = scalar, delta(scalar.size());
         ContactRows rows;
         PrepareContacts({s.bodies, s.fixtures, s.contacts, list, 1.0f}, rows);
         ContactBlocks blocks;
@@ -345,7 +342,7 @@ TEST(ContactKernels, OneContactEqualsTheScalarRows) {
         }
         // The friction of a box acts in the middle of its points instead of at both: the sum is the same, and so is
         // their torque, the points being on one line.
-        for (size_t b = 0; b < scalar.size(); ++b) {
+        for (const BodyIndex b : scalar.Rows()) {
             EXPECT_NEAR(scalar[b].v.x, wide[b].v.x, 1e-5f) << circle;
             EXPECT_NEAR(scalar[b].v.y, wide[b].v.y, 1e-5f) << circle;
             EXPECT_NEAR(scalar[b].w, wide[b].w, 1e-5f) << circle;

@@ -62,13 +62,13 @@ public:
     }
 
     World world;
-    std::vector<int> joints;
+    std::vector<JointIndex> joints;
     std::vector<Constraint> constraints;
 
 private:
     float Draw() { return std::uniform_real_distribution<float>(-1.0f, 1.0f)(m_random); }
 
-    void Add(const JointDef& def) { joints.push_back(world.CreateJoint(&def)->GetIndex()); }
+    void Add(const JointDef& def) { joints.push_back(IndexOf(*world.CreateJoint(&def))); }
     void Hang(Body* a, Body* b) {
         const Vec2 place = 0.5f * (a->GetWorldCenter() + b->GetWorldCenter());
         switch (m_random() % 5) {
@@ -141,7 +141,7 @@ private:
 
 Poses ReadPoses(const BodyTable& bodies) {
     Poses poses;
-    for (size_t b = 0; b < bodies.position.size(); ++b) {
+    for (const BodyIndex b : bodies.position.Rows()) {
         const Position& p = bodies.position[b];
         const Rot& q = bodies.transform[b].q;  // with its own rounding
         const double part = std::atan2(double{q.s}, double{q.c}), turn = 2.0 * std::acos(-1.0);
@@ -199,7 +199,7 @@ std::vector<double> SolveDense(std::vector<std::vector<double>> m, std::vector<d
 std::vector<double> ProjectDense(const Forest& forest, const BodyTable& bodies, double& leastPivot) {
     const auto g = Jacobian(forest.constraints, ReadPoses(bodies));
     std::vector<double> v, inverse;
-    for (size_t b = 0; b < bodies.velocity.size(); ++b) {
+    for (const BodyIndex b : bodies.velocity.Rows()) {
         for (const float x : {bodies.velocity[b].v.x, bodies.velocity[b].v.y, bodies.velocity[b].w})
             v.push_back(double{x});
         for (const float x : {bodies.mass[b].invMass, bodies.mass[b].invMass, bodies.mass[b].invI})
@@ -232,7 +232,7 @@ TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
         ASSERT_TRUE(tree.GetOthers().empty()) << seed;
         double leastPivot = 0.0;
         const std::vector<double> exact = ProjectDense(forest, s.bodies, leastPivot);
-        std::vector<Velocity> delta(s.bodies.velocity.size());
+        Column<BodyIndex, Velocity> delta(s.bodies.velocity.size());
         s.bodies.startPosition = s.bodies.position;
         tree.Factorize({s.bodies, delta}, 1.0f / 960.0f);
         tree.SolveAfterMove(s.bodies.velocity);
@@ -240,14 +240,14 @@ TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
         for (const std::vector<double>& row : Jacobian(forest.constraints, ReadPoses(s.bodies))) {
             double speed = 0.0, left = 0.0;  // rows that give way leave a little
             for (size_t b = 0; b < delta.size(); ++b) {
-                const Velocity& v = s.bodies.velocity[b];
+                const Velocity& v = s.bodies.velocity[ToIndex<BodyIndex>(b)];
                 speed += row[3 * b] * double{v.v.x} + row[3 * b + 1] * double{v.v.y} + row[3 * b + 2] * double{v.w};
                 for (size_t k = 3 * b; k < 3 * b + 3; ++k) left += row[k] * exact[k];
             }
             EXPECT_NEAR(speed, left, 1e-4) << seed;
         }
         for (size_t b = 0; b < delta.size(); ++b) {
-            const Velocity& v = s.bodies.velocity[b];
+            const Velocity& v = s.bodies.velocity[ToIndex<BodyIndex>(b)];
             EXPECT_NEAR(double{v.v.x}, exact[3 * b], 1e-4) << seed;
             EXPECT_NEAR(double{v.v.y}, exact[3 * b + 1], 1e-4) << seed;
             EXPECT_NEAR(double{v.w}, exact[3 * b + 2], 1e-3) << seed;
@@ -268,7 +268,7 @@ TEST(JointTree, AMoveEndsWithClosedJoints) {
         double leastPivot = 0.0;
         ProjectDense(forest, s.bodies, leastPivot);
         if (!(leastPivot > 0.05)) continue;
-        std::vector<Velocity> delta(s.bodies.velocity.size());
+        Column<BodyIndex, Velocity> delta(s.bodies.velocity.size());
         s.bodies.startPosition = s.bodies.position;
         tree.Factorize({s.bodies, delta}, 1.0f / 960.0f);
         tree.SolveAfterMove(s.bodies.velocity);  // a motion that the joints allow
@@ -277,7 +277,7 @@ TEST(JointTree, AMoveEndsWithClosedJoints) {
         Poses poses = ReadPoses(s.bodies);
         double fastest = 0.0;
         for (size_t b = 0; b < poses.size(); ++b) {
-            const Velocity& v = s.bodies.velocity[b];
+            const Velocity& v = s.bodies.velocity[ToIndex<BodyIndex>(b)];
             poses[b][0] += double{h} * double{v.v.x};
             poses[b][1] += double{h} * double{v.v.y};
             poses[b][2] += double{h} * double{v.w};
@@ -307,14 +307,14 @@ TEST(JointTree, TakesTreesAndLoopsAlike) {
     }
     const auto add = [&](Body* a, Body* b, Vec2 place) {
         const RevoluteJointDef def = Pin(a, b, place);
-        return world.CreateJoint(&def)->GetIndex();
+        return IndexOf(*world.CreateJoint(&def));
     };
     // A triangle of 0, 1, 2 and a bridge of 3, 4 between two fixed points.
-    const std::vector<int> loop{add(bodies[0], bodies[1], {0.5f, 0.0f}), add(bodies[1], bodies[2], {1.5f, 0.0f}),
-                                add(bodies[2], bodies[0], {1.0f, 1.0f})};
-    const std::vector<int> bridge{add(ground, bodies[3], {2.5f, 0.0f}), add(bodies[3], bodies[4], {3.5f, 0.0f}),
-                                  add(bodies[4], ground, {4.5f, 0.0f})};
-    std::vector<int> all = loop;
+    const std::vector<JointIndex> loop{add(bodies[0], bodies[1], {0.5f, 0.0f}), add(bodies[1], bodies[2], {1.5f, 0.0f}),
+                                       add(bodies[2], bodies[0], {1.0f, 1.0f})};
+    const std::vector<JointIndex> bridge{add(ground, bodies[3], {2.5f, 0.0f}), add(bodies[3], bodies[4], {3.5f, 0.0f}),
+                                         add(bodies[4], ground, {4.5f, 0.0f})};
+    std::vector<JointIndex> all = loop;
     all.insert(all.end(), bridge.begin(), bridge.end());
     const WorldState& s = world.GetState();
     JointTree tree;
@@ -346,7 +346,7 @@ TEST(JointTree, HoldsAnyNumberOfArmsOfOneBody) {
         World world({0.0f, 0.0f});
         Body* hub = AddBody(world, dynamicBody, {0.0f, 0.0f});
         AddCircle(hub, 1.0f);
-        std::vector<int> joints;
+        std::vector<JointIndex> joints;
         for (int i = 0; i < arms; ++i) {
             const Vec2 way = Mul(Rot(draw(0.0f, 6.0f)), Vec2{1.0f, 0.0f});
             Body* last = hub;
@@ -355,7 +355,7 @@ TEST(JointTree, HoldsAnyNumberOfArmsOfOneBody) {
                 AddBox(arm, 0.2f, draw(0.05f, 0.2f), draw(1.0f, 100.0f));
                 arm->SetLinearVelocity({draw(-3.0f, 3.0f), draw(-3.0f, 3.0f)});
                 const RevoluteJointDef def = Pin(last, arm, out * way);
-                joints.push_back(world.CreateJoint(&def)->GetIndex());
+                joints.push_back(IndexOf(*world.CreateJoint(&def)));
                 last = arm;
             }
         }
@@ -363,7 +363,7 @@ TEST(JointTree, HoldsAnyNumberOfArmsOfOneBody) {
         JointTree tree;
         tree.Build({s.bodies, s.joints, joints, 0.0f});
         EXPECT_TRUE(tree.GetOthers().empty()) << arms;
-        const std::vector<Velocity> delta(s.bodies.velocity.size());
+        const Column<BodyIndex, Velocity> delta(s.bodies.velocity.size());
         s.bodies.startPosition = s.bodies.position;
         tree.Factorize({s.bodies, delta}, 1.0f / 960.0f);
         const float before = WorstSpeed(world);

@@ -20,22 +20,28 @@ namespace {
 
 using Key = std::pair<uint32_t, uint32_t>;
 
+ContactIndex Add(ContactTable& table, uint32_t a, uint32_t b, BodyIndex bodyA = BodyIndex{0},
+                 BodyIndex bodyB = BodyIndex{1}) {
+    return table.Add({FixtureOf(a), FixtureOf(b), bodyA, bodyB});
+}
+ContactIndex Find(const ContactTable& table, uint32_t a, uint32_t b) { return table.Find(FixtureOf(a), FixtureOf(b)); }
+
 TEST(ContactTable, FindsWhatAMapFinds) {
     EXPECT_TRUE(rc::check("lookup equals std::map", [] {
         const auto range = *rc::gen::inRange<uint32_t>(2, 60);
         const auto actions = *rc::gen::inRange(1, 400);
         ContactTable table;
-        std::map<Key, int> reference;
+        std::map<Key, ContactIndex> reference;
         for (int i = 0; i < actions; ++i) {
             const auto a = *rc::gen::inRange<uint32_t>(0, range);
             const auto b = *rc::gen::inRange<uint32_t>(0, range);
             if (a == b) continue;
             const Key key{std::min(a, b), std::max(a, b)};
             const auto found = reference.find(key);
-            RC_ASSERT(table.Find(a, b) == (found == reference.end() ? -1 : found->second));
-            RC_ASSERT(table.Find(b, a) == table.Find(a, b));
+            RC_ASSERT(Find(table, a, b) == (found == reference.end() ? ContactIndex::none : found->second));
+            RC_ASSERT(Find(table, b, a) == Find(table, a, b));
             if (found == reference.end()) {
-                reference[key] = table.Add({a, b, 0, 1});
+                reference[key] = Add(table, a, b);
             } else {
                 table.Remove(found->second);
                 reference.erase(found);
@@ -43,49 +49,49 @@ TEST(ContactTable, FindsWhatAMapFinds) {
             }
             RC_ASSERT(table.Count() == static_cast<int>(reference.size()));
         }
-        for (const auto& [key, row] : reference) RC_ASSERT(table.Find(key.first, key.second) == row);
+        for (const auto& [key, row] : reference) RC_ASSERT(Find(table, key.first, key.second) == row);
     }));
 }
 
 TEST(ContactTable, LowestFreeRowIsTakenFirstAfterCompact) {
     ContactTable table;
-    for (uint32_t i = 0; i < 10; ++i) table.Add({i, i + 100, 0, 1});
-    table.Remove(7);
-    table.Remove(2);
-    table.Remove(9);
+    for (uint32_t i = 0; i < 10; ++i) Add(table, i, i + 100);
+    table.Remove(ContactIndex{7});
+    table.Remove(ContactIndex{2});
+    table.Remove(ContactIndex{9});
     table.Compact();
     EXPECT_EQ(table.Size(), 9);  // the trailing row is gone
-    EXPECT_EQ(table.Add({50, 51, 0, 1}), 2);
-    EXPECT_EQ(table.Add({52, 53, 0, 1}), 7);
-    EXPECT_EQ(table.Add({54, 55, 0, 1}), 9);
+    EXPECT_EQ(Add(table, 50, 51), ContactIndex{2});
+    EXPECT_EQ(Add(table, 52, 53), ContactIndex{7});
+    EXPECT_EQ(Add(table, 54, 55), ContactIndex{9});
 }
 
 TEST(ContactTable, ContactsOfABodyAreRowsOfTheTable) {
     EXPECT_TRUE(rc::check("after any additions, removals and compactions", [] {
         const auto actions = *rc::gen::inRange(1, 200);
         ContactTable table;
-        std::map<Key, int> reference;
+        std::map<Key, ContactIndex> reference;
         for (int i = 0; i < actions; ++i) {
             const auto a = *rc::gen::inRange<uint32_t>(0, 12);
             const auto b = *rc::gen::inRange<uint32_t>(12, 24);
             if (const auto found = reference.find({a, b}); found == reference.end()) {
-                reference[{a, b}] = table.Add({a, b, static_cast<int>(a), static_cast<int>(b)});
+                reference[{a, b}] = Add(table, a, b, ToIndex<BodyIndex>(a), ToIndex<BodyIndex>(b));
             } else {
                 table.Remove(found->second);
                 reference.erase(found);
             }
             if (*rc::gen::inRange(0, 4) == 0) table.Compact();
             const auto body = *rc::gen::inRange(0, 24);
-            std::set<int> listed, expected;
-            for (const int row : table.OfBody(body)) {
-                RC_ASSERT(row < table.Size());
+            std::set<ContactIndex> listed, expected;
+            for (const ContactIndex row : table.OfBody(BodyIndex{body})) {
+                RC_ASSERT(row < table.flags.End());
                 if (table.IsAlive(row)) listed.insert(row);
             }
             for (const auto& [key, row] : reference) {
                 if (static_cast<int>(key.first) == body || static_cast<int>(key.second) == body) expected.insert(row);
             }
             RC_ASSERT(listed == expected);
-            RC_ASSERT(table.CountOfBody(body) == static_cast<int>(expected.size()));
+            RC_ASSERT(table.CountOfBody(BodyIndex{body}) == static_cast<int>(expected.size()));
         }
     }));
 }
@@ -95,37 +101,37 @@ TEST(ContactTable, MostlyFreeRowsAreClosedInOrderAndHandlesFollow) {
     ContactTable table;
     std::map<Key, Contact*> handles;
     for (uint32_t i = 0; i < count; ++i) {
-        const int row = table.Add({i, i + count, 0, 1});
-        table.manifold[static_cast<size_t>(row)].localPoint.x = static_cast<float>(i);
+        const ContactIndex row = Add(table, i, i + count);
+        table.manifold[row].localPoint.x = static_cast<float>(i);
         if (i % 7 < 3 && i < 4000) handles[{i, i + count}] = table.Handle(nullptr, row);
     }
-    const auto number = [&](uint32_t i) { return table.GetNumber(table.Find(i, i + count)); };
-    std::map<uint32_t, int> numbers;
+    const auto number = [&](uint32_t i) { return table.GetNumber(Find(table, i, i + count)); };
+    std::map<uint32_t, ContactNumber> numbers;
     const auto stays = [](uint32_t i) { return i % 5 == 2; };
     for (uint32_t i = 0; i < count; ++i) {
         if (!stays(i)) {
-            table.Remove(table.Find(i, i + count));
+            table.Remove(Find(table, i, i + count));
         } else if (i < 3000) {
             numbers[i] = number(i);
         }
     }
-    table.successor[2] = 7, table.successor[7] = 12;
-    table.firstMatched = 2;
+    table.successor[ContactIndex{2}] = ContactIndex{7}, table.successor[ContactIndex{7}] = ContactIndex{12};
+    table.firstMatched = ContactIndex{2};
     table.Compact();
 
     EXPECT_EQ(table.Size(), static_cast<int>(count / 5));
     EXPECT_EQ(table.Count(), table.Size());
-    int last = -1;
+    ContactIndex last = ContactIndex::none;
     for (uint32_t i = 0; i < count; ++i) {
-        const int row = table.Find(i, i + count);
+        const ContactIndex row = Find(table, i, i + count);
         if (!stays(i)) {
-            ASSERT_EQ(row, -1) << i;
+            ASSERT_EQ(row, ContactIndex::none) << i;
             continue;
         }
         ASSERT_GT(row, last) << "the order is as before";
         last = row;
-        ASSERT_TRUE(table.IsRowOf(row, i, i + count)) << i;
-        ASSERT_EQ(table.manifold[static_cast<size_t>(row)].localPoint.x, static_cast<float>(i));
+        ASSERT_TRUE(table.IsRowOf(row, FixtureOf(i), FixtureOf(i + count))) << i;
+        ASSERT_EQ(table.manifold[row].localPoint.x, static_cast<float>(i));
         const auto handle = handles.find({i, i + count});
         if (handle != handles.end()) {
             ASSERT_EQ(table.Handle(nullptr, row), handle->second) << i;
@@ -134,22 +140,22 @@ TEST(ContactTable, MostlyFreeRowsAreClosedInOrderAndHandlesFollow) {
             ASSERT_EQ(number(i), numbers[i]) << i;
         }
     }
-    EXPECT_EQ(table.firstMatched, 0);
-    EXPECT_EQ(table.successor[0], 1);
-    EXPECT_EQ(table.successor[1], 2);
+    EXPECT_EQ(table.firstMatched, ContactIndex{0});
+    EXPECT_EQ(table.successor[ContactIndex{0}], ContactIndex{1});
+    EXPECT_EQ(table.successor[ContactIndex{1}], ContactIndex{2});
     std::set<Contact*> distinct;
-    for (int row = 0; row < table.Size(); ++row) distinct.insert(table.Handle(nullptr, row));
+    for (const ContactIndex row : table.Rows()) distinct.insert(table.Handle(nullptr, row));
     EXPECT_EQ(distinct.size(), static_cast<size_t>(table.Size()));
-    const int size = table.Size();
-    EXPECT_EQ(table.Add({1, 2, 0, 1}), size) << "there is no gap left";
+    const ContactIndex end = table.flags.End();
+    EXPECT_EQ(Add(table, 1, 2), end) << "there is no gap left";
 }
 
 TEST(ContactTable, FewRowsStayWhereTheyAre) {
     ContactTable table;
-    for (uint32_t i = 0; i < 4000; ++i) table.Add({i, i + 5000, 0, 1});
-    for (uint32_t i = 0; i < 3999; ++i) table.Remove(static_cast<int>(i));
+    for (uint32_t i = 0; i < 4000; ++i) Add(table, i, i + 5000);
+    for (uint32_t i = 0; i < 3999; ++i) table.Remove(ToIndex<ContactIndex>(i));
     table.Compact();
-    EXPECT_EQ(table.Find(3999, 8999), 3999);
+    EXPECT_EQ(Find(table, 3999, 8999), ContactIndex{3999});
 }
 
 /// Disks on one spot that push each other apart.
@@ -238,9 +244,9 @@ TEST(ContactTable, ABodyWithManyContactsStaysFindable) {
     // All keys share one fixture: a hash that ignored the other would degenerate into one run.
     ContactTable table;
     constexpr uint32_t count = 100000;
-    for (uint32_t i = 1; i <= count; ++i) table.Add({0, i, 0, 1});
-    for (uint32_t i = 1; i <= count; ++i) ASSERT_EQ(table.Find(i, 0), static_cast<int>(i) - 1);
-    EXPECT_EQ(table.Find(0, count + 1), -1);
+    for (uint32_t i = 1; i <= count; ++i) Add(table, 0, i);
+    for (uint32_t i = 1; i <= count; ++i) ASSERT_EQ(Find(table, i, 0), ToIndex<ContactIndex>(i - 1));
+    EXPECT_EQ(Find(table, 0, count + 1), ContactIndex::none);
 }
 
 TEST(ContactTable, ARowTakesAtMost128Bytes) { EXPECT_LE(ContactTable::GetBytesPerRow(), 128u); }

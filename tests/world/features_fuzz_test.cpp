@@ -105,10 +105,10 @@ public:
     void ExpectCountsHold() const {
         const WorldState& s = m_world->GetState();
         FeatureUsers counted{};
-        for (int b = 0; b < s.bodies.slots.Size(); ++b) {
+        for (const BodyIndex b : s.bodies.slots.Rows()) {
             if (s.bodies.slots.IsAlive(b)) Count(counted, FeaturesOfBody(s.bodies, b));
         }
-        for (int f = 0; f < s.fixtures.slots.Size(); ++f) {
+        for (const FixtureIndex f : s.fixtures.slots.Rows()) {
             if (s.fixtures.slots.IsAlive(f)) Count(counted, FeaturesOfFixture(s.fixtures, s.bodies, f));
         }
         EXPECT_EQ(s.featureCounts.users, counted);

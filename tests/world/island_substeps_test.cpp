@@ -108,8 +108,7 @@ TEST(IslandSubsteps, BodiesNotedTheSubstepsOfTheirIsland) {
     const BodyTable& bodies = world.GetState().bodies;
     int64_t sum = 0;
     int hard = 0;
-    for (const int body : bodies.movers) {
-        const auto b = static_cast<size_t>(body);
+    for (const BodyIndex b : bodies.movers) {
         sum += bodies.demand[b].substeps;
         const bool inColumn = bodies.position[b].c.x < -10.0f;
         EXPECT_EQ(bodies.demand[b].substeps, inColumn ? report.substeps : tight.leastSubsteps);
@@ -158,8 +157,7 @@ TEST(IslandSubsteps, AnIslandAloneMovesAsByAStepWithItsNumber) {
             changes += report.substeps != before ? 1 : 0;
             before = report.substeps;
             const BodyTable &a = picked.GetState().bodies, &b = given.GetState().bodies;
-            for (const int body : a.movers) {
-                const auto row = static_cast<size_t>(body);
+            for (const BodyIndex row : a.movers) {
                 ASSERT_EQ(a.position[row].c, b.position[row].c) << step;
                 ASSERT_EQ(a.position[row].a, b.position[row].a) << step;
                 ASSERT_EQ(a.velocity[row].v, b.velocity[row].v) << step;
@@ -175,12 +173,12 @@ TEST(IslandSubsteps, ABodyThatTakesAnothersPlaceStartsWithoutItsDemand) {
     Fill(world, Hard::chain, {.easy = false});
     for (int i = 0; i < 60; ++i) world.Step(frame, tight);
     Body* last = world.GetBodyList();
-    const int row = last->GetIndex();
-    ASSERT_GT(world.GetState().bodies.demand[static_cast<size_t>(row)].wanted, 0.0f);
+    const BodyIndex row = IndexOf(*last);
+    ASSERT_GT(world.GetState().bodies.demand[row].wanted, 0.0f);
     world.DestroyBody(last);
-    ASSERT_EQ(AddBody(world, dynamicBody, {100.0f, 100.0f})->GetIndex(), row);
-    EXPECT_EQ(world.GetState().bodies.demand[static_cast<size_t>(row)].wanted, 0.0f);
-    EXPECT_EQ(world.GetState().bodies.demand[static_cast<size_t>(row)].substeps, 0);
+    ASSERT_EQ(AddBody(world, dynamicBody, {100.0f, 100.0f})->GetIndex(), ToInt(row));
+    EXPECT_EQ(world.GetState().bodies.demand[row].wanted, 0.0f);
+    EXPECT_EQ(world.GetState().bodies.demand[row].substeps, 0);
 }
 
 TEST(IslandSubsteps, RoundUpToTwoNumbersAnOctaveWithinTheRange) {

@@ -73,30 +73,26 @@ TEST(Islands, EqualTheComponentsOfTheContactGraph) {
         world.SetAllowSleeping(false);
         StepFor(world, *rc::gen::inRange(2, 40));
         WorldState& s = world.GetState();
-        std::vector<int> contacts;
-        for (int c = 0; c < s.contacts.Size(); ++c) contacts.push_back(c);
         FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
 
         std::vector<int> parent(static_cast<size_t>(s.bodies.slots.Size()));
         std::iota(parent.begin(), parent.end(), 0);
         size_t pushing = 0;
-        for (const int c : contacts) {
+        for (const ContactIndex c : s.contacts.Rows()) {
             if (!s.contacts.Has(c, ContactFlag::touching)) continue;
             ++pushing;
-            const ContactPair& p = s.contacts.pair[static_cast<size_t>(c)];
-            if (s.bodies.type[static_cast<size_t>(p.bodyA)] == staticBody ||
-                s.bodies.type[static_cast<size_t>(p.bodyB)] == staticBody)
-                continue;
-            parent[static_cast<size_t>(Root(parent, p.bodyA))] = Root(parent, p.bodyB);
+            const ContactPair& p = s.contacts.pair[c];
+            if (s.bodies.type[p.bodyA] == staticBody || s.bodies.type[p.bodyB] == staticBody) continue;
+            parent[static_cast<size_t>(Root(parent, ToInt(p.bodyA)))] = Root(parent, ToInt(p.bodyB));
         }
         RC_ASSERT(s.islands.contacts.size() == pushing);
         RC_ASSERT(s.islands.bodies.size() + s.islands.isolated.size() == static_cast<size_t>(count));
         std::vector<int> islandOf(parent.size(), -1);
         for (size_t i = 0; i < s.islands.islands.size(); ++i) {
             const Island& island = s.islands.islands[i];
-            const int root = Root(parent, s.islands.bodies[static_cast<size_t>(island.bodyBegin)]);
+            const int root = Root(parent, ToInt(s.islands.bodies[static_cast<size_t>(island.bodyBegin)]));
             for (int b = island.bodyBegin; b < island.bodyEnd; ++b) {
-                const int body = s.islands.bodies[static_cast<size_t>(b)];
+                const int body = ToInt(s.islands.bodies[static_cast<size_t>(b)]);
                 RC_ASSERT(Root(parent, body) == root);
                 islandOf[static_cast<size_t>(body)] = static_cast<int>(i);
             }
@@ -150,8 +146,8 @@ void CompareBallisticPath(Solve&& solve, int substeps, bool exactDrift) {
                                       .contactDampingRatio = 10.0f,
                                       .contactPushSpeed = 1.0f};
         IslandTable isolated, single;
-        for (const int body : a.bodies.movers) isolated.isolated.push_back(body);
-        for (const int body : b.bodies.movers) {
+        for (const BodyIndex body : a.bodies.movers) isolated.isolated.push_back(body);
+        for (const BodyIndex body : b.bodies.movers) {
             const int at = static_cast<int>(single.bodies.size());
             single.bodies.push_back(body);
             single.islands.push_back({at, at + 1, 0, 0, 0, 0});

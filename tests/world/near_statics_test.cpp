@@ -41,12 +41,11 @@ Fixture* AddSomething(Body* body, Source& random) {
     }
 }
 
-bool Meets(const WorldState& s, int mover, int fixture, int other) {
-    const auto m = static_cast<size_t>(mover);
+bool Meets(const WorldState& s, BodyIndex m, FixtureIndex fixture, FixtureIndex other) {
     TOIInput input;
-    input.proxyA.Set(s.fixtures.shape[static_cast<size_t>(other)], 0);
-    input.proxyB.Set(s.fixtures.shape[static_cast<size_t>(fixture)], 0);
-    const auto still = static_cast<size_t>(s.fixtures.body[static_cast<size_t>(other)]);
+    input.proxyA.Set(s.fixtures.shape[other], 0);
+    input.proxyB.Set(s.fixtures.shape[fixture], 0);
+    const BodyIndex still = s.fixtures.body[other];
     input.sweepA.localCenter = s.bodies.mass[still].localCenter;
     input.sweepA.c0 = input.sweepA.c = s.bodies.position[still].c;
     input.sweepA.a0 = input.sweepA.a = s.bodies.position[still].a;
@@ -72,7 +71,7 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
         Body* mover = AddBody(world, dynamicBody, {0.0f, 0.0f});
         for (int i = random.Below(3); i >= 0; --i) AddSomething(mover, random);
         WorldState& s = world.GetState();
-        const auto m = static_cast<size_t>(mover->GetIndex());
+        const BodyIndex m = IndexOf(*mover);
         for (int step = 0; step < 60; ++step) {
             if (random.Below(10) == 0) {
                 ASSERT_EQ(statics[static_cast<size_t>(random.Below(25))]->SetTransform(random.InSquare(12.0f), 1.0f),
@@ -102,9 +101,9 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
             const float size = random.Below(4) == 0 ? 2.0f : 0.2f;
             s.bodies.position[m].c += random.InSquare(size);
             s.bodies.position[m].a += random.Between(-2.0f, 2.0f);
-            s.bodies.UpdateTransform(mover->GetIndex());
-            const auto near = s.continuousScratch.nearStatics.Find(
-                mover->GetIndex(), {s.bodies, s.fixtures, *s.broadPhase, s.def.lengthScale});
+            s.bodies.UpdateTransform(m);
+            const auto near =
+                s.continuousScratch.nearStatics.Find(m, {s.bodies, s.fixtures, *s.broadPhase, s.def.lengthScale});
             if (!near) continue;
             ++known;
             empty += near->empty() ? 1 : 0;
@@ -113,19 +112,19 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
                 for (const Body* body : statics) {
                     if (body->GetType() != staticBody || !body->IsEnabled()) continue;
                     const Fixture* still = body->GetFixtureList();
-                    const int other = still->GetIndex();
+                    const FixtureIndex other = IndexOf(*still);
                     const bool isKept = std::find(near->begin(), near->end(), other) != near->end();
                     if (!isKept && still->GetType() != Shape::e_convex) {
                         // Then the search without what is kept does not look at it either: no result can depend on it.
                         EXPECT_TRUE(WayIsClear(*still->GetShape(), body->GetTransform(), s.bodies.startPosition[m].c,
                                                s.bodies.position[m].c,
                                                Reach(*f->GetShape(), s.bodies.mass[m].localCenter)))
-                            << "seed " << seed << " step " << step << " fixture " << other;
+                            << "seed " << seed << " step " << step << " fixture " << ToInt(other);
                         ++left;
                     }
-                    if (!Meets(s, mover->GetIndex(), f->GetIndex(), other)) continue;
+                    if (!Meets(s, m, IndexOf(*f), other)) continue;
                     ++met;
-                    EXPECT_TRUE(isKept) << "seed " << seed << " step " << step << " fixture " << other;
+                    EXPECT_TRUE(isKept) << "seed " << seed << " step " << step << " fixture " << ToInt(other);
                 }
             }
         }
@@ -143,9 +142,9 @@ TEST(NearStatics, KnowNothingWhileAProgramHoldsAShape) {
     Fixture* fixture = AddCircle(body, 0.5f);
     WorldState& s = world.GetState();
     const NearStatics::Tables tables{s.bodies, s.fixtures, *s.broadPhase, 1.0f};
-    EXPECT_TRUE(s.continuousScratch.nearStatics.Find(body->GetIndex(), tables).has_value());
+    EXPECT_TRUE(s.continuousScratch.nearStatics.Find(IndexOf(*body), tables).has_value());
     ASSERT_NE(fixture->GetShape(), nullptr);
-    EXPECT_FALSE(s.continuousScratch.nearStatics.Find(body->GetIndex(), tables).has_value());
+    EXPECT_FALSE(s.continuousScratch.nearStatics.Find(IndexOf(*body), tables).has_value());
 }
 
 TEST(NearStatics, KnowNothingFarFromTheOrigin) {
@@ -156,7 +155,7 @@ TEST(NearStatics, KnowNothingFarFromTheOrigin) {
     WorldState& s = world.GetState();
     ASSERT_TRUE(s.bodies.IsFar());
     const NearStatics::Tables tables{s.bodies, s.fixtures, *s.broadPhase, 1.0f};
-    EXPECT_FALSE(s.continuousScratch.nearStatics.Find(body->GetIndex(), tables).has_value());
+    EXPECT_FALSE(s.continuousScratch.nearStatics.Find(IndexOf(*body), tables).has_value());
 }
 
 /// Falls and slides over slopes at speed. `hold` keeps what is near from being known.

@@ -130,8 +130,8 @@ public:
     /// Nothing rests any more, and no pairs are known.
     void LookAtEverything() {
         WorldState& s = m_still.world.GetState();
-        for (const int body : s.bodies.movers) s.bodies.List(body);
-        for (int contact = 0; contact < s.contacts.Size(); ++contact) s.contacts.Rouse(contact);
+        for (const BodyIndex body : s.bodies.movers) s.bodies.List(body);
+        for (const ContactIndex contact : s.contacts.Rows()) s.contacts.Rouse(contact);
         s.contacts.mustMatch = true;
         s.edited.AddAll();
     }
@@ -169,7 +169,7 @@ public:
         }
         for (const auto& [a, b] : contacts) {
             const ContactTable& table = world.GetState().contacts;
-            const int row = table.Find(static_cast<uint32_t>(a->GetIndex()), static_cast<uint32_t>(b->GetIndex()));
+            const ContactIndex row = table.Find(IndexOf(*a), IndexOf(*b));
             ASSERT_FALSE(table.Has(row, ContactFlag::marked))
                 << "a contact of fixtures " << a->GetIndex() << " and " << b->GetIndex();
         }

@@ -19,6 +19,7 @@ namespace scree {
 class Contact;
 class Joint;
 class World;
+enum class BodyIndex : int;  // state/indices.h
 
 /// static: never moves by itself; kinematic: moves by its velocity, infinite mass; dynamic: moved by forces.
 enum BodyType : uint8_t { staticBody = 0, kinematicBody, dynamicBody };
@@ -169,9 +170,9 @@ public:
     ErrorCode SetUserData(const BodyUserData& data);
     [[nodiscard]] World* GetWorld();
     /// Dense number of this body in its world; reused after destruction.
-    [[nodiscard]] int GetIndex() const { return m_index; }
+    [[nodiscard]] int GetIndex() const { return static_cast<int>(m_index); }
 
-    Body(WorldState* state, int index) : m_state(state), m_index(index) {}
+    Body(WorldState* state, BodyIndex index) : m_state(state), m_index(index) {}
     Body(const Body&) = delete;
     Body& operator=(const Body&) = delete;
 
@@ -180,7 +181,7 @@ private:
     [[nodiscard]] bool Lives(const char* accessor) const;
 
     WorldState* m_state;
-    int m_index;
+    BodyIndex m_index;
 };
 
 }  // namespace scree

@@ -15,6 +15,8 @@
 
 namespace scree {
 
+enum class ContactIndex : int;  // state/indices.h
+
 /// A thin handle on a contact, alive until the pair's boxes part (EndContact is the last call for a touching one): then
 /// every call is an error and gives 0, false or null, until the handle serves another contact. World::GetId tells two
 /// contacts with the same handle apart.
@@ -54,7 +56,7 @@ public:
     /// Number of this contact in its world while it lives; reused.
     [[nodiscard]] int GetIndex() const;
 
-    Contact(WorldState* state, int row) : m_state(state), m_row(row) {}
+    Contact(WorldState* state, ContactIndex row) : m_state(state), m_row(row) {}
     Contact(const Contact&) = delete;
     Contact& operator=(const Contact&) = delete;
 
@@ -63,7 +65,7 @@ private:
     [[nodiscard]] bool Lives(const char* accessor) const;
 
     WorldState* m_state;
-    int m_row;
+    ContactIndex m_row;
 };
 
 /// The standard rules of mixing two materials: geometric mean (finite, however large both are), the larger (0 if both

@@ -59,7 +59,7 @@ public:
     ErrorCode SetMaxSpringForce(float force);
     [[nodiscard]] float GetMaxSpringForce() const;
 
-    DistanceJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    DistanceJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] DistanceRow& Row() const;

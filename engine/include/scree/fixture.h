@@ -16,6 +16,7 @@ namespace scree {
 
 class Body;
 struct WorldState;
+enum class FixtureIndex : int;  // state/indices.h
 
 /// Application data of a fixture.
 struct FixtureUserData {
@@ -129,9 +130,9 @@ public:
     /// The box kept by the broad phase: tight, except in `fat-tree`.
     [[nodiscard]] AABB GetAABB() const;
     /// Dense number of this fixture in its world; reused after destruction.
-    [[nodiscard]] int GetIndex() const { return m_index; }
+    [[nodiscard]] int GetIndex() const { return static_cast<int>(m_index); }
 
-    Fixture(WorldState* state, int index) : m_state(state), m_index(index) {}
+    Fixture(WorldState* state, FixtureIndex index) : m_state(state), m_index(index) {}
     Fixture(const Fixture&) = delete;
     Fixture& operator=(const Fixture&) = delete;
 
@@ -139,7 +140,7 @@ private:
     [[nodiscard]] bool Lives(const char* accessor) const;
 
     WorldState* m_state;
-    int m_index;
+    FixtureIndex m_index;
 };
 
 }  // namespace scree

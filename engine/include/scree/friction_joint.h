@@ -41,7 +41,7 @@ public:
     ErrorCode SetMaxTorque(float torque);
     [[nodiscard]] float GetMaxTorque() const;
 
-    FrictionJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    FrictionJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] FrictionRow& Row() const;

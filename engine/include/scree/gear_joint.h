@@ -36,7 +36,7 @@ public:
     ErrorCode SetRatio(float ratio);
     [[nodiscard]] float GetRatio() const;
 
-    GearJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    GearJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] GearRow& Row() const;

@@ -16,6 +16,8 @@ namespace scree {
 
 class Body;
 struct WorldState;
+enum class JointIndex : int;  // state/indices.h
+enum class JointRow : int;    // state/indices.h
 
 /// Box2D's numbers; e_ropeJoint is kept for them only (a distance joint with a maximum length is a rope).
 enum JointType : uint8_t {
@@ -98,7 +100,7 @@ public:
     /// Torque on body B, N·m.
     [[nodiscard]] virtual float GetReactionTorque(float inverseDt) const = 0;
     /// Dense number of this joint in its world; reused after destruction.
-    [[nodiscard]] int GetIndex() const { return m_index; }
+    [[nodiscard]] int GetIndex() const { return static_cast<int>(m_index); }
 
     Joint(const Joint&) = delete;
     Joint& operator=(const Joint&) = delete;
@@ -108,10 +110,10 @@ protected:
     /// Whether the joint is alive; if not, the error handler hears of the
     /// accessor.
     [[nodiscard]] bool Lives(const char* accessor) const;
-    Joint(WorldState* state, int index, int row) : m_state(state), m_index(index), m_row(row) {}
+    Joint(WorldState* state, JointIndex index, JointRow row) : m_state(state), m_index(index), m_row(row) {}
     WorldState* m_state;
-    int m_index;
-    int m_row;  ///< in the table of its type
+    JointIndex m_index;
+    JointRow m_row;  ///< in the table of its type
 };
 
 }  // namespace scree

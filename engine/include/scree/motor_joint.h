@@ -48,7 +48,7 @@ public:
     ErrorCode SetCorrectionFactor(float factor);
     [[nodiscard]] float GetCorrectionFactor() const;
 
-    MotorJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    MotorJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] MotorRow& Row() const;

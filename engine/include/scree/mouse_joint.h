@@ -42,7 +42,7 @@ public:
     ErrorCode SetDamping(float damping);
     [[nodiscard]] float GetDamping() const;
 
-    MouseJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    MouseJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] MouseRow& Row() const;

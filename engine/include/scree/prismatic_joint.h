@@ -83,7 +83,7 @@ public:
     /// Of the last step, N.
     [[nodiscard]] float GetSpringForce(float inverseDt) const;
 
-    PrismaticJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    PrismaticJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] PrismaticRow& Row() const;

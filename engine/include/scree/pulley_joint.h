@@ -57,7 +57,7 @@ public:
     [[nodiscard]] float GetCurrentLengthA() const;
     [[nodiscard]] float GetCurrentLengthB() const;
 
-    PulleyJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    PulleyJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] PulleyRow& Row() const;

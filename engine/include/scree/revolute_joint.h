@@ -80,7 +80,7 @@ public:
     /// Of the last step, N·m.
     [[nodiscard]] float GetSpringTorque(float inverseDt) const;
 
-    RevoluteJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    RevoluteJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] RevoluteRow& Row() const;

@@ -43,7 +43,7 @@ public:
     ErrorCode SetDamping(float damping);
     [[nodiscard]] float GetDamping() const;
 
-    WeldJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    WeldJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] WeldRow& Row() const;

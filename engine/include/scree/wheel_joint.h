@@ -78,7 +78,7 @@ public:
     ErrorCode SetMaxSpringForce(float force);
     [[nodiscard]] float GetMaxSpringForce() const;
 
-    WheelJoint(WorldState* state, int index, int row) : Joint(state, index, row) {}
+    WheelJoint(WorldState* state, JointIndex index, JointRow row) : Joint(state, index, row) {}
 
 private:
     [[nodiscard]] WheelRow& Row() const;

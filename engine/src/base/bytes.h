@@ -6,18 +6,19 @@
 #pragma once
 
 #include <cstddef>
-#include <vector>
+
+#include "base/index.h"
 
 namespace scree {
 
-template <typename... T>
-size_t BytesOf(const std::vector<T>&... columns) {
-    return (size_t{0} + ... + (columns.capacity() * sizeof(T)));
+template <AnyColumn... T>
+size_t BytesOf(const T&... columns) {
+    return (size_t{0} + ... + (columns.capacity() * sizeof(typename T::value_type)));
 }
 
 /// Gives back the room for more elements.
-template <typename... T>
-void Shrink(std::vector<T>&... columns) {
+template <AnyColumn... T>
+void Shrink(T&... columns) {
     (columns.shrink_to_fit(), ...);
 }
 

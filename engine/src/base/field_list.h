@@ -9,7 +9,7 @@
 // A visitor is called with members that belong to the state, and has these members for others:
 //   visit(a, b, …)                 state: stored, and part of the hash
 //   visit.Rows(rows, columns…)     the same for the columns of a table, of which only living rows have a meaning;
-//                                  `rows` has Size() and IsAlive(index). An empty column stands for rows of T()
+//                                  `rows` has Size(), Rows() and IsAlive(index). An empty column stands for rows of T()
 //   visit.Stored(a, b, …)          stored, but nothing that a step reads: user data
 //   visit.Hashed(a, b, …)          part of the hash, but not stored, since it follows from what is
 //   visit.LeftOut(a, b, …)         neither: made anew, or used in a step only

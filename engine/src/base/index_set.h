@@ -15,9 +15,11 @@
 
 namespace scree {
 
+/// Numbers are ints, or indices of one kind.
+template <typename I = int>
 class IndexSet {
 public:
-    [[nodiscard]] bool Has(int index) const {
+    [[nodiscard]] bool Has(I index) const {
         const size_t word = WordOf(index);
         return word < m_words.size() && (m_words[word] >> BitOf(index) & 1u) != 0;
     }
@@ -29,8 +31,8 @@ public:
         if (count > 64 * m_words.size()) Grow(count);
     }
     /// True if it was not in the set.
-    bool Insert(int index) {
-        Reserve(static_cast<size_t>(index) + 1);
+    bool Insert(I index) {
+        Reserve(ToSize(index) + 1);
         uint64_t& word = m_words[WordOf(index)];
         const uint64_t bit = uint64_t{1} << BitOf(index);
         if ((word & bit) != 0) return false;
@@ -40,7 +42,7 @@ public:
         return true;
     }
     /// True if it was in the set.
-    bool Erase(int index) {
+    bool Erase(I index) {
         if (!Has(index)) return false;
         uint64_t& word = m_words[WordOf(index)];
         word &= ~(uint64_t{1} << BitOf(index));
@@ -55,28 +57,29 @@ public:
     }
 
     /// The largest number below `end`, −1 if there is none.
-    [[nodiscard]] int Before(int end) const {
-        if (end <= 0 || m_words.empty()) return -1;
-        size_t word = WordOf(end - 1);
+    [[nodiscard]] I Before(I end) const {
+        const I last{ToInt(end) - 1};
+        if (ToInt(last) < 0 || m_words.empty()) return I{-1};
+        size_t word = WordOf(last);
         uint64_t bits = 0;
         if (word < m_words.size()) {
-            bits = m_words[word] & UpTo(BitOf(end - 1));
+            bits = m_words[word] & UpTo(BitOf(last));
         } else {
             word = m_words.size();
         }
         while (bits == 0) {
-            if (word == 0) return -1;
+            if (word == 0) return I{-1};
             // The next word below that has bits, by the summary.
             size_t block = (word - 1) / 64;
             uint64_t words = m_summary[block] & UpTo((word - 1) % 64);
             while (words == 0) {
-                if (block == 0) return -1;
+                if (block == 0) return I{-1};
                 words = m_summary[--block];
             }
             word = 64 * block + static_cast<size_t>(63 - std::countl_zero(words));
             bits = m_words[word];
         }
-        return static_cast<int>(64 * word) + 63 - std::countl_zero(bits);
+        return I{static_cast<int>(64 * word) + 63 - std::countl_zero(bits)};
     }
 
     /// Calls visit(number) in ascending order. What it inserts or erases may be missed or visited.
@@ -84,7 +87,7 @@ public:
     void ForEach(Visit&& visit) const {
         ForEachWord([&](size_t word) {
             for (uint64_t bits = m_words[word]; bits != 0; bits &= bits - 1) {
-                visit(static_cast<int>(64 * word) + std::countr_zero(bits));
+                visit(I{static_cast<int>(64 * word) + std::countr_zero(bits)});
             }
         });
     }
@@ -97,8 +100,8 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_words, m_summary); }
 
 private:
-    static size_t WordOf(int index) { return static_cast<size_t>(index) / 64; }
-    static unsigned BitOf(int index) { return static_cast<unsigned>(index) % 64; }
+    static size_t WordOf(I index) { return ToSize(index) / 64; }
+    static unsigned BitOf(I index) { return static_cast<unsigned>(ToInt(index)) % 64; }
     /// The bits 0 … bit.
     static uint64_t UpTo(size_t bit) { return ~uint64_t{0} >> (63 - bit); }
 

@@ -27,10 +27,10 @@ public:
 
     /// Inserts item `id` or changes its key. O(log n).
     void Set(int id, float key, uint64_t tie) {
-        if (static_cast<size_t>(id) >= m_slotOf.size()) m_slotOf.resize(static_cast<size_t>(id) + 1, -1);
-        int slot = m_slotOf[static_cast<size_t>(id)];
+        if (!m_slotOf.Has(id)) m_slotOf.resize(ToSize(id) + 1, -1);
+        int slot = m_slotOf[id];
         if (slot < 0) {
-            slot = static_cast<int>(m_items.size());
+            slot = m_items.End();
             m_items.push_back({});
         }
         Place(slot, {key, id, tie});
@@ -38,12 +38,12 @@ public:
     }
     /// Takes item `id` out if it is in. O(log n).
     void Remove(int id) {
-        if (static_cast<size_t>(id) >= m_slotOf.size() || m_slotOf[static_cast<size_t>(id)] < 0) return;
-        const int slot = m_slotOf[static_cast<size_t>(id)];
-        m_slotOf[static_cast<size_t>(id)] = -1;
+        if (!m_slotOf.Has(id) || m_slotOf[id] < 0) return;
+        const int slot = m_slotOf[id];
+        m_slotOf[id] = -1;
         const Item last = m_items.back();
         m_items.pop_back();
-        if (static_cast<size_t>(slot) == m_items.size()) return;
+        if (slot == m_items.End()) return;
         Place(slot, last);
         SiftDown(SiftUp(slot));
     }
@@ -61,10 +61,10 @@ private:
     };
 
     void Place(int slot, const Item& item) {
-        m_items[static_cast<size_t>(slot)] = item;
-        m_slotOf[static_cast<size_t>(item.id)] = slot;
+        m_items[slot] = item;
+        m_slotOf[item.id] = slot;
     }
-    [[nodiscard]] const Item& At(int slot) const { return m_items[static_cast<size_t>(slot)]; }
+    [[nodiscard]] const Item& At(int slot) const { return m_items[slot]; }
 
     int SiftUp(int slot) {
         const Item item = At(slot);
@@ -87,8 +87,8 @@ private:
         Place(slot, item);
     }
 
-    std::vector<Item> m_items;
-    std::vector<int> m_slotOf;  ///< by id; −1: not in the heap
+    Column<int, Item> m_items;
+    Column<int, int> m_slotOf;  ///< by id; −1: not in the heap
 };
 
 }  // namespace scree

@@ -55,30 +55,30 @@ FillSource SourceOf(const BlockInput& input) {
 
 /// Where the bodies of a block are, far from the origin.
 void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& lanes) {
-    const auto place = [&bodies](Vec2 frame, int body, float(&transform)[4], float(&position)[4]) {
+    const auto place = [&bodies](Vec2 frame, BodyIndex body, float(&transform)[4], float(&position)[4]) {
         const Transform xf = TransformIn(frame, bodies, body);
         transform[0] = xf.p.x, transform[1] = xf.p.y, transform[2] = xf.q.s, transform[3] = xf.q.c;
         const Vec2 centre = CentreIn(frame, bodies, body);
         position[0] = centre.x, position[1] = centre.y;
-        position[2] = bodies.position[static_cast<size_t>(body)].a;
+        position[2] = bodies.position[body].a;
     };
     for (int l = 0; l < blockLanes; ++l) {
-        const Vec2 frame = FrameOf(bodies, block.bodyA[l], block.bodyB[l]);
-        place(frame, block.bodyA[l], lanes.transformA[l], lanes.positionA[l]);
-        place(frame, block.bodyB[l], lanes.transformB[l], lanes.positionB[l]);
+        const BodyIndex a{block.bodyA[l]}, b{block.bodyB[l]};
+        const Vec2 frame = FrameOf(bodies, a, b);
+        place(frame, a, lanes.transformA[l], lanes.positionA[l]);
+        place(frame, b, lanes.transformB[l], lanes.positionB[l]);
     }
 }
 
 }  // namespace
 
 /// The only place that knows which side of a contact is which side of its block.
-SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInput& input, int contact) {
-    const auto c = static_cast<size_t>(contact);
-    const ContactPair& pair = input.contacts.pair[c];
-    const Manifold& manifold = input.contacts.manifold[c];
-    const bool movesA = input.bodies.type[static_cast<size_t>(pair.bodyA)] == dynamicBody;
-    const bool movesB = input.bodies.type[static_cast<size_t>(pair.bodyB)] == dynamicBody;
-    const auto radiusOf = [&](uint32_t fixture) {
+SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInput& input, ContactIndex contact) {
+    const ContactPair& pair = input.contacts.pair[contact];
+    const Manifold& manifold = input.contacts.manifold[contact];
+    const bool movesA = input.bodies.type[pair.bodyA] == dynamicBody;
+    const bool movesB = input.bodies.type[pair.bodyB] == dynamicBody;
+    const auto radiusOf = [&](FixtureIndex fixture) {
         const Shape& shape = *input.fixtures.shape[fixture];
         return input.atOutlines ? OutlineRadius(shape, input.lengthScale) : shape.m_radius;
     };
@@ -106,7 +106,7 @@ void ContactBlocks::Sort(const BlockInput& input) {
     m_fixed.clear();
     for (size_t i = 0; i < count; ++i) {
         if (i + fetchAhead < count) {  // rows of neighbours in the list are anywhere
-            const auto ahead = static_cast<size_t>(input.list[i + fetchAhead]);
+            const ContactIndex ahead = input.list[i + fetchAhead];
             Prefetch(&input.contacts.pair[ahead]);
             Prefetch(&input.contacts.manifold[ahead].localNormal);
         }
@@ -121,14 +121,14 @@ void ContactBlocks::ColourMovers() {
     while (!m_movers.empty()) {
         for (const int i : m_movers) {
             const SidedContact& contact = At(i);
-            m_used[static_cast<size_t>(contact.a)] = m_used[static_cast<size_t>(contact.b)] = 0;
+            m_used[contact.a] = m_used[contact.b] = 0;
         }
         m_next.clear();
         int highest = -1;
         for (const int i : m_movers) {
             const SidedContact& contact = At(i);
-            uint64_t& usedA = m_used[static_cast<size_t>(contact.a)];
-            uint64_t& usedB = m_used[static_cast<size_t>(contact.b)];
+            uint64_t& usedA = m_used[contact.a];
+            uint64_t& usedB = m_used[contact.b];
             const uint64_t free = ~(usedA | usedB);
             if (free == 0) {
                 m_next.push_back(i);
@@ -137,7 +137,7 @@ void ContactBlocks::ColourMovers() {
             const int colour = std::countr_zero(free);
             usedA |= uint64_t{1} << colour;
             usedB |= uint64_t{1} << colour;
-            m_colours[static_cast<size_t>(i)] = base + colour;
+            m_colours[ToSize(i)] = base + colour;
             highest = colour > highest ? colour : highest;
         }
         base += highest + 1;
@@ -148,11 +148,11 @@ void ContactBlocks::ColourMovers() {
 
 void ContactBlocks::ColourFixed() {
     // The k-th contact of a body with the unmovable has the k-th colour.
-    for (const int i : m_fixed) m_used[static_cast<size_t>(At(i).b)] = 0;
+    for (const int i : m_fixed) m_used[At(i).b] = 0;
     int most = 0;
     for (const int i : m_fixed) {
-        const int colour = static_cast<int>(m_used[static_cast<size_t>(At(i).b)]++);
-        m_colours[static_cast<size_t>(i)] = m_colourCount + colour;
+        const int colour = static_cast<int>(m_used[At(i).b]++);
+        m_colours[ToSize(i)] = m_colourCount + colour;
         most = colour + 1 > most ? colour + 1 : most;
     }
     m_colourCount += most;
@@ -160,10 +160,8 @@ void ContactBlocks::ColourFixed() {
 
 void ContactBlocks::MakeRanges() {
     // Counting sort by (colour, points) into blocks.
-    const auto groupOf = [&](size_t i) {
-        return static_cast<size_t>(m_colours[i] * kindCount + (m_sided[i].hasTwoPoints ? 1 : 0));
-    };
-    const size_t groupCount = static_cast<size_t>(m_colourCount * kindCount);
+    const auto groupOf = [&](size_t i) { return ToSize(m_colours[i] * kindCount + (m_sided[i].hasTwoPoints ? 1 : 0)); };
+    const size_t groupCount = ToSize(m_colourCount * kindCount);
     m_start.assign(groupCount, 0);
     for (size_t i = 0; i < m_sided.size(); ++i) ++m_start[groupOf(i)];
     m_ranges.clear();
@@ -176,14 +174,14 @@ void ContactBlocks::MakeRanges() {
         m_start[g] = block * blockLanes;
         block += blocks;
     }
-    Renew(m_blocks, static_cast<size_t>(block));
+    Renew(m_blocks, ToSize(block));
     const size_t lanes = (m_blocks.size() + blocksAhead) * blockLanes;
     m_order.assign(lanes, -1);
-    m_contact.assign(lanes, 0);
+    m_contact.assign(lanes, ContactIndex{0});
     for (size_t i = 0; i < m_sided.size(); ++i) {
         m_lane[i] = m_start[groupOf(i)]++;
-        m_order[static_cast<size_t>(m_lane[i])] = static_cast<int>(i);
-        m_contact[static_cast<size_t>(m_lane[i])] = m_sided[i].contact;
+        m_order[ToSize(m_lane[i])] = static_cast<int>(i);
+        m_contact[ToSize(m_lane[i])] = m_sided[i].contact;
     }
 }
 
@@ -193,15 +191,15 @@ void ContactBlocks::FetchAhead(const BlockInput& input, size_t block) const {
     const auto contactAt = [&](size_t lane) { return &At(std::max(m_order[lane], 0)); };
     for (size_t l = block * blockLanes; l < (block + 1) * blockLanes; ++l) {
         Prefetch(contactAt(l + blocksAhead * blockLanes));
-        const auto far = static_cast<size_t>(m_contact[l + 2 * blockLanes]);
+        const ContactIndex far = m_contact[l + 2 * blockLanes];
         Prefetch(&input.contacts.manifold[far]);
         Prefetch(&input.contacts.material[far]);
         const SidedContact* next = contactAt(l + blockLanes);
-        for (const int body : {next->a, next->b}) {
-            Prefetch(&input.bodies.transform[static_cast<size_t>(body)]);
-            Prefetch(&input.bodies.position[static_cast<size_t>(body)]);
-            Prefetch(&input.bodies.velocity[static_cast<size_t>(body)]);
-            Prefetch(&input.bodies.mass[static_cast<size_t>(body)]);
+        for (const BodyIndex body : {next->a, next->b}) {
+            Prefetch(&input.bodies.transform[body]);
+            Prefetch(&input.bodies.position[body]);
+            Prefetch(&input.bodies.velocity[body]);
+            Prefetch(&input.bodies.mass[body]);
         }
     }
 }
@@ -212,7 +210,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
     lanes.anyCircles = false;
     lanes.isFar = input.bodies.IsFar();
     for (int l = 0; l < blockLanes; ++l) {
-        const int i = m_order[k * blockLanes + static_cast<size_t>(l)];
+        const int i = m_order[k * blockLanes + ToSize(l)];
         block.slot[l] = i;
         if (i < 0) {
             // Lanes to spare come last and repeat the first.
@@ -225,8 +223,8 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
         }
         const SidedContact& contact = At(i);
         ++lanes.count;
-        lanes.contact[l] = contact.contact;
-        block.bodyA[l] = contact.a, block.bodyB[l] = contact.b;
+        lanes.contact[l] = ToInt(contact.contact);
+        block.bodyA[l] = ToInt(contact.a), block.bodyB[l] = ToInt(contact.b);
         lanes.referenceIsB[l] = contact.isReferenceB ? 1.0f : 0.0f;
         lanes.isCircles[l] = contact.isCircles ? 1.0f : 0.0f;
         lanes.isSwapped[l] = contact.isSwapped ? 1.0f : 0.0f;
@@ -258,13 +256,13 @@ void ContactBlocks::Fill(const BlockInput& input) {
     constexpr int leastBlocksToFill = 16;
     bool bounces[maxWorkers] = {};
     input.pool.For(static_cast<int>(m_blocks.size()), leastBlocksToFill, [&](int begin, int end, int worker) {
-        bounces[worker] |= FillRange(input, static_cast<size_t>(begin), static_cast<size_t>(end));
+        bounces[worker] |= FillRange(input, ToSize(begin), ToSize(end));
     });
     m_bounces = std::find(std::begin(bounces), std::end(bounces), true) != std::end(bounces);
 }
 
 void ContactBlocks::Build(const BlockInput& input) {
-    m_used.resize(static_cast<size_t>(input.bodies.slots.Size()));
+    m_used.resize(ToSize(input.bodies.slots.Size()));
     Sort(input);
     ColourMovers();
     ColourFixed();
@@ -272,14 +270,14 @@ void ContactBlocks::Build(const BlockInput& input) {
     Fill(input);
 }
 
-void ContactBlocks::Store(float scale, std::vector<Manifold>& manifold) const {
+void ContactBlocks::Store(float scale, Column<ContactIndex, Manifold>& manifold) const {
     for (size_t k = 0; k < m_blocks.size(); ++k) {
         const ContactBlock& block = m_blocks[k];
-        const int* contact = &m_contact[k * blockLanes];
+        const ContactIndex* contact = &m_contact[k * blockLanes];
         for (int l = 0; l < blockLanes; ++l) {
-            Prefetch(&manifold[static_cast<size_t>(contact[l + 2 * blockLanes])]);
+            Prefetch(&manifold[contact[l + 2 * blockLanes]]);
             if (block.slot[l] < 0) continue;
-            Manifold& m = manifold[static_cast<size_t>(contact[l])];
+            Manifold& m = manifold[contact[l]];
             // One friction row serves both points: half each.
             const float tangent = scale * block.tangentImpulse[l] * (m.pointCount == 2 ? 0.5f : 1.0f);
             for (int p = 0; p < m.pointCount; ++p) {
@@ -293,7 +291,7 @@ void ContactBlocks::Store(float scale, std::vector<Manifold>& manifold) const {
 void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const {
     impulses.resize(m_sided.size());
     for (size_t i = 0; i < m_sided.size(); ++i) {
-        const ContactBlock& block = m_blocks[static_cast<size_t>(m_lane[i] / blockLanes)];
+        const ContactBlock& block = m_blocks[ToSize(m_lane[i] / blockLanes)];
         const int l = m_lane[i] % blockLanes;
         ContactImpulse& out = impulses[i];
         out.count = m_sided[i].hasTwoPoints ? 2 : 1;
@@ -305,11 +303,11 @@ void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impuls
     }
 }
 
-float ContactBlocks::GetSeparation(size_t at, const std::vector<Velocity>& delta) const {
-    const ContactBlock& block = m_blocks[static_cast<size_t>(m_lane[at] / blockLanes)];
+float ContactBlocks::GetSeparation(size_t at, const Column<BodyIndex, Velocity>& delta) const {
+    const ContactBlock& block = m_blocks[ToSize(m_lane[at] / blockLanes)];
     const int l = m_lane[at] % blockLanes;
-    const Velocity& a = delta[static_cast<size_t>(block.bodyA[l])];
-    const Velocity& b = delta[static_cast<size_t>(block.bodyB[l])];
+    const Velocity& a = delta[BodyIndex{block.bodyA[l]}];
+    const Velocity& b = delta[BodyIndex{block.bodyB[l]}];
     const float closer = Dot({block.normalX[l], block.normalY[l]}, b.v - a.v);
     float least = std::numeric_limits<float>::max();
     for (int p = 0; p < (m_sided[at].hasTwoPoints ? 2 : 1); ++p) {
@@ -318,7 +316,7 @@ float ContactBlocks::GetSeparation(size_t at, const std::vector<Velocity>& delta
     return least;
 }
 
-KernelTask ContactBlocks::Task(std::vector<Velocity>& velocity, std::vector<Velocity>& delta) {
+KernelTask ContactBlocks::Task(Column<BodyIndex, Velocity>& velocity, Column<BodyIndex, Velocity>& delta) {
     static_assert(sizeof(Velocity) == 4 * sizeof(float));
     return {.blocks = m_blocks.data(),
             .ranges = m_ranges.data(),

@@ -27,14 +27,14 @@ struct BlockInput {
     const BodyTable& bodies;
     const FixtureTable& fixtures;
     const ContactTable& contacts;
-    std::span<const int> list;  ///< contacts, in order; every one has a mover
-    float impulseScale;         ///< of warm starting: the kernels' step / last dt, 0 without
-    bool restitution = true;    ///< some contact may bounce
-    float lengthScale = 1.0f;   ///< factor on slop and skins
+    std::span<const ContactIndex> list;  ///< contacts, in order; every one has a mover
+    float impulseScale;                  ///< of warm starting: the kernels' step / last dt, 0 without
+    bool restitution = true;             ///< some contact may bounce
+    float lengthScale = 1.0f;            ///< factor on slop and skins
     /// Bodies rest where their outlines touch, and skins only tell how far ahead contacts are known; else skins rest
     /// in each other by the slop.
     bool atOutlines = false;
-    std::vector<SteadyContact>* steady = nullptr;  ///< kept geometry, or none
+    Column<ContactIndex, SteadyContact>* steady = nullptr;  ///< kept geometry, or none
     /// Friction with the unmovable acts on the mover's own surface, so that disks roll by their radius, instead of
     /// halfway between both surfaces.
     bool onMoverSurface = false;
@@ -47,20 +47,20 @@ public:
     /// Colours and fills. O(contacts); with more than 64 contacts on one body in rounds of 64 colours.
     void Build(const BlockInput& input);
     /// Writes the impulses into the manifolds, times `scale`.
-    void Store(float scale, std::vector<Manifold>& manifold) const;
+    void Store(float scale, Column<ContactIndex, Manifold>& manifold) const;
     /// Impulses summed over the step (soft step) or accumulated, by position in the list; for reports.
     void GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const;
 
     /// Sum of a contact's normal impulses, by position in the list.
     [[nodiscard]] float GetPressure(int at) const {
-        const int lane = m_lane[static_cast<size_t>(at)];
-        const ContactBlock& block = m_blocks[static_cast<size_t>(lane / blockLanes)];
+        const int lane = m_lane[ToSize(at)];
+        const ContactBlock& block = m_blocks[ToSize(lane / blockLanes)];
         return block.normalImpulse[0][lane % blockLanes] + block.normalImpulse[1][lane % blockLanes];
     }
     /// The smallest separation of a contact, by position in the list, when bodies have moved by `delta`; + the slop, m.
-    [[nodiscard]] float GetSeparation(size_t at, const std::vector<Velocity>& delta) const;
+    [[nodiscard]] float GetSeparation(size_t at, const Column<BodyIndex, Velocity>& delta) const;
 
-    [[nodiscard]] KernelTask Task(std::vector<Velocity>& velocity, std::vector<Velocity>& delta);
+    [[nodiscard]] KernelTask Task(Column<BodyIndex, Velocity>& velocity, Column<BodyIndex, Velocity>& delta);
     [[nodiscard]] bool IsEmpty() const { return m_ranges.empty(); }
     [[nodiscard]] bool Bounces() const { return m_bounces; }
     [[nodiscard]] int GetColourCount() const { return m_colourCount; }
@@ -75,8 +75,8 @@ private:
     /// A contact of the list as its block sees it: side B can be pushed. Colouring and naming read these rows instead
     /// of the tables, and know nothing of the contact's own sides.
     struct SidedContact {
-        int contact;
-        int a, b;                ///< bodies
+        ContactIndex contact;
+        BodyIndex a, b;          ///< bodies
         float radiusA, radiusB;  ///< of their shapes, m
         bool isReferenceB;       ///< the manifold's face is B's
         bool isCircles, hasTwoPoints;
@@ -84,7 +84,7 @@ private:
         bool isSwapped;  ///< side A is the contact's B
     };
 
-    static SidedContact SortSides(const BlockInput& input, int contact);
+    static SidedContact SortSides(const BlockInput& input, ContactIndex contact);
 
     void Sort(const BlockInput& input);
     void ColourMovers();
@@ -95,20 +95,20 @@ private:
     bool FillRange(const BlockInput& input, size_t begin, size_t end);
     void FetchAhead(const BlockInput& input, size_t block) const;
     /// By position in the list.
-    [[nodiscard]] const SidedContact& At(int i) const { return m_sided[static_cast<size_t>(i)]; }
+    [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }
 
     std::vector<ContactBlock> m_blocks;
     std::vector<BlockRange> m_ranges;
-    std::vector<SidedContact> m_sided;   ///< per contact of the list
-    std::vector<int> m_colours;          ///< per contact of the list
-    std::vector<uint64_t> m_used;        ///< per body: colours taken in this round
-    std::vector<int> m_movers, m_fixed;  ///< positions in the list; movers that have no colour yet
-    std::vector<int> m_next;             ///< the same for the next round
-    std::vector<int> m_start;            ///< per group: first lane
-    std::vector<int> m_lane;             ///< per contact of the list: block · 8 + lane
-    std::vector<int> m_order;            ///< per lane, and some more: position in the list, −1 to spare
-    std::vector<int> m_contact;          ///< the same: contact, 0 to spare
-    int m_moverColourCount = 0;          ///< colours below it have two movers a contact, the others one
+    std::vector<SidedContact> m_sided;    ///< per contact of the list
+    std::vector<int> m_colours;           ///< per contact of the list
+    Column<BodyIndex, uint64_t> m_used;   ///< per body: colours taken in this round
+    std::vector<int> m_movers, m_fixed;   ///< positions in the list; movers that have no colour yet
+    std::vector<int> m_next;              ///< the same for the next round
+    std::vector<int> m_start;             ///< per group: first lane
+    std::vector<int> m_lane;              ///< per contact of the list: block · 8 + lane
+    std::vector<int> m_order;             ///< per lane, and some more: position in the list, −1 to spare
+    std::vector<ContactIndex> m_contact;  ///< the same: contact, 0 to spare
+    int m_moverColourCount = 0;           ///< colours below it have two movers a contact, the others one
     int m_colourCount = 0;
     bool m_bounces = false;
 };

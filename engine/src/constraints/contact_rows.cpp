@@ -59,15 +59,14 @@ void PrepareBlock(ContactVelocityRow& row) {
     }
 }
 
-ContactPositionRow MakePositionRow(const ContactPrepareInput& in, int contact, float radius) {
-    const auto c = static_cast<size_t>(contact);
-    const ContactPair& pair = in.contacts.pair[c];
-    const Manifold& m = in.contacts.manifold[c];
+ContactPositionRow MakePositionRow(const ContactPrepareInput& in, ContactIndex contact, float radius) {
+    const ContactPair& pair = in.contacts.pair[contact];
+    const Manifold& m = in.contacts.manifold[contact];
     ContactPositionRow row;
     row.bodyA = pair.bodyA;
     row.bodyB = pair.bodyB;
-    row.massA = in.bodies.mass[static_cast<size_t>(pair.bodyA)];
-    row.massB = in.bodies.mass[static_cast<size_t>(pair.bodyB)];
+    row.massA = in.bodies.mass[pair.bodyA];
+    row.massB = in.bodies.mass[pair.bodyB];
     row.localNormal = m.localNormal;
     row.localPoint = m.localPoint;
     row.radius = radius;
@@ -77,17 +76,14 @@ ContactPositionRow MakePositionRow(const ContactPrepareInput& in, int contact, f
     return row;
 }
 
-ContactVelocityRow MakeVelocityRow(const ContactPrepareInput& in, int contact, float radiusA, float radiusB) {
-    const auto c = static_cast<size_t>(contact);
-    const ContactPair& pair = in.contacts.pair[c];
-    const Manifold& m = in.contacts.manifold[c];
-    const ContactMaterial& material = in.contacts.material[c];
-    const auto a = static_cast<size_t>(pair.bodyA);
-    const auto b = static_cast<size_t>(pair.bodyB);
-    const MassRow& massA = in.bodies.mass[a];
-    const MassRow& massB = in.bodies.mass[b];
-    const Velocity& velocityA = in.bodies.velocity[a];
-    const Velocity& velocityB = in.bodies.velocity[b];
+ContactVelocityRow MakeVelocityRow(const ContactPrepareInput& in, ContactIndex contact, float radiusA, float radiusB) {
+    const ContactPair& pair = in.contacts.pair[contact];
+    const Manifold& m = in.contacts.manifold[contact];
+    const ContactMaterial& material = in.contacts.material[contact];
+    const MassRow& massA = in.bodies.mass[pair.bodyA];
+    const MassRow& massB = in.bodies.mass[pair.bodyB];
+    const Velocity& velocityA = in.bodies.velocity[pair.bodyA];
+    const Velocity& velocityB = in.bodies.velocity[pair.bodyB];
 
     WorldManifold world;
     const Vec2 frame = FrameOf(in.bodies, pair.bodyA, pair.bodyB);
@@ -184,9 +180,9 @@ inline void SolveBlock(ContactVelocityRow& row, Velocity& a, Velocity& b) {
 void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
     rows.velocity.clear();
     rows.position.clear();
-    for (const int contact : input.island) {
-        const ContactPair& pair = input.contacts.pair[static_cast<size_t>(contact)];
-        const auto radiusOf = [&](uint32_t fixture) {
+    for (const ContactIndex contact : input.island) {
+        const ContactPair& pair = input.contacts.pair[contact];
+        const auto radiusOf = [&](FixtureIndex fixture) {
             const Shape& shape = *input.fixtures.shape[fixture];
             return input.atOutlines ? OutlineRadius(shape, input.lengthScale) : shape.m_radius;
         };
@@ -196,10 +192,10 @@ void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
     }
 }
 
-void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity) {
+void WarmStartContacts(const ContactRows& rows, Column<BodyIndex, Velocity>& velocity) {
     for (const ContactVelocityRow& row : rows.velocity) {
-        Velocity& stateA = velocity[static_cast<size_t>(row.bodyA)];
-        Velocity& stateB = velocity[static_cast<size_t>(row.bodyB)];
+        Velocity& stateA = velocity[row.bodyA];
+        Velocity& stateB = velocity[row.bodyB];
         Velocity a = stateA;
         Velocity b = stateB;
         const Vec2 tangent = Cross(row.normal, 1.0f);
@@ -212,10 +208,10 @@ void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity)
     }
 }
 
-void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, bool friction) {
+void SolveContactVelocities(ContactRows& rows, Column<BodyIndex, Velocity>& velocity, bool friction) {
     for (ContactVelocityRow& row : rows.velocity) {
-        Velocity& stateA = velocity[static_cast<size_t>(row.bodyA)];
-        Velocity& stateB = velocity[static_cast<size_t>(row.bodyB)];
+        Velocity& stateA = velocity[row.bodyA];
+        Velocity& stateB = velocity[row.bodyB];
         Velocity a = stateA;
         Velocity b = stateB;
         if (friction) SolveFriction(row, a, b);
@@ -230,9 +226,9 @@ void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, 
     }
 }
 
-void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold) {
+void StoreContactImpulses(const ContactRows& rows, Column<ContactIndex, Manifold>& manifold) {
     for (const ContactVelocityRow& row : rows.velocity) {
-        Manifold& m = manifold[static_cast<size_t>(row.contact)];
+        Manifold& m = manifold[row.contact];
         for (int i = 0; i < row.pointCount; ++i) {
             m.points[i].normalImpulse = row.points[i].normalImpulse;
             m.points[i].tangentImpulse = row.points[i].tangentImpulse;

@@ -28,8 +28,8 @@ struct ContactPointRow {
 
 /// One contact in the velocity pass.
 struct ContactVelocityRow {
-    int bodyA, bodyB;
-    int contact;
+    BodyIndex bodyA, bodyB;
+    ContactIndex contact;
     int pointCount;
     float invMassA, invMassB, invIA, invIB;
     Vec2 normal;
@@ -43,7 +43,7 @@ struct ContactVelocityRow {
 
 /// One contact in the position pass, in local coordinates because the bodies move between iterations.
 struct ContactPositionRow {
-    int bodyA, bodyB;
+    BodyIndex bodyA, bodyB;
     MassRow massA, massB;
     Vec2 localNormal, localPoint;
     Vec2 localPoints[maxManifoldPoints];
@@ -62,28 +62,28 @@ struct ContactPrepareInput {
     const BodyTable& bodies;
     const FixtureTable& fixtures;
     const ContactTable& contacts;
-    std::span<const int> island;  ///< contacts to prepare, in order
-    float impulseScale;           ///< dt / last dt; 0 without warm starting
-    bool restitution = true;      ///< some contact may bounce
-    bool atOutlines = false;      ///< as in BlockInput
+    std::span<const ContactIndex> island;  ///< contacts to prepare, in order
+    float impulseScale;                    ///< dt / last dt; 0 without warm starting
+    bool restitution = true;               ///< some contact may bounce
+    bool atOutlines = false;               ///< as in BlockInput
     float lengthScale = 1.0f;
 };
 
 /// Fills `rows` for the contacts of one island from the bodies' present positions and velocities.
 void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows);
 /// Applies the impulses of the last step.
-void WarmStartContacts(const ContactRows& rows, std::vector<Velocity>& velocity);
+void WarmStartContacts(const ContactRows& rows, Column<BodyIndex, Velocity>& velocity);
 /// One iteration over all contacts: friction, then normals. Without `friction` no contact has any.
-void SolveContactVelocities(ContactRows& rows, std::vector<Velocity>& velocity, bool friction = true);
+void SolveContactVelocities(ContactRows& rows, Column<BodyIndex, Velocity>& velocity, bool friction = true);
 /// Sum of the normal impulses of the contact with this position in the list.
 inline float GetPressure(const ContactRows& rows, int at) {
-    const ContactVelocityRow& row = rows.velocity[static_cast<size_t>(at)];
+    const ContactVelocityRow& row = rows.velocity[ToSize(at)];
     float pressure = 0.0f;
     for (int i = 0; i < row.pointCount; ++i) pressure += row.points[i].normalImpulse;
     return pressure;
 }
 /// Writes the impulses back into the manifolds.
-void StoreContactImpulses(const ContactRows& rows, std::vector<Manifold>& manifold);
+void StoreContactImpulses(const ContactRows& rows, Column<ContactIndex, Manifold>& manifold);
 /// How overlaps are removed.
 struct PushApart {
     float share = baumgarte;   ///< of the overlap beyond one slop, in one iteration

@@ -43,18 +43,18 @@ void Prepare(const JointInput& in, DistanceRow& row, DistanceConstraint& c) {
     ScaleLimit(row.limit, scale);
 }
 
-void WarmStart(const DistanceConstraint& c, const DistanceRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const DistanceConstraint& c, const DistanceRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     Apply(c.pair, c.along, row.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
     Store(c.pair, v, velocity);
 }
 
-void SolveBounds(const DistanceConstraint&, DistanceRow&, const JointStep&, std::vector<Velocity>&) {
+void SolveBounds(const DistanceConstraint&, DistanceRow&, const JointStep&, Column<BodyIndex, Velocity>&) {
     // A rod has none; springs are never held directly.
 }
 
 void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity) {
+                   Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     if (IsRod(row)) {
         const float impulse = -c.mass * Speed(c.along, v);

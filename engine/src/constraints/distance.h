@@ -12,7 +12,7 @@ namespace scree {
 
 /// What the iterations of one distance joint need. Scratch of one step.
 struct DistanceConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     AxisRow along;
     float mass;  ///< effective, along the line
@@ -22,11 +22,12 @@ struct DistanceConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, DistanceRow& row, DistanceConstraint& c);
-void WarmStart(const DistanceConstraint& c, const DistanceRow& row, std::vector<Velocity>& velocity);
+void WarmStart(const DistanceConstraint& c, const DistanceRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.
-void SolveBounds(const DistanceConstraint& c, DistanceRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void SolveBounds(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
+                 Column<BodyIndex, Velocity>& velocity);
 void SolveVelocity(const DistanceConstraint& c, DistanceRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity);
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const DistanceConstraint& c, const DistanceRow& row, const JointStep& step, BodyTable& bodies);
 

@@ -18,7 +18,7 @@ void Prepare(const JointInput& in, FrictionRow& row, FrictionConstraint& c) {
     row.turnImpulse = Scaled(row.turnImpulse, in.step.impulseScale);
 }
 
-void WarmStart(const FrictionConstraint& c, const FrictionRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const FrictionConstraint& c, const FrictionRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     ApplyPoint(c.pair, c.arms, row.impulse, v);
     Apply(c.pair, turning, row.turnImpulse, v);
@@ -26,7 +26,7 @@ void WarmStart(const FrictionConstraint& c, const FrictionRow& row, std::vector<
 }
 
 void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity) {
+                   Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     const float turn = -c.turnMass * Speed(turning, v);
     Apply(c.pair, turning, SolveBounded(row.turnImpulse, turn, step.dt * row.maxTorque), v);

@@ -12,7 +12,7 @@ namespace scree {
 
 /// What the iterations of one friction joint need. Scratch of one step.
 struct FrictionConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     Arms arms;
     Mat22 pointMass;  ///< effective mass of the point
@@ -21,9 +21,9 @@ struct FrictionConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, FrictionRow& row, FrictionConstraint& c);
-void WarmStart(const FrictionConstraint& c, const FrictionRow& row, std::vector<Velocity>& velocity);
+void WarmStart(const FrictionConstraint& c, const FrictionRow& row, Column<BodyIndex, Velocity>& velocity);
 void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity);
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const FrictionConstraint& c, const FrictionRow& row, const JointStep& step, BodyTable& bodies);
 

@@ -45,13 +45,13 @@ float Coordinate(const GearSide& side, const BodyTable& bodies, const GearConstr
     return Dot(anchor - origin, Mul(turn, side.againstAxis));
 }
 
-void ApplyImpulseTo(const MassRow& mass, Vec2 impulse, float turn, int body, std::vector<Velocity>& velocity) {
-    ApplyImpulse(mass, impulse, turn, velocity[static_cast<size_t>(body)]);
+void ApplyImpulseTo(const MassRow& mass, Vec2 impulse, float turn, BodyIndex body,
+                    Column<BodyIndex, Velocity>& velocity) {
+    ApplyImpulse(mass, impulse, turn, velocity[body]);
 }
-void ApplyImpulseTo(const MassRow& mass, Vec2 impulse, float turn, int body, BodyTable& bodies) {
-    const auto b = static_cast<size_t>(body);
-    bodies.Shift(b, mass.invMass * impulse);
-    bodies.position[b].a += mass.invI * turn;
+void ApplyImpulseTo(const MassRow& mass, Vec2 impulse, float turn, BodyIndex body, BodyTable& bodies) {
+    bodies.Shift(body, mass.invMass * impulse);
+    bodies.position[body].a += mass.invI * turn;
 }
 
 template <typename Bodies>
@@ -76,8 +76,8 @@ void Prepare(const JointInput& in, GearRow& row, GearConstraint& c) {
         GearConstraint::Side& s = c.side[i];
         s.body = row.side[i].body;
         s.against = row.side[i].against;
-        s.mass = in.bodies.mass[static_cast<size_t>(s.body)];
-        s.againstMass = in.bodies.mass[static_cast<size_t>(s.against)];
+        s.mass = in.bodies.mass[s.body];
+        s.againstMass = in.bodies.mass[s.against];
         c.active = c.active && in.bodies.Has(s.body, BodyFlag::enabled) && in.bodies.Has(s.against, BodyFlag::enabled);
     }
     c.mass = InverseOrZero(UpdateSides(row, in.bodies, c));
@@ -88,16 +88,16 @@ void Prepare(const JointInput& in, GearRow& row, GearConstraint& c) {
     row.impulse = c.active ? Scaled(row.impulse, in.step.impulseScale) : 0.0f;
 }
 
-void WarmStart(const GearConstraint& c, const GearRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const GearConstraint& c, const GearRow& row, Column<BodyIndex, Velocity>& velocity) {
     ApplyGear(c, row.impulse, velocity);
 }
 
-void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep&, std::vector<Velocity>& velocity) {
+void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep&, Column<BodyIndex, Velocity>& velocity) {
     if (!c.active) return;
     float speed = 0.0f;
     for (const GearConstraint::Side& s : c.side) {
-        const Velocity& body = velocity[static_cast<size_t>(s.body)];
-        const Velocity& against = velocity[static_cast<size_t>(s.against)];
+        const Velocity& body = velocity[s.body];
+        const Velocity& against = velocity[s.against];
         speed += Dot(s.axis, body.v - against.v) + s.arm * body.w - s.againstArm * against.w;
     }
     const float impulse = -c.mass * speed;

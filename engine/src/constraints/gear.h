@@ -12,9 +12,9 @@ namespace scree {
 
 /// What the iterations of one gear joint need. Scratch of one step.
 struct GearConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     struct Side {
-        int body, against;
+        BodyIndex body, against;
         MassRow mass, againstMass;
         Vec2 axis;              ///< of the push per unit of impulse; opposite on the other body
         float arm, againstArm;  ///< of the turns
@@ -26,8 +26,8 @@ struct GearConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, GearRow& row, GearConstraint& c);
-void WarmStart(const GearConstraint& c, const GearRow& row, std::vector<Velocity>& velocity);
-void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void WarmStart(const GearConstraint& c, const GearRow& row, Column<BodyIndex, Velocity>& velocity);
+void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep& step, Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const GearConstraint& c, const GearRow& row, const JointStep& step, BodyTable& bodies);
 

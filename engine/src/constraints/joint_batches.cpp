@@ -13,11 +13,9 @@ namespace scree {
 
 namespace {
 
-size_t At(int index) { return static_cast<size_t>(index); }
-
 /// The graph of moving bodies with links as edges.
 struct LinkGraph {
-    std::vector<int> bodies;        ///< per node
+    std::vector<BodyIndex> bodies;  ///< per node
     std::vector<int> a, b;          ///< per link: nodes, −1: does not move
     std::vector<int> begin, edges;  ///< links of each node that join two moving bodies
     std::vector<int> degree;        ///< of these, how many are left
@@ -25,7 +23,7 @@ struct LinkGraph {
     std::vector<uint8_t> isGone, isLooped;
 
     explicit LinkGraph(std::span<const TreeEdge> links) {
-        std::vector<std::pair<int, int>> byBody;  // body, 2·link + side
+        std::vector<std::pair<BodyIndex, int>> byBody;  // body, 2·link + side
         a.assign(links.size(), -1), b.assign(links.size(), -1);
         for (size_t i = 0; i < links.size(); ++i) {
             const auto at = static_cast<int>(i);
@@ -35,11 +33,11 @@ struct LinkGraph {
         std::sort(byBody.begin(), byBody.end());
         for (const auto& [body, side] : byBody) {
             if (bodies.empty() || bodies.back() != body) bodies.push_back(body);
-            (side % 2 == 0 ? a : b)[At(side / 2)] = static_cast<int>(bodies.size()) - 1;
+            (side % 2 == 0 ? a : b)[ToSize(side / 2)] = static_cast<int>(bodies.size()) - 1;
         }
         begin.assign(bodies.size() + 1, 0);
         for (const auto& [body, side] : byBody) {
-            if (IsEdge(side / 2)) ++begin[At((side % 2 == 0 ? a : b)[At(side / 2)]) + 1];
+            if (IsEdge(side / 2)) ++begin[ToSize((side % 2 == 0 ? a : b)[ToSize(side / 2)]) + 1];
         }
         for (size_t n = 0; n < bodies.size(); ++n) begin[n + 1] += begin[n];
         for (const auto& [body, side] : byBody) {
@@ -50,10 +48,13 @@ struct LinkGraph {
         isGone.assign(bodies.size(), 0), isLooped.assign(bodies.size(), 0);
     }
 
-    [[nodiscard]] bool IsEdge(int link) const { return a[At(link)] >= 0 && b[At(link)] >= 0; }
-    [[nodiscard]] int Other(int link, int node) const { return a[At(link)] == node ? b[At(link)] : a[At(link)]; }
+    [[nodiscard]] bool IsEdge(int link) const { return a[ToSize(link)] >= 0 && b[ToSize(link)] >= 0; }
+    [[nodiscard]] int Other(int link, int node) const {
+        return a[ToSize(link)] == node ? b[ToSize(link)] : a[ToSize(link)];
+    }
     [[nodiscard]] std::span<const int> EdgesOf(int node) const {
-        return std::span(edges).subspan(At(begin[At(node)]), At(begin[At(node) + 1] - begin[At(node)]));
+        return std::span(edges).subspan(ToSize(begin[ToSize(node)]),
+                                        ToSize(begin[ToSize(node) + 1] - begin[ToSize(node)]));
     }
 
     /// Takes leaves off until only loops are left; what hangs on these is marked with them.
@@ -64,12 +65,12 @@ struct LinkGraph {
         }
         for (size_t next = 0; next < queue.size(); ++next) {
             const int node = queue[next];
-            isGone[At(node)] = 1;
+            isGone[ToSize(node)] = 1;
             for (const int link : EdgesOf(node)) {
                 const int other = Other(link, node);
-                if (isGone[At(other)] != 0) continue;
-                linkOfChild[At(node)] = link;
-                if (--degree[At(other)] == 1) queue.push_back(other);
+                if (isGone[ToSize(other)] != 0) continue;
+                linkOfChild[ToSize(node)] = link;
+                if (--degree[ToSize(other)] == 1) queue.push_back(other);
             }
         }
         queue.clear();
@@ -79,7 +80,7 @@ struct LinkGraph {
         for (size_t next = 0; next < queue.size(); ++next) {
             for (const int link : EdgesOf(queue[next])) {
                 const int other = Other(link, queue[next]);
-                if (isLooped[At(other)] == 0) isLooped[At(other)] = 1, queue.push_back(other);
+                if (isLooped[ToSize(other)] == 0) isLooped[ToSize(other)] = 1, queue.push_back(other);
             }
         }
     }
@@ -102,7 +103,7 @@ public:
             const int place = m_ready[i];
             const bool isFree =
                 std::none_of(taken.begin(), taken.end(), [&](int other) { return parentOf(other) == parentOf(place); });
-            (isFree && taken.size() < At(jointLanes) ? taken : left).push_back(place);
+            (isFree && taken.size() < ToSize(jointLanes) ? taken : left).push_back(place);
         }
         kept = end - left.size();
         std::copy(left.begin(), left.end(), m_ready.begin() + static_cast<std::ptrdiff_t>(kept));
@@ -128,7 +129,7 @@ size_t JointBatches::GetMemoryBytes() const {
     return bytes;
 }
 
-int JointBatches::AddRow(int body) {
+int JointBatches::AddRow(BodyIndex body) {
     m_bodies.push_back(body);
     return static_cast<int>(m_bodies.size()) - 1;
 }
@@ -136,7 +137,7 @@ int JointBatches::AddRow(int body) {
 void JointBatches::Plan(std::span<TreeEdge> links) {
     LinkGraph graph(links);
     graph.Peel();
-    m_bodies.assign(1, -1);
+    m_bodies.assign(1, BodyIndex::none);
     m_places.clear();
     std::vector<int> rowOf(graph.bodies.size(), -1);
     for (size_t n = 0; n < graph.bodies.size(); ++n) {
@@ -145,25 +146,25 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
     for (size_t i = 0; i < links.size(); ++i) {
         TreeEdge& link = links[i];
         const int a = graph.a[i], b = graph.b[i];
-        link.isTree = graph.isLooped[At(a >= 0 ? a : b)] == 0;
+        link.isTree = graph.isLooped[ToSize(a >= 0 ? a : b)] == 0;
         if (!link.isTree) continue;
         Place& place = m_places.emplace_back();
         place.link = static_cast<int>(i), place.joint = link.joint;
         place.isPoint = link.kind == TreeKind::point;
         place.rows.count = RowCount(link.kind);
         // What is fixed is a leaf.
-        place.childIsB = a >= 0 && (b < 0 || graph.linkOfChild[At(b)] == place.link);
-        const int rowA = a >= 0 ? rowOf[At(a)] : AddRow(link.bodyA);
-        const int rowB = b >= 0 ? rowOf[At(b)] : AddRow(link.bodyB);
+        place.childIsB = a >= 0 && (b < 0 || graph.linkOfChild[ToSize(b)] == place.link);
+        const int rowA = a >= 0 ? rowOf[ToSize(a)] : AddRow(link.bodyA);
+        const int rowB = b >= 0 ? rowOf[ToSize(b)] : AddRow(link.bodyB);
         place.child = place.childIsB ? rowB : rowA;
         place.parent = place.childIsB ? rowA : rowB;
     }
-    while (m_bodies.size() % At(jointLanes) != 0) AddRow(-1);
+    while (m_bodies.size() % ToSize(jointLanes) != 0) AddRow(BodyIndex::none);
     PutIntoLanes();
     for (auto* rows : {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_shift, &m_impulse}) {
         rows->assign(m_bodies.size(), BodyRow{});
     }
-    m_stiffness.assign(m_bodies.size() / At(jointLanes), LaneRow{});
+    m_stiffness.assign(m_bodies.size() / ToSize(jointLanes), LaneRow{});
     m_mobility.assign(2 * m_bodies.size(), BodyRow{});
 }
 
@@ -171,23 +172,23 @@ void JointBatches::PutIntoLanes() {
     m_points.clear(), m_rows.clear(), m_order.clear();
     std::vector<int> waiting(m_bodies.size(), 0), placeOfChild(m_bodies.size(), -1);
     for (size_t i = 0; i < m_places.size(); ++i) {
-        ++waiting[At(m_places[i].parent)];
-        placeOfChild[At(m_places[i].child)] = static_cast<int>(i);
+        ++waiting[ToSize(m_places[i].parent)];
+        placeOfChild[ToSize(m_places[i].child)] = static_cast<int>(i);
     }
     LinkQueue points, rows;
-    const auto push = [&](int place) { (m_places[At(place)].isPoint ? points : rows).Push(place); };
+    const auto push = [&](int place) { (m_places[ToSize(place)].isPoint ? points : rows).Push(place); };
     for (size_t i = 0; i < m_places.size(); ++i) {
-        if (waiting[At(m_places[i].child)] == 0) push(static_cast<int>(i));
+        if (waiting[ToSize(m_places[i].child)] == 0) push(static_cast<int>(i));
     }
     while (points.Size() + rows.Size() > 0) {
         const bool isPoint = points.Size() >= rows.Size();
         const std::vector<int> taken =
-            (isPoint ? points : rows).TakeFour([&](int place) { return m_places[At(place)].parent; });
+            (isPoint ? points : rows).TakeFour([&](int place) { return m_places[ToSize(place)].parent; });
         const auto fill = [&](auto& batches) {
             auto& batch = batches.emplace_back();
             batch = {};
             for (size_t lane = 0; lane < taken.size(); ++lane) {
-                Place& place = m_places[At(taken[lane])];
+                Place& place = m_places[ToSize(taken[lane])];
                 place.batch = static_cast<int>(batches.size()) - 1, place.lane = static_cast<int>(lane);
                 batch.child[lane] = place.child, batch.parent[lane] = place.parent;
             }
@@ -195,8 +196,8 @@ void JointBatches::PutIntoLanes() {
         };
         m_order.push_back(isPoint ? fill(m_points) : ~fill(m_rows));
         for (const int place : taken) {
-            const int parent = m_places[At(place)].parent;
-            if (--waiting[At(parent)] == 0 && placeOfChild[At(parent)] >= 0) push(placeOfChild[At(parent)]);
+            const int parent = m_places[ToSize(place)].parent;
+            if (--waiting[ToSize(parent)] == 0 && placeOfChild[ToSize(parent)] >= 0) push(placeOfChild[ToSize(parent)]);
         }
     }
 }
@@ -204,8 +205,8 @@ void JointBatches::PutIntoLanes() {
 void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
                            double recentScale) {
     for (size_t row = 0; row < m_bodies.size(); ++row) {
-        if (m_bodies[row] < 0) continue;
-        const size_t body = At(m_bodies[row]);
+        if (IsNone(m_bodies[row])) continue;
+        const BodyIndex body = m_bodies[row];
         const bool moves = bodies.type[body] == dynamicBody;
         const double invMass = moves ? double{bodies.mass[body].invMass} : 0.0;
         const double invI = moves ? double{bodies.mass[body].invI} : 0.0;
@@ -214,8 +215,8 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
         m_start[row] = {{double{q.c}, double{q.s}, 0.0, 0.0}};
     }
     for (Place& place : m_places) {
-        place.shape = shapes[At(place.link)];
-        const size_t lane = At(place.lane);
+        place.shape = shapes[ToSize(place.link)];
+        const size_t lane = ToSize(place.lane);
         double recent[maxTreeRows];
         LoadImpulse(place.joint, joints, recentScale, recent);
         const auto begin = [&](auto& batch, double sign, int count) {
@@ -226,10 +227,10 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
             }
         };
         if (!place.isPoint) {
-            begin(m_rows[At(place.batch)], 1.0, RowCount(place.shape.kind));
+            begin(m_rows[ToSize(place.batch)], 1.0, RowCount(place.shape.kind));
             continue;
         }
-        PointBatch& batch = m_points[At(place.batch)];
+        PointBatch& batch = m_points[ToSize(place.batch)];
         const TreeShape& s = place.shape;
         batch.anchorChild[0].v[lane] = place.childIsB ? s.bx : s.ax,
         batch.anchorChild[1].v[lane] = place.childIsB ? s.by : s.ay;
@@ -270,8 +271,8 @@ JointBatchTask JointBatches::Task() {
 }
 
 TreePose JointBatches::PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const {
-    const double(&p)[4] = poses[At(row)].v;
-    return {p[0], p[1], m_angle[At(row)].v[angle], p[2], p[3]};
+    const double(&p)[4] = poses[ToSize(row)].v;
+    return {p[0], p[1], m_angle[ToSize(row)].v[angle], p[2], p[3]};
 }
 
 /// Jacobians of joints that are not points.
@@ -280,8 +281,8 @@ void JointBatches::MakeJacobians() {
         if (place.isPoint) continue;
         const TreePose child = PoseOf(place.child, m_pose, 0), parent = PoseOf(place.parent, m_pose, 0);
         MakeRows<true>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, place.rows);
-        RowBatch& batch = m_rows[At(place.batch)];
-        const size_t lane = At(place.lane);
+        RowBatch& batch = m_rows[ToSize(place.batch)];
+        const size_t lane = ToSize(place.lane);
         for (int i = 0; i < place.rows.count; ++i) {
             for (int k = 0; k < 3; ++k) {
                 batch.rowChild[i][k].v[lane] = (place.childIsB ? place.rows.b : place.rows.a)[i][k];
@@ -292,7 +293,7 @@ void JointBatches::MakeJacobians() {
         if (place.shape.kind == TreeKind::pointAndAngle) {
             const double x = batch.recent[0].v[lane], y = batch.recent[1].v[lane];
             const auto note = [&](int row, const double(&jacobian)[maxTreeRows][3], double sign) {
-                m_stiffness[At(row) / At(jointLanes)].v[At(row) % At(jointLanes)] +=
+                m_stiffness[ToSize(row) / ToSize(jointLanes)].v[ToSize(row) % ToSize(jointLanes)] +=
                     sign * (jacobian[1][2] * x - jacobian[0][2] * y);
             };
             note(place.childIsB ? place.parent : place.child, place.rows.a, 1.0);
@@ -308,15 +309,15 @@ void JointBatches::MeasureRows() {
         const TreePose child = PoseOf(place.child, m_next, 1), parent = PoseOf(place.parent, m_next, 1);
         TreeRows rows;
         MakeRows<false>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, rows);
-        RowBatch& batch = m_rows[At(place.batch)];
+        RowBatch& batch = m_rows[ToSize(place.batch)];
         for (int i = 0; i < place.rows.count; ++i) batch.right[i].v[place.lane] = -rows.error[i] / m_h;
     }
 }
 
-void JointBatches::Factorize(const BodyTable& bodies, const std::vector<Velocity>& delta, double h) {
+void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h) {
     m_h = h;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
-        if (m_bodies[row] < 0) continue;
+        if (IsNone(m_bodies[row])) continue;
         const TreeStart from = StartOf(bodies, delta, m_bodies[row]);
         m_pose[row].v[0] = from.x, m_pose[row].v[1] = from.y;
         m_angle[row].v[0] = from.angle, m_angle[row].v[2] = from.turn;
@@ -329,25 +330,25 @@ void JointBatches::Factorize(const BodyTable& bodies, const std::vector<Velocity
     kernels.factorize(task);
 }
 
-void JointBatches::LoadVelocities(const std::vector<Velocity>& velocity) {
+void JointBatches::LoadVelocities(const Column<BodyIndex, Velocity>& velocity) {
     for (size_t row = 0; row < m_bodies.size(); ++row) {
-        if (m_bodies[row] < 0) continue;
-        const Velocity& v = velocity[At(m_bodies[row])];
+        if (IsNone(m_bodies[row])) continue;
+        const Velocity& v = velocity[m_bodies[row]];
         m_velocity[row] = {{double{v.v.x}, double{v.v.y}, double{v.w}, 0.0}};
     }
 }
 
-void JointBatches::StoreVelocities(std::vector<Velocity>& velocity) const {
+void JointBatches::StoreVelocities(Column<BodyIndex, Velocity>& velocity) const {
     for (size_t row = 0; row < m_bodies.size(); ++row) {
-        if (m_bodies[row] < 0 || (m_mass[row].v[0] == 0.0 && m_mass[row].v[1] == 0.0)) continue;
+        if (IsNone(m_bodies[row]) || (m_mass[row].v[0] == 0.0 && m_mass[row].v[1] == 0.0)) continue;
         const double(&from)[4] = m_velocity[row].v;
-        Velocity& v = velocity[At(m_bodies[row])];
+        Velocity& v = velocity[m_bodies[row]];
         v.v = {static_cast<float>(from[0]), static_cast<float>(from[1])};
         v.w = static_cast<float>(from[2]);
     }
 }
 
-void JointBatches::SolveBeforeMove(std::vector<Velocity>& velocity) {
+void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     // The Jacobians of the present pose stand for those of the next one. What that leaves of an error, in shares of an
     // arm, is the turn of a body times what the solve changes of it; each iteration gains two orders in h. A chain
     // under a strong pull swings itself up where they begin at the impulses of the last time, or go on beyond the
@@ -372,7 +373,7 @@ void JointBatches::SolveBeforeMove(std::vector<Velocity>& velocity) {
     StoreVelocities(velocity);
 }
 
-void JointBatches::SolveAfterMove(std::vector<Velocity>& velocity) {
+void JointBatches::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
     LoadVelocities(velocity);
     GetJointBatchKernels().stop(Task());
     StoreVelocities(velocity);

@@ -20,8 +20,8 @@ namespace scree {
 
 /// A joint that may be taken over.
 struct TreeEdge {
-    int joint;
-    int bodyA, bodyB;
+    JointIndex joint;
+    BodyIndex bodyA, bodyB;
     bool movesA, movesB;
     TreeKind kind;
     bool isTree = false;  ///< it was
@@ -40,22 +40,22 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
     // As of JointTree.
-    void Factorize(const BodyTable& bodies, const std::vector<Velocity>& delta, double h);
-    void SolveBeforeMove(std::vector<Velocity>& velocity);
-    void SolveAfterMove(std::vector<Velocity>& velocity);
+    void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h);
+    void SolveBeforeMove(Column<BodyIndex, Velocity>& velocity);
+    void SolveAfterMove(Column<BodyIndex, Velocity>& velocity);
 
     /// Calls visit(const TreeResult&) for each joint.
     template <typename Visit>
     void ForEachResult(Visit&& visit) const {
         for (const Place& place : m_places) {
             double impulse[maxTreeRows] = {};
-            const auto lane = static_cast<size_t>(place.lane);
+            const auto lane = ToSize(place.lane);
             if (place.isPoint) {
-                const PointBatch& batch = m_points[static_cast<size_t>(place.batch)];
+                const PointBatch& batch = m_points[ToSize(place.batch)];
                 const double sign = place.childIsB ? 1.0 : -1.0;
                 for (int i = 0; i < 2; ++i) impulse[i] = sign * batch.total[i].v[lane];
             } else {
-                const RowBatch& batch = m_rows[static_cast<size_t>(place.batch)];
+                const RowBatch& batch = m_rows[ToSize(place.batch)];
                 for (int i = 0; i < place.rows.count; ++i) impulse[i] = batch.total[i].v[lane];
             }
             const TreeResult::Side child = SideOf(place.child), parent = SideOf(place.parent);
@@ -67,7 +67,8 @@ public:
 private:
     /// Where a joint is.
     struct Place {
-        int link, joint;
+        int link;
+        JointIndex joint;
         int batch, lane;
         bool isPoint;
         bool childIsB;
@@ -76,20 +77,20 @@ private:
         TreeRows rows;  ///< of points only their count
     };
 
-    int AddRow(int body);
+    int AddRow(BodyIndex body);
     [[nodiscard]] TreeResult::Side SideOf(int row) const {
-        const double(&mass)[4] = m_mass[static_cast<size_t>(row)].v;
-        return {m_bodies[static_cast<size_t>(row)], mass[0], mass[1]};
+        const double(&mass)[4] = m_mass[ToSize(row)].v;
+        return {m_bodies[ToSize(row)], mass[0], mass[1]};
     }
     void PutIntoLanes();
     [[nodiscard]] JointBatchTask Task();
     [[nodiscard]] TreePose PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const;
-    void LoadVelocities(const std::vector<Velocity>& velocity);
-    void StoreVelocities(std::vector<Velocity>& velocity) const;
+    void LoadVelocities(const Column<BodyIndex, Velocity>& velocity);
+    void StoreVelocities(Column<BodyIndex, Velocity>& velocity) const;
     void MakeJacobians();
     void MeasureRows();
 
-    std::vector<int> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
+    std::vector<BodyIndex> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
     std::vector<Place> m_places;
     std::vector<PointBatch> m_points;
     std::vector<RowBatch> m_rows;

@@ -34,7 +34,7 @@ struct JointInput {
 
 /// The two bodies of a joint.
 struct JointPair {
-    int a, b;
+    BodyIndex a, b;
     MassRow massA, massB;
 };
 
@@ -47,8 +47,7 @@ using PairVelocity = PairState<Velocity>;
 using PairPosition = PairState<Position>;  ///< in the frame of the pair
 
 inline JointPair MakePair(const JointInput& in) {
-    return {in.info.bodyA, in.info.bodyB, in.bodies.mass[static_cast<size_t>(in.info.bodyA)],
-            in.bodies.mass[static_cast<size_t>(in.info.bodyB)]};
+    return {in.info.bodyA, in.info.bodyB, in.bodies.mass[in.info.bodyA], in.bodies.mass[in.info.bodyB]};
 }
 
 inline PairPosition PoseOf(const JointPair& p, const BodyTable& bodies) {
@@ -61,18 +60,18 @@ inline void Copy(const Velocity& from, Velocity& to) { to.v.x = from.v.x, to.v.y
 inline void Copy(const Position& from, Position& to) { to.c.x = from.c.x, to.c.y = from.c.y, to.a = from.a; }
 
 template <typename T>
-SCREE_INLINE PairState<T> Load(const JointPair& p, const std::vector<T>& column) {
+SCREE_INLINE PairState<T> Load(const JointPair& p, const Column<BodyIndex, T>& column) {
     PairState<T> state;
-    Copy(column[static_cast<size_t>(p.a)], state.a);
-    Copy(column[static_cast<size_t>(p.b)], state.b);
+    Copy(column[p.a], state.a);
+    Copy(column[p.b], state.b);
     return state;
 }
 
 /// Bodies without mass are not written: they cannot change, and many joints may share one.
 template <typename T>
-SCREE_INLINE void Store(const JointPair& p, const PairState<T>& state, std::vector<T>& column) {
-    if (p.massA.invMass > 0.0f) Copy(state.a, column[static_cast<size_t>(p.a)]);
-    if (p.massB.invMass > 0.0f) Copy(state.b, column[static_cast<size_t>(p.b)]);
+SCREE_INLINE void Store(const JointPair& p, const PairState<T>& state, Column<BodyIndex, T>& column) {
+    if (p.massA.invMass > 0.0f) Copy(state.a, column[p.a]);
+    if (p.massB.invMass > 0.0f) Copy(state.b, column[p.b]);
 }
 
 /// Positions in the frame of the pair.

@@ -20,11 +20,11 @@ struct JointTask {
 
 struct JointPhases {
     /// Appends the constraint of one joint and returns its number.
-    int (*prepare)(const JointTask& task, int joint);
+    int (*prepare)(const JointTask& task, JointIndex joint);
     /// The same of a joint that a direct solve holds, for its limits, motors and springs.
-    int (*prepareBounds)(const JointTask& task, int joint);
+    int (*prepareBounds)(const JointTask& task, JointIndex joint);
     /// Whether such a joint's limits are too far for the coming time step to matter, and it has nothing else.
-    bool (*isIdle)(const JointTask& task, int joint);
+    bool (*isIdle)(const JointTask& task, JointIndex joint);
     void (*warmStart)(const JointTask& task, const JointRun& run);
     void (*solveVelocity)(const JointTask& task, const JointRun& run);
     /// Only limits, motors and springs; null for types that no direct solve takes over.
@@ -46,22 +46,22 @@ std::vector<ConstraintOf<Row>>& ConstraintsOf(const JointTask& task) {
 /// Calls visit(constraint, row) along a run.
 template <typename Row, typename Visit>
 void ForEach(const JointTask& task, const JointRun& run, Visit&& visit) {
-    std::vector<Row>& rows = task.joints.Store<Row>().rows;
+    Column<JointRow, Row>& rows = task.joints.Store<Row>().rows;
     const std::vector<ConstraintOf<Row>>& constraints = ConstraintsOf<Row>(task);
     for (int i = run.begin; i < run.end; ++i) {
-        const ConstraintOf<Row>& c = constraints[static_cast<size_t>(i)];
-        visit(c, rows[static_cast<size_t>(c.row)]);
+        const ConstraintOf<Row>& c = constraints[ToSize(i)];
+        visit(c, rows[c.row]);
     }
 }
 
 template <typename Row, typename Make>
-int AppendConstraint(const JointTask& task, int joint, Make&& make) {
-    const JointInfo& info = task.joints.info[static_cast<size_t>(joint)];
+int AppendConstraint(const JointTask& task, JointIndex joint, Make&& make) {
+    const JointInfo& info = task.joints.info[joint];
     std::vector<ConstraintOf<Row>>& constraints = ConstraintsOf<Row>(task);
     ConstraintOf<Row>& c = constraints.emplace_back();
     c.row = info.row;
     const JointInput input{task.step, task.bodies, info};
-    make(input, task.joints.Store<Row>().rows[static_cast<size_t>(info.row)], c);
+    make(input, task.joints.Store<Row>().rows[info.row], c);
     return static_cast<int>(constraints.size()) - 1;
 }
 
@@ -69,22 +69,22 @@ template <typename Row>
 constexpr JointPhases MakePhases() {
     using Constraint = ConstraintOf<Row>;
     JointPhases phases;
-    phases.prepare = [](const JointTask& task, int joint) {
+    phases.prepare = [](const JointTask& task, JointIndex joint) {
         return AppendConstraint<Row>(task, joint,
                                      [](const JointInput& in, Row& row, Constraint& c) { Prepare(in, row, c); });
     };
     phases.prepareBounds = phases.prepare;
     if constexpr (requires(const JointInput& in, Row& row, Constraint& c) { PrepareBounds(in, row, c); }) {
-        phases.prepareBounds = [](const JointTask& task, int joint) {
+        phases.prepareBounds = [](const JointTask& task, JointIndex joint) {
             return AppendConstraint<Row>(
                 task, joint, [](const JointInput& in, Row& row, Constraint& c) { PrepareBounds(in, row, c); });
         };
     }
-    phases.isIdle = [](const JointTask&, int) { return false; };
+    phases.isIdle = [](const JointTask&, JointIndex) { return false; };
     if constexpr (requires(const JointInput& in, const Row& row) { IsIdle(in, row); }) {
-        phases.isIdle = [](const JointTask& task, int joint) {
-            const JointInfo& info = task.joints.info[static_cast<size_t>(joint)];
-            const Row& row = task.joints.Store<Row>().rows[static_cast<size_t>(info.row)];
+        phases.isIdle = [](const JointTask& task, JointIndex joint) {
+            const JointInfo& info = task.joints.info[joint];
+            const Row& row = task.joints.Store<Row>().rows[info.row];
             return IsIdle(JointInput{task.step, task.bodies, info}, row);
         };
     }
@@ -96,9 +96,8 @@ constexpr JointPhases MakePhases() {
                      [&](const Constraint& c, Row& row) { SolveVelocity(c, row, task.step, task.bodies.velocity); });
     };
     phases.solveBounds = nullptr;
-    if constexpr (requires(const Constraint& c, Row& row, const JointStep& step, std::vector<Velocity>& velocity) {
-                      SolveBounds(c, row, step, velocity);
-                  }) {
+    if constexpr (requires(const Constraint& c, Row& row, const JointStep& step,
+                           Column<BodyIndex, Velocity>& velocity) { SolveBounds(c, row, step, velocity); }) {
         phases.solveBounds = [](const JointTask& task, const JointRun& run) {
             ForEach<Row>(task, run,
                          [&](const Constraint& c, Row& row) { SolveBounds(c, row, task.step, task.bodies.velocity); });

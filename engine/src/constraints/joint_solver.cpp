@@ -26,22 +26,22 @@ const JointPhases& PhasesOf(JointType type) {
 
 }  // namespace
 
-void ScaleJointImpulses(const JointTask& task, std::span<const int> joints) {
+void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints) {
     task.scratch.Clear();
-    for (const int joint : joints) PhasesOf(task.joints.info[static_cast<size_t>(joint)].type).prepare(task, joint);
+    for (const JointIndex joint : joints) PhasesOf(task.joints.info[joint].type).prepare(task, joint);
 }
 
-void PrepareJoints(const JointTask& task, std::span<const int> joints, std::span<const int> bounded) {
+void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded) {
     task.scratch.Clear();
-    const auto add = [&task](int joint, std::vector<JointRun>& runs, auto phase) {
-        const JointType type = task.joints.info[static_cast<size_t>(joint)].type;
+    const auto add = [&task](JointIndex joint, std::vector<JointRun>& runs, auto phase) {
+        const JointType type = task.joints.info[joint].type;
         const int number = (PhasesOf(type).*phase)(task, joint);
         if (runs.empty() || runs.back().type != type) runs.push_back({type, number, number});
         runs.back().end = number + 1;
     };
-    for (const int joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
-    for (const int joint : bounded) {
-        if (PhasesOf(task.joints.info[static_cast<size_t>(joint)].type).isIdle(task, joint)) continue;
+    for (const JointIndex joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
+    for (const JointIndex joint : bounded) {
+        if (PhasesOf(task.joints.info[joint].type).isIdle(task, joint)) continue;
         ForgetExactImpulse(joint, task.joints);
         add(joint, task.scratch.bounds, &JointPhases::prepareBounds);
     }

@@ -13,12 +13,12 @@ namespace scree {
 
 /// Makes the constraints of these joints, in this order, and warm-starts them. Of `bounded`, which a direct solve
 /// holds, only limits, motors and springs, and those that are idle are left out.
-void PrepareJoints(const JointTask& task, std::span<const int> joints, std::span<const int> bounded = {});
+void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded = {});
 /// Applies the impulses that the joints have at present once more.
 void WarmStartJoints(const JointTask& task);
 /// Multiplies the impulses that these joints keep for warm starting by task.step.impulseScale, without pushing
 /// anything.
-void ScaleJointImpulses(const JointTask& task, std::span<const int> joints);
+void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints);
 /// One iteration each.
 void SolveJointVelocities(const JointTask& task);
 /// True if every joint is within tolerance.

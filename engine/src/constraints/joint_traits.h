@@ -50,7 +50,7 @@ Vec2 GapOf(const BodyTable& bodies, const JointInfo& info, const Row& row) {
 template <typename Row>
 float SlideError(const BodyTable& bodies, const JointInfo& info, const Row& row) {
     const Vec2 gap = GapOf(bodies, info, row);
-    const Vec2 axis = Mul(bodies.transform[static_cast<size_t>(info.bodyA)].q, row.localAxisA);
+    const Vec2 axis = Mul(bodies.transform[info.bodyA].q, row.localAxisA);
     const float x = Dot(axis, gap);
     const float beyond = row.limit.enabled ? Abs(x - Clamp(x, row.limit.lower, row.limit.upper)) : 0.0f;
     return Max(Abs(Cross(axis, gap)), beyond);

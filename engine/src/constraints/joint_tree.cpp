@@ -15,18 +15,16 @@ namespace scree {
 
 namespace {
 
-size_t At(int index) { return static_cast<size_t>(index); }
-
-void LoadVelocities(std::vector<TreeBody>& bodies, const std::vector<Velocity>& velocity) {
+void LoadVelocities(std::vector<TreeBody>& bodies, const Column<BodyIndex, Velocity>& velocity) {
     for (TreeBody& b : bodies) {
-        const Velocity& v = velocity[At(b.body)];
+        const Velocity& v = velocity[b.body];
         b.v[0] = double{v.v.x}, b.v[1] = double{v.v.y}, b.v[2] = double{v.w};
     }
 }
-void StoreVelocities(const std::vector<TreeBody>& bodies, std::vector<Velocity>& velocity) {
+void StoreVelocities(const std::vector<TreeBody>& bodies, Column<BodyIndex, Velocity>& velocity) {
     for (const TreeBody& b : bodies) {
         if (b.invMass == 0.0 && b.invI == 0.0) continue;
-        Velocity& v = velocity[At(b.body)];
+        Velocity& v = velocity[b.body];
         v.v = {static_cast<float>(b.v[0]), static_cast<float>(b.v[1])};
         v.w = static_cast<float>(b.v[2]);
     }
@@ -41,8 +39,8 @@ void JointTree::Build(const JointTreeInput& input) {
     m->Build(input.bodies, input.joints, input.list, double{input.substepScale});
 }
 bool JointTree::IsEmpty() const { return m->IsEmpty(); }
-std::span<const int> JointTree::GetOthers() const { return m->others; }
-std::span<const int> JointTree::GetBounded() const { return m->bounded; }
+std::span<const JointIndex> JointTree::GetOthers() const { return m->others; }
+std::span<const JointIndex> JointTree::GetBounded() const { return m->bounded; }
 size_t JointTree::GetMemoryBytes() const { return m->GetMemoryBytes(); }
 
 namespace {
@@ -57,8 +55,8 @@ void SteadyPulled(JointForest& forest, double h) {
     for (TreeJoint& joint : forest.joints) {
         if (joint.shape.kind == TreeKind::point || joint.shape.kind == TreeKind::pointAndAngle) {
             const double x = joint.recent[0], y = joint.recent[1];
-            forest.bodies[At(joint.a)].next.angle += joint.rows.a[1][2] * x - joint.rows.a[0][2] * y;
-            forest.bodies[At(joint.b)].next.angle += joint.rows.b[1][2] * x - joint.rows.b[0][2] * y;
+            forest.bodies[ToSize(joint.a)].next.angle += joint.rows.a[1][2] * x - joint.rows.a[0][2] * y;
+            forest.bodies[ToSize(joint.b)].next.angle += joint.rows.b[1][2] * x - joint.rows.b[0][2] * y;
         }
         for (double& impulse : joint.recent) impulse = 0.0;
     }
@@ -79,13 +77,13 @@ void JointTree::Factorize(const Poses& poses, float h) {
         Turn(b.startCos, b.startSin, start.turn, b.pose);
     }
     for (TreeJoint& joint : m->joints) {
-        MakeRows<true>(joint.shape, m->bodies[At(joint.a)].pose, m->bodies[At(joint.b)].pose, joint.rows);
+        MakeRows<true>(joint.shape, m->bodies[ToSize(joint.a)].pose, m->bodies[ToSize(joint.b)].pose, joint.rows);
     }
     SteadyPulled(*m, double{h});
     FactorizeForest(*m);
 }
 
-void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& velocity) {
+void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocity>& velocity) {
     m->trees.SolveBeforeMove(velocity);
     if (m->joints.empty()) return;
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
@@ -106,7 +104,7 @@ void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& ve
         for (TreeJoint& joint : m->joints) {
             TreeRows next;
             next.count = joint.rows.count;
-            MakeRows<false>(joint.shape, m->bodies[At(joint.a)].next, m->bodies[At(joint.b)].next, next);
+            MakeRows<false>(joint.shape, m->bodies[ToSize(joint.a)].next, m->bodies[ToSize(joint.b)].next, next);
             for (int i = 0; i < next.count; ++i) joint.rhs[i] = -inverse * next.error[i];
         }
         SolveForest(*m);
@@ -114,13 +112,13 @@ void JointTree::SolveBeforeMove(const Poses&, float h, std::vector<Velocity>& ve
     StoreVelocities(m->bodies, velocity);
 }
 
-void JointTree::SolveAfterMove(std::vector<Velocity>& velocity) {
+void JointTree::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
     m->trees.SolveAfterMove(velocity);
     if (m->joints.empty()) return;
     LoadVelocities(m->bodies, velocity);
     for (TreeJoint& joint : m->joints) {
-        const double(&a)[3] = m->bodies[At(joint.a)].v;
-        const double(&b)[3] = m->bodies[At(joint.b)].v;
+        const double(&a)[3] = m->bodies[ToSize(joint.a)].v;
+        const double(&b)[3] = m->bodies[ToSize(joint.b)].v;
         for (int i = 0; i < joint.rows.count; ++i) {
             double speed = 0.0;
             for (int k = 0; k < 3; ++k) speed += joint.rows.a[i][k] * a[k] + joint.rows.b[i][k] * b[k];
@@ -131,7 +129,7 @@ void JointTree::SolveAfterMove(std::vector<Velocity>& velocity) {
     StoreVelocities(m->bodies, velocity);
 }
 
-void JointTree::NotePullRates(float dt, std::vector<BodyDemand>& demand) const {
+void JointTree::NotePullRates(float dt, Column<BodyIndex, BodyDemand>& demand) const {
     m->ForEachResult([&](const TreeResult& result) {
         if (result.rows.count < 2) return;
         const double(&impulse)[maxTreeRows] = result.impulse;
@@ -140,7 +138,7 @@ void JointTree::NotePullRates(float dt, std::vector<BodyDemand>& demand) const {
             if (side.invMass == 0.0 || side.invI == 0.0) return;
             // A rod pulled at its end: inertia m·l²/3 about the other end of the arm l/2.
             const double arm = std::sqrt(x * x + y * y), inertia = 1.0 / side.invI + arm * arm / side.invMass;
-            float& rate = demand[At(side.body)].pullRate;
+            float& rate = demand[side.body].pullRate;
             rate = std::max(rate, static_cast<float>(std::sqrt(pull * arm / (1.5 * inertia))));
         };
         note(result.a, result.shape.ax, result.shape.ay);

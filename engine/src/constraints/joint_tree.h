@@ -27,8 +27,8 @@ class JointForest;
 struct JointTreeInput {
     const BodyTable& bodies;
     const JointTable& joints;
-    std::span<const int> list;  ///< joints to hold
-    float substepScale;         ///< makes impulses of a sub-step of those that the joints keep
+    std::span<const JointIndex> list;  ///< joints to hold
+    float substepScale;                ///< makes impulses of a sub-step of those that the joints keep
 };
 
 class JointTree {
@@ -43,27 +43,27 @@ public:
     [[nodiscard]] bool IsEmpty() const;
     /// Joints of the list that belong to no tree, in its order: of types without exact rows, in loops, or on a body
     /// with very many joints.
-    [[nodiscard]] std::span<const int> GetOthers() const;
+    [[nodiscard]] std::span<const JointIndex> GetOthers() const;
     /// Joints of trees that have limits, motors or springs besides.
-    [[nodiscard]] std::span<const int> GetBounded() const;
+    [[nodiscard]] std::span<const JointIndex> GetBounded() const;
 
     /// Where bodies stand within the step.
     struct Poses {
-        const BodyTable& bodies;             ///< start positions of the step
-        const std::vector<Velocity>& delta;  ///< per body: motion since then
+        const BodyTable& bodies;                   ///< start positions of the step
+        const Column<BodyIndex, Velocity>& delta;  ///< per body: motion since then
     };
     /// At the present poses, from which both solves below take their Jacobians. `h` is the length of a sub-step, s.
     void Factorize(const Poses& poses, float h);
     /// Changes velocities so that a move of `h` seconds ends with closed joints, to O(h³).
-    void SolveBeforeMove(const Poses& poses, float h, std::vector<Velocity>& velocity);
+    void SolveBeforeMove(const Poses& poses, float h, Column<BodyIndex, Velocity>& velocity);
     /// Removes all speed along the joints; after Factorize at the new poses.
-    void SolveAfterMove(std::vector<Velocity>& velocity);
+    void SolveAfterMove(Column<BodyIndex, Velocity>& velocity);
     /// Writes the impulses of the last two solves, times `scale`, into the joints.
     void Store(float scale, JointTable& joints) const;
     /// After a step of `dt` seconds: raises BodyDemand::pullRate to √(T/(m·l)) of a pull T of a joint at a link of mass
     /// m and length l, 1/s. A step needs at least twice as many sub-steps as it has such times, or the pull swings its
     /// links too far in one.
-    void NotePullRates(float dt, std::vector<BodyDemand>& demand) const;
+    void NotePullRates(float dt, Column<BodyIndex, BodyDemand>& demand) const;
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:

@@ -12,8 +12,6 @@ namespace scree {
 
 namespace {
 
-size_t At(int index) { return static_cast<size_t>(index); }
-
 /// Calls use(n) with the number of rows of a joint as a constant, so that the loops over rows unroll.
 template <typename Use>
 void WithCount(int count, Use&& use) {
@@ -64,8 +62,8 @@ void FillMatrix(JointForest& forest) {
         return b.invMass * (i[0] * j[0] + i[1] * j[1]) + b.steadyInvI * i[2] * j[2];
     };
     for (TreeJoint& joint : forest.joints) {
-        const TreeBody& a = forest.bodies[At(joint.a)];
-        const TreeBody& b = forest.bodies[At(joint.b)];
+        const TreeBody& a = forest.bodies[ToSize(joint.a)];
+        const TreeBody& b = forest.bodies[ToSize(joint.b)];
         WithCount(joint.rows.count, [&](auto n) {
             Unroll(n, [&](int i) {
                 for (int j = 0; j <= i; ++j) {
@@ -75,8 +73,8 @@ void FillMatrix(JointForest& forest) {
                 joint.inverse[i][i] *= 1.0 + jointCompliance;
             });
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-                TreeLink& link = forest.links[At(l)];
-                const TreeJoint& later = forest.joints[At(link.later)];
+                TreeLink& link = forest.links[ToSize(l)];
+                const TreeJoint& later = forest.joints[ToSize(link.later)];
                 for (auto& row : link.block) {
                     for (double& x : row) x = 0.0;
                 }
@@ -98,8 +96,8 @@ void FillMatrix(JointForest& forest) {
 
 template <typename Own, typename Later>
 void EliminateLink(JointForest& forest, const TreeJoint& joint, int at, Own n, Later rows) {
-    TreeLink& link = forest.links[At(at)];
-    TreeJoint& later = forest.joints[At(link.later)];
+    TreeLink& link = forest.links[ToSize(at)];
+    TreeJoint& later = forest.joints[ToSize(link.later)];
     double row[maxTreeRows][maxTreeRows];  // of L
     Unroll(rows, [&](int i) {
         Unroll(n, [&](int j) {
@@ -116,10 +114,10 @@ void EliminateLink(JointForest& forest, const TreeJoint& joint, int at, Own n, L
     // The later joint is coupled with all that follow it here, in the same order, and maybe with more.
     int target = later.linkBegin;
     for (int r = at + 1; r < joint.linkEnd; ++r, ++target) {
-        const TreeLink& with = forest.links[At(r)];
-        while (forest.links[At(target)].later != with.later) ++target;
-        WithCount(forest.joints[At(with.later)].rows.count,
-                  [&](auto count) { reduce(with, count, forest.links[At(target)].block); });
+        const TreeLink& with = forest.links[ToSize(r)];
+        while (forest.links[ToSize(target)].later != with.later) ++target;
+        WithCount(forest.joints[ToSize(with.later)].rows.count,
+                  [&](auto count) { reduce(with, count, forest.links[ToSize(target)].block); });
     }
     Unroll(rows, [&](int i) { Unroll(n, [&](int j) { link.block[i][j] = row[i][j]; }); });
 }
@@ -129,8 +127,8 @@ void Eliminate(JointForest& forest) {
         WithCount(joint.rows.count, [&](auto n) {
             // The diagonal before anything is subtracted from it.
             double scale[maxTreeRows] = {};
-            const TreeBody& bodyA = forest.bodies[At(joint.a)];
-            const TreeBody& bodyB = forest.bodies[At(joint.b)];
+            const TreeBody& bodyA = forest.bodies[ToSize(joint.a)];
+            const TreeBody& bodyB = forest.bodies[ToSize(joint.b)];
             Unroll(n, [&](int i) {
                 const double(&a)[3] = joint.rows.a[i];
                 const double(&b)[3] = joint.rows.b[i];
@@ -139,7 +137,7 @@ void Eliminate(JointForest& forest) {
             });
             Invert(joint.inverse, n, scale);
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-                WithCount(forest.joints[At(forest.links[At(l)].later)].rows.count,
+                WithCount(forest.joints[ToSize(forest.links[ToSize(l)].later)].rows.count,
                           [&](auto rows) { EliminateLink(forest, joint, l, n, rows); });
             }
         });
@@ -151,8 +149,8 @@ void Solve(JointForest& forest) {
     for (const TreeJoint& joint : forest.joints) {
         WithCount(joint.rows.count, [&](auto n) {
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-                const TreeLink& link = forest.links[At(l)];
-                TreeJoint& later = forest.joints[At(link.later)];
+                const TreeLink& link = forest.links[ToSize(l)];
+                TreeJoint& later = forest.joints[ToSize(link.later)];
                 WithCount(later.rows.count, [&](auto rows) {
                     Unroll(rows,
                            [&](int i) { Unroll(n, [&](int j) { later.rhs[i] -= link.block[i][j] * joint.rhs[j]; }); });
@@ -169,8 +167,8 @@ void Solve(JointForest& forest) {
                 Unroll(n, [&](int j) { impulse[i] += joint.inverse[i][j] * joint.rhs[j]; });
             });
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
-                const TreeLink& link = forest.links[At(l)];
-                const TreeJoint& later = forest.joints[At(link.later)];
+                const TreeLink& link = forest.links[ToSize(l)];
+                const TreeJoint& later = forest.joints[ToSize(link.later)];
                 WithCount(later.rows.count, [&](auto rows) {
                     Unroll(rows,
                            [&](int i) { Unroll(n, [&](int j) { impulse[j] -= link.block[i][j] * later.rhs[i]; }); });
@@ -184,8 +182,8 @@ void Solve(JointForest& forest) {
 /// The impulses of the last solve.
 void ApplyImpulses(JointForest& forest) {
     for (TreeJoint& joint : forest.joints) {
-        TreeBody& a = forest.bodies[At(joint.a)];
-        TreeBody& b = forest.bodies[At(joint.b)];
+        TreeBody& a = forest.bodies[ToSize(joint.a)];
+        TreeBody& b = forest.bodies[ToSize(joint.b)];
         WithCount(joint.rows.count, [&](auto n) {
             Unroll(n, [&](int i) {
                 const double impulse = joint.rhs[i];

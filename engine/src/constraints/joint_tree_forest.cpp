@@ -19,8 +19,6 @@ constexpr size_t mostJointsOfBody = 12;
 /// A joint that is coupled with more is left to rows: nets would take time with the square of it.
 constexpr size_t mostCoupled = 64;
 
-size_t At(int index) { return static_cast<size_t>(index); }
-
 }  // namespace
 
 size_t JointForest::GetMemoryBytes() const {
@@ -35,34 +33,34 @@ size_t JointForest::GetMemoryBytes() const {
     return bytes;
 }
 
-int JointForest::RowOf(const BodyTable& table, int body) {
-    int& row = m_rowOf[At(body)];
+int JointForest::RowOf(const BodyTable& table, BodyIndex body) {
+    int& row = m_rowOf[body];
     if (row >= 0) return row;
     row = static_cast<int>(bodies.size());
     TreeBody& b = bodies.emplace_back();
     b.body = body;
-    const bool moves = table.type[At(body)] == dynamicBody;
-    b.invMass = moves ? double{table.mass[At(body)].invMass} : 0.0;
-    b.invI = b.steadyInvI = moves ? double{table.mass[At(body)].invI} : 0.0;
-    const Rot& q = table.transform[At(body)].q;
+    const bool moves = table.type[body] == dynamicBody;
+    b.invMass = moves ? double{table.mass[body].invMass} : 0.0;
+    b.invI = b.steadyInvI = moves ? double{table.mass[body].invI} : 0.0;
+    const Rot& q = table.transform[body].q;
     b.startCos = double{q.c}, b.startSin = double{q.s};
     return row;
 }
 
-bool JointForest::Moves(int row) const { return bodies[At(row)].invMass > 0.0 || bodies[At(row)].invI > 0.0; }
+bool JointForest::Moves(int row) const { return bodies[ToSize(row)].invMass > 0.0 || bodies[ToSize(row)].invI > 0.0; }
 
-void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list) {
+void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list) {
     m_candidates.clear(), m_shapes.clear();
     m_keys.clear();
-    const auto moves = [&](int body) {
-        const MassRow& mass = bodyTable.mass[At(body)];
-        return bodyTable.type[At(body)] == dynamicBody && (mass.invMass > 0.0f || mass.invI > 0.0f);
+    const auto moves = [&](BodyIndex body) {
+        const MassRow& mass = bodyTable.mass[body];
+        return bodyTable.type[body] == dynamicBody && (mass.invMass > 0.0f || mass.invI > 0.0f);
     };
-    for (const int joint : list) {
+    for (const JointIndex joint : list) {
         TreeShape shape;
         bool isBounded = false;
         if (!MakeTreeShape(bodyTable, jointTable, joint, shape, isBounded)) continue;
-        const JointInfo& info = jointTable.info[At(joint)];
+        const JointInfo& info = jointTable.info[joint];
         const bool movesA = moves(info.bodyA), movesB = moves(info.bodyB);
         if (!movesA && !movesB) continue;
         m_candidates.push_back({joint, -1, -1, isBounded, false, -1});
@@ -87,8 +85,8 @@ void JointForest::PlanTrees() {
 
 /// Rows of the bodies of joints that belong to no tree.
 void JointForest::CollectBodies(const BodyTable& bodyTable) {
-    for (const TreeBody& b : bodies) m_rowOf[At(b.body)] = -1;
-    m_rowOf.resize(At(bodyTable.slots.Size()), -1);
+    for (const TreeBody& b : bodies) m_rowOf[b.body] = -1;
+    m_rowOf.resize(ToSize(bodyTable.slots.Size()), -1);
     bodies.clear();
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         if (m_links[i].isTree) continue;
@@ -108,26 +106,26 @@ void JointForest::Couple() {
         c.used = !m_links[i].isTree;
         if (!c.used) continue;
         for (const int row : {c.a, c.b})
-            c.used = c.used && (!Moves(row) || m_ofBody[At(row)].size() < mostJointsOfBody);
+            c.used = c.used && (!Moves(row) || m_ofBody[ToSize(row)].size() < mostJointsOfBody);
         if (!c.used) continue;
         for (const int row : {c.a, c.b}) {
             if (!Moves(row)) continue;
-            for (const int other : m_ofBody[At(row)]) {
+            for (const int other : m_ofBody[ToSize(row)]) {
                 if (m_near[i].empty() || std::find(m_near[i].begin(), m_near[i].end(), other) == m_near[i].end()) {
                     m_near[i].push_back(other);
-                    m_near[At(other)].push_back(static_cast<int>(i));
+                    m_near[ToSize(other)].push_back(static_cast<int>(i));
                 }
             }
         }
         for (const int row : {c.a, c.b}) {
-            if (Moves(row)) m_ofBody[At(row)].push_back(static_cast<int>(i));
+            if (Moves(row)) m_ofBody[ToSize(row)].push_back(static_cast<int>(i));
         }
     }
     for (size_t i = 0; i < m_candidates.size(); ++i) std::sort(m_near[i].begin(), m_near[i].end());
 }
 
 void JointForest::Enqueue(int candidate) {
-    const size_t count = m_near[At(candidate)].size();
+    const size_t count = m_near[ToSize(candidate)].size();
     if (m_waiting.size() <= count) m_waiting.resize(count + 1);
     m_waiting[count].push_back(candidate);
 }
@@ -139,8 +137,8 @@ int JointForest::TakeLeast() {
         while (!list.empty()) {
             const int candidate = list.back();
             list.pop_back();
-            const Candidate& c = m_candidates[At(candidate)];
-            if (c.used && c.place < 0 && m_near[At(candidate)].size() == count) return candidate;
+            const Candidate& c = m_candidates[ToSize(candidate)];
+            if (c.used && c.place < 0 && m_near[ToSize(candidate)].size() == count) return candidate;
         }
     }
     return -1;
@@ -148,15 +146,15 @@ int JointForest::TakeLeast() {
 
 /// Those it is coupled with are coupled with each other from now on; one with too many is left to rows instead.
 void JointForest::Eliminate(int candidate) {
-    Candidate& c = m_candidates[At(candidate)];
-    const std::vector<int>& near = m_near[At(candidate)];
+    Candidate& c = m_candidates[ToSize(candidate)];
+    const std::vector<int>& near = m_near[ToSize(candidate)];
     c.used = near.size() <= mostCoupled;
     if (c.used) {
         c.place = static_cast<int>(m_order.size());
         m_order.push_back(candidate);
     }
     for (const int other : near) {
-        std::vector<int>& list = m_near[At(other)];
+        std::vector<int>& list = m_near[ToSize(other)];
         m_merged.clear();
         if (c.used) {
             std::set_union(list.begin(), list.end(), near.begin(), near.end(), std::back_inserter(m_merged));
@@ -181,15 +179,15 @@ void JointForest::Order() {
 void JointForest::MakeLinks() {
     joints.clear(), links.clear();
     for (const int candidate : m_order) {
-        const Candidate& c = m_candidates[At(candidate)];
-        std::vector<int>& near = m_near[At(candidate)];
-        for (int& other : near) other = m_candidates[At(other)].place;
+        const Candidate& c = m_candidates[ToSize(candidate)];
+        std::vector<int>& near = m_near[ToSize(candidate)];
+        for (int& other : near) other = m_candidates[ToSize(other)].place;
         std::erase_if(near, [](int place) { return place < 0; });  // left to rows later on
         std::sort(near.begin(), near.end());
         TreeJoint& joint = joints.emplace_back();
         joint.joint = c.joint;
         joint.a = c.a, joint.b = c.b;
-        joint.rows.count = RowCount(m_keys[At(candidate)].kind);
+        joint.rows.count = RowCount(m_keys[ToSize(candidate)].kind);
         joint.linkBegin = static_cast<int>(links.size());
         for (const int later : near) links.push_back({later, {}});
         joint.linkEnd = static_cast<int>(links.size());
@@ -201,13 +199,13 @@ void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTab
     trees.Refresh(bodyTable, jointTable, m_shapes, recentScale);
     for (size_t i = 0; i < joints.size(); ++i) {
         TreeJoint& joint = joints[i];
-        joint.shape = m_shapes[At(m_order[i])];
+        joint.shape = m_shapes[ToSize(m_order[i])];
         for (double& t : joint.total) t = 0.0;
         LoadImpulse(joint.joint, jointTable, recentScale, joint.recent);
     }
 }
 
-void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list,
+void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
                         double recentScale) {
     Collect(bodyTable, jointTable, list);
     const bool isKnown = IsKnown();
@@ -224,7 +222,7 @@ void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable
     Refresh(bodyTable, jointTable, recentScale);
     others.clear(), bounded.clear();
     size_t next = 0;
-    for (const int joint : list) {
+    for (const JointIndex joint : list) {
         const bool isCandidate = next < m_candidates.size() && m_candidates[next].joint == joint;
         const bool isUsed = isCandidate && m_isUsed[next] != 0;
         if (!isUsed) others.push_back(joint);

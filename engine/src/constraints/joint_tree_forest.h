@@ -16,7 +16,7 @@
 namespace scree {
 
 struct TreeBody {
-    int body;
+    BodyIndex body;
     double invMass, invI;  ///< 0 if joints cannot push it
     double steadyInvI;     ///< of the solve: smaller where a pull would swing the body too far in a sub-step
     double startCos, startSin;
@@ -32,7 +32,7 @@ struct TreeLink {
 
 struct TreeJoint {
     TreeShape shape;
-    int joint;
+    JointIndex joint;
     int a, b;                ///< rows of the bodies
     int linkBegin, linkEnd;  ///< in the order of elimination
     TreeRows rows;
@@ -45,15 +45,16 @@ struct TreeJoint {
 class JointForest {
 public:
     JointBatches trees;
-    std::vector<TreeBody> bodies;   ///< of `joints`
-    std::vector<TreeJoint> joints;  ///< not of trees, in the order of elimination
-    std::vector<TreeLink> links;    ///< of each joint, [linkBegin, linkEnd)
-    std::vector<int> others;        ///< joints of the list that are left to rows
-    std::vector<int> bounded;       ///< joints held directly that have limits, motors or springs besides
+    std::vector<TreeBody> bodies;     ///< of `joints`
+    std::vector<TreeJoint> joints;    ///< not of trees, in the order of elimination
+    std::vector<TreeLink> links;      ///< of each joint, [linkBegin, linkEnd)
+    std::vector<JointIndex> others;   ///< joints of the list that are left to rows
+    std::vector<JointIndex> bounded;  ///< joints held directly that have limits, motors or springs besides
 
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. `recentScale`
     /// makes impulses of a sub-step of the stored ones. O(bodies + joints) for trees.
-    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list, double recentScale);
+    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
+               double recentScale);
     [[nodiscard]] bool IsEmpty() const { return trees.IsEmpty() && joints.empty(); }
     [[nodiscard]] size_t GetMemoryBytes() const;
 
@@ -62,7 +63,7 @@ public:
     void ForEachResult(Visit&& visit) const {
         trees.ForEachResult(visit);
         const auto side = [&](int row) {
-            const TreeBody& b = bodies[static_cast<size_t>(row)];
+            const TreeBody& b = bodies[ToSize(row)];
             return TreeResult::Side{b.body, b.invMass, b.invI};
         };
         for (const TreeJoint& joint : joints)
@@ -71,22 +72,23 @@ public:
 
 private:
     struct Candidate {
-        int joint;
+        JointIndex joint;
         int a, b;  ///< rows of its bodies; not of trees
         bool bounded, used;
         int place;  ///< in the order of elimination
     };
     /// What an order depends on.
     struct Key {
-        int joint, bodyA, bodyB;
+        JointIndex joint;
+        BodyIndex bodyA, bodyB;
         TreeKind kind;
         bool movesA, movesB;
         bool operator==(const Key&) const = default;
     };
 
-    int RowOf(const BodyTable& table, int body);
+    int RowOf(const BodyTable& table, BodyIndex body);
     [[nodiscard]] bool Moves(int row) const;
-    void Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const int> list);
+    void Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list);
     bool IsKnown();
     void PlanTrees();
     void CollectBodies(const BodyTable& bodyTable);
@@ -102,7 +104,7 @@ private:
     std::vector<TreeShape> m_shapes;  ///< of these
     std::vector<TreeEdge> m_links;    ///< of these
     std::vector<Key> m_keys, m_oldKeys;
-    std::vector<int> m_rowOf;                 ///< per body of the world, −1: none
+    Column<BodyIndex, int> m_rowOf;           ///< per body of the world, −1: none
     std::vector<std::vector<int>> m_near;     ///< per candidate: those it is coupled with, rising
     std::vector<std::vector<int>> m_ofBody;   ///< per row: its candidates
     std::vector<std::vector<int>> m_waiting;  ///< candidates by how many they are coupled with; some out of date

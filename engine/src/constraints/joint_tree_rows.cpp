@@ -21,17 +21,18 @@ concept HasTwoAnchors = requires(Row& row) {
 
 }  // namespace
 
-bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, int joint, TreeShape& shape, bool& bounded) {
-    const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, JointIndex joint, TreeShape& shape,
+                   bool& bounded) {
+    const JointInfo& info = joints.info[joint];
     bool isExact = false;
     shape = {};
     JointTable::WithStore(joints, info.type, [&](const auto& store) {
-        const auto& row = store.rows[static_cast<size_t>(info.row)];
+        const auto& row = store.rows[info.row];
         using Row = std::remove_cvref_t<decltype(row)>;
         if constexpr (HasTwoAnchors<Row>) {
             isExact = JointTraits<Row>::Describe(row, shape, bounded);
-            const Vec2 a = row.localAnchorA - bodies.mass[static_cast<size_t>(info.bodyA)].localCenter;
-            const Vec2 b = row.localAnchorB - bodies.mass[static_cast<size_t>(info.bodyB)].localCenter;
+            const Vec2 a = row.localAnchorA - bodies.mass[info.bodyA].localCenter;
+            const Vec2 b = row.localAnchorB - bodies.mass[info.bodyB].localCenter;
             shape.ax = double{a.x}, shape.ay = double{a.y};
             shape.bx = double{b.x}, shape.by = double{b.y};
         }
@@ -39,32 +40,32 @@ bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, int joint,
     return isExact;
 }
 
-void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows], int joint,
+void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows], JointIndex joint,
                   JointTable& joints) {
-    const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+    const JointInfo& info = joints.info[joint];
     JointTable::WithStore(joints, info.type, [&](auto& store) {
-        auto& row = store.rows[static_cast<size_t>(info.row)];
+        auto& row = store.rows[info.row];
         JointTraits<std::remove_cvref_t<decltype(row)>>::Keep(row, shape, rows, impulse);
     });
 }
 
-void LoadImpulse(int joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]) {
+void LoadImpulse(JointIndex joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]) {
     for (double& i : impulse) i = 0.0;
-    const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+    const JointInfo& info = joints.info[joint];
     JointTable::WithStore(joints, info.type, [&](const auto& store) {
-        using Row = std::remove_cvref_t<decltype(store.rows[0])>;
+        using Row = typename std::remove_cvref_t<decltype(store)>::RowType;
         if constexpr (std::is_same_v<Row, RevoluteRow> || std::is_same_v<Row, WeldRow>) {
-            const Vec2 kept = store.rows[static_cast<size_t>(info.row)].impulse;
+            const Vec2 kept = store.rows[info.row].impulse;
             if (!kept.IsValid()) return;
             impulse[0] = scale * double{kept.x}, impulse[1] = scale * double{kept.y};
         }
     });
 }
 
-void ForgetExactImpulse(int joint, JointTable& joints) {
-    const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+void ForgetExactImpulse(JointIndex joint, JointTable& joints) {
+    const JointInfo& info = joints.info[joint];
     JointTable::WithStore(joints, info.type, [&](auto& store) {
-        auto& row = store.rows[static_cast<size_t>(info.row)];
+        auto& row = store.rows[info.row];
         if constexpr (requires { row.impulse = {}; }) row.impulse = {};
         if constexpr (requires {
                           row.turnImpulse;

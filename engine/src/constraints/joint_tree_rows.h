@@ -45,10 +45,10 @@ struct TreeShape {
 /// What the solves of a step did to a joint, and to whom.
 struct TreeResult {
     struct Side {
-        int body;
+        BodyIndex body;
         double invMass, invI;  ///< 0 if joints cannot push it
     };
-    int joint;
+    JointIndex joint;
     const TreeShape& shape;
     const struct TreeRows& rows;
     const double (&impulse)[maxTreeRows];
@@ -64,25 +64,25 @@ struct TreeRows {
 };
 
 /// False if no direct solve takes over joints of this type. `bounded`: it has limits, motors or springs besides.
-bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, int joint, TreeShape& shape, bool& bounded);
+bool MakeTreeShape(const BodyTable& bodies, const JointTable& joints, JointIndex joint, TreeShape& shape,
+                   bool& bounded);
 /// Impulses of the rows → the joint's table.
-void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows], int joint,
+void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&impulse)[maxTreeRows], JointIndex joint,
                   JointTable& joints);
 /// Impulses that the joint's table keeps of a joint at a point, times `scale`; 0 for other rows.
-void LoadImpulse(int joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]);
+void LoadImpulse(JointIndex joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]);
 /// Sets the impulses of the exact rows to 0, so that warm starting leaves them out.
-void ForgetExactImpulse(int joint, JointTable& joints);
+void ForgetExactImpulse(JointIndex joint, JointTable& joints);
 
 /// Where a body stands within a step, and how far it has turned in it.
 struct TreeStart {
     double x, y, angle, turn;
 };
-inline TreeStart StartOf(const BodyTable& bodies, const std::vector<Velocity>& motion, int body) {
-    const auto b = static_cast<size_t>(body);
-    const bool isStatic = bodies.type[b] == staticBody;
-    const Velocity delta = isStatic ? Velocity{} : motion[b];
-    const Position& from = isStatic ? bodies.position[b] : bodies.startPosition[b];
-    const PositionRest& rests = bodies.IsFar() ? bodies.rest[b] : PositionRest{};
+inline TreeStart StartOf(const BodyTable& bodies, const Column<BodyIndex, Velocity>& motion, BodyIndex body) {
+    const bool isStatic = bodies.type[body] == staticBody;
+    const Velocity delta = isStatic ? Velocity{} : motion[body];
+    const Position& from = isStatic ? bodies.position[body] : bodies.startPosition[body];
+    const PositionRest& rests = bodies.IsFar() ? bodies.rest[body] : PositionRest{};
     const Vec2 rest = isStatic ? rests.end : rests.start;
     return {double{from.c.x} + (double{rest.x} + double{delta.v.x}),
             double{from.c.y} + (double{rest.y} + double{delta.v.y}),

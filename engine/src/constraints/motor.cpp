@@ -22,14 +22,15 @@ void Prepare(const JointInput& in, MotorRow& row, MotorConstraint& c) {
     row.turnImpulse = Scaled(row.turnImpulse, in.step.impulseScale);
 }
 
-void WarmStart(const MotorConstraint& c, const MotorRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const MotorConstraint& c, const MotorRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     ApplyPoint(c.pair, c.arms, row.impulse, v);
     Apply(c.pair, turning, row.turnImpulse, v);
     Store(c.pair, v, velocity);
 }
 
-void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
+void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& step,
+                   Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     const float turn = -c.turnMass * (Speed(turning, v) + c.turnDrift);
     Apply(c.pair, turning, SolveBounded(row.turnImpulse, turn, step.dt * row.maxTorque), v);

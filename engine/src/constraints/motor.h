@@ -12,7 +12,7 @@ namespace scree {
 
 /// What the iterations of one motor joint need. Scratch of one step.
 struct MotorConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     Arms arms;
     Mat22 pointMass;  ///< effective mass of the point
@@ -23,8 +23,9 @@ struct MotorConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, MotorRow& row, MotorConstraint& c);
-void WarmStart(const MotorConstraint& c, const MotorRow& row, std::vector<Velocity>& velocity);
-void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void WarmStart(const MotorConstraint& c, const MotorRow& row, Column<BodyIndex, Velocity>& velocity);
+void SolveVelocity(const MotorConstraint& c, MotorRow& row, const JointStep& step,
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const MotorConstraint& c, const MotorRow& row, const JointStep& step, BodyTable& bodies);
 

@@ -11,10 +11,9 @@ namespace scree {
 
 void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c) {
     c.body = in.info.bodyB;
-    const auto b = static_cast<size_t>(c.body);
     const Vec2 frame = FrameOf(in.bodies, c.body, c.body);
     const Position pose = PositionIn(frame, in.bodies, c.body);
-    c.mass = in.bodies.mass[b];
+    c.mass = in.bodies.mass[c.body];
     c.arm = Mul(Rot(pose.a), row.localAnchorB - c.mass.localCenter);
     const Vec2 error = pose.c + c.arm - (row.target - frame);
     const Spring spring = MakeSpring({row.stiffness, row.damping, 1.0f, 0.0f}, in.step.dt);
@@ -27,17 +26,18 @@ void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c) {
     row.impulse = Scaled(row.impulse, in.step.impulseScale);
 }
 
-void WarmStart(const MouseConstraint& c, const MouseRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const MouseConstraint& c, const MouseRow& row, Column<BodyIndex, Velocity>& velocity) {
     if (c.mass.invMass == 0.0f) return;
-    Velocity& v = velocity[static_cast<size_t>(c.body)];
+    Velocity& v = velocity[c.body];
     // A body that hangs on one point would spin for long: Box2D's 2 % per step keep the mouse handy.
     v.w *= 0.98f;
     ApplyImpulse(c.mass, row.impulse, Cross(c.arm, row.impulse), v);
 }
 
-void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
+void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step,
+                   Column<BodyIndex, Velocity>& velocity) {
     if (c.mass.invMass == 0.0f) return;
-    Velocity& v = velocity[static_cast<size_t>(c.body)];
+    Velocity& v = velocity[c.body];
     const Vec2 speed = v.v + Cross(v.w, c.arm) + c.bias + c.gamma * row.impulse;
     const Vec2 impulse = SolveBounded(row.impulse, Mul(c.softMass, -speed), step.dt * row.maxForce);
     ApplyImpulse(c.mass, impulse, Cross(c.arm, impulse), v);

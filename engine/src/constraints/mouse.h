@@ -12,8 +12,8 @@ namespace scree {
 
 /// What the iterations of one mouse joint need. Scratch of one step.
 struct MouseConstraint {
-    int row;  ///< in the joint's table
-    int body;
+    JointRow row;  ///< in the joint's table
+    BodyIndex body;
     MassRow mass;
     Vec2 arm;        ///< from the centre of mass to the held point
     Mat22 softMass;  ///< effective mass of the softened point
@@ -23,8 +23,9 @@ struct MouseConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c);
-void WarmStart(const MouseConstraint& c, const MouseRow& row, std::vector<Velocity>& velocity);
-void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void WarmStart(const MouseConstraint& c, const MouseRow& row, Column<BodyIndex, Velocity>& velocity);
+void SolveVelocity(const MouseConstraint& c, MouseRow& row, const JointStep& step,
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const MouseConstraint& c, const MouseRow& row, const JointStep& step, BodyTable& bodies);
 

@@ -40,7 +40,7 @@ void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c) {
     ScaleLimit(row.limit, in.step.impulseScale);
 }
 
-void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     Apply(c.pair, c.along, row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
     Apply(c.pair, c.across, row.impulse.x, v);
@@ -65,14 +65,14 @@ SCREE_INLINE void SolveRange(const PrismaticConstraint& c, PrismaticRow& row, co
 }  // namespace
 
 void SolveBounds(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
-                 std::vector<Velocity>& velocity) {
+                 Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
     Store(c.pair, v, velocity);
 }
 
 void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity) {
+                   Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
     const Vec2 impulse = c.k.Solve(-Vec2(Speed(c.across, v), Speed(turning, v)));

@@ -12,7 +12,7 @@ namespace scree {
 
 /// What the iterations of one prismatic joint need. Scratch of one step.
 struct PrismaticConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     AxisRow along, across;
     Mat22 k;            ///< inverse effective mass of (across, turning)
@@ -23,12 +23,12 @@ struct PrismaticConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c);
-void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, std::vector<Velocity>& velocity);
+void WarmStart(const PrismaticConstraint& c, const PrismaticRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.
 void SolveBounds(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
-                 std::vector<Velocity>& velocity);
+                 Column<BodyIndex, Velocity>& velocity);
 void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity);
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const JointStep& step, BodyTable& bodies);
 

@@ -60,13 +60,13 @@ void Prepare(const JointInput& in, PulleyRow& row, PulleyConstraint& c) {
     row.impulse = Scaled(row.impulse, in.step.impulseScale);
 }
 
-void WarmStart(const PulleyConstraint& c, const PulleyRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const PulleyConstraint& c, const PulleyRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     Pull(c, row.impulse, row.ratio, v);
     Store(c.pair, v, velocity);
 }
 
-void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep&, std::vector<Velocity>& velocity) {
+void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep&, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     const float speedA = Dot(c.axisA, v.a.v) + c.armA * v.a.w;
     const float speedB = Dot(c.axisB, v.b.v) + c.armB * v.b.w;

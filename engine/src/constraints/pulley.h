@@ -12,7 +12,7 @@ namespace scree {
 
 /// What the iterations of one pulley joint need. Scratch of one step.
 struct PulleyConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     Vec2 axisA, axisB;  ///< from the ground anchors to the bodies; zero for a rope that is hauled in
     float armA, armB;   ///< turning of the bodies about their centres of mass per unit along these axes, m
@@ -21,8 +21,9 @@ struct PulleyConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, PulleyRow& row, PulleyConstraint& c);
-void WarmStart(const PulleyConstraint& c, const PulleyRow& row, std::vector<Velocity>& velocity);
-void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void WarmStart(const PulleyConstraint& c, const PulleyRow& row, Column<BodyIndex, Velocity>& velocity);
+void SolveVelocity(const PulleyConstraint& c, PulleyRow& row, const JointStep& step,
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const PulleyConstraint& c, const PulleyRow& row, const JointStep& step, BodyTable& bodies);
 

@@ -39,14 +39,14 @@ bool IsIdle(const JointInput& in, const RevoluteRow& row) {
                           row.limit.upperImpulse != 0.0f;
     if (isAtWork) return false;
     if (!row.limit.enabled) return true;
-    const auto a = static_cast<size_t>(in.info.bodyA), b = static_cast<size_t>(in.info.bodyB);
+    const BodyIndex a = in.info.bodyA, b = in.info.bodyB;
     const float angle = in.bodies.position[b].a - in.bodies.position[a].a - row.referenceAngle;
     const float turn = in.bodies.velocity[b].w - in.bodies.velocity[a].w;
     const float reach = margin + 2.0f * Abs(turn) / in.step.inverseDt;
     return angle - row.limit.lower > reach && row.limit.upper - angle > reach;
 }
 
-void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     ApplyPoint(c.pair, c.arms, row.impulse, v);
     Apply(c.pair, turning, row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
@@ -72,14 +72,14 @@ SCREE_INLINE void SolveRange(const RevoluteConstraint& c, RevoluteRow& row, cons
 }  // namespace
 
 void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
-                 std::vector<Velocity>& velocity) {
+                 Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
     Store(c.pair, v, velocity);
 }
 
 void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity) {
+                   Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
     const Vec2 impulse = c.k.Solve(-PointSpeed(c.arms, v));

@@ -11,7 +11,7 @@ namespace scree {
 
 /// What the iterations of one revolute joint need. Scratch of one step.
 struct RevoluteConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     Arms arms;
     Mat22 k;         ///< inverse effective mass of the point
@@ -26,11 +26,12 @@ void Prepare(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
 void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c);
 /// Whether limits alone could act, and are too far for it.
 [[nodiscard]] bool IsIdle(const JointInput& in, const RevoluteRow& row);
-void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, std::vector<Velocity>& velocity);
+void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.
-void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
+                 Column<BodyIndex, Velocity>& velocity);
 void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
-                   std::vector<Velocity>& velocity);
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if SolvePosition finds nothing to do for limits.
 bool KeepsBounds(const RevoluteConstraint& c, const RevoluteRow& row, const JointStep& step, const BodyTable& bodies);
 /// True if the joint's errors are within the slop.

@@ -19,8 +19,8 @@
 namespace scree {
 
 struct RollingRow {
-    int bodyA, bodyB;
-    int contact;
+    BodyIndex bodyA, bodyB;
+    ContactIndex contact;
     int at;     ///< position of the contact in the solver's list
     float arm;  ///< largest torque over the normal force, m
     float invIA, invIB;
@@ -32,8 +32,8 @@ struct RollingInput {
     const BodyTable& bodies;
     const FixtureTable& fixtures;
     const ContactTable& contacts;
-    std::span<const int> list;  ///< contacts, in order
-    float impulseScale;         ///< of warm starting: the solver's step / last dt, 0 without
+    std::span<const ContactIndex> list;  ///< contacts, in order
+    float impulseScale;                  ///< of warm starting: the solver's step / last dt, 0 without
     float lengthScale;
 };
 
@@ -43,13 +43,13 @@ public:
     [[nodiscard]] bool IsEmpty() const { return m_rows.empty(); }
     void Prepare(const RollingInput& input);
     /// Applies the impulses of the last step.
-    void WarmStart(std::vector<Velocity>& velocity) const;
+    void WarmStart(Column<BodyIndex, Velocity>& velocity) const;
     /// One iteration. `pressure(at)` is the sum of a contact's normal impulses.
     template <typename Pressure>
-    void Solve(std::vector<Velocity>& velocity, Pressure&& pressure) {
+    void Solve(Column<BodyIndex, Velocity>& velocity, Pressure&& pressure) {
         for (RollingRow& row : m_rows) {
-            Velocity& a = velocity[static_cast<size_t>(row.bodyA)];
-            Velocity& b = velocity[static_cast<size_t>(row.bodyB)];
+            Velocity& a = velocity[row.bodyA];
+            Velocity& b = velocity[row.bodyB];
             const float limit = row.arm * pressure(row.at);
             const float total = Clamp(row.impulse - row.mass * (b.w - a.w), -limit, limit);
             Apply(row, total - row.impulse, a, b);
@@ -57,7 +57,7 @@ public:
         }
     }
     /// Writes the impulses back, times `scale`.
-    void Store(float scale, std::vector<float>& impulse) const;
+    void Store(float scale, Column<ContactIndex, float>& impulse) const;
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_rows); }
 
 private:

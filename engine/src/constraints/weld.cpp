@@ -47,20 +47,20 @@ void Prepare(const JointInput& in, WeldRow& row, WeldConstraint& c) {
     row.turnImpulse = Scaled(row.turnImpulse, in.step.impulseScale);
 }
 
-void WarmStart(const WeldConstraint& c, const WeldRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const WeldConstraint& c, const WeldRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     ApplyBlock(c, c.arms, {row.impulse.x, row.impulse.y, row.turnImpulse}, v);
     Store(c.pair, v, velocity);
 }
 
-void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep&, std::vector<Velocity>& velocity) {
+void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep&, Column<BodyIndex, Velocity>& velocity) {
     if (!c.soft) return;
     PairVelocity v = Load(c.pair, velocity);
     Apply(c.pair, turning, SolveSpring(c.spring, Speed(turning, v), row.turnImpulse), v);
     Store(c.pair, v, velocity);
 }
 
-void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep&, std::vector<Velocity>& velocity) {
+void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep&, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     if (c.soft) {
         Apply(c.pair, turning, SolveSpring(c.spring, Speed(turning, v), row.turnImpulse), v);

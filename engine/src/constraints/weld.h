@@ -12,7 +12,7 @@ namespace scree {
 
 /// What the iterations of one weld joint need. Scratch of one step.
 struct WeldConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     Arms arms;
     Mat22 point;   ///< inverse effective mass of the point
@@ -23,10 +23,10 @@ struct WeldConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, WeldRow& row, WeldConstraint& c);
-void WarmStart(const WeldConstraint& c, const WeldRow& row, std::vector<Velocity>& velocity);
+void WarmStart(const WeldConstraint& c, const WeldRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.
-void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
-void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void SolveBounds(const WeldConstraint& c, WeldRow& row, const JointStep& step, Column<BodyIndex, Velocity>& velocity);
+void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep& step, Column<BodyIndex, Velocity>& velocity);
 /// True if the joint's errors are within the slop.
 bool SolvePosition(const WeldConstraint& c, const WeldRow& row, const JointStep& step, BodyTable& bodies);
 

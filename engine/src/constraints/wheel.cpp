@@ -35,7 +35,7 @@ void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     ScaleLimit(row.limit, in.step.impulseScale);
 }
 
-void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Velocity>& velocity) {
+void WarmStart(const WheelConstraint& c, const WheelRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     Apply(c.pair, c.across, row.impulse, v);
     Apply(c.pair, c.along, row.springImpulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
@@ -59,13 +59,15 @@ SCREE_INLINE void SolveRange(const WheelConstraint& c, WheelRow& row, const Join
 
 }  // namespace
 
-void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
+void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step,
+                 Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
     Store(c.pair, v, velocity);
 }
 
-void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity) {
+void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step,
+                   Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
     const float impulse = -c.acrossMass * Speed(c.across, v);

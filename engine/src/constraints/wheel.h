@@ -12,7 +12,7 @@ namespace scree {
 
 /// What the iterations of one wheel joint need. Scratch of one step.
 struct WheelConstraint {
-    int row;  ///< in the joint's table
+    JointRow row;  ///< in the joint's table
     JointPair pair;
     AxisRow along, across;
     float acrossMass, alongMass, turnMass;  ///< effective
@@ -22,10 +22,11 @@ struct WheelConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c);
-void WarmStart(const WheelConstraint& c, const WheelRow& row, std::vector<Velocity>& velocity);
+void WarmStart(const WheelConstraint& c, const WheelRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.
-void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
-void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step, std::vector<Velocity>& velocity);
+void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, Column<BodyIndex, Velocity>& velocity);
+void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& step,
+                   Column<BodyIndex, Velocity>& velocity);
 /// True if SolvePosition finds nothing to do for limits.
 bool KeepsBounds(const WheelConstraint& c, const WheelRow& row, const JointStep& step, const BodyTable& bodies);
 /// True if the joint's errors are within the slop.

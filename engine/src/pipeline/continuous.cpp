@@ -26,11 +26,9 @@ constexpr int positionIterations = 20;
 /// Overlap left by the position iterations, m at a length scale of 1: half a slop more than they aim at.
 constexpr float positionTolerance = -1.5f * linearSlop;
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 /// Where a body was before an event was tried.
 struct BodyBackup {
-    int body;
+    BodyIndex body;
     Position start, end;
     PositionRest rest;
     Transform transform;
@@ -57,7 +55,7 @@ public:
             const int pair = m_s.events.Top();
             const float alpha = m_s.events.TopKey();
             m_s.events.Remove(pair);
-            if (m_s.pairs[Row(pair)].rounds >= maxSubSteps) {
+            if (m_s.pairs[pair].rounds >= maxSubSteps) {
                 Abandon(pair, alpha);
             } else if (HandleEvent(pair, alpha) && m_settings.subStepping) {
                 m_report.complete = m_s.events.Empty();
@@ -70,66 +68,66 @@ public:
 
 private:
     /// Moves the body to the given part of the step, where its motion starts (and for now ends).
-    BodyBackup Advance(int body, float alpha) {
+    BodyBackup Advance(BodyIndex body, float alpha) {
         const BodyBackup backup{body,
-                                m_bodies.startPosition[Row(body)],
-                                m_bodies.position[Row(body)],
-                                m_bodies.IsFar() ? m_bodies.rest[Row(body)] : PositionRest{},
-                                m_bodies.transform[Row(body)],
-                                m_s.alpha[Row(body)]};
+                                m_bodies.startPosition[body],
+                                m_bodies.position[body],
+                                m_bodies.IsFar() ? m_bodies.rest[body] : PositionRest{},
+                                m_bodies.transform[body],
+                                m_s.alpha[body]};
         const Vec2 frame = FrameOf(m_bodies, body, body);
         Sweep sweep = m_toi.SweepOf(body, frame);
         sweep.Advance(alpha);
-        m_bodies.position[Row(body)] = {sweep.c0, sweep.a0, 0.0f};
+        m_bodies.position[body] = {sweep.c0, sweep.a0, 0.0f};
         if (m_bodies.IsFar()) {
-            m_bodies.position[Row(body)].c = frame;
-            m_bodies.rest[Row(body)].end = sweep.c0;
+            m_bodies.position[body].c = frame;
+            m_bodies.rest[body].end = sweep.c0;
         }
-        m_s.alpha[Row(body)] = alpha;
+        m_s.alpha[body] = alpha;
         m_bodies.UpdateTransform(body);
-        m_bodies.NoteStart(Row(body));
+        m_bodies.NoteStart(body);
         return backup;
     }
 
     void Restore(const BodyBackup& backup) {
-        m_bodies.startPosition[Row(backup.body)] = backup.start;
-        m_bodies.position[Row(backup.body)] = backup.end;
-        if (m_bodies.IsFar()) m_bodies.rest[Row(backup.body)] = backup.rest;
-        m_bodies.transform[Row(backup.body)] = backup.transform;
-        m_s.alpha[Row(backup.body)] = backup.alpha;
+        m_bodies.startPosition[backup.body] = backup.start;
+        m_bodies.position[backup.body] = backup.end;
+        if (m_bodies.IsFar()) m_bodies.rest[backup.body] = backup.rest;
+        m_bodies.transform[backup.body] = backup.transform;
+        m_s.alpha[backup.body] = backup.alpha;
     }
 
     /// The contact of a pair whose bodies stand at the event, updated; −1 if they do not touch or must not.
-    int TouchingContact(const ToiPair& pair) {
-        int contact = m_t.contacts.Find(static_cast<uint32_t>(pair.fixtureA), static_cast<uint32_t>(pair.fixtureB));
-        if (contact < 0) {
+    ContactIndex TouchingContact(const ToiPair& pair) {
+        ContactIndex contact = m_t.contacts.Find(pair.fixtureA, pair.fixtureB);
+        if (IsNone(contact)) {
             contact = MakeContact(std::min(pair.fixtureA, pair.fixtureB), std::max(pair.fixtureA, pair.fixtureB),
                                   m_events, m_t.fixtures, m_t.contacts);
         }
-        if (contact < 0) return -1;
+        if (IsNone(contact)) return ContactIndex::none;
         const bool touching = UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts);
-        return touching && m_t.contacts.Has(contact, ContactFlag::enabled) ? contact : -1;
+        return touching && m_t.contacts.Has(contact, ContactFlag::enabled) ? contact : ContactIndex::none;
     }
 
     /// Stops the pair at the event and solves it. False if nothing happens after all.
     bool HandleEvent(int index, float alpha) {
-        ++m_s.pairs[Row(index)].rounds;
-        const ToiPair pair = m_s.pairs[Row(index)];
-        for (const int body : {pair.bodyA, pair.bodyB}) {
+        ++m_s.pairs[index].rounds;
+        const ToiPair pair = m_s.pairs[index];
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
             if (m_toi.IsDynamic(body)) m_toi.Complete(body);
         }
         const BodyBackup backupA = Advance(pair.bodyA, alpha);
         const BodyBackup backupB = Advance(pair.bodyB, alpha);
-        const int contact = TouchingContact(pair);
-        if (contact >= 0 && !pair.isHeld && !WillOverlap(contact, alpha)) {
-            m_s.pairs[Row(index)].isHeld = true;
+        const ContactIndex contact = TouchingContact(pair);
+        if (IsSome(contact) && !pair.isHeld && !WillOverlap(contact, alpha)) {
+            m_s.pairs[index].isHeld = true;
             Restore(backupA);
             Restore(backupB);
             m_toi.UpdateEvent(index);  // of the others nothing changed: a body on a rough ground has thousands
             return false;
         }
-        if (contact < 0) {
-            m_s.pairs[Row(index)].over = true;
+        if (IsNone(contact)) {
+            m_s.pairs[index].over = true;
             Restore(backupA);
             Restore(backupB);
             return false;
@@ -144,8 +142,8 @@ private:
             SolveJointed(pair, alpha);
             return true;
         }
-        for (const int body : {pair.bodyA, pair.bodyB}) AddMember(body);
-        for (const int body : {pair.bodyA, pair.bodyB}) {
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) AddMember(body);
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
             if (m_toi.IsDynamic(body)) JoinTouching(pair, body, index, alpha);
         }
         NoteHits();
@@ -160,14 +158,14 @@ private:
 
     /// In the soft step contacts hold what comes a little too near: only what would get deep is an event, and sliding
     /// along is none.
-    [[nodiscard]] bool WillOverlap(int contact, float alpha) {
+    [[nodiscard]] bool WillOverlap(ContactIndex contact, float alpha) {
         if (!m_settings.atOutlines) return true;
         m_s.islandContacts.assign(1, contact);
         PrepareContacts(ContactInput(), m_s.rows);
         const float slop = linearSlop * m_settings.lengthScale, rest = (1.0f - alpha) * m_settings.dt;
         const ContactVelocityRow& row = m_s.rows.velocity.front();
-        const Velocity& a = m_bodies.velocity[Row(row.bodyA)];
-        const Velocity& b = m_bodies.velocity[Row(row.bodyB)];
+        const Velocity& a = m_bodies.velocity[row.bodyA];
+        const Velocity& b = m_bodies.velocity[row.bodyB];
         for (int i = 0; i < row.pointCount; ++i) {
             const Vec2 apart = b.v + Cross(b.w, row.points[i].rB) - a.v - Cross(a.w, row.points[i].rA);
             if (Dot(row.normal, apart) * rest < -2.0f * slop) return true;
@@ -184,7 +182,7 @@ private:
 
     [[nodiscard]] bool IsJointed(const ToiPair& pair) const {
         if (m_settings.solveRest == nullptr) return false;
-        const auto isJointed = [&](int b) { return m_toi.IsDynamic(b) && HasSolvedJoint(b); };
+        const auto isJointed = [&](BodyIndex b) { return m_toi.IsDynamic(b) && HasSolvedJoint(b); };
         return isJointed(pair.bodyA) || isJointed(pair.bodyB);
     }
 
@@ -192,9 +190,9 @@ private:
     [[nodiscard]] bool IsSolved(const JointInfo& joint) const {
         return m_bodies.Has(joint.bodyA, BodyFlag::enabled) && m_bodies.Has(joint.bodyB, BodyFlag::enabled);
     }
-    [[nodiscard]] bool HasSolvedJoint(int body) const {
-        for (const int joint : m_t.joints.OfBody(body)) {
-            if (IsSolved(m_t.joints.info[Row(joint)])) return true;
+    [[nodiscard]] bool HasSolvedJoint(BodyIndex body) const {
+        for (const JointIndex joint : m_t.joints.OfBody(body)) {
+            if (IsSolved(m_t.joints.info[joint])) return true;
         }
         return false;
     }
@@ -202,14 +200,14 @@ private:
     /// The bodies of a pair with all that joints hold to them, and their joints.
     void GatherJointed(const ToiPair& pair) {
         m_s.islandJoints.clear();
-        const auto add = [&](int body) {
+        const auto add = [&](BodyIndex body) {
             if (m_toi.IsDynamic(body) && PlaceOf(body) < 0) AddMember(body);
         };
         add(pair.bodyA), add(pair.bodyB);
         for (size_t next = 0; next < m_s.islandBodies.size(); ++next) {
-            const int body = m_s.islandBodies[next];
-            for (const int joint : m_t.joints.OfBody(body)) {
-                const JointInfo& info = m_t.joints.info[Row(joint)];
+            const BodyIndex body = m_s.islandBodies[next];
+            for (const JointIndex joint : m_t.joints.OfBody(body)) {
+                const JointInfo& info = m_t.joints.info[joint];
                 if (!IsSolved(info)) continue;
                 add(info.bodyA), add(info.bodyB);
                 if (IsFirstMember(body, info.bodyA)) m_s.islandJoints.push_back(joint);
@@ -218,23 +216,25 @@ private:
     }
 
     /// Lists what two bodies share once: at body A, or at the other where A is no member.
-    [[nodiscard]] bool IsFirstMember(int body, int bodyA) const { return body == bodyA || PlaceOf(bodyA) < 0; }
+    [[nodiscard]] bool IsFirstMember(BodyIndex body, BodyIndex bodyA) const {
+        return body == bodyA || PlaceOf(bodyA) < 0;
+    }
 
     /// What was asleep when the step began stands still and has no velocity of its start.
-    [[nodiscard]] bool WasSolved(int body) const {
-        const Velocity& v = m_bodies.velocity[Row(body)];
-        return Row(body) < m_settings.startVelocity->size() && (v.v.x != 0.0f || v.v.y != 0.0f || v.w != 0.0f);
+    [[nodiscard]] bool WasSolved(BodyIndex body) const {
+        const Velocity& v = m_bodies.velocity[body];
+        return m_settings.startVelocity->Has(body) && (v.v.x != 0.0f || v.v.y != 0.0f || v.w != 0.0f);
     }
 
     /// Moves jointed bodies to the event, with the velocities that they have there.
     void AdvanceJointed(float alpha) {
-        for (const int body : m_s.islandBodies) {
-            const float begin = m_s.alpha[Row(body)];
-            if (m_s.firstPair[Row(body)] < 0) m_s.touched.push_back(body);
+        for (const BodyIndex body : m_s.islandBodies) {
+            const float begin = m_s.alpha[body];
+            if (m_s.firstPair[body] < 0) m_s.touched.push_back(body);
             Advance(body, alpha);
             if (begin >= 1.0f || !HasSolvedJoint(body) || !WasSolved(body)) continue;
-            const Velocity& from = (*m_settings.startVelocity)[Row(body)];
-            Velocity& v = m_bodies.velocity[Row(body)];
+            const Velocity& from = (*m_settings.startVelocity)[body];
+            Velocity& v = m_bodies.velocity[body];
             const float share = (alpha - begin) / (1.0f - begin);
             v.v = from.v + share * (v.v - from.v);
             v.w = from.w + share * (v.w - from.w);
@@ -246,17 +246,17 @@ private:
         GatherJointed(pair);
         AdvanceJointed(alpha);
         m_s.islandContacts.clear();
-        for (const int body : m_s.islandBodies) {
+        for (const BodyIndex body : m_s.islandBodies) {
             m_bodies.Wake(body);
             m_t.contacts.RouseOf(body);
-            for (const int contact : m_t.contacts.OfBody(body)) {
+            for (const ContactIndex contact : m_t.contacts.OfBody(body)) {
                 if (!m_t.contacts.IsAlive(contact) || m_t.contacts.Has(contact, ContactFlag::sensor)) continue;
-                if (!IsFirstMember(body, m_t.contacts.pair[Row(contact)].bodyA)) continue;
+                if (!IsFirstMember(body, m_t.contacts.pair[contact].bodyA)) continue;
                 if (!UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts)) continue;
                 if (!m_t.contacts.Has(contact, ContactFlag::enabled)) continue;
                 m_s.islandContacts.push_back(contact);
-                m_bodies.Wake(m_t.contacts.pair[Row(contact)].bodyA);
-                m_bodies.Wake(m_t.contacts.pair[Row(contact)].bodyB);
+                m_bodies.Wake(m_t.contacts.pair[contact].bodyA);
+                m_bodies.Wake(m_t.contacts.pair[contact].bodyB);
             }
         }
         NoteHits();
@@ -266,18 +266,18 @@ private:
     }
 
     /// Adds what else touches the body at the time of the event: a corner stops it from two sides.
-    void JoinTouching(const ToiPair& met, int body, int event, float alpha) {
+    void JoinTouching(const ToiPair& met, BodyIndex body, int event, float alpha) {
         FindPairsInOrder(body);
         for (const int p : m_s.pairsInOrder) {
-            const ToiPair pair = m_s.pairs[Row(p)];
+            const ToiPair pair = m_s.pairs[p];
             if (p == event || pair.over) continue;
-            const int other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
+            const BodyIndex other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
             // Pairs of the two bodies that met are in both their lists.
             if (body == met.bodyB && other == met.bodyA && m_toi.IsDynamic(other)) continue;
             const bool isMember = PlaceOf(other) >= 0;
             const BodyBackup backup = isMember ? BodyBackup{} : Advance(other, alpha);
-            const int contact = BoxesOverlap(pair) ? TouchingContact(pair) : -1;
-            if (contact < 0) {
+            const ContactIndex contact = BoxesOverlap(pair) ? TouchingContact(pair) : ContactIndex::none;
+            if (IsNone(contact)) {
                 if (!isMember) Restore(backup);
                 continue;
             }
@@ -289,13 +289,13 @@ private:
     }
 
     /// The pairs of a body in an order that does not tell when they were made.
-    void FindPairsInOrder(int body) {
+    void FindPairsInOrder(BodyIndex body) {
         m_s.pairsInOrder.clear();
-        for (int p = m_s.firstPair[Row(body)]; p >= 0; p = m_toi.Next(p, body)) m_s.pairsInOrder.push_back(p);
+        for (int p = m_s.firstPair[body]; p >= 0; p = m_toi.Next(p, body)) m_s.pairsInOrder.push_back(p);
         const auto key = [&](int p) {
-            const ToiPair& pair = m_s.pairs[Row(p)];
+            const ToiPair& pair = m_s.pairs[p];
             const bool isA = pair.bodyA == body;
-            return std::pair(isA ? pair.fixtureA : pair.fixtureB, -(isA ? pair.fixtureB : pair.fixtureA));
+            return std::pair(isA ? pair.fixtureA : pair.fixtureB, -ToInt(isA ? pair.fixtureB : pair.fixtureA));
         };
         std::ranges::sort(m_s.pairsInOrder, {}, key);
     }
@@ -303,29 +303,27 @@ private:
     /// The blows of an event that is going to be solved.
     void NoteHits() {
         if (m_events.log == nullptr) return;
-        for (const int contact : m_s.islandContacts)
+        for (const ContactIndex contact : m_s.islandContacts)
             NoteHit(contact, m_t.fixtures, m_bodies, m_t.contacts, *m_events.log);
     }
 
-    void AddMember(int body) {
-        EnsureRows(m_s.islandPlace, Row(m_bodies.slots.Size()), -1);
-        m_s.islandPlace[Row(body)] = static_cast<int>(m_s.islandBodies.size());
+    void AddMember(BodyIndex body) {
+        EnsureRows(m_s.islandPlace, ToSize(m_bodies.slots.Size()), -1);
+        m_s.islandPlace[body] = static_cast<int>(m_s.islandBodies.size());
         m_s.islandBodies.push_back(body);
     }
     void ForgetMembers() {
-        for (const int body : m_s.islandBodies) m_s.islandPlace[Row(body)] = -1;
+        for (const BodyIndex body : m_s.islandBodies) m_s.islandPlace[body] = -1;
         m_s.islandBodies.clear();
     }
     /// Place of the body among those of the event, −1 if it is not one of them.
-    [[nodiscard]] int PlaceOf(int body) const {
-        return Row(body) < m_s.islandPlace.size() ? m_s.islandPlace[Row(body)] : -1;
-    }
+    [[nodiscard]] int PlaceOf(BodyIndex body) const { return m_s.islandPlace.Has(body) ? m_s.islandPlace[body] : -1; }
 
     [[nodiscard]] bool BoxesOverlap(const ToiPair& pair) const {
         AABB a, b;
         const Vec2 frame = FrameOf(m_bodies, pair.bodyA, pair.bodyB);
-        m_t.fixtures.shape[Row(pair.fixtureA)]->ComputeAABB(&a, TransformIn(frame, m_bodies, pair.bodyA));
-        m_t.fixtures.shape[Row(pair.fixtureB)]->ComputeAABB(&b, TransformIn(frame, m_bodies, pair.bodyB));
+        m_t.fixtures.shape[pair.fixtureA]->ComputeAABB(&a, TransformIn(frame, m_bodies, pair.bodyA));
+        m_t.fixtures.shape[pair.fixtureB]->ComputeAABB(&b, TransformIn(frame, m_bodies, pair.bodyB));
         return TestOverlap(a, b);
     }
 
@@ -339,16 +337,16 @@ private:
             if (row.bodyA != pair.bodyA && row.bodyA != pair.bodyB) row.massA.invMass = row.massA.invI = 0.0f;
             if (row.bodyB != pair.bodyA && row.bodyB != pair.bodyB) row.massB.invMass = row.massB.invI = 0.0f;
         }
-        const Position metA = m_bodies.position[Row(pair.bodyA)], metB = m_bodies.position[Row(pair.bodyB)];
+        const Position metA = m_bodies.position[pair.bodyA], metB = m_bodies.position[pair.bodyB];
         const Vec2 restA = m_bodies.GetRest(pair.bodyA), restB = m_bodies.GetRest(pair.bodyB);
         for (int i = 0; i < positionIterations; ++i) {
             if (SolveContactPositions(m_s.rows, m_bodies, push) >= tolerance) break;
         }
         KeepLocked(pair.bodyA, metA.c, restA), KeepLocked(pair.bodyB, metB.c, restB);
-        for (const int body : {pair.bodyA, pair.bodyB}) {
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
             Quarantine(body);
             m_bodies.UpdateTransform(body);
-            m_bodies.NoteStart(Row(body));
+            m_bodies.NoteStart(body);
         }
         const float rest = (1.0f - alpha) * m_settings.dt;
         FindAhead(rest);
@@ -358,9 +356,9 @@ private:
         ReportImpulses(m_s.rows, m_events, m_t.contacts);
         const bool leaves = StaysApart();
         for (size_t i = 0; i < m_s.islandBodies.size(); ++i) {
-            const int body = m_s.islandBodies[i];
-            if (m_bodies.type[Row(body)] == staticBody) continue;
-            StopLocked(m_bodies, body, m_bodies.velocity[Row(body)]);
+            const BodyIndex body = m_s.islandBodies[i];
+            if (m_bodies.type[body] == staticBody) continue;
+            StopLocked(m_bodies, body, m_bodies.velocity[body]);
             // A body that its contact goes on to hold up is not accelerated.
             if (leaves) AddSpeed(i, 0.5f);
             Integrate(body, rest);
@@ -369,38 +367,38 @@ private:
     }
 
     /// A locked body is where it was before it was pushed.
-    void KeepLocked(int body, Vec2 centre, Vec2 rest) {
-        Vec2& c = m_bodies.position[Row(body)].c;
+    void KeepLocked(BodyIndex body, Vec2 centre, Vec2 rest) {
+        Vec2& c = m_bodies.position[body].c;
         if (IsLockedBy(m_bodies, body, BodyFlag::lockX)) {
             c.x = centre.x;
-            if (m_bodies.IsFar()) m_bodies.rest[Row(body)].end.x = rest.x;
+            if (m_bodies.IsFar()) m_bodies.rest[body].end.x = rest.x;
         }
         if (IsLockedBy(m_bodies, body, BodyFlag::lockY)) {
             c.y = centre.y;
-            if (m_bodies.IsFar()) m_bodies.rest[Row(body)].end.y = rest.y;
+            if (m_bodies.IsFar()) m_bodies.rest[body].end.y = rest.y;
         }
     }
 
     /// What forces will add to the velocities of the event's bodies in the rest of the step, and have added already.
     void FindAhead(float rest) {
         if (m_s.ballistic.empty()) {
-            m_s.ballistic.resize(Row(m_bodies.slots.Size()), 0);
-            for (const int body : m_settings.ballistic) m_s.ballistic[Row(body)] = 1;
+            m_s.ballistic.resize(ToSize(m_bodies.slots.Size()), 0);
+            for (const BodyIndex body : m_settings.ballistic) m_s.ballistic[body] = 1;
         }
         m_s.ahead.clear();
-        for (const int body : m_s.islandBodies) {
+        for (const BodyIndex body : m_s.islandBodies) {
             Velocity& ahead = m_s.ahead.emplace_back();
-            if (m_s.ballistic[Row(body)] == 0 || !m_toi.IsDynamic(body)) continue;
-            const MassRow& mass = m_bodies.mass[Row(body)];
+            if (m_s.ballistic[body] == 0 || !m_toi.IsDynamic(body)) continue;
+            const MassRow& mass = m_bodies.mass[body];
             const ForceRow force = m_bodies.GetForce(body);
-            const MotionRow& motion = m_bodies.motion[Row(body)];
+            const MotionRow& motion = m_bodies.motion[body];
             const Vec2 pull = (motion.gravityScale * motion.mass) * m_settings.gravity + force.force;
             ahead.v = (rest * mass.invMass) * pull;
             ahead.w = rest * mass.invI * force.torque;
         }
     }
     void AddSpeed(size_t islandBody, float factor) {
-        Velocity& v = m_bodies.velocity[Row(m_s.islandBodies[islandBody])];
+        Velocity& v = m_bodies.velocity[m_s.islandBodies[islandBody]];
         const Velocity& ahead = m_s.ahead[islandBody];
         v.v += factor * ahead.v;
         v.w += factor * ahead.w;
@@ -408,14 +406,14 @@ private:
 
     /// After the event: no contact of it will be pressed together again by forces within the step.
     [[nodiscard]] bool StaysApart() const {
-        const auto aheadOf = [this](int body) {
+        const auto aheadOf = [this](BodyIndex body) {
             const int place = PlaceOf(body);
-            return place < 0 ? Velocity{} : m_s.ahead[Row(place)];
+            return place < 0 ? Velocity{} : m_s.ahead[ToSize(place)];
         };
         for (const ContactVelocityRow& row : m_s.rows.velocity) {
             const Velocity a = aheadOf(row.bodyA), b = aheadOf(row.bodyB);
-            const Velocity& vA = m_bodies.velocity[Row(row.bodyA)];
-            const Velocity& vB = m_bodies.velocity[Row(row.bodyB)];
+            const Velocity& vA = m_bodies.velocity[row.bodyA];
+            const Velocity& vB = m_bodies.velocity[row.bodyB];
             for (int i = 0; i < row.pointCount; ++i) {
                 const Vec2 speedA = vA.v + a.v + Cross(vA.w + a.w, row.points[i].rA);
                 const Vec2 speedB = vB.v + b.v + Cross(vB.w + b.w, row.points[i].rB);
@@ -425,43 +423,43 @@ private:
         return true;
     }
 
-    void Integrate(int body, float h) {
-        Velocity& v = m_bodies.velocity[Row(body)];
+    void Integrate(BodyIndex body, float h) {
+        Velocity& v = m_bodies.velocity[body];
         const float way = h * v.v.Length();
         const float turn = h * Abs(v.w);
         if (way > m_settings.maxTranslation || turn > m_settings.maxRotation) ++m_report.capped;
         if (way > m_settings.maxTranslation) v.v *= m_settings.maxTranslation / way;
         if (turn > m_settings.maxRotation) v.w *= m_settings.maxRotation / turn;
-        m_bodies.Shift(Row(body), h * v.v);
-        m_bodies.position[Row(body)].a += h * v.w;
+        m_bodies.Shift(body, h * v.v);
+        m_bodies.position[body].a += h * v.w;
         Quarantine(body);
         m_bodies.UpdateTransform(body);
     }
 
     /// A body that is not finite any more goes back to where the event found it, at rest.
-    void Quarantine(int body) {
-        Velocity& v = m_bodies.velocity[Row(body)];
-        const bool inRange = IsInRange(m_bodies.position[Row(body)], v);
-        if (inRange && (!m_bodies.IsFar() || IsInRange(m_bodies.rest[Row(body)].end))) return;
+    void Quarantine(BodyIndex body) {
+        Velocity& v = m_bodies.velocity[body];
+        const bool inRange = IsInRange(m_bodies.position[body], v);
+        if (inRange && (!m_bodies.IsFar() || IsInRange(m_bodies.rest[body].end))) return;
         ++m_report.nonFinite;
-        m_bodies.ReturnToStart(Row(body));
+        m_bodies.ReturnToStart(body);
         v = {vec2Zero, 0.0f, 0.0f};
     }
 
     /// Holds the dynamic bodies of the pair where they meet, for the rest of the step. They keep the velocities that
     /// contacts and joints left them, or the next step would begin, and end, like this one.
     void Abandon(int index, float alpha) {
-        const ToiPair pair = m_s.pairs[Row(index)];
-        m_s.pairs[Row(index)].over = true;
+        const ToiPair pair = m_s.pairs[index];
+        m_s.pairs[index].over = true;
         if (IsJointed(pair)) {
             GatherJointed(pair);
         } else {
-            for (const int body : {pair.bodyA, pair.bodyB}) AddMember(body);
+            for (const BodyIndex body : {pair.bodyA, pair.bodyB}) AddMember(body);
         }
-        for (const int body : m_s.islandBodies) {
+        for (const BodyIndex body : m_s.islandBodies) {
             if (!m_toi.IsDynamic(body)) continue;
-            if (m_s.firstPair[Row(body)] < 0) m_s.touched.push_back(body);
-            if (m_s.alpha[Row(body)] < alpha) Advance(body, alpha);
+            if (m_s.firstPair[body] < 0) m_s.touched.push_back(body);
+            if (m_s.alpha[body] < alpha) Advance(body, alpha);
             ++m_report.abandoned;
             m_report.lostTime += (1.0f - alpha) * m_settings.dt;
             m_toi.UpdateTimes(body);
@@ -480,8 +478,8 @@ private:
 
 }  // namespace
 
-ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int substeps, std::span<const int> isolated,
-                                          bool subStepping) {
+ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int substeps,
+                                          std::span<const BodyIndex> isolated, bool subStepping) {
     const bool isSoft = solver.substeps > 0;
     const bool isExact = isSoft || solver.exactDrift;
     return {.dt = solver.dt,
@@ -491,7 +489,7 @@ ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int subs
             .subStepping = subStepping,
             .lengthScale = solver.lengthScale,
             .gravity = solver.gravity,
-            .ballistic = isExact ? isolated : std::span<const int>(),
+            .ballistic = isExact ? isolated : std::span<const BodyIndex>(),
             .atOutlines = isSoft,
             .solveRest = {}};
 }

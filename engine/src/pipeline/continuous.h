@@ -27,7 +27,9 @@ namespace scree {
 
 /// Bodies that joints hold together, from an event on: they stand where it found them.
 struct JointedRest {
-    std::span<const int> bodies, contacts, joints;
+    std::span<const BodyIndex> bodies;
+    std::span<const ContactIndex> contacts;
+    std::span<const JointIndex> joints;
     float dt;  ///< what is left of the step, s
 };
 
@@ -40,20 +42,20 @@ struct ContinuousSettings {
     Vec2 gravity;
     /// Bodies that moved under gravity and forces alone, exactly: at an impact they have the speed of that moment, and
     /// forces act for the rest of the step after it. Without exact drift: none.
-    std::span<const int> ballistic;
+    std::span<const BodyIndex> ballistic;
     /// Soft step: bodies rest where their outlines touch.
     bool atOutlines = false;
     /// Soft step: solves and moves jointed bodies for the rest of a step. One limb that is stopped alone tears its
     /// joints.
     FunctionRef<void(const JointedRest&)> solveRest{};
     /// Velocities of jointed bodies where the motion of the step began, by body.
-    const std::vector<Velocity>* startVelocity = nullptr;
+    const Column<BodyIndex, Velocity>* startVelocity = nullptr;
 };
 
 /// After a step that the solver has done, or begun to do, with these settings. `substeps` are those that it took,
 /// `isolated` are the bodies that it moved without contacts and joints.
-ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int substeps, std::span<const int> isolated,
-                                          bool subStepping);
+ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int substeps,
+                                          std::span<const BodyIndex> isolated, bool subStepping);
 
 struct ContinuousReport {
     int events = 0;         ///< times a body was stopped at an impact
@@ -66,12 +68,14 @@ struct ContinuousReport {
 
 /// Scratch of the stage, kept between steps; with sub-stepping also what is left of an unfinished step.
 struct ContinuousScratch : ToiScratch {
-    std::vector<uint8_t> ballistic;  ///< per body; only written once something meets
+    Column<BodyIndex, uint8_t> ballistic;  ///< per body; only written once something meets
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
-    std::vector<int> islandContacts, islandBodies, islandJoints;
-    std::vector<int> pairsInOrder;  ///< of one body
-    std::vector<int> islandPlace;   ///< per body: its place in islandBodies; −1 if it is not there
+    std::vector<ContactIndex> islandContacts;
+    std::vector<BodyIndex> islandBodies;
+    std::vector<JointIndex> islandJoints;
+    std::vector<int> pairsInOrder;       ///< of one body
+    Column<BodyIndex, int> islandPlace;  ///< per body: its place in islandBodies; −1 if it is not there
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return ToiScratch::GetMemoryBytes() + BytesOf(ballistic, rows.velocity, rows.position, ahead, islandContacts,

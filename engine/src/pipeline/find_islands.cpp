@@ -22,10 +22,10 @@ bool IsSolved(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::senso
 bool IsSolved(const JointInfo& joint, const BodyTable& bodies) {
     return bodies.Has(joint.bodyA, BodyFlag::enabled) && bodies.Has(joint.bodyB, BodyFlag::enabled);
 }
-bool HasSolvedJoint(const JointTable& joints, const BodyTable& bodies, int body) {
-    if (bodies.info[static_cast<size_t>(body)].jointCount == 0) return false;
-    for (const int joint : joints.OfBody(body)) {
-        if (IsSolved(joints.info[static_cast<size_t>(joint)], bodies)) return true;
+bool HasSolvedJoint(const JointTable& joints, const BodyTable& bodies, BodyIndex body) {
+    if (bodies.info[body].jointCount == 0) return false;
+    for (const JointIndex joint : joints.OfBody(body)) {
+        if (IsSolved(joints.info[joint], bodies)) return true;
     }
     return false;
 }
@@ -33,39 +33,38 @@ bool HasSolvedJoint(const JointTable& joints, const BodyTable& bodies, int body)
 /// Makes the column 0 for all listed movers, other bodies left aside if they are many: in worlds where most is static
 /// or rests their rows would cost more than the rest.
 template <typename T>
-void ClearForListed(const BodyTable& bodies, std::vector<T>& column) {
-    EnsureRows(column, static_cast<size_t>(bodies.slots.Size()));
+void ClearForListed(const BodyTable& bodies, Column<BodyIndex, T>& column) {
+    EnsureRows(column, ToSize(bodies.slots.Size()));
     if (bodies.Listed().size() * 8 >= column.size()) {
         std::fill(column.begin(), column.end(), T{0});
         return;
     }
-    for (const int body : bodies.Listed()) column[static_cast<size_t>(body)] = 0;
+    for (const BodyIndex body : bodies.Listed()) column[body] = 0;
 }
 
 /// The rows of the solved contacts that do not rest. The choice is no branch, for it follows no pattern.
-std::span<const int> GatherSolved(const ContactTable& contacts, std::vector<int>& rows) {
-    const size_t count = contacts.flags.size();
-    EnsureRows(rows, count);
+std::span<const ContactIndex> GatherSolved(const ContactTable& contacts, std::vector<ContactIndex>& rows) {
+    EnsureRows(rows, contacts.flags.size());
     size_t used = 0;
-    const auto take = [&](size_t c) {
-        rows[used] = static_cast<int>(c);
-        used += IsSolved(contacts.flags[c]) ? 1 : 0;
+    const auto take = [&](ContactIndex contact) {
+        rows[used] = contact;
+        used += IsSolved(contacts.flags[contact]) ? 1 : 0;
     };
     if (contacts.RestingCount() > 0) {
-        contacts.active.ForEach([&](int c) { take(static_cast<size_t>(c)); });
+        contacts.active.ForEach(take);
     } else {
-        for (size_t c = 0; c < count; ++c) take(c);
+        for (const ContactIndex contact : contacts.flags.Rows()) take(contact);
     }
     return {rows.data(), used};
 }
 
 /// Lists the movers that have one of the contacts, since the search may reach them.
-void ListMoversOf(std::span<const int> rows, const ContactTable& contacts, BodyTable& bodies) {
+void ListMoversOf(std::span<const ContactIndex> rows, const ContactTable& contacts, BodyTable& bodies) {
     if (bodies.AreAllListed()) return;
-    for (const int row : rows) {
-        const ContactPair& pair = contacts.pair[static_cast<size_t>(row)];
-        for (const int body : {pair.bodyA, pair.bodyB}) {
-            if (bodies.type[static_cast<size_t>(body)] != staticBody) bodies.List(body);
+    for (const ContactIndex row : rows) {
+        const ContactPair& pair = contacts.pair[row];
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
+            if (bodies.type[body] != staticBody) bodies.List(body);
         }
     }
 }
@@ -73,34 +72,33 @@ void ListMoversOf(std::span<const int> rows, const ContactTable& contacts, BodyT
 /// Contacts of each mover that has some, the newest row first; these movers become `touched`, the others `untouched`.
 /// Returns the number of contacts.
 size_t BuildAdjacency(const ContactTable& contacts, BodyTable& bodies, IslandScratch& s) {
-    const std::span<const int> rows = GatherSolved(contacts, s.rows);
+    const std::span<const ContactIndex> rows = GatherSolved(contacts, s.rows);
     ListMoversOf(rows, contacts, bodies);
     ClearForListed(bodies, s.end);
     ClearForListed(bodies, s.progress);
     EnsureRows(s.first, s.end.size());
-    const auto mover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody ? body : -1; };
+    const auto mover = [&](BodyIndex body) { return bodies.type[body] != staticBody ? body : BodyIndex::none; };
     int total = 0;
-    for (const int row : rows) {
-        const ContactPair& pair = contacts.pair[static_cast<size_t>(row)];
-        for (const int body : {mover(pair.bodyA), mover(pair.bodyB)}) {
-            if (body >= 0) ++s.end[static_cast<size_t>(body)], ++total;
+    for (const ContactIndex row : rows) {
+        const ContactPair& pair = contacts.pair[row];
+        for (const BodyIndex body : {mover(pair.bodyA), mover(pair.bodyB)}) {
+            if (IsSome(body)) ++s.end[body], ++total;
         }
     }
-    EnsureRows(s.entries, static_cast<size_t>(total));
+    EnsureRows(s.entries, ToSize(total));
     int used = 0;
-    const auto add = [&](int body, IslandScratch::Entry entry) {
-        if (body < 0) return;
-        const auto b = static_cast<size_t>(body);
-        if (s.progress[b] == IslandScratch::untouched) {
-            s.progress[b] = IslandScratch::touched;
-            used += s.end[b];
-            s.first[b] = s.end[b] = used;  // filling moves the start down
+    const auto add = [&](BodyIndex body, IslandScratch::Entry entry) {
+        if (IsNone(body)) return;
+        if (s.progress[body] == IslandScratch::untouched) {
+            s.progress[body] = IslandScratch::touched;
+            used += s.end[body];
+            s.first[body] = s.end[body] = used;  // filling moves the start down
         }
-        s.entries[static_cast<size_t>(--s.first[b])] = entry;
+        s.entries[ToSize(--s.first[body])] = entry;
     };
-    for (const int row : rows) {
-        const ContactPair& pair = contacts.pair[static_cast<size_t>(row)];
-        const int a = mover(pair.bodyA), b = mover(pair.bodyB);
+    for (const ContactIndex row : rows) {
+        const ContactPair& pair = contacts.pair[row];
+        const BodyIndex a = mover(pair.bodyA), b = mover(pair.bodyB);
         add(a, {row, b});
         add(b, {row, a});
     }
@@ -116,17 +114,17 @@ public:
           m_bodies(bodies),
           m_scratch(scratch),
           m_islands(islands),
-          m_anyJoints(joints.listHead >= 0),
+          m_anyJoints(IsSome(joints.listHead)),
           m_someRest(contacts.RestingCount() > 0 || !bodies.AreAllListed()) {}
 
-    void Grow(int seed) {
+    void Grow(BodyIndex seed) {
         Island island{};
         island.bodyBegin = static_cast<int>(m_islands.bodies.size());
         island.contactBegin = static_cast<int>(m_islands.contacts.size());
         island.jointBegin = static_cast<int>(m_islands.joints.size());
         ReachOther(seed);
         while (!m_scratch.stack.empty()) {
-            const int body = m_scratch.stack.back();
+            const BodyIndex body = m_scratch.stack.back();
             m_scratch.stack.pop_back();
             m_islands.bodies.push_back(body);
             // Reached bodies wake without a new sleep timer, so that a whole island can fall asleep together.
@@ -142,70 +140,65 @@ public:
 
 private:
     /// A body that rested begins with nothing in the scratch.
-    void Rouse(int body) {
-        if (!m_someRest || m_bodies.isListed[static_cast<size_t>(body)] != 0) return;
+    void Rouse(BodyIndex body) {
+        if (!m_someRest || m_bodies.isListed[body] != 0) return;
         m_bodies.List(body);
-        const auto b = static_cast<size_t>(body);
-        m_scratch.first[b] = m_scratch.end[b] = 0;
-        m_scratch.progress[b] = m_contacts.HasResting(body) ? IslandScratch::touched : IslandScratch::untouched;
+        m_scratch.first[body] = m_scratch.end[body] = 0;
+        m_scratch.progress[body] = m_contacts.HasResting(body) ? IslandScratch::touched : IslandScratch::untouched;
     }
 
-    void Reach(int body, bool isTouched) {
-        m_scratch.progress[static_cast<size_t>(body)] = isTouched ? IslandScratch::seen : IslandScratch::seenUntouched;
+    void Reach(BodyIndex body, bool isTouched) {
+        m_scratch.progress[body] = isTouched ? IslandScratch::seen : IslandScratch::seenUntouched;
         m_scratch.stack.push_back(body);
     }
 
-    void ReachOther(int other) {
-        if (m_bodies.type[static_cast<size_t>(other)] == staticBody) return;
+    void ReachOther(BodyIndex other) {
+        if (m_bodies.type[other] == staticBody) return;
         Rouse(other);
-        const uint8_t progress = m_scratch.progress[static_cast<size_t>(other)];
+        const uint8_t progress = m_scratch.progress[other];
         if (progress < IslandScratch::seen) Reach(other, progress == IslandScratch::touched);
     }
 
-    void VisitContacts(int body) {
-        const auto b = static_cast<size_t>(body);
-        if (m_scratch.progress[b] != IslandScratch::seen) return;
-        m_scratch.progress[b] = IslandScratch::visited;
+    void VisitContacts(BodyIndex body) {
+        if (m_scratch.progress[body] != IslandScratch::seen) return;
+        m_scratch.progress[body] = IslandScratch::visited;
         if (m_someRest && m_contacts.HasResting(body)) return VisitRoused(body);
-        for (int e = m_scratch.first[b]; e < m_scratch.end[b]; ++e)
-            VisitContact(m_scratch.entries[static_cast<size_t>(e)]);
+        for (int e = m_scratch.first[body]; e < m_scratch.end[body]; ++e) VisitContact(m_scratch.entries[ToSize(e)]);
     }
 
     /// Of a body some of whose contacts have rested until now: all of them, the newest row first.
-    void VisitRoused(int body) {
-        const auto b = static_cast<size_t>(body);
-        std::vector<int>& rows = m_scratch.roused;
+    void VisitRoused(BodyIndex body) {
+        std::vector<ContactIndex>& rows = m_scratch.roused;
         rows.clear();
         m_contacts.ListResting(body, rows);
-        std::erase_if(rows, [this](int row) { return !IsSolved(m_contacts.flags[static_cast<size_t>(row)]); });
-        for (int e = m_scratch.first[b]; e < m_scratch.end[b]; ++e)
-            rows.push_back(m_scratch.entries[static_cast<size_t>(e)].contact);
+        std::erase_if(rows, [this](ContactIndex row) { return !IsSolved(m_contacts.flags[row]); });
+        for (int e = m_scratch.first[body]; e < m_scratch.end[body]; ++e)
+            rows.push_back(m_scratch.entries[ToSize(e)].contact);
         std::sort(rows.begin(), rows.end(), std::greater<>());
-        for (const int row : rows) {
-            const ContactPair& pair = m_contacts.pair[static_cast<size_t>(row)];
-            const int other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
-            const bool isMover = m_bodies.type[static_cast<size_t>(other)] != staticBody;
+        for (const ContactIndex row : rows) {
+            const ContactPair& pair = m_contacts.pair[row];
+            const BodyIndex other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
+            const bool isMover = m_bodies.type[other] != staticBody;
             if (isMover) Rouse(other);
-            VisitContact({row, isMover ? other : -1});
+            VisitContact({row, isMover ? other : BodyIndex::none});
         }
     }
 
     void VisitContact(IslandScratch::Entry entry) {
-        const uint8_t progress =
-            entry.other < 0 ? uint8_t{IslandScratch::seen} : m_scratch.progress[static_cast<size_t>(entry.other)];
+        const uint8_t progress = IsNone(entry.other) ? uint8_t{IslandScratch::seen} : m_scratch.progress[entry.other];
         if (progress == IslandScratch::visited) return;  // it has listed the contact
         m_islands.contacts.push_back(entry.contact);
         if (progress < IslandScratch::seen) Reach(entry.other, true);
     }
 
-    void VisitJoints(int body) {
-        if (!m_anyJoints || m_bodies.info[static_cast<size_t>(body)].jointCount == 0) return;
-        for (const int joint : m_joints.OfBody(body)) {
-            if (m_scratch.jointSeen[static_cast<size_t>(joint)]) continue;
-            const JointInfo& row = m_joints.info[static_cast<size_t>(joint)];
-            const int other = row.bodyA == body ? row.bodyB : row.bodyA;
+    void VisitJoints(BodyIndex body) {
+        if (!m_anyJoints || m_bodies.info[body].jointCount == 0) return;
+        for (const JointIndex joint : m_joints.OfBody(body)) {
+            if (m_scratch.jointSeen[joint]) continue;
+            const JointInfo& row = m_joints.info[joint];
+            const BodyIndex other = row.bodyA == body ? row.bodyB : row.bodyA;
             if (!m_bodies.Has(other, BodyFlag::enabled)) continue;
-            m_scratch.jointSeen[static_cast<size_t>(joint)] = 1;
+            m_scratch.jointSeen[joint] = 1;
             m_islands.joints.push_back(joint);
             ReachOther(other);
         }
@@ -228,15 +221,14 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
     islands.contacts.reserve(BuildAdjacency(contacts, bodies, scratch));
     scratch.jointSeen.assign(joints.info.size(), 0);
 
-    const bool anyJoints = joints.listHead >= 0;
+    const bool anyJoints = IsSome(joints.listHead);
     IslandSearch search(contacts, joints, bodies, scratch, islands);
-    const std::span<const int> listed = bodies.Listed();  // as it is now; what the search lists, it has visited
-    for (size_t m = listed.size(); m-- > 0;) {            // newest first, as Box2D walks its body list
-        const int body = listed[m];
-        const auto b = static_cast<size_t>(body);
+    const std::span<const BodyIndex> listed = bodies.Listed();  // as it is now; what the search lists, it has visited
+    for (size_t m = listed.size(); m-- > 0;) {                  // newest first, as Box2D walks its body list
+        const BodyIndex body = listed[m];
         constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
-        if ((bodies.flags[b] & active) != active || scratch.progress[b] >= IslandScratch::seen) continue;
-        if (path == IsolatedPath::apart && scratch.progress[b] == IslandScratch::untouched &&
+        if ((bodies.flags[body] & active) != active || scratch.progress[body] >= IslandScratch::seen) continue;
+        if (path == IsolatedPath::apart && scratch.progress[body] == IslandScratch::untouched &&
             (!anyJoints || !HasSolvedJoint(joints, bodies, body))) {
             islands.isolated.push_back(body);
         } else {
@@ -247,24 +239,24 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bo
 
 bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt) {
     bool allAwake = bodies.AreAllListed();
-    for (const int body : bodies.Listed()) {
+    for (const BodyIndex body : bodies.Listed()) {
         if (!bodies.IsActive(body)) {
             allAwake = false;
-        } else if (bodies.sleepTime[static_cast<size_t>(body)] + dt >= timeToSleep) {
+        } else if (bodies.sleepTime[body] + dt >= timeToSleep) {
             return true;
         }
     }
     if (allAwake) return false;
-    const auto wakes = [&](int a, int b) {
-        const auto isMover = [&](int body) { return bodies.type[static_cast<size_t>(body)] != staticBody; };
+    const auto wakes = [&](BodyIndex a, BodyIndex b) {
+        const auto isMover = [&](BodyIndex body) { return bodies.type[body] != staticBody; };
         return isMover(a) && isMover(b) && bodies.IsActive(a) != bodies.IsActive(b);
     };
-    for (int contact = contacts.Size(); (contact = contacts.Before(contact)) >= 0;) {
-        const auto c = static_cast<size_t>(contact);
-        if (IsSolved(contacts.flags[c]) && wakes(contacts.pair[c].bodyA, contacts.pair[c].bodyB)) return true;
+    for (ContactIndex contact = contacts.flags.End(); IsSome(contact = contacts.Before(contact));) {
+        if (IsSolved(contacts.flags[contact]) && wakes(contacts.pair[contact].bodyA, contacts.pair[contact].bodyB))
+            return true;
     }
-    for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
-        const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+    for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
+        const JointInfo& info = joints.info[joint];
         if (IsSolved(info, bodies) && wakes(info.bodyA, info.bodyB)) return true;
     }
     return false;
@@ -274,23 +266,22 @@ void GatherActive(const ContactTable& contacts, const JointTable& joints, const 
                   IslandScratch& scratch, IslandTable& active, IsolatedPath path) {
     active.Clear();
     ClearForListed(bodies, scratch.progress);
-    const auto note = [&](int body) { scratch.progress[static_cast<size_t>(body)] = IslandScratch::touched; };
-    for (const int row : GatherSolved(contacts, scratch.rows)) {
-        const ContactPair& pair = contacts.pair[static_cast<size_t>(row)];
+    const auto note = [&](BodyIndex body) { scratch.progress[body] = IslandScratch::touched; };
+    for (const ContactIndex row : GatherSolved(contacts, scratch.rows)) {
+        const ContactPair& pair = contacts.pair[row];
         if (!bodies.IsActive(pair.bodyA) && !bodies.IsActive(pair.bodyB)) continue;
         active.contacts.push_back(row);
         note(pair.bodyA), note(pair.bodyB);
     }
-    for (int joint = joints.listHead; joint >= 0; joint = joints.info[static_cast<size_t>(joint)].listNext) {
-        const JointInfo& info = joints.info[static_cast<size_t>(joint)];
+    for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
+        const JointInfo& info = joints.info[joint];
         if (!IsSolved(info, bodies) || (!bodies.IsActive(info.bodyA) && !bodies.IsActive(info.bodyB))) continue;
         active.joints.push_back(joint);
         note(info.bodyA), note(info.bodyB);
     }
-    for (const int body : bodies.Listed()) {
+    for (const BodyIndex body : bodies.Listed()) {
         if (!bodies.IsActive(body)) continue;
-        const bool isIsolated =
-            path == IsolatedPath::apart && scratch.progress[static_cast<size_t>(body)] == IslandScratch::untouched;
+        const bool isIsolated = path == IsolatedPath::apart && scratch.progress[body] == IslandScratch::untouched;
         (isIsolated ? active.isolated : active.bodies).push_back(body);
     }
 }

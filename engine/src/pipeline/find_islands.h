@@ -22,16 +22,17 @@ struct IslandScratch {
     /// contacts are listed.
     enum Progress : uint8_t { untouched, touched, seen, seenUntouched, visited };
     struct Entry {
-        int contact, other;  ///< the mover on the other side, −1 if that is static
+        ContactIndex contact;
+        BodyIndex other;  ///< the mover on the other side, −1 if that is static
     };
 
-    std::vector<int> rows;          ///< of the solved contacts
-    std::vector<int> first, end;    ///< per touched mover: range of its contacts in `entries`
-    std::vector<Entry> entries;     ///< contacts by body
-    std::vector<uint8_t> progress;  ///< per mover
-    std::vector<int> roused;        ///< contacts of one body that rested
-    std::vector<uint8_t> jointSeen;
-    std::vector<int> stack;
+    std::vector<ContactIndex> rows;       ///< of the solved contacts
+    Column<BodyIndex, int> first, end;    ///< per touched mover: range of its contacts in `entries`
+    std::vector<Entry> entries;           ///< contacts by body
+    Column<BodyIndex, uint8_t> progress;  ///< per mover
+    std::vector<ContactIndex> roused;     ///< contacts of one body that rested
+    Column<JointIndex, uint8_t> jointSeen;
+    std::vector<BodyIndex> stack;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return (rows.capacity() + first.capacity() + end.capacity() + stack.capacity() + roused.capacity()) *

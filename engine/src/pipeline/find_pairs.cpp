@@ -20,20 +20,21 @@ constexpr size_t fewEdits = 8, listedPerEdit = 32;
 MatchTables ForMatching(PairTables t) { return {t.pool, t.bodies, t.fixtures, t.joints, t.contacts}; }
 
 /// The pair rule of the broad phase.
-bool MayPair(const BodyTable& bodies, int bodyA, int bodyB) {
-    const auto isDynamic = [&](int body) { return bodies.type[static_cast<size_t>(body)] == dynamicBody; };
+bool MayPair(const BodyTable& bodies, BodyIndex bodyA, BodyIndex bodyB) {
+    const auto isDynamic = [&](BodyIndex body) { return bodies.type[body] == dynamicBody; };
     return bodyA != bodyB && (isDynamic(bodyA) || isDynamic(bodyB));
 }
 
 /// Appends the pairs of the edited fixtures.
 void QueryEdited(const EditedProxies& edited, PairTables t, std::vector<Pair>& pairs) {
     t.broadPhase.PrepareQueries();
-    for (const uint32_t fixture : edited.Fixtures()) {
-        if (!t.fixtures.slots.IsAlive(static_cast<int>(fixture)) || !t.fixtures.info[fixture].inBroadPhase) continue;
-        const int body = t.fixtures.body[fixture];
-        t.broadPhase.Query(t.broadPhase.GetBox(fixture), [&](uint32_t other) {
-            if (MayPair(t.bodies, body, t.fixtures.body[other]))
-                pairs.push_back({std::min(fixture, other), std::max(fixture, other)});
+    for (const FixtureIndex fixture : edited.Fixtures()) {
+        if (!t.fixtures.slots.IsAlive(fixture) || !t.fixtures.info[fixture].inBroadPhase) continue;
+        const BodyIndex body = t.fixtures.body[fixture];
+        const uint32_t proxy = ProxyOf(fixture);
+        t.broadPhase.Query(t.broadPhase.GetBox(proxy), [&](uint32_t other) {
+            if (MayPair(t.bodies, body, t.fixtures.body[FixtureOf(other)]))
+                pairs.push_back({std::min(proxy, other), std::max(proxy, other)});
             return true;
         });
     }
@@ -58,7 +59,7 @@ void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairT
     edited.Clear();
 }
 
-void FindPairsOfMoved(std::initializer_list<const std::vector<int>*> solved, float farDistance,
+void FindPairsOfMoved(std::initializer_list<const std::vector<BodyIndex>*> solved, float farDistance,
                       const ContactEvents& events, PairTables t) {
     if (t.bodies.Listed().empty()) return;  // no box has changed since pairs were found
     RouseProxies(t.bodies, t.fixtures, t.broadPhase);

@@ -37,7 +37,7 @@ void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairT
 /// At the end of a step, after the boxes of the bodies that moved in it (the active ones, and those of the lists
 /// `solved` that fell asleep): finds the pairs of listed bodies if any box has changed. A centre farther out than
 /// `farDistance`, m, makes positions have rests.
-void FindPairsOfMoved(std::initializer_list<const std::vector<int>*> solved, float farDistance,
+void FindPairsOfMoved(std::initializer_list<const std::vector<BodyIndex>*> solved, float farDistance,
                       const ContactEvents& events, PairTables tables);
 
 }  // namespace scree

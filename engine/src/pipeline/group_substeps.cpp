@@ -14,8 +14,6 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 /// What is left after a step of what a body called for. A blow is not to make the number swing. The pull in a swung
 /// chain goes up and down many times a swing, and its joints would tear if the number followed it.
 constexpr float memory = 31.0f / 32.0f;
@@ -84,31 +82,33 @@ void GroupBySubsteps(const GroupInput& in, BodyTable& bodies, SubstepGroups& gro
     groups.Clear();
     for (const Island& island : in.islands.islands) {
         float wanted = 0.0f;
-        for (const int body : Bodies(in.islands, island)) {
-            wanted = Max(wanted, TakeWanted(in, bodies.demand[Row(body)]));
+        for (const BodyIndex body : Bodies(in.islands, island)) {
+            wanted = Max(wanted, TakeWanted(in, bodies.demand[body]));
         }
         const int substeps = RoundUpSubsteps(wanted, in.tolerance);
-        for (const int body : Bodies(in.islands, island)) bodies.demand[Row(body)].substeps = substeps;
+        for (const BodyIndex body : Bodies(in.islands, island)) bodies.demand[body].substeps = substeps;
         groups.Enter(substeps);
     }
     if (!in.active.isolated.empty()) groups.Enter(in.tolerance.leastSubsteps);
     for (SubstepGroup& group : groups.Get()) MakeRoom(group.lists, in.active);
 
-    for (const int body : in.active.isolated) {
-        BodyDemand& demand = bodies.demand[Row(body)];
+    for (const BodyIndex body : in.active.isolated) {
+        BodyDemand& demand = bodies.demand[body];
         TakeWanted(in, demand);
         demand.substeps = in.tolerance.leastSubsteps;
         groups.Get().front().lists.isolated.push_back(body);
     }
-    const auto listsOf = [&](int body) -> IslandTable& { return groups.Find(bodies.demand[Row(body)].substeps).lists; };
-    const auto moverOf = [&](int a, int b) { return bodies.type[Row(a)] != staticBody ? a : b; };
-    for (const int body : in.active.bodies) listsOf(body).bodies.push_back(body);
-    for (const int contact : in.active.contacts) {
-        const ContactPair& pair = in.contacts.pair[Row(contact)];
+    const auto listsOf = [&](BodyIndex body) -> IslandTable& {
+        return groups.Find(bodies.demand[body].substeps).lists;
+    };
+    const auto moverOf = [&](BodyIndex a, BodyIndex b) { return bodies.type[a] != staticBody ? a : b; };
+    for (const BodyIndex body : in.active.bodies) listsOf(body).bodies.push_back(body);
+    for (const ContactIndex contact : in.active.contacts) {
+        const ContactPair& pair = in.contacts.pair[contact];
         listsOf(moverOf(pair.bodyA, pair.bodyB)).contacts.push_back(contact);
     }
-    for (const int joint : in.active.joints) {
-        const JointInfo& info = in.joints.info[Row(joint)];
+    for (const JointIndex joint : in.active.joints) {
+        const JointInfo& info = in.joints.info[joint];
         listsOf(moverOf(info.bodyA, info.bodyB)).joints.push_back(joint);
     }
 }

@@ -17,26 +17,24 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
-bool IsAnyActive(const BodyTable& bodies, int a, int b) { return bodies.IsActive(a) || bodies.IsActive(b); }
+bool IsAnyActive(const BodyTable& bodies, BodyIndex a, BodyIndex b) { return bodies.IsActive(a) || bodies.IsActive(b); }
 
 /// 1 / (effective mass) of the normal at a point.
-float InverseMassAt(const BodyTable& bodies, Vec2 frame, int body, Vec2 point, Vec2 normal) {
-    const MassRow& mass = bodies.mass[Row(body)];
+float InverseMassAt(const BodyTable& bodies, Vec2 frame, BodyIndex body, Vec2 point, Vec2 normal) {
+    const MassRow& mass = bodies.mass[body];
     const float arm = Cross(point - CentreIn(frame, bodies, body), normal);
     return mass.invMass + mass.invI * arm * arm;
 }
 
 /// Returns the overlap, ≥ 0, and raises the residual.
-float MeasureContact(const MeasuredTables& t, int contact, float slop, float dt, float& residual) {
-    const ContactPair& pair = t.contacts.pair[Row(contact)];
-    const Manifold& manifold = t.contacts.manifold[Row(contact)];
+float MeasureContact(const MeasuredTables& t, ContactIndex contact, float slop, float dt, float& residual) {
+    const ContactPair& pair = t.contacts.pair[contact];
+    const Manifold& manifold = t.contacts.manifold[contact];
     WorldManifold world;
     const Vec2 frame = FrameOf(t.bodies, pair.bodyA, pair.bodyB);
     // After a soft step bodies rest where their outlines touch, else where skins overlap by the slop.
     const bool atOutlines = t.contacts.keepsSteady;
-    const auto radiusOf = [&](uint32_t fixture) {
+    const auto radiusOf = [&](FixtureIndex fixture) {
         const Shape& shape = *t.fixtures.shape[fixture];
         return atOutlines ? OutlineRadius(shape, slop / linearSlop) : shape.m_radius;
     };
@@ -62,19 +60,19 @@ template <typename Note>
 StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
     StepErrors errors;
     constexpr uint8_t pushing = ContactFlag::alive | ContactFlag::touching | ContactFlag::enabled;
-    for (int contact = 0; contact < t.contacts.Size(); ++contact) {
-        const ContactPair& pair = t.contacts.pair[Row(contact)];
-        if ((t.contacts.flags[Row(contact)] & (pushing | ContactFlag::sensor)) != pushing) continue;
+    for (const ContactIndex contact : t.contacts.flags.Rows()) {
+        const ContactPair& pair = t.contacts.pair[contact];
+        if ((t.contacts.flags[contact] & (pushing | ContactFlag::sensor)) != pushing) continue;
         if (!IsAnyActive(t.bodies, pair.bodyA, pair.bodyB)) continue;
         const float overlap = Told(MeasureContact(t, contact, slop, dt, errors.residual));
         errors.overlap = Max(errors.overlap, overlap);
         note(pair.bodyA, pair.bodyB, overlap, &BodyDemand::overlap);
     }
-    for (int joint = t.joints.listHead; joint >= 0; joint = t.joints.info[Row(joint)].listNext) {
-        const JointInfo& info = t.joints.info[Row(joint)];
+    for (JointIndex joint = t.joints.listHead; IsSome(joint); joint = t.joints.info[joint].listNext) {
+        const JointInfo& info = t.joints.info[joint];
         if (!IsAnyActive(t.bodies, info.bodyA, info.bodyB)) continue;
         JointTable::WithStore(t.joints, info.type, [&](const auto& store) {
-            const auto& row = store.rows[Row(info.row)];
+            const auto& row = store.rows[info.row];
             const float gap = Told(JointTraits<std::remove_cvref_t<decltype(row)>>::GetError(t.bodies, info, row));
             errors.jointGap = Max(errors.jointGap, gap);
             note(info.bodyA, info.bodyB, gap, &BodyDemand::jointGap);
@@ -86,14 +84,14 @@ StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
 }  // namespace
 
 StepErrors MeasureErrors(const MeasuredTables& t, float slop, float dt) {
-    return Measure(t, slop, dt, [](int, int, float, float BodyDemand::*) {});
+    return Measure(t, slop, dt, [](BodyIndex, BodyIndex, float, float BodyDemand::*) {});
 }
 
-StepErrors MeasureDemand(const MeasuredTables& t, float slop, float dt, std::vector<BodyDemand>& demand) {
-    return Measure(t, slop, dt, [&](int a, int b, float error, float BodyDemand::*which) {
-        for (const int body : {a, b}) {
-            if (t.bodies.type[Row(body)] == staticBody) continue;
-            float& worst = demand[Row(body)].*which;
+StepErrors MeasureDemand(const MeasuredTables& t, float slop, float dt, Column<BodyIndex, BodyDemand>& demand) {
+    return Measure(t, slop, dt, [&](BodyIndex a, BodyIndex b, float error, float BodyDemand::*which) {
+        for (const BodyIndex body : {a, b}) {
+            if (t.bodies.type[body] == staticBody) continue;
+            float& worst = demand[body].*which;
             worst = Max(worst, error);
         }
     });

@@ -24,6 +24,6 @@ struct MeasuredTables {
 /// the length of the step whose impulses the contacts hold, s.
 StepErrors MeasureErrors(const MeasuredTables& tables, float slop, float dt);
 /// The same, and what of it each mover has its part in: raises overlaps and joint gaps of BodyTable::demand.
-StepErrors MeasureDemand(const MeasuredTables& tables, float slop, float dt, std::vector<BodyDemand>& demand);
+StepErrors MeasureDemand(const MeasuredTables& tables, float slop, float dt, Column<BodyIndex, BodyDemand>& demand);
 
 }  // namespace scree

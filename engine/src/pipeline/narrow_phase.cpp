@@ -20,34 +20,33 @@ namespace scree {
 namespace {
 
 /// Still reported by the broad phase, and not refused by joints and filters when they must be asked again.
-bool Stays(int contact, const ContactEvents& events, NarrowPhaseTables t) {
-    uint8_t& flags = t.contacts.flags[static_cast<size_t>(contact)];
+bool Stays(ContactIndex contact, const ContactEvents& events, NarrowPhaseTables t) {
+    uint8_t& flags = t.contacts.flags[contact];
     if ((flags & ContactFlag::marked) == 0) return false;
     if ((flags & ContactFlag::refilter) == 0) return true;
     flags = static_cast<uint8_t>(flags & ~ContactFlag::refilter);
-    const ContactPair& pair = t.contacts.pair[static_cast<size_t>(contact)];
-    return MayHaveContact(static_cast<int>(pair.fixtureA), static_cast<int>(pair.fixtureB), events, t.fixtures,
-                          t.joints);
+    const ContactPair& pair = t.contacts.pair[contact];
+    return MayHaveContact(pair.fixtureA, pair.fixtureB, events, t.fixtures, t.joints);
 }
 
 /// How many rows ahead the shapes, poses and the manifold of a contact are fetched, and its pair before them.
 constexpr int fetchAhead = 4, fetchPairAhead = 12;
 
 /// Asks for what the update of a coming row reads; rows of neighbours are in memory anywhere.
-void Fetch(int contact, const NarrowPhaseTables& t) {
-    if (contact < fetchPairAhead) return;
-    Prefetch(&t.contacts.pair[static_cast<size_t>(contact - fetchPairAhead)]);
-    const auto next = static_cast<size_t>(contact - fetchAhead);
+void Fetch(ContactIndex contact, const NarrowPhaseTables& t) {
+    if (ToInt(contact) < fetchPairAhead) return;
+    Prefetch(&t.contacts.pair[ContactIndex{ToInt(contact) - fetchPairAhead}]);
+    const ContactIndex next{ToInt(contact) - fetchAhead};
     const ContactPair& pair = t.contacts.pair[next];
     PrefetchToWrite(&t.contacts.manifold[next]);
-    Prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyA)]);
-    Prefetch(&t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
+    Prefetch(&t.bodies.transform[pair.bodyA]);
+    Prefetch(&t.bodies.transform[pair.bodyB]);
     Prefetch(t.fixtures.shape[pair.fixtureA]);
     Prefetch(t.fixtures.shape[pair.fixtureB]);
 }
 
-bool IsActive(int contact, const NarrowPhaseTables& t) {
-    const ContactPair& pair = t.contacts.pair[static_cast<size_t>(contact)];
+bool IsActive(ContactIndex contact, const NarrowPhaseTables& t) {
+    const ContactPair& pair = t.contacts.pair[contact];
     return t.bodies.IsActive(pair.bodyA) || t.bodies.IsActive(pair.bodyB);
 }
 
@@ -63,13 +62,12 @@ public:
         : m_t(tables), m_isFar(tables.bodies.IsFar()), m_keepsOld(keepsOld), m_work(work), m_scratch(scratch) {}
 
     void Compute(int begin, int end) {
-        for (int contact = end; (contact = m_t.contacts.Before(contact)) >= begin;) {
+        for (ContactIndex contact{end}; ToInt(contact = m_t.contacts.Before(contact)) >= begin;) {
             Fetch(contact, m_t);
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
-            const uint8_t flags = m_t.contacts.flags[static_cast<size_t>(contact)];
+            const uint8_t flags = m_t.contacts.flags[contact];
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
-            const auto c = static_cast<size_t>(contact);
-            if (m_keepsOld) m_scratch.old[c] = m_t.contacts.manifold[c];
+            if (m_keepsOld) m_scratch.old[contact] = m_t.contacts.manifold[contact];
             if (StaysSteady(contact, m_t.bodies, m_t.contacts)) {
                 Note(contact, true);
                 continue;
@@ -90,17 +88,16 @@ private:
         Transform near[quadLanes][2];
     };
 
-    bool Batch(int contact) {
+    bool Batch(ContactIndex contact) {
         m_t.contacts.ForgetSteady(contact);
-        const ContactPair& pair = m_t.contacts.pair[static_cast<size_t>(contact)];
+        const ContactPair& pair = m_t.contacts.pair[contact];
         const Shape& a = *m_t.fixtures.shape[pair.fixtureA];
         const Shape& b = *m_t.fixtures.shape[pair.fixtureB];
         if (a.GetType() == Shape::e_circle && b.GetType() == Shape::e_circle && !m_isFar) {
-            Manifold& manifold = m_t.contacts.manifold[static_cast<size_t>(contact)];
+            Manifold& manifold = m_t.contacts.manifold[contact];
             const OldPoints old(manifold);
-            CollideCircles(&manifold, static_cast<const CircleShape*>(&a),
-                           m_t.bodies.transform[static_cast<size_t>(pair.bodyA)], static_cast<const CircleShape*>(&b),
-                           m_t.bodies.transform[static_cast<size_t>(pair.bodyB)]);
+            CollideCircles(&manifold, static_cast<const CircleShape*>(&a), m_t.bodies.transform[pair.bodyA],
+                           static_cast<const CircleShape*>(&b), m_t.bodies.transform[pair.bodyB]);
             old.CarryImpulses(manifold);
             Note(contact, manifold.pointCount > 0);
             return true;
@@ -117,17 +114,17 @@ private:
     }
 
     template <typename Batch, typename B>
-    void Add(Lanes<Batch>& lanes, int contact, const PolygonShape& a, const B& b) {
-        const ContactPair& pair = m_t.contacts.pair[static_cast<size_t>(contact)];
-        const Transform* xfA = &m_t.bodies.transform[static_cast<size_t>(pair.bodyA)];
-        const Transform* xfB = &m_t.bodies.transform[static_cast<size_t>(pair.bodyB)];
+    void Add(Lanes<Batch>& lanes, ContactIndex contact, const PolygonShape& a, const B& b) {
+        const ContactPair& pair = m_t.contacts.pair[contact];
+        const Transform* xfA = &m_t.bodies.transform[pair.bodyA];
+        const Transform* xfB = &m_t.bodies.transform[pair.bodyB];
         if (m_isFar) {
             const Vec2 frame = FrameOf(m_t.bodies, pair.bodyA, pair.bodyB);
             Transform* const near = lanes.near[lanes.batch.Size()];
             near[0] = TransformIn(frame, m_t.bodies, pair.bodyA), near[1] = TransformIn(frame, m_t.bodies, pair.bodyB);
             xfA = &near[0], xfB = &near[1];
         }
-        lanes.batch.Add(contact, a, *xfA, b, *xfB);
+        lanes.batch.Add(ToInt(contact), a, *xfA, b, *xfB);
         if (lanes.batch.IsFull()) ComputeBatch(lanes);
     }
 
@@ -135,17 +132,18 @@ private:
     void ComputeBatch(Lanes<Batch>& lanes) {
         lanes.batch.Collide();
         for (int i = 0; i < lanes.batch.Size(); ++i) {
-            Manifold& manifold = m_t.contacts.manifold[static_cast<size_t>(lanes.batch.GetId(i))];
+            const ContactIndex contact{lanes.batch.GetId(i)};
+            Manifold& manifold = m_t.contacts.manifold[contact];
             const OldPoints old(manifold);
             lanes.batch.Write(i, manifold);
             old.CarryImpulses(manifold);
-            Note(lanes.batch.GetId(i), manifold.pointCount > 0);
+            Note(contact, manifold.pointCount > 0);
         }
         lanes.batch.Clear();
     }
 
-    void Note(int contact, bool touches) {
-        m_scratch.findings[static_cast<size_t>(contact)] =
+    void Note(ContactIndex contact, bool touches) {
+        m_scratch.findings[contact] =
             static_cast<uint8_t>(NarrowPhaseScratch::known | (touches ? NarrowPhaseScratch::touching : 0) |
                                  (m_t.contacts.Has(contact, ContactFlag::sensor) ? NarrowPhaseScratch::asSensor : 0));
     }
@@ -160,7 +158,7 @@ private:
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order.
 void ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, TOIStats& work, NarrowPhaseScratch& scratch) {
-    const auto rows = static_cast<size_t>(t.contacts.Size());
+    const size_t rows = t.contacts.flags.size();
     scratch.findings.assign(rows, NarrowPhaseScratch::nothing);
     if (keepsOld) EnsureRows(scratch.old, rows);
     t.pool.For(t.contacts.Size(), leastContactsToShare,
@@ -169,7 +167,7 @@ void ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, TOIStats& work, Nar
 
 /// Whether what was found ahead of a contact still holds: callbacks may have put its bodies to sleep, or made one of
 /// its fixtures a sensor.
-bool Holds(uint8_t finding, int contact, const NarrowPhaseTables& t) {
+bool Holds(uint8_t finding, ContactIndex contact, const NarrowPhaseTables& t) {
     const bool isSensor = t.contacts.Has(contact, ContactFlag::sensor);
     return isSensor == ((finding & NarrowPhaseScratch::asSensor) != 0) && IsActive(contact, t);
 }
@@ -180,12 +178,13 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
     const bool ahead = t.contacts.active.Count() >= leastContacts;
     const bool keepsOld = events.HearsPreSolve();
     if (ahead) ComputeAhead(t, keepsOld, *events.work, scratch);
-    int touchingCount = t.contacts.RestingTouchingCount(), contact = t.contacts.Size();
+    int touchingCount = t.contacts.RestingTouchingCount();
+    ContactIndex contact = t.contacts.flags.End();
     // Contacts of a body that wakes on the way are looked at, too, if they come later in the order.
     const auto goOn = [&] {
         if (!t.bodies.risen.empty()) touchingCount -= RouseContacts(t.bodies, t.contacts, contact);
         contact = t.contacts.Before(contact);
-        return contact >= 0;
+        return IsSome(contact);
     };
     bool isTold = false;  // the listener has been called, and may have changed what was found ahead
     while (goOn()) {
@@ -197,15 +196,15 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
             continue;
         }
         uint8_t finding = NarrowPhaseScratch::nothing;
-        if (ahead) finding = scratch.findings[static_cast<size_t>(contact)];
+        if (ahead) finding = scratch.findings[contact];
         bool touching = (finding & NarrowPhaseScratch::touching) != 0;
         if (finding != NarrowPhaseScratch::nothing && (!isTold || Holds(finding, contact, t))) {
             const bool changed = NoteTouching(contact, touching, events.restartsTimers, t.bodies, t.contacts);
             if (changed && events.log != nullptr) NoteChange(contact, t.contacts, *events.log);
             if (events.listener != nullptr && (changed || (touching && events.heard.preSolve))) {
                 isTold = true;
-                const std::vector<Manifold>& old = keepsOld ? scratch.old : t.contacts.manifold;
-                TellAbout(contact, touching, changed, old[static_cast<size_t>(contact)], events, t.contacts);
+                const Column<ContactIndex, Manifold>& old = keepsOld ? scratch.old : t.contacts.manifold;
+                TellAbout(contact, touching, changed, old[contact], events, t.contacts);
             }
         } else {
             isTold = isTold || events.listener != nullptr;

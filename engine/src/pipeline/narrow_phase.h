@@ -25,8 +25,8 @@ struct NarrowPhaseTables {
 /// What was found out ahead of each contact, kept between steps to save allocation.
 struct NarrowPhaseScratch {
     enum Finding : uint8_t { nothing = 0, known = 1, touching = 2, asSensor = 4 };
-    std::vector<uint8_t> findings;
-    std::vector<Manifold> old;  ///< before, for a listener that asks
+    Column<ContactIndex, uint8_t> findings;
+    Column<ContactIndex, Manifold> old;  ///< before, for a listener that asks
 };
 
 /// Newest row first, as Box2D tells its events. Destroys the contacts whose boxes have parted, and those that joints

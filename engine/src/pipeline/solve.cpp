@@ -22,7 +22,7 @@ namespace {
 /// Sequential impulses add to angles without their rests, which are therefore to be 0.
 void ClearAngleRests(BodyTable& bodies, SolverScratch& scratch) {
     if (!scratch.anglesHaveRests) return;
-    for (const int body : bodies.movers) bodies.position[static_cast<size_t>(body)].aRest = 0.0f;
+    for (const BodyIndex body : bodies.movers) bodies.position[body].aRest = 0.0f;
     scratch.anglesHaveRests = false;
 }
 
@@ -100,8 +100,8 @@ void SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fix
     SolveSoft(own, fixtures, lists, events, tables, scratch);
     // Impulses are to be those of a whole step; of a very short rest they are those of a blow.
     const float whole = Min(1.0f / share, static_cast<float>(2 * settings.substeps) / static_cast<float>(own.substeps));
-    for (const int contact : lists.contacts) {
-        for (ManifoldPoint& point : tables.contacts.manifold[static_cast<size_t>(contact)].points)
+    for (const ContactIndex contact : lists.contacts) {
+        for (ManifoldPoint& point : tables.contacts.manifold[contact].points)
             point.normalImpulse *= whole, point.tangentImpulse *= whole;
     }
 }

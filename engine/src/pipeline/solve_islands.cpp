@@ -22,7 +22,7 @@ JointStep JointStepOf(const SolverSettings& settings) {
 /// Without `forces` no body has damping, a gravity scale or a force: their neutral values change no bit, so only the
 /// sum with a force of 0 stays (it turns −0 into 0).
 template <bool forces>
-void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t b) {
+void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, BodyIndex b) {
     bodies.NoteStart(b);
     if (settings.exactDrift) bodies.startVelocity[b] = bodies.velocity[b];
     if (bodies.type[b] != dynamicBody) return;
@@ -45,7 +45,7 @@ void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, size_t
 
 /// What the body moves in this step, under the caps. `capped` is set if one acted.
 template <bool limit>
-Velocity MotionOf(const SolverSettings& settings, BodyTable& bodies, size_t b, bool& capped) {
+Velocity MotionOf(const SolverSettings& settings, BodyTable& bodies, BodyIndex b, bool& capped) {
     const float h = settings.dt;
     Velocity& v = bodies.velocity[b];
     Velocity mean = v;
@@ -66,7 +66,7 @@ Velocity MotionOf(const SolverSettings& settings, BodyTable& bodies, size_t b, b
 
 /// Moves the body by its velocity. Returns true if a cap acted.
 template <bool limit>
-bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, size_t b) {
+bool IntegratePosition(const SolverSettings& settings, BodyTable& bodies, BodyIndex b) {
     bool capped = false;
     const Velocity motion = MotionOf<limit>(settings, bodies, b, capped);
     bodies.Shift(b, motion.v);
@@ -91,7 +91,7 @@ public:
 
     void Prepare(const FixtureTable& fixtures) {
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            for (const int b : m_bodies) IntegrateVelocity<forces>(m_settings, m_tables.bodies, static_cast<size_t>(b));
+            for (const BodyIndex b : m_bodies) IntegrateVelocity<forces>(m_settings, m_tables.bodies, b);
         });
         m_scratch.locked.Gather(m_settings.kernels, m_bodies, m_tables.bodies);
         PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
@@ -121,8 +121,8 @@ public:
     int IntegratePositions() {
         int capped = 0;
         WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
-            for (const int b : m_bodies)
-                capped += IntegratePosition<limit>(m_settings, m_tables.bodies, static_cast<size_t>(b)) ? 1 : 0;
+            for (const BodyIndex b : m_bodies)
+                capped += IntegratePosition<limit>(m_settings, m_tables.bodies, b) ? 1 : 0;
         });
         return capped;
     }
@@ -141,7 +141,7 @@ public:
 
     int Finish() {
         int nonFinite = 0;
-        for (const int b : m_bodies) nonFinite += FinishPose(m_tables.bodies, static_cast<size_t>(b)) ? 1 : 0;
+        for (const BodyIndex b : m_bodies) nonFinite += FinishPose(m_tables.bodies, b) ? 1 : 0;
         return nonFinite;
     }
 
@@ -157,7 +157,9 @@ private:
     const SolverSettings& m_settings;
     SolverTables m_tables;
     SolverScratch& m_scratch;
-    std::span<const int> m_bodies, m_contacts, m_joints;
+    std::span<const BodyIndex> m_bodies;
+    std::span<const ContactIndex> m_contacts;
+    std::span<const JointIndex> m_joints;
 };
 
 /// The solve of islands with contacts together, by the vector kernels; the methods are the phases in order.
@@ -173,11 +175,10 @@ public:
           m_kernels(GetContactKernels()) {}
 
     void Prepare(const FixtureTable& fixtures) {
-        m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
+        m_s.delta.resize(ToSize(m_bodies.slots.Size()));
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            ForEachOf(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
-                IntegrateVelocity<forces>(m_settings, m_bodies, static_cast<size_t>(m_s.wide.bodies[i]));
-            });
+            ForEachOf(Pool(), m_s.wide.bodies.size(),
+                      [&](size_t i) { IntegrateVelocity<forces>(m_settings, m_bodies, m_s.wide.bodies[i]); });
         });
         m_s.locked.Gather(m_settings.kernels, m_s.wide.bodies, m_bodies);
         m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_s.wide.contacts, m_settings.impulseScale,
@@ -208,7 +209,7 @@ public:
     int IntegratePositions() {
         return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
             const SolverCounts counts = CountOver(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
-                const auto b = static_cast<size_t>(m_s.wide.bodies[i]);
+                const BodyIndex b = m_s.wide.bodies[i];
                 bool capped = false;
                 m_s.delta[b] = MotionOf<limit>(m_settings, m_bodies, b, capped);
                 return SolverCounts{capped ? 1 : 0, 0};
@@ -238,7 +239,7 @@ public:
 
     int Finish() {
         const SolverCounts counts = CountOver(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
-            const auto b = static_cast<size_t>(m_s.wide.bodies[i]);
+            const BodyIndex b = m_s.wide.bodies[i];
             Move(b);
             m_s.delta[b] = {};
             return SolverCounts{0, FinishPose(m_bodies, b) ? 1 : 0};
@@ -264,33 +265,32 @@ private:
     /// Of the contacts [begin, end) of the blocks' list.
     [[nodiscard]] bool AreContactsSolved(int begin, int end) const {
         for (int i = begin; i < end; ++i) {
-            if (!IsWithinTolerance(m_s.blocks.GetSeparation(static_cast<size_t>(i), m_s.delta))) return false;
+            if (!IsWithinTolerance(m_s.blocks.GetSeparation(ToSize(i), m_s.delta))) return false;
         }
         return true;
     }
     /// False if a body of the island has moved too lately for the island to fall asleep in this step.
     [[nodiscard]] bool IsSleepy(const Island& island) const {
-        for (const int b : Bodies(m_islands, island)) {
-            if (m_bodies.sleepTime[static_cast<size_t>(b)] + m_settings.dt < timeToSleep) return false;
+        for (const BodyIndex b : Bodies(m_islands, island)) {
+            if (m_bodies.sleepTime[b] + m_settings.dt < timeToSleep) return false;
         }
         return true;
     }
 
-    void Move(size_t b) {
+    void Move(BodyIndex b) {
         m_bodies.SetMotion(b, m_s.delta[b].v);
         m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
     }
 
     bool CorrectJoints() {
-        for (const int b : m_s.wide.bodies) {
-            if (m_bodies.info[static_cast<size_t>(b)].jointCount > 0) Move(static_cast<size_t>(b));
+        for (const BodyIndex b : m_s.wide.bodies) {
+            if (m_bodies.info[b].jointCount > 0) Move(b);
         }
         const bool solved = SolveJointPositions(JointWork());
-        for (const int body : m_s.wide.bodies) {
-            const auto b = static_cast<size_t>(body);
-            if (m_bodies.info[b].jointCount == 0) continue;
-            m_s.delta[b].v = m_bodies.GetMotion(b);
-            m_s.delta[b].w = m_bodies.position[b].a - m_bodies.startPosition[b].a;
+        for (const BodyIndex body : m_s.wide.bodies) {
+            if (m_bodies.info[body].jointCount == 0) continue;
+            m_s.delta[body].v = m_bodies.GetMotion(body);
+            m_s.delta[body].w = m_bodies.position[body].a - m_bodies.startPosition[body].a;
         }
         return solved;
     }
@@ -309,13 +309,13 @@ class BallisticPath {
 public:
     BallisticPath(const SolverSettings& settings, BodyTable& bodies)
         : m_settings(settings), m_bodies(bodies), m_moveIsolated(GetMoveIsolated()) {
-        m_task = {&bodies.velocity[0].v.x,
-                  &bodies.position[0].c.x,
-                  &bodies.startPosition[0].c.x,
-                  &bodies.transform[0].p.x,
-                  &bodies.mass[0].invMass,
-                  bodies.force.empty() ? nullptr : &bodies.force[0].force.x,
-                  &bodies.motion[0].linearDamping,
+        m_task = {&bodies.velocity.data()->v.x,
+                  &bodies.position.data()->c.x,
+                  &bodies.startPosition.data()->c.x,
+                  &bodies.transform.data()->p.x,
+                  &bodies.mass.data()->invMass,
+                  bodies.force.empty() ? nullptr : &bodies.force.data()->force.x,
+                  &bodies.motion.data()->linearDamping,
                   settings.kernels.bodyForces,
                   settings.kernels.speedLimit,
                   settings.dt,
@@ -331,7 +331,7 @@ public:
                   }};
     }
 
-    SolverCounts Move(std::span<const int> rows) const {
+    SolverCounts Move(std::span<const BodyIndex> rows) const {
         SolverCounts counts;
         size_t done = 0;
         const bool byEight = !m_settings.exactDrift && !m_bodies.IsFar() && !m_settings.kernels.locks;
@@ -345,39 +345,40 @@ public:
 private:
     static constexpr size_t laneCount = 8;
 
-    SolverCounts MoveEight(std::span<const int> rows) const {
+    SolverCounts MoveEight(std::span<const BodyIndex> rows) const {
         SolverCounts counts;
-        switch (m_moveIsolated(m_task, rows.data())) {
+        int32_t plain[laneCount];
+        for (size_t lane = 0; lane < laneCount; ++lane) plain[lane] = ToInt(rows[lane]);
+        switch (m_moveIsolated(m_task, plain)) {
             case IsolatedMove::refused:
-                for (const int body : rows) counts += MoveOne(body);
+                for (const BodyIndex body : rows) counts += MoveOne(body);
                 break;
             case IsolatedMove::fast:
                 if (!m_settings.allowSleep) break;
-                for (const int body : rows) m_bodies.sleepTime[static_cast<size_t>(body)] = 0.0f;
+                for (const BodyIndex body : rows) m_bodies.sleepTime[body] = 0.0f;
                 break;
             case IsolatedMove::slow:
-                for (const int body : rows) Sleep(body);
+                for (const BodyIndex body : rows) Sleep(body);
                 break;
         }
         return counts;
     }
 
-    SolverCounts MoveOne(int body) const {
-        const auto b = static_cast<size_t>(body);
+    SolverCounts MoveOne(BodyIndex body) const {
         SolverCounts counts;
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto limit) {
-            IntegrateVelocity<forces>(m_settings, m_bodies, b);
-            if (m_settings.kernels.locks) StopLocked(m_bodies, body, m_bodies.velocity[b]);
-            counts.capped = IntegratePosition<limit>(m_settings, m_bodies, b) ? 1 : 0;
+            IntegrateVelocity<forces>(m_settings, m_bodies, body);
+            if (m_settings.kernels.locks) StopLocked(m_bodies, body, m_bodies.velocity[body]);
+            counts.capped = IntegratePosition<limit>(m_settings, m_bodies, body) ? 1 : 0;
         });
-        counts.nonFinite = FinishPose(m_bodies, b) ? 1 : 0;
+        counts.nonFinite = FinishPose(m_bodies, body) ? 1 : 0;
         Sleep(body);
         return counts;
     }
 
-    void Sleep(int body) const {
+    void Sleep(BodyIndex body) const {
         if (!m_settings.allowSleep) return;
-        if (UpdateSleepTimer(m_bodies, static_cast<size_t>(body), m_settings) >= timeToSleep) {
+        if (UpdateSleepTimer(m_bodies, body, m_settings) >= timeToSleep) {
             m_bodies.PutToSleep(body);
         }
     }
@@ -415,9 +416,7 @@ public:
 private:
     static constexpr size_t leastTogether = 32;
 
-    static size_t ContactCount(const Island& island) {
-        return static_cast<size_t>(island.contactEnd - island.contactBegin);
-    }
+    static size_t ContactCount(const Island& island) { return ToSize(island.contactEnd - island.contactBegin); }
     static bool IsTiny(const Island& island) { return ContactCount(island) <= 8; }
 
     bool m_all, m_tiny = false;
@@ -429,9 +428,7 @@ void GatherWide(const IslandTable& islands, const WideChoice& choice, IslandTabl
     for (const Island& island : islands.islands) {
         if (!choice.Has(island)) continue;
         wide.islands.push_back(island);
-        const auto append = [](std::vector<int>& to, std::span<const int> from) {
-            to.insert(to.end(), from.begin(), from.end());
-        };
+        const auto append = [](auto& to, auto from) { to.insert(to.end(), from.begin(), from.end()); };
         append(wide.bodies, Bodies(islands, island));
         append(wide.contacts, Contacts(islands, island));
         append(wide.joints, Joints(islands, island));

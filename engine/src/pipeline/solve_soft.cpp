@@ -30,20 +30,19 @@ namespace {
 
 /// Without `forces` as in solve_islands.cpp.
 template <bool forces>
-SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, int body) {
-    const auto b = static_cast<size_t>(body);
+SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, BodyIndex body) {
     const float h = settings.dt / static_cast<float>(settings.substeps);
     SoftBody soft{};
     soft.body = body;
     soft.linearDamp = soft.angularDamp = 1.0f;
-    if (bodies.type[b] != dynamicBody) return soft;
-    const MassRow& mass = bodies.mass[b];
-    const MotionRow& motion = bodies.motion[b];
+    if (bodies.type[body] != dynamicBody) return soft;
+    const MassRow& mass = bodies.mass[body];
+    const MotionRow& motion = bodies.motion[body];
     if constexpr (!forces) {
         soft.kick.v = (0.5f * h * mass.invMass) * (motion.mass * settings.gravity + vec2Zero);
         return soft;
     }
-    const ForceRow& force = bodies.force[b];
+    const ForceRow& force = bodies.force[body];
     soft.kick.v = (0.5f * h * mass.invMass) * ((motion.gravityScale * motion.mass) * settings.gravity + force.force);
     soft.kick.w = 0.5f * h * mass.invI * force.torque;
     // Implicit damping over half a sub-step, dv/dt = −c·v: stable at any c and h.
@@ -93,7 +92,7 @@ inline void DriftWhole(const SoftBody& soft, const Velocity& v, float h, Velocit
 
 /// The end pose from the start pose and the motion, under the caps. Returns true if a cap acted.
 template <bool limit>
-bool MoveBody(const SolverSettings& settings, BodyTable& bodies, size_t b, Velocity& delta) {
+bool MoveBody(const SolverSettings& settings, BodyTable& bodies, BodyIndex b, Velocity& delta) {
     bool capped = false;
     if constexpr (limit) {
         const CapFactors cap = CapMotion(settings, delta.v, delta.w);
@@ -117,11 +116,10 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
                            BodyTable& bodies) {
     const float h = settings.dt / static_cast<float>(settings.substeps);
     return CountOver(pool, active.isolated.size(), [&](size_t at) {
-        const int body = active.isolated[at];
-        const auto b = static_cast<size_t>(body);
-        bodies.NoteStart(b);
+        const BodyIndex body = active.isolated[at];
+        bodies.NoteStart(body);
         SoftBody soft = MakeSoftBody<forces>(settings, bodies, body);
-        Velocity v = bodies.velocity[b];
+        Velocity v = bodies.velocity[body];
         Velocity delta{};
         for (int i = 0; i < settings.substeps; ++i) {
             Kick<forces>(soft, v);
@@ -132,11 +130,11 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
             StopLocked(bodies, body, v);
             StopLocked(bodies, body, delta);
         }
-        bodies.velocity[b] = v;
+        bodies.velocity[body] = v;
         SolverCounts counts;
-        counts.capped = MoveBody<limit>(settings, bodies, b, delta) ? 1 : 0;
-        counts.nonFinite = FinishPose(bodies, b) ? 1 : 0;
-        if (settings.allowSleep && UpdateSleepTimer(bodies, b, settings) >= timeToSleep) bodies.PutToSleep(body);
+        counts.capped = MoveBody<limit>(settings, bodies, body, delta) ? 1 : 0;
+        counts.nonFinite = FinishPose(bodies, body) ? 1 : 0;
+        if (settings.allowSleep && UpdateSleepTimer(bodies, body, settings) >= timeToSleep) bodies.PutToSleep(body);
         return counts;
     });
 }
@@ -155,7 +153,7 @@ public:
           m_kernels(GetContactKernels()) {}
 
     void Prepare(const FixtureTable& fixtures, bool report) {
-        m_s.delta.resize(static_cast<size_t>(m_bodies.slots.Size()));
+        m_s.delta.resize(ToSize(m_bodies.slots.Size()));
         m_s.soft.clear();
         m_s.jointed.clear();
         if (HasJoints()) EnsureRows(m_s.startVelocity, m_bodies.velocity.size());
@@ -209,7 +207,7 @@ public:
         m_tree.Store(1.0f, m_tables.joints);
         return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
             return CountOver(Pool(), m_s.soft.size(), [&](size_t i) {
-                const auto b = static_cast<size_t>(m_s.soft[i].body);
+                const BodyIndex b = m_s.soft[i].body;
                 SolverCounts counts;
                 counts.capped = MoveBody<limit>(m_settings, m_bodies, b, m_s.delta[b]) ? 1 : 0;
                 m_s.delta[b] = {};
@@ -233,13 +231,12 @@ private:
 
     template <bool forces>
     void PrepareBodies() {
-        for (const int body : m_islands.bodies) {
-            const auto b = static_cast<size_t>(body);
-            m_bodies.NoteStart(b);
+        for (const BodyIndex body : m_islands.bodies) {
+            m_bodies.NoteStart(body);
             m_s.soft.push_back(MakeSoftBody<forces>(m_settings, m_bodies, body));
-            if (!HasJoints() || m_bodies.info[b].jointCount == 0) continue;
+            if (!HasJoints() || m_bodies.info[body].jointCount == 0) continue;
             m_s.soft.back().jointed = true;
-            m_s.startVelocity[b] = m_bodies.velocity[b];
+            m_s.startVelocity[body] = m_bodies.velocity[body];
             m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
         }
     }
@@ -336,7 +333,7 @@ private:
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             ForEachSoft([&](SoftBody& soft) {
                 Velocity& v = VelocityOf(soft);
-                Velocity& delta = m_s.delta[static_cast<size_t>(soft.body)];
+                Velocity& delta = m_s.delta[soft.body];
                 if (!soft.jointed) return DriftWhole(soft, v, m_h, delta);
                 Drift(v, m_h, delta);
                 Kick<forces>(soft, v);
@@ -429,14 +426,12 @@ private:
         const Velocity& v = VelocityOf(soft);
         soft.byContacts = {v.v - soft.unaided.v, v.w - soft.unaided.w};
     }
-    [[nodiscard]] Velocity& VelocityOf(const SoftBody& soft) {
-        return m_bodies.velocity[static_cast<size_t>(soft.body)];
-    }
-    [[nodiscard]] SoftBody& Jointed(size_t i) { return m_s.soft[static_cast<size_t>(m_s.jointed[i])]; }
+    [[nodiscard]] Velocity& VelocityOf(const SoftBody& soft) { return m_bodies.velocity[soft.body]; }
+    [[nodiscard]] SoftBody& Jointed(size_t i) { return m_s.soft[ToSize(m_s.jointed[i])]; }
 
     void PlaceJointed() {
         for (const int i : m_s.jointed) {
-            const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
+            const BodyIndex b = m_s.soft[ToSize(i)].body;
             m_bodies.SetMotion(b, m_s.delta[b].v);
             m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
         }
@@ -445,7 +440,7 @@ private:
     void CorrectJoints() {
         SolveJointPositions(JointWork(1.0f));
         for (const int i : m_s.jointed) {
-            const auto b = static_cast<size_t>(m_s.soft[static_cast<size_t>(i)].body);
+            const BodyIndex b = m_s.soft[ToSize(i)].body;
             m_s.delta[b].v = m_bodies.GetMotion(b);
             m_s.delta[b].w = m_bodies.position[b].a - m_bodies.startPosition[b].a;
         }
@@ -486,7 +481,7 @@ void SleepIslands(const SolverSettings& settings, const IslandTable& active, con
     if (!settings.allowSleep) return;
     for (const Island& island : islands.islands) SleepIsland(bodies, Bodies(islands, island), settings, true);
     if (!islands.islands.empty()) return;
-    for (const int body : active.bodies) UpdateSleepTimer(bodies, static_cast<size_t>(body), settings);
+    for (const BodyIndex body : active.bodies) UpdateSleepTimer(bodies, body, settings);
 }
 
 }  // namespace scree

@@ -22,21 +22,21 @@ void Normalize(Vec2& c, Vec2& below) {
 
 }  // namespace
 
-int BodyTable::Add(WorldState* state, const BodyDef& def) {
-    const int index = slots.Prepare();
-    const auto i = static_cast<size_t>(index);
+BodyIndex BodyTable::Add(WorldState* state, const BodyDef& def) {
+    const BodyIndex index = slots.Prepare();
+    const size_t rows = ToSize(index) + 1;
     // When memory runs out nothing has changed yet.
-    ReserveRows(i + 1, velocity, position, startPosition, transform, mass, motion, sleepTime, flags, type, fixtureHead,
+    ReserveRows(rows, velocity, position, startPosition, transform, mass, motion, sleepTime, flags, type, fixtureHead,
                 info);
-    if (!startVelocity.empty()) ReserveRows(i + 1, startVelocity);
-    if (IsFar()) ReserveRows(i + 1, rest);
-    if (!force.empty()) ReserveRows(i + 1, force);
-    if (!demand.empty()) ReserveRows(i + 1, demand);
+    if (!startVelocity.empty()) ReserveRows(rows, startVelocity);
+    if (IsFar()) ReserveRows(rows, rest);
+    if (!force.empty()) ReserveRows(rows, force);
+    if (!demand.empty()) ReserveRows(rows, demand);
     ReserveRows(movers.size() + 1, movers);
-    ReserveRows(i + 1, isListed, risen, risenProxies, m_listed);
+    ReserveRows(rows, isListed, risen, risenProxies, m_listed);
     listedRows.Reserve(movers.size() + 1);
     kinematicRows.Reserve(movers.size() + 1);
-    while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
+    while (handles.size() < rows) handles.emplace_back(state, handles.End());
 
     slots.Allocate();
     EnsureRow(velocity, index);
@@ -56,167 +56,161 @@ int BodyTable::Add(WorldState* state, const BodyDef& def) {
     EnsureRow(info, index);
     EnsureRow(isListed, index);
 
-    type[i] = def.type;
+    type[index] = def.type;
     const bool isStatic = def.type == staticBody;
-    velocity[i] = {isStatic ? vec2Zero : def.linearVelocity, isStatic ? 0.0f : def.angularVelocity, 0.0f};
-    mass[i] = {0.0f, 0.0f, vec2Zero};
-    Place(i, def.position, def.positionRest, def.angle);
+    velocity[index] = {isStatic ? vec2Zero : def.linearVelocity, isStatic ? 0.0f : def.angularVelocity, 0.0f};
+    mass[index] = {0.0f, 0.0f, vec2Zero};
+    Place(index, def.position, def.positionRest, def.angle);
     ClearForce(index);
-    motion[i] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
-    if (!demand.empty()) demand[i] = {};
-    sleepTime[i] = 0.0f;
-    flags[i] = static_cast<uint16_t>((def.awake && !isStatic ? BodyFlag::awake : 0) |
-                                     (def.allowSleep ? BodyFlag::autoSleep : 0) | (def.bullet ? BodyFlag::bullet : 0) |
-                                     (def.fixedRotation || def.locks.angle ? BodyFlag::fixedRotation : 0) |
-                                     (def.locks.x ? BodyFlag::lockX : 0) | (def.locks.y ? BodyFlag::lockY : 0) |
-                                     (def.enabled ? BodyFlag::enabled : 0));
-    fixtureHead[i] = -1;
-    info[i] = BodyInfo{};
-    info[i].userData = def.userData;
+    motion[index] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
+    if (!demand.empty()) demand[index] = {};
+    sleepTime[index] = 0.0f;
+    flags[index] = static_cast<uint16_t>(
+        (def.awake && !isStatic ? BodyFlag::awake : 0) | (def.allowSleep ? BodyFlag::autoSleep : 0) |
+        (def.bullet ? BodyFlag::bullet : 0) | (def.fixedRotation || def.locks.angle ? BodyFlag::fixedRotation : 0) |
+        (def.locks.x ? BodyFlag::lockX : 0) | (def.locks.y ? BodyFlag::lockY : 0) |
+        (def.enabled ? BodyFlag::enabled : 0));
+    fixtureHead[index] = FixtureIndex::none;
+    info[index] = BodyInfo{};
+    info[index].userData = def.userData;
     Link(index);
     return index;
 }
 
-void BodyTable::Remove(int body) {
+void BodyTable::Remove(BodyIndex body) {
     Unlink(body);
-    flags[static_cast<size_t>(body)] = 0;
+    flags[body] = 0;
     slots.Free(body);
 }
 
-void BodyTable::Wake(int body) {
-    const auto i = static_cast<size_t>(body);
-    if (type[i] == staticBody) return;
-    flags[i] = static_cast<uint16_t>(flags[i] | BodyFlag::awake);
-    sleepTime[i] = 0.0f;
+void BodyTable::Wake(BodyIndex body) {
+    if (type[body] == staticBody) return;
+    flags[body] = static_cast<uint16_t>(flags[body] | BodyFlag::awake);
+    sleepTime[body] = 0.0f;
     List(body);
 }
 
-void BodyTable::PutToSleep(int body) {
-    const auto i = static_cast<size_t>(body);
-    flags[i] = static_cast<uint16_t>(flags[i] & ~BodyFlag::awake);
-    sleepTime[i] = 0.0f;
-    velocity[i] = {vec2Zero, 0.0f, 0.0f};
+void BodyTable::PutToSleep(BodyIndex body) {
+    flags[body] = static_cast<uint16_t>(flags[body] & ~BodyFlag::awake);
+    sleepTime[body] = 0.0f;
+    velocity[body] = {vec2Zero, 0.0f, 0.0f};
     ClearForce(body);
     AddShared(fellAsleep, 1);  // several threads put bodies to sleep
 }
 
-void BodyTable::Enlist(int body) {
-    isListed[static_cast<size_t>(body)] = 1;
-    listedRows.Insert(info[static_cast<size_t>(body)].moverRow);
+void BodyTable::Enlist(BodyIndex body) {
+    isListed[body] = 1;
+    listedRows.Insert(info[body].moverRow);
     m_listedChanged = true;
 }
 
-void BodyTable::Unlist(int body) {
-    isListed[static_cast<size_t>(body)] = 0;
-    listedRows.Erase(info[static_cast<size_t>(body)].moverRow);
+void BodyTable::Unlist(BodyIndex body) {
+    isListed[body] = 0;
+    listedRows.Erase(info[body].moverRow);
     m_listedChanged = true;
 }
 
 void BodyTable::RefreshListed() const {
     m_listedChanged = false;
     if (AreAllListed()) {
-        m_listed = movers;
+        m_listed.assign(movers.begin(), movers.end());
         return;
     }
     m_listed.clear();
-    listedRows.ForEach([this](int row) { m_listed.push_back(movers[static_cast<size_t>(row)]); });
+    listedRows.ForEach([this](MoverRow row) { m_listed.push_back(movers[row]); });
 }
 
 void BodyTable::ListAll() {
     isListed.resize(info.size(), 0);
-    for (const int body : movers) {
+    for (const BodyIndex body : movers) {
         Enlist(body);
         NoteKinematic(body);
     }
     fellAsleep = 1;
 }
 
-void BodyTable::AddRestingKinematics(std::vector<int>& bodies) const {
+void BodyTable::AddRestingKinematics(std::vector<BodyIndex>& bodies) const {
     const auto listed = static_cast<ptrdiff_t>(bodies.size());
-    kinematicRows.ForEach([&](int row) {
-        const int body = movers[static_cast<size_t>(row)];
-        if (isListed[static_cast<size_t>(body)] == 0) bodies.push_back(body);
+    kinematicRows.ForEach([&](MoverRow row) {
+        const BodyIndex body = movers[row];
+        if (isListed[body] == 0) bodies.push_back(body);
     });
-    const auto before = [this](int a, int b) {
-        return info[static_cast<size_t>(a)].moverRow < info[static_cast<size_t>(b)].moverRow;
-    };
+    const auto before = [this](BodyIndex a, BodyIndex b) { return info[a].moverRow < info[b].moverRow; };
     if (bodies.begin() + listed != bodies.end())
         std::inplace_merge(bodies.begin(), bodies.begin() + listed, bodies.end(), before);
 }
 
-void BodyTable::NoteKinematic(int body) {
-    const int row = info[static_cast<size_t>(body)].moverRow;
-    if (row < 0) return;
-    type[static_cast<size_t>(body)] == kinematicBody ? kinematicRows.Insert(row) : kinematicRows.Erase(row);
+void BodyTable::NoteKinematic(BodyIndex body) {
+    const MoverRow row = info[body].moverRow;
+    if (IsNone(row)) return;
+    type[body] == kinematicBody ? kinematicRows.Insert(row) : kinematicRows.Erase(row);
 }
 
-void BodyTable::UpdateTransform(int body) {
-    const auto i = static_cast<size_t>(body);
-    Transform& xf = transform[i];
-    xf.q.Set(position[i].a);
-    if (const float turn = position[i].aRest; turn != 0.0f) {
+void BodyTable::UpdateTransform(BodyIndex body) {
+    Transform& xf = transform[body];
+    xf.q.Set(position[body].a);
+    if (const float turn = position[body].aRest; turn != 0.0f) {
         const float sine = xf.q.s;
         xf.q.s += turn * xf.q.c;
         xf.q.c -= turn * sine;
     }
-    UpdateOrigin(i);
+    UpdateOrigin(body);
 }
 
-void BodyTable::UpdateFarOrigin(size_t b, Vec2 arm) {
-    Normalize(position[b].c, rest[b].end);
-    Vec2 below = rest[b].end - arm;
-    transform[b].p = position[b].c;
-    Normalize(transform[b].p, below);
+void BodyTable::UpdateFarOrigin(BodyIndex body, Vec2 arm) {
+    Normalize(position[body].c, rest[body].end);
+    Vec2 below = rest[body].end - arm;
+    transform[body].p = position[body].c;
+    Normalize(transform[body].p, below);
 }
 
-Vec2 BodyTable::GetOriginRest(int body) const {
+Vec2 BodyTable::GetOriginRest(BodyIndex body) const {
     if (!IsFar()) return vec2Zero;
-    const auto b = static_cast<size_t>(body);
-    Vec2 origin = position[b].c, below = rest[b].end - Mul(transform[b].q, mass[b].localCenter);
+    Vec2 origin = position[body].c, below = rest[body].end - Mul(transform[body].q, mass[body].localCenter);
     Normalize(origin, below);
     return below;
 }
 
-void BodyTable::Place(size_t b, Vec2 p, Vec2 originRest, float a) {
-    Transform& xf = transform[b];
+void BodyTable::Place(BodyIndex body, Vec2 p, Vec2 originRest, float a) {
+    Transform& xf = transform[body];
     xf.Set(p, a);
-    position[b] = {p, a, 0.0f};
+    position[body] = {p, a, 0.0f};
     if (IsFar()) {
-        rest[b].end = originRest + Mul(xf.q, mass[b].localCenter);
-        UpdateOrigin(b);
+        rest[body].end = originRest + Mul(xf.q, mass[body].localCenter);
+        UpdateOrigin(body);
     } else {
-        position[b].c = Mul(xf, mass[b].localCenter);
+        position[body].c = Mul(xf, mass[body].localCenter);
     }
-    NoteStart(b);
+    NoteStart(body);
 }
 
-Vec2 BodyTable::SetLocalCenter(size_t b, Vec2 center) {
-    const Transform& xf = transform[b];
-    const Vec2 way = Mul(xf.q, center) - Mul(xf.q, mass[b].localCenter);
-    const Vec2 before = position[b].c;
-    const bool moves = !(GetMotion(b) == vec2Zero) || position[b].a != startPosition[b].a;
-    const Rot startTurn(startPosition[b].a);
-    const Vec2 startWay = Mul(startTurn, center) - Mul(startTurn, mass[b].localCenter);
-    mass[b].localCenter = center;
+Vec2 BodyTable::SetLocalCenter(BodyIndex body, Vec2 center) {
+    const Transform& xf = transform[body];
+    const Vec2 way = Mul(xf.q, center) - Mul(xf.q, mass[body].localCenter);
+    const Vec2 before = position[body].c;
+    const bool moves = !(GetMotion(body) == vec2Zero) || position[body].a != startPosition[body].a;
+    const Rot startTurn(startPosition[body].a);
+    const Vec2 startWay = Mul(startTurn, center) - Mul(startTurn, mass[body].localCenter);
+    mass[body].localCenter = center;
     if (IsFar()) {
-        rest[b].end += way;
-        UpdateOrigin(b);
+        rest[body].end += way;
+        UpdateOrigin(body);
     } else {
-        position[b].c = Mul(xf, center);
+        position[body].c = Mul(xf, center);
     }
     if (moves) {
         // A callback within a step may ask for this: the motion of the step stays
         // what it was.
-        (IsFar() ? rest[b].start : startPosition[b].c) += startWay;
+        (IsFar() ? rest[body].start : startPosition[body].c) += startWay;
     } else {
-        NoteStart(b);
+        NoteStart(body);
     }
-    return IsFar() ? way : position[b].c - before;
+    return IsFar() ? way : position[body].c - before;
 }
 
-void BodyTable::ShiftOrigin(size_t b, Vec2 newOrigin) {
+void BodyTable::ShiftOrigin(BodyIndex body, Vec2 newOrigin) {
     if (!IsFar()) {
-        for (Vec2* p : {&transform[b].p, &position[b].c, &startPosition[b].c}) *p -= newOrigin;
+        for (Vec2* p : {&transform[body].p, &position[body].c, &startPosition[body].c}) *p -= newOrigin;
         return;
     }
     const auto shift = [newOrigin](Vec2& c, Vec2& below) {
@@ -225,57 +219,58 @@ void BodyTable::ShiftOrigin(size_t b, Vec2 newOrigin) {
         below += lost;
         Normalize(c, below);
     };
-    shift(position[b].c, rest[b].end);
-    shift(startPosition[b].c, rest[b].start);
-    UpdateOrigin(b);
+    shift(position[body].c, rest[body].end);
+    shift(startPosition[body].c, rest[body].start);
+    UpdateOrigin(body);
 }
 
-void BodyTable::Relist(int body) {
+void BodyTable::Relist(BodyIndex body) {
     Unlink(body);
     Link(body);
 }
 
-void BodyTable::Link(int body) {
-    BodyInfo& row = info[static_cast<size_t>(body)];
-    const bool mover = type[static_cast<size_t>(body)] != staticBody;
+void BodyTable::Link(BodyIndex body) {
+    BodyInfo& row = info[body];
+    const bool mover = type[body] != staticBody;
     // Movers enter at the head, static bodies right behind the last mover.
-    const int prev = mover ? -1 : lastMover;
-    const int next = prev < 0 ? listHead : info[static_cast<size_t>(prev)].listNext;
+    const BodyIndex prev = mover ? BodyIndex::none : lastMover;
+    const BodyIndex next = IsNone(prev) ? listHead : info[prev].listNext;
     row.listPrev = prev;
     row.listNext = next;
-    (prev < 0 ? listHead : info[static_cast<size_t>(prev)].listNext) = body;
-    if (next >= 0) info[static_cast<size_t>(next)].listPrev = body;
+    (IsNone(prev) ? listHead : info[prev].listNext) = body;
+    if (IsSome(next)) info[next].listPrev = body;
     if (mover) {
-        if (lastMover < 0) lastMover = body;
-        row.moverRow = static_cast<int>(movers.size());
+        if (IsNone(lastMover)) lastMover = body;
+        row.moverRow = movers.End();
         movers.push_back(body);
         Enlist(body);
         NoteKinematic(body);
         if (!Has(body, BodyFlag::awake)) fellAsleep = 1;
     } else {
-        row.moverRow = -1;
+        row.moverRow = MoverRow::none;
     }
 }
 
-void BodyTable::Unlink(int body) {
-    BodyInfo& row = info[static_cast<size_t>(body)];
-    (row.listPrev < 0 ? listHead : info[static_cast<size_t>(row.listPrev)].listNext) = row.listNext;
-    if (row.listNext >= 0) info[static_cast<size_t>(row.listNext)].listPrev = row.listPrev;
+void BodyTable::Unlink(BodyIndex body) {
+    BodyInfo& row = info[body];
+    (IsNone(row.listPrev) ? listHead : info[row.listPrev].listNext) = row.listNext;
+    if (IsSome(row.listNext)) info[row.listNext].listPrev = row.listPrev;
     // A body is the last mover only while it is a mover, so its predecessor (if any) is one too.
     if (lastMover == body) lastMover = row.listPrev;
-    if (row.moverRow >= 0) {
-        isListed[static_cast<size_t>(body)] = 0;
-        const int moved = movers.back(), last = static_cast<int>(movers.size()) - 1;
-        for (IndexSet* rows : {&listedRows, &kinematicRows}) {
+    if (IsSome(row.moverRow)) {
+        isListed[body] = 0;
+        const BodyIndex moved = movers.back();
+        const auto last = ToIndex<MoverRow>(movers.size() - 1);
+        for (IndexSet<MoverRow>* rows : {&listedRows, &kinematicRows}) {
             const bool movesIn = rows->Erase(last);
             rows->Erase(row.moverRow);
             if (movesIn && moved != body) rows->Insert(row.moverRow);
         }
         m_listedChanged = true;
-        movers[static_cast<size_t>(row.moverRow)] = moved;
-        info[static_cast<size_t>(moved)].moverRow = row.moverRow;
+        movers[row.moverRow] = moved;
+        info[moved].moverRow = row.moverRow;
         movers.pop_back();
-        row.moverRow = -1;
+        row.moverRow = MoverRow::none;
     }
 }
 

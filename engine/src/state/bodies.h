@@ -6,7 +6,6 @@
 
 #pragma once
 
-#include <deque>
 #include <span>
 #include <vector>
 
@@ -15,6 +14,7 @@
 #include "base/slots.h"
 #include "scree/body.h"
 #include "scree/math.h"
+#include "state/indices.h"
 
 namespace scree {
 
@@ -77,135 +77,135 @@ struct BodyInfo {
     float inertia = 0.0f;  ///< about the centre of mass
     int fixtureCount = 0;
     int jointCount = 0;
-    int listPrev = -1, listNext = -1;
-    int moverRow = -1;  ///< position in BodyTable::movers, −1 for static bodies
+    BodyIndex listPrev = BodyIndex::none, listNext = BodyIndex::none;
+    MoverRow moverRow = MoverRow::none;  ///< position in BodyTable::movers, −1 for static bodies
     BodyUserData userData;
 };
 
 struct BodyTable {
-    Slots slots;
-    std::vector<Velocity> velocity;
-    std::vector<Velocity> startVelocity;  ///< at the start of the last step; empty until a step drifts exactly
-    std::vector<Position> position;       ///< at the end of the last step
-    std::vector<Position> startPosition;  ///< at its start
-    std::vector<PositionRest> rest;       ///< empty until a body is far (WorldDef::farDistance): all are 0
-    std::vector<Transform> transform;     ///< of the origin
-    std::vector<MassRow> mass;
-    std::vector<ForceRow> force;  ///< empty until a step or a call needs it: nobody has any
-    std::vector<MotionRow> motion;
-    std::vector<BodyDemand> demand;  ///< empty until a step has a tolerance
-    std::vector<float> sleepTime;    ///< s
-    std::vector<uint16_t> flags;     ///< BodyFlag
-    std::vector<BodyType> type;
-    std::vector<int> fixtureHead;  ///< first fixture, newest first; −1 none (FixtureTable::From)
-    std::vector<BodyInfo> info;
-    std::deque<Body> handles;
+    Slots<BodyIndex> slots;
+    Column<BodyIndex, Velocity> velocity;
+    Column<BodyIndex, Velocity> startVelocity;  ///< at the start of the last step; empty until a step drifts exactly
+    Column<BodyIndex, Position> position;       ///< at the end of the last step
+    Column<BodyIndex, Position> startPosition;  ///< at its start
+    Column<BodyIndex, PositionRest> rest;       ///< empty until a body is far (WorldDef::farDistance): all are 0
+    Column<BodyIndex, Transform> transform;     ///< of the origin
+    Column<BodyIndex, MassRow> mass;
+    Column<BodyIndex, ForceRow> force;  ///< empty until a step or a call needs it: nobody has any
+    Column<BodyIndex, MotionRow> motion;
+    Column<BodyIndex, BodyDemand> demand;  ///< empty until a step has a tolerance
+    Column<BodyIndex, float> sleepTime;    ///< s
+    Column<BodyIndex, uint16_t> flags;     ///< BodyFlag
+    Column<BodyIndex, BodyType> type;
+    Column<BodyIndex, FixtureIndex> fixtureHead;  ///< first fixture, newest first; −1 none (FixtureTable::From)
+    Column<BodyIndex, BodyInfo> info;
+    StableColumn<BodyIndex, Body> handles;
 
-    std::vector<int> movers;  ///< enabled or not: every body that is not static
-    int listHead = -1;        ///< movers first, then static bodies
-    int lastMover = -1;       ///< last mover in the list
+    Column<MoverRow, BodyIndex> movers;     ///< enabled or not: every body that is not static
+    BodyIndex listHead = BodyIndex::none;   ///< movers first, then static bodies
+    BodyIndex lastMover = BodyIndex::none;  ///< last mover in the list
 
     // Which movers a step looks at: all that are awake are listed, and some that are not, such as those edited since
     // the last step. The others rest: no stage visits them. Whether a body that is asleep is listed changes no result.
-    IndexSet listedRows;            ///< rows of `movers`
-    IndexSet kinematicRows;         ///< likewise, of kinematic bodies
-    std::vector<uint8_t> isListed;  ///< per body
-    std::vector<int> risen;         ///< bodies listed again, whose contacts still rest
-    std::vector<int> risenProxies;  ///< and those whose proxies do
-    int fellAsleep = 0;             ///< bodies put to sleep since sleepers were last unlisted, about
+    IndexSet<MoverRow> listedRows;        ///< rows of `movers`
+    IndexSet<MoverRow> kinematicRows;     ///< likewise, of kinematic bodies
+    Column<BodyIndex, uint8_t> isListed;  ///< per body
+    std::vector<BodyIndex> risen;         ///< bodies listed again, whose contacts still rest
+    std::vector<BodyIndex> risenProxies;  ///< and those whose proxies do
+    int fellAsleep = 0;                   ///< bodies put to sleep since sleepers were last unlisted, about
 
-    [[nodiscard]] bool Has(int body, uint16_t flag) const { return (flags[static_cast<size_t>(body)] & flag) != 0; }
+    [[nodiscard]] bool Has(BodyIndex body, uint16_t flag) const { return (flags[body] & flag) != 0; }
     /// Simulated in a step: awake, enabled, not static.
-    [[nodiscard]] bool IsActive(int body) const {
+    [[nodiscard]] bool IsActive(BodyIndex body) const {
         constexpr uint16_t both = BodyFlag::awake | BodyFlag::enabled;
-        return (flags[static_cast<size_t>(body)] & both) == both && type[static_cast<size_t>(body)] != staticBody;
+        return (flags[body] & both) == both && type[body] != staticBody;
     }
     /// Adds a row with every column; the definition is valid.
-    int Add(WorldState* state, const BodyDef& def);
-    void Remove(int body);
+    BodyIndex Add(WorldState* state, const BodyDef& def);
+    void Remove(BodyIndex body);
     /// Wakes and restarts the sleep timer; static bodies stay as they are.
-    void Wake(int body);
+    void Wake(BodyIndex body);
     /// Wakes a mover without a new sleep timer.
-    void WakeReached(int body) {
-        flags[static_cast<size_t>(body)] |= BodyFlag::awake;
+    void WakeReached(BodyIndex body) {
+        flags[body] |= BodyFlag::awake;
         List(body);
     }
     /// Lets the coming step look at a mover.
-    void List(int body) {
-        if (isListed[static_cast<size_t>(body)] != 0) return;
+    void List(BodyIndex body) {
+        if (isListed[body] != 0) return;
         Enlist(body);
         risen.push_back(body);
         risenProxies.push_back(body);
         if (!Has(body, BodyFlag::awake)) fellAsleep = 1;
     }
     /// The mover rests from now on.
-    void Unlist(int body);
+    void Unlist(BodyIndex body);
     /// The listed movers, in the order of `movers`. Valid until one is listed or unlisted.
-    [[nodiscard]] std::span<const int> Listed() const {
+    [[nodiscard]] std::span<const BodyIndex> Listed() const {
         if (m_listedChanged) RefreshListed();
         return m_listed;
     }
-    [[nodiscard]] bool AreAllListed() const { return static_cast<size_t>(listedRows.Count()) == movers.size(); }
+    [[nodiscard]] bool AreAllListed() const { return ToSize(listedRows.Count()) == movers.size(); }
     /// After the fields were read: lists every mover.
     void ListAll();
     /// After a change of type.
-    void NoteKinematic(int body);
+    void NoteKinematic(BodyIndex body);
     /// Adds the kinematic bodies that rest to a list of bodies in the order of `movers`.
-    void AddRestingKinematics(std::vector<int>& bodies) const;
-    void PutToSleep(int body);
+    void AddRestingKinematics(std::vector<BodyIndex>& bodies) const;
+    void PutToSleep(BodyIndex body);
     /// Positions have rests.
     [[nodiscard]] bool IsFar() const { return !rest.empty(); }
     /// Makes `rest` a column like the others; without bodies, from the first one on.
     void EnsureRests() { EnsureRows(rest, position.empty() ? 1 : position.size()); }
-    [[nodiscard]] Vec2 GetRest(int body) const { return rest.empty() ? vec2Zero : rest[static_cast<size_t>(body)].end; }
+    [[nodiscard]] Vec2 GetRest(BodyIndex body) const { return rest.empty() ? vec2Zero : rest[body].end; }
     /// The body starts the step where it is.
-    void NoteStart(size_t b) {
-        startPosition[b] = position[b];
-        if (IsFar()) rest[b].start = rest[b].end;
+    void NoteStart(BodyIndex body) {
+        startPosition[body] = position[body];
+        if (IsFar()) rest[body].start = rest[body].end;
     }
     /// The body goes back to where it started the step.
-    void ReturnToStart(size_t b) {
-        position[b] = startPosition[b];
-        if (IsFar()) rest[b].end = rest[b].start;
+    void ReturnToStart(BodyIndex body) {
+        position[body] = startPosition[body];
+        if (IsFar()) rest[body].end = rest[body].start;
     }
     /// Moves the centre. Far from the origin only the rest changes until UpdateTransform.
-    void Shift(size_t b, Vec2 way) { (IsFar() ? rest[b].end : position[b].c) += way; }
+    void Shift(BodyIndex body, Vec2 way) { (IsFar() ? rest[body].end : position[body].c) += way; }
     /// Puts the centre where it was at the start of the step plus `way`; the same.
-    void SetMotion(size_t b, Vec2 way) {
-        position[b].c = IsFar() ? startPosition[b].c : startPosition[b].c + way;
-        if (IsFar()) rest[b].end = rest[b].start + way;
+    void SetMotion(BodyIndex body, Vec2 way) {
+        position[body].c = IsFar() ? startPosition[body].c : startPosition[body].c + way;
+        if (IsFar()) rest[body].end = rest[body].start + way;
     }
     /// The way of the centre since the start of the step.
-    [[nodiscard]] Vec2 GetMotion(size_t b) const {
-        const Vec2 way = position[b].c - startPosition[b].c;
-        return IsFar() ? way + (rest[b].end - rest[b].start) : way;
+    [[nodiscard]] Vec2 GetMotion(BodyIndex body) const {
+        const Vec2 way = position[body].c - startPosition[body].c;
+        return IsFar() ? way + (rest[body].end - rest[body].start) : way;
     }
     /// The origin that belongs to `position`, from the rotation that `transform` has.
-    void UpdateOrigin(size_t b) {
-        const Vec2 arm = Mul(transform[b].q, mass[b].localCenter);
-        if (IsFar()) return UpdateFarOrigin(b, arm);
-        transform[b].p = position[b].c - arm;
+    void UpdateOrigin(BodyIndex body) {
+        const Vec2 arm = Mul(transform[body].q, mass[body].localCenter);
+        if (IsFar()) return UpdateFarOrigin(body, arm);
+        transform[body].p = position[body].c - arm;
     }
     /// What `transform[body].p` lacks below its last digit, m.
-    [[nodiscard]] Vec2 GetOriginRest(int body) const;
+    [[nodiscard]] Vec2 GetOriginRest(BodyIndex body) const;
     /// Puts the origin to p + rest with the angle `a`, and the start of the step there.
-    void Place(size_t b, Vec2 p, Vec2 originRest, float a);
+    void Place(BodyIndex body, Vec2 p, Vec2 originRest, float a);
     /// Moves the centre of mass within the body, which stays where it is. Returns how far.
-    Vec2 SetLocalCenter(size_t b, Vec2 center);
+    Vec2 SetLocalCenter(BodyIndex body, Vec2 center);
     /// Subtracts `newOrigin` from the positions.
-    void ShiftOrigin(size_t b, Vec2 newOrigin);
+    void ShiftOrigin(BodyIndex body, Vec2 newOrigin);
     /// The transform that belongs to `position`.
-    void UpdateTransform(int body);
+    void UpdateTransform(BodyIndex body);
     /// Makes `force` a column like the others.
     void EnsureForces() { EnsureRows(force, position.size()); }
-    [[nodiscard]] ForceRow GetForce(int body) const {
-        return force.empty() ? ForceRow{vec2Zero, 0.0f, 0.0f} : force[static_cast<size_t>(body)];
+    [[nodiscard]] ForceRow GetForce(BodyIndex body) const {
+        return force.empty() ? ForceRow{vec2Zero, 0.0f, 0.0f} : force[body];
     }
-    void ClearForce(int body) {
-        if (!force.empty()) force[static_cast<size_t>(body)] = {vec2Zero, 0.0f, 0.0f};
+    void ClearForce(BodyIndex body) {
+        if (!force.empty()) force[body] = {vec2Zero, 0.0f, 0.0f};
     }
     /// After a change of type: list and movers.
-    void Relist(int body);
+    void Relist(BodyIndex body);
 
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
@@ -222,13 +222,13 @@ struct BodyTable {
 
 private:
     /// The same with rests, each of which it makes as small as it can be.
-    void UpdateFarOrigin(size_t b, Vec2 arm);
-    void Link(int body);
-    void Unlink(int body);
-    void Enlist(int body);
+    void UpdateFarOrigin(BodyIndex body, Vec2 arm);
+    void Link(BodyIndex body);
+    void Unlink(BodyIndex body);
+    void Enlist(BodyIndex body);
     void RefreshListed() const;
 
-    mutable std::vector<int> m_listed;
+    mutable std::vector<BodyIndex> m_listed;
     mutable bool m_listedChanged = false;
 };
 

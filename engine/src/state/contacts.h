@@ -13,7 +13,6 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <span>
 #include <vector>
 
@@ -21,6 +20,7 @@
 #include "base/lazy_rows.h"
 #include "scree/collision.h"
 #include "scree/contact.h"
+#include "state/indices.h"
 #include "state/refused_pairs.h"
 
 namespace scree {
@@ -36,8 +36,8 @@ struct ContactFlag {
 
 /// Who takes part. A and B are ordered as the collision function of the two shapes wants them.
 struct ContactPair {
-    uint32_t fixtureA, fixtureB;
-    int bodyA, bodyB;
+    FixtureIndex fixtureA, fixtureB;
+    BodyIndex bodyA, bodyB;
 };
 
 struct ContactMaterial {
@@ -61,43 +61,43 @@ struct SteadyContact {
 };
 
 struct ContactTable {
-    std::vector<uint8_t> flags;  ///< ContactFlag; its size is the number of rows
-    std::vector<ContactPair> pair;
-    std::vector<Manifold> manifold;
-    std::vector<ContactMaterial> material;
-    std::vector<SteadyContact> steady;  ///< rows only after a soft step
-    std::vector<float> rolling;  ///< impulse of rolling resistance, N·m·s; rows only after a step that has some
-    bool keepsSteady = false;    ///< this step is a soft one
-    float steadyReach = 0.0f;    ///< how far steady points may wander before they are found anew, m
+    Column<ContactIndex, uint8_t> flags;  ///< ContactFlag; its size is the number of rows
+    Column<ContactIndex, ContactPair> pair;
+    Column<ContactIndex, Manifold> manifold;
+    Column<ContactIndex, ContactMaterial> material;
+    Column<ContactIndex, SteadyContact> steady;  ///< rows only after a soft step
+    Column<ContactIndex, float>
+        rolling;               ///< impulse of rolling resistance, N·m·s; rows only after a step that has some
+    bool keepsSteady = false;  ///< this step is a soft one
+    float steadyReach = 0.0f;  ///< how far steady points may wander before they are found anew, m
 
     /// The row whose pair came behind this row's pair when pairs were last matched, −1 none: pairs come in nearly the
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
-    std::vector<int> successor;
-    int firstMatched = -1;                ///< where that order begins
-    std::vector<int> matched;             ///< scratch of the matching: the contact of each pair
-    std::vector<uint64_t> freshPairs;     ///< likewise
-    std::vector<uint64_t> freshRefusals;  ///< likewise: of these, what the filter has refused
+    Column<ContactIndex, ContactIndex> successor;
+    ContactIndex firstMatched = ContactIndex::none;  ///< where that order begins
+    std::vector<ContactIndex> matched;               ///< scratch of the matching: the contact of each pair
+    std::vector<uint64_t> freshPairs;                ///< likewise
+    std::vector<uint64_t> freshRefusals;             ///< likewise: of these, what the filter has refused
     RefusedPairs refused;
 
-    IndexSet active;       ///< living rows that do not rest
-    bool mayRest = false;  ///< some of them could, as some body has fallen asleep or contacts were roused
+    IndexSet<ContactIndex> active;  ///< living rows that do not rest
+    bool mayRest = false;           ///< some of them could, as some body has fallen asleep or contacts were roused
     bool mustMatch =
         true;  ///< pairs must be matched even if no box changes: contacts were added, or the filter changed
 
     [[nodiscard]] int Size() const { return static_cast<int>(flags.size()); }
-    [[nodiscard]] bool IsAlive(int contact) const {
-        return contact >= 0 && contact < Size() && Has(contact, ContactFlag::alive);
+    [[nodiscard]] IndexRange<ContactIndex> Rows() const { return flags.Rows(); }
+    [[nodiscard]] bool IsAlive(ContactIndex contact) const {
+        return flags.Has(contact) && Has(contact, ContactFlag::alive);
     }
     [[nodiscard]] int Count() const { return m_count; }
-    [[nodiscard]] bool Has(int contact, uint8_t flag) const {
-        return (flags[static_cast<size_t>(contact)] & flag) != 0;
-    }
+    [[nodiscard]] bool Has(ContactIndex contact, uint8_t flag) const { return (flags[contact] & flag) != 0; }
     /// The contact of two fixtures, or −1.
-    [[nodiscard]] int Find(uint32_t fixture1, uint32_t fixture2) const;
+    [[nodiscard]] ContactIndex Find(FixtureIndex fixture1, FixtureIndex fixture2) const;
     /// True if the row is that of the pair. Any row may be asked.
-    [[nodiscard]] bool IsRowOf(int contact, uint32_t fixture1, uint32_t fixture2) const {
-        if (static_cast<size_t>(static_cast<unsigned>(contact)) >= pair.size()) return false;
-        const ContactPair& p = pair[static_cast<size_t>(contact)];
+    [[nodiscard]] bool IsRowOf(ContactIndex contact, FixtureIndex fixture1, FixtureIndex fixture2) const {
+        if (!pair.Has(contact)) return false;
+        const ContactPair& p = pair[contact];
         const bool same = ((p.fixtureA == fixture1) & (p.fixtureB == fixture2)) |
                           ((p.fixtureA == fixture2) & (p.fixtureB == fixture1));
         return same && IsAlive(contact);
@@ -105,35 +105,41 @@ struct ContactTable {
     /// Room for so many more contacts.
     void Reserve(size_t more);
     /// A new row for a pair that has none; no flags but alive and marked.
-    int Add(const ContactPair& newPair);
+    ContactIndex Add(const ContactPair& newPair);
     /// Frees the row; Compact makes it usable again.
-    void Remove(int contact);
+    void Remove(ContactIndex contact);
     /// The manifold of this contact is another, or its bodies' centres are.
-    void ForgetSteady(int contact) {
-        if (!steady.empty()) steady[static_cast<size_t>(contact)].isKept = 0.0f;
+    void ForgetSteady(ContactIndex contact) {
+        if (!steady.empty()) steady[contact].isKept = 0.0f;
     }
     [[nodiscard]] int RestingCount() const { return m_count - active.Count(); }
     /// Resting contacts that touch.
     [[nodiscard]] int RestingTouchingCount() const { return m_restingTouching; }
     /// The highest row below `row` that a step looks at; as long as nothing rests every row.
-    [[nodiscard]] int Before(int row) const { return RestingCount() == 0 ? row - 1 : active.Before(row); }
-    [[nodiscard]] bool IsResting(int contact) const { return !active.Has(contact); }
-    void Rest(int contact);
-    void Rouse(int contact);
+    [[nodiscard]] ContactIndex Before(ContactIndex row) const {
+        return RestingCount() == 0 ? ContactIndex{ToInt(row) - 1} : active.Before(row);
+    }
+    /// −1: there is none.
+    [[nodiscard]] ContactIndex LastAliveBelow(ContactIndex row) const {
+        while (IsSome(--row) && !IsAlive(row)) continue;
+        return row;
+    }
+    [[nodiscard]] bool IsResting(ContactIndex contact) const { return !active.Has(contact); }
+    void Rest(ContactIndex contact);
+    void Rouse(ContactIndex contact);
     /// Rouses the contacts of a body. Returns how many of them touch in rows below `row`.
-    int RouseOf(int body, int row = 0);
+    int RouseOf(BodyIndex body, ContactIndex row = ContactIndex{0});
     /// Appends the resting contacts of a body, in any order.
-    void ListResting(int body, std::vector<int>& rows) const;
-    [[nodiscard]] bool HasResting(int body) const {
-        return static_cast<size_t>(body) < m_restingFirst.size() && m_restingFirst[static_cast<size_t>(body)] >= 0;
+    void ListResting(BodyIndex body, std::vector<ContactIndex>& rows) const;
+    [[nodiscard]] bool HasResting(BodyIndex body) const {
+        return m_restingFirst.Has(body) && m_restingFirst[body] >= 0;
     }
     /// Clears the flag `marked` of all rows, or of those that do not rest and for whose pair the predicate holds.
     void ClearMarks();
     template <typename Predicate>
     void ClearMarksIf(Predicate goes) {
-        active.ForEach([&](int row) {
-            const auto r = static_cast<size_t>(row);
-            if (goes(pair[r])) flags[r] = static_cast<uint8_t>(flags[r] & ~ContactFlag::marked);
+        active.ForEach([&](ContactIndex row) {
+            if (goes(pair[row])) flags[row] = static_cast<uint8_t>(flags[row] & ~ContactFlag::marked);
         });
     }
     /// Removes the rows that have neither the flag `marked` nor `touching`; none of them rests.
@@ -157,26 +163,25 @@ struct ContactTable {
     /// Contacts of a body, newest row first; rows removed since the last Add are still listed. Valid until the next
     /// Add, Rest or Rouse; of a body with resting contacts until the next call. O(contacts that do not rest) after one
     /// of these, else O(contacts of the body).
-    std::span<const int> OfBody(int body);
+    std::span<const ContactIndex> OfBody(BodyIndex body);
     // These may be called by several threads at once while nobody changes the table: what they look up is made by the
     // first one.
     /// The same rows, added to a list of the caller's, and how many of them are alive.
-    void ListOfBody(int body, std::vector<int>& rows) const;
-    [[nodiscard]] int CountOfBody(int body) const;
+    void ListOfBody(BodyIndex body, std::vector<ContactIndex>& rows) const;
+    [[nodiscard]] int CountOfBody(BodyIndex body) const;
     /// Takes over the handles of a table that this one is to replace. Their ids name nothing any more.
     void TakeHandles(ContactTable& old);
     /// The handle of a row, made on first use; it stays with the contact until that ends.
-    Contact* Handle(WorldState* state, int contact) const;
+    Contact* Handle(WorldState* state, ContactIndex contact) const;
     /// The handle with this number while its contact lives, null without one.
-    [[nodiscard]] Contact* HandleOf(int number) const;
+    [[nodiscard]] Contact* HandleOf(ContactNumber number) const;
     [[nodiscard]] bool Owns(const Contact* contact) const;
     /// How many contacts the handle with this number has outlived since generations are counted: from the first call
     /// on.
-    [[nodiscard]] uint32_t GetGeneration(int number) const;
+    [[nodiscard]] uint32_t GetGeneration(ContactNumber number) const;
     /// Number of a row's contact (Contact::GetIndex), and one more than the largest there is.
-    [[nodiscard]] int GetNumber(int contact) const {
-        const auto row = static_cast<size_t>(contact);
-        return row < HandleCount() ? m_handles[row].numberOfRow : contact;
+    [[nodiscard]] ContactNumber GetNumber(ContactIndex contact) const {
+        return ToSize(contact) < HandleCount() ? NumberOfRow(contact) : ContactNumber{ToInt(contact)};
     }
     [[nodiscard]] size_t GetNumberEnd() const { return std::max(flags.size(), HandleCount()); }
 
@@ -189,57 +194,66 @@ private:
     /// A handle, and in the bytes it leaves unused the number of the handle of the row with this position: a
     /// permutation.
     struct HandleSlot : Contact {
-        HandleSlot(WorldState* state, int number) : Contact(state, number), numberOfRow(number) {}
-        int numberOfRow;
+        HandleSlot(WorldState* state, ContactNumber number)
+            : Contact(state, ContactIndex{ToInt(number)}), numberOfRow(number) {}
+        ContactNumber numberOfRow;
     };
 
-    [[nodiscard]] size_t Home(uint32_t a, uint32_t b) const;
+    [[nodiscard]] ContactNumber& NumberOfRow(ContactIndex row) const {
+        return m_handles[ContactNumber{ToInt(row)}].numberOfRow;
+    }
+    [[nodiscard]] size_t Home(FixtureIndex a, FixtureIndex b) const;
     /// Enlarges the hash, for `count` contacts at least.
     void Grow(int count);
     /// Fills the hash anew.
     void Rehash();
     void CloseGaps();
+    /// Of the columns with a row per contact.
+    void Resize(size_t rows);
     /// The contact leaves the lists of resting contacts.
-    void UnlinkResting(int contact);
+    void UnlinkResting(ContactIndex contact);
     /// All living rows are active.
     void RouseAll();
-    /// Row r has become row movedTo[r + 1], −1 if it was free.
-    void MoveHandles(std::span<const int> movedTo);
+    /// Row r has become row movedTo[r], −1 if it was free.
+    void MoveHandles(const Column<ContactIndex, ContactIndex>& movedTo);
     void EnsureAdjacency() const {
         m_adjacency.Ensure(1, [this] { MakeAdjacency(); });
     }
     void MakeAdjacency() const;
     /// Of the contacts that do not rest.
-    [[nodiscard]] std::span<const int> ActiveOfBody(int body) const;
-    [[nodiscard]] size_t HandleCount() const { return static_cast<size_t>(m_handleRows.Count()); }
-    void NoteEnd(int contact) {
-        const auto number = static_cast<size_t>(GetNumber(contact));
-        if (number < m_generation.size()) ++m_generation[number];
+    [[nodiscard]] std::span<const ContactIndex> ActiveOfBody(BodyIndex body) const;
+    [[nodiscard]] size_t HandleCount() const { return ToSize(m_handleRows.Count()); }
+    void NoteEnd(ContactIndex contact) {
+        if (const ContactNumber number = GetNumber(contact); m_generation.Has(number)) ++m_generation[number];
     }
-    void InsertKey(int contact);
-    void EraseKey(int contact);
+    void InsertKey(ContactIndex contact);
+    void EraseKey(ContactIndex contact);
 
-    std::vector<int> m_hash;  ///< open addressing, linear probing, −1 empty; size a power of two, at most 2/3 full
+    std::vector<ContactIndex>
+        m_hash;  ///< open addressing, linear probing, −1 empty; size a power of two, at most 2/3 full
     int m_shift = 64;
-    std::vector<int> m_free;  ///< highest first, when compact
-    bool m_isCompact = true;  ///< no row was removed since Compact
-    mutable std::deque<HandleSlot> m_handles;
-    mutable std::vector<uint32_t> m_generation;  ///< per number; empty until somebody asks for one
+    std::vector<ContactIndex> m_free;  ///< highest first, when compact
+    bool m_isCompact = true;           ///< no row was removed since Compact
+    mutable StableColumn<ContactNumber, HandleSlot> m_handles;
+    mutable Column<ContactNumber, uint32_t> m_generation;  ///< per number; empty until somebody asks for one
     int m_count = 0;
 
+    static constexpr ContactIndex ContactOf(int entry) { return ContactIndex{entry >> 1}; }
+    static constexpr int SideOf(int entry) { return entry & 1; }
+    static constexpr int EntryOf(ContactIndex contact, int side) { return 2 * ToInt(contact) + side; }
     /// Places of a resting contact in the lists of its bodies. An entry is 2 · row + side (0: body A, 1: body B).
     struct RestingLinks {
         int prev[2], next[2];
     };
-    std::vector<RestingLinks> m_resting;  ///< per row; empty until a contact rests
-    std::vector<int> m_restingFirst;      ///< per body: first entry, −1 none
+    Column<ContactIndex, RestingLinks> m_resting;  ///< per row; empty until a contact rests
+    Column<BodyIndex, int> m_restingFirst;         ///< per body: first entry, −1 none
     int m_restingTouching = 0;
 
     mutable LazyRows m_adjacency;  ///< 1 while the next two are valid
     /// Of the contacts that do not rest, per body up to the last one with any: start in m_entries; one more at the end.
-    mutable std::vector<int> m_first;
-    mutable std::vector<int> m_entries;
-    std::vector<int> m_ofBody;  ///< the last answer for a body with resting contacts
+    mutable Column<BodyIndex, int> m_first;
+    mutable std::vector<ContactIndex> m_entries;
+    std::vector<ContactIndex> m_ofBody;  ///< the last answer for a body with resting contacts
     mutable LazyRows m_handleRows, m_generationRows;
 };
 

@@ -12,13 +12,14 @@
 
 #include "base/bytes.h"
 #include "base/slots.h"
+#include "state/indices.h"
 
 namespace scree {
 
 class EditedProxies {
 public:
-    void Add(uint32_t fixture) {
-        EnsureRow(m_isEdited, static_cast<int>(fixture), uint8_t{0});
+    void Add(FixtureIndex fixture) {
+        EnsureRow(m_isEdited, fixture, uint8_t{0});
         if (m_isEdited[fixture] != 0) return;
         m_fixtures.push_back(fixture);
         m_isEdited[fixture] = 1;
@@ -27,20 +28,20 @@ public:
     void AddAll() { m_all = true; }
     [[nodiscard]] bool AreAll() const { return m_all; }
     /// In the order of the edits; some may be gone.
-    [[nodiscard]] const std::vector<uint32_t>& Fixtures() const { return m_fixtures; }
-    [[nodiscard]] bool Has(uint32_t fixture) const { return fixture < m_isEdited.size() && m_isEdited[fixture] != 0; }
+    [[nodiscard]] const std::vector<FixtureIndex>& Fixtures() const { return m_fixtures; }
+    [[nodiscard]] bool Has(FixtureIndex fixture) const { return m_isEdited.Has(fixture) && m_isEdited[fixture] != 0; }
     /// Per fixture, as far as there were edits: 1 or 0.
-    [[nodiscard]] const std::vector<uint8_t>& Rows() const { return m_isEdited; }
+    [[nodiscard]] const Column<FixtureIndex, uint8_t>& Rows() const { return m_isEdited; }
     void Clear() {
-        for (const uint32_t fixture : m_fixtures) m_isEdited[fixture] = 0;
+        for (const FixtureIndex fixture : m_fixtures) m_isEdited[fixture] = 0;
         m_fixtures.clear();
         m_all = false;
     }
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_fixtures, m_isEdited); }
 
 private:
-    std::vector<uint32_t> m_fixtures;
-    std::vector<uint8_t> m_isEdited;
+    std::vector<FixtureIndex> m_fixtures;
+    Column<FixtureIndex, uint8_t> m_isEdited;
     bool m_all = false;
 };
 

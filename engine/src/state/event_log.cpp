@@ -32,20 +32,20 @@ void EventLog::NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float s
 void EventLog::NoteAwake(const BodyTable& bodies) {
     m_awake.clear();
     if (!reportsMoves) return;
-    for (const int body : bodies.Listed()) {
+    for (const BodyIndex body : bodies.Listed()) {
         if (bodies.IsActive(body)) m_awake.push_back(body);
     }
 }
 
 void EventLog::NoteMoves(const BodyTable& bodies) {
     if (!reportsMoves) return;
-    const auto note = [&](int body, bool fellAsleep) {
-        m_moved.push_back({{body, bodies.slots.GetGeneration(body)}, fellAsleep});
+    const auto note = [&](BodyIndex body, bool fellAsleep) {
+        m_moved.push_back({{ToInt(body), bodies.slots.GetGeneration(body)}, fellAsleep});
     };
-    for (const int body : bodies.Listed()) {
+    for (const BodyIndex body : bodies.Listed()) {
         if (bodies.IsActive(body)) note(body, false);
     }
-    for (const int body : m_awake) {
+    for (const BodyIndex body : m_awake) {
         if (!bodies.Has(body, BodyFlag::awake)) note(body, true);
     }
 }

@@ -48,8 +48,8 @@ public:
     }
 
 private:
-    [[nodiscard]] FixtureId IdOf(uint32_t fixture) const {
-        return {static_cast<int32_t>(fixture), m_fixtures.slots.GetGeneration(static_cast<int>(fixture))};
+    [[nodiscard]] FixtureId IdOf(FixtureIndex fixture) const {
+        return {ToInt(fixture), m_fixtures.slots.GetGeneration(fixture)};
     }
 
     const FixtureTable& m_fixtures;
@@ -58,7 +58,7 @@ private:
     std::vector<HitEvent> m_hits;
     std::vector<JointEvent> m_joints;
     std::vector<MoveEvent> m_moved;
-    std::vector<int> m_awake;
+    std::vector<BodyIndex> m_awake;
     bool m_inStep = false;
 };
 

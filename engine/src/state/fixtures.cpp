@@ -7,12 +7,12 @@
 
 namespace scree {
 
-int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
-    const int index = slots.Prepare();
-    const auto i = static_cast<size_t>(index);
+FixtureIndex FixtureTable::Add(WorldState* state, BodyIndex bodyIndex, const FixtureDef& def) {
+    const FixtureIndex index = slots.Prepare();
+    const size_t rows = ToSize(index) + 1;
     // When memory runs out nothing has changed yet.
-    ReserveRows(i + 1, body, shape, type, isSensor, filter, material, next, info, m_shapeRow);
-    while (static_cast<int>(handles.size()) <= index) handles.emplace_back(state, static_cast<int>(handles.size()));
+    ReserveRows(rows, body, shape, type, isSensor, filter, material, next, info, m_shapeRow);
+    while (handles.size() < rows) handles.emplace_back(state, handles.End());
     const int shapeRow = TakeShape(*def.shape);
 
     slots.Allocate();
@@ -25,17 +25,17 @@ int FixtureTable::Add(WorldState* state, int bodyIndex, const FixtureDef& def) {
     EnsureRow(next, index);
     EnsureRow(info, index);
 
-    body[i] = bodyIndex;
+    body[index] = bodyIndex;
     PutShape(index, def.shape->GetType(), shapeRow);
-    isSensor[i] = def.isSensor ? 1 : 0;
-    filter[i] = def.filter;
-    material[i] = MaterialOf(def);
-    next[i] = -1;
-    info[i] = FixtureInfo{};
-    info[i].density = def.density;
-    info[i].reports = def.reports;
-    info[i].materialId = def.materialId;
-    info[i].userData = def.userData;
+    isSensor[index] = def.isSensor ? 1 : 0;
+    filter[index] = def.filter;
+    material[index] = MaterialOf(def);
+    next[index] = FixtureIndex::none;
+    info[index] = FixtureInfo{};
+    info[index].density = def.density;
+    info[index].reports = def.reports;
+    info[index].materialId = def.materialId;
+    info[index].userData = def.userData;
     return index;
 }
 
@@ -59,38 +59,36 @@ int FixtureTable::TakeShape(const Shape& value) {
     return row;
 }
 
-void FixtureTable::PutShape(int fixture, Shape::Type shapeType, int row) {
-    const auto i = static_cast<size_t>(fixture);
-    type[i] = shapeType;
+void FixtureTable::PutShape(FixtureIndex fixture, Shape::Type shapeType, int row) {
+    type[fixture] = shapeType;
     EnsureRow(m_shapeRow, fixture);
-    m_shapeRow[i] = row;
-    WithPool(shapeType, [&](auto& pool) { shape[i] = pool.At(row); });
+    m_shapeRow[fixture] = row;
+    WithPool(shapeType, [&](auto& pool) { shape[fixture] = pool.At(row); });
 }
 
-void FixtureTable::SetShape(int fixture, const Shape& value) { PutShape(fixture, value.GetType(), TakeShape(value)); }
+void FixtureTable::SetShape(FixtureIndex fixture, const Shape& value) {
+    PutShape(fixture, value.GetType(), TakeShape(value));
+}
 
-Shape* FixtureTable::GetOwnShape(int fixture) {
-    const auto i = static_cast<size_t>(fixture);
-    WithPool(type[i], [&](auto& pool) {
-        m_shapeRow[i] = pool.MakeOwn(m_shapeRow[i]);
-        shape[i] = pool.At(m_shapeRow[i]);
+Shape* FixtureTable::GetOwnShape(FixtureIndex fixture) {
+    WithPool(type[fixture], [&](auto& pool) {
+        m_shapeRow[fixture] = pool.MakeOwn(m_shapeRow[fixture]);
+        shape[fixture] = pool.At(m_shapeRow[fixture]);
     });
-    return shape[i];
+    return shape[fixture];
 }
 
-void FixtureTable::Remove(int fixture) {
-    const auto i = static_cast<size_t>(fixture);
-    WithPool(type[i], [&](auto& pool) { pool.Release(m_shapeRow[i]); });
-    shape[i] = nullptr;
+void FixtureTable::Remove(FixtureIndex fixture) {
+    WithPool(type[fixture], [&](auto& pool) { pool.Release(m_shapeRow[fixture]); });
+    shape[fixture] = nullptr;
     slots.Free(fixture);
 }
 
-void FixtureTable::UndoAdd(int fixture) {
-    const auto i = static_cast<size_t>(fixture);
-    WithPool(type[i], [&](auto& pool) { pool.Release(m_shapeRow[i]); });
-    shape[i] = nullptr;
+void FixtureTable::UndoAdd(FixtureIndex fixture) {
+    WithPool(type[fixture], [&](auto& pool) { pool.Release(m_shapeRow[fixture]); });
+    shape[fixture] = nullptr;
     slots.Undo(fixture);
-    const auto shrink = [&](auto&... columns) { (columns.resize(static_cast<size_t>(slots.Size())), ...); };
+    const auto shrink = [&](auto&... columns) { (columns.resize(ToSize(slots.Size())), ...); };
     shrink(body, shape, type, isSensor, filter, material, next, info, m_shapeRow);
 }
 

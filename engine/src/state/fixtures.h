@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include <deque>
 #include <iterator>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "scree/convex_shape.h"
 #include "scree/fixture.h"
 #include "scree/shape.h"
+#include "state/indices.h"
 #include "state/shape_pool.h"
 
 namespace scree {
@@ -48,48 +48,48 @@ struct FixtureInfo {
 /// Rows that follow each other through a column of successors.
 struct FixtureList {
     struct Iterator {
-        const std::vector<int>* next;
-        int row;
+        const Column<FixtureIndex, FixtureIndex>* next;
+        FixtureIndex row;
 
-        int operator*() const { return row; }
+        FixtureIndex operator*() const { return row; }
         Iterator& operator++() {
-            row = (*next)[static_cast<size_t>(row)];
+            row = (*next)[row];
             return *this;
         }
-        bool operator!=(std::default_sentinel_t) const { return row >= 0; }
+        bool operator!=(std::default_sentinel_t) const { return IsSome(row); }
     };
-    const std::vector<int>* next;
-    int head;
+    const Column<FixtureIndex, FixtureIndex>* next;
+    FixtureIndex head;
 
     [[nodiscard]] Iterator begin() const { return {next, head}; }
     [[nodiscard]] static std::default_sentinel_t end() { return {}; }
 };
 
 struct FixtureTable {
-    Slots slots;
-    std::vector<int> body;
-    std::vector<Shape*> shape;  ///< rows with equal shapes share one
-    std::vector<Shape::Type> type;
-    std::vector<uint8_t> isSensor;
-    std::vector<Filter> filter;
-    std::vector<Material> material;
-    std::vector<int> next;  ///< fixture of the same body, −1 none
-    std::vector<FixtureInfo> info;
-    std::deque<Fixture> handles;
+    Slots<FixtureIndex> slots;
+    Column<FixtureIndex, BodyIndex> body;
+    Column<FixtureIndex, Shape*> shape;  ///< rows with equal shapes share one
+    Column<FixtureIndex, Shape::Type> type;
+    Column<FixtureIndex, uint8_t> isSensor;
+    Column<FixtureIndex, Filter> filter;
+    Column<FixtureIndex, Material> material;
+    Column<FixtureIndex, FixtureIndex> next;  ///< fixture of the same body, −1 none
+    Column<FixtureIndex, FixtureInfo> info;
+    StableColumn<FixtureIndex, Fixture> handles;
 
     int nextChainId = 0;
 
     /// The list of fixtures that begins with `head`, as a range of rows.
-    [[nodiscard]] FixtureList From(int head) const { return {&next, head}; }
+    [[nodiscard]] FixtureList From(FixtureIndex head) const { return {&next, head}; }
     /// Adds a row; the shape is no chain.
-    int Add(WorldState* state, int bodyIndex, const FixtureDef& def);
-    void Remove(int fixture);
+    FixtureIndex Add(WorldState* state, BodyIndex bodyIndex, const FixtureDef& def);
+    void Remove(FixtureIndex fixture);
     /// Takes back the newest Add that was not taken back yet: the rows are as they were before it.
-    void UndoAdd(int fixture);
+    void UndoAdd(FixtureIndex fixture);
     /// Gives a row that has none a shape like `value`, no chain.
-    void SetShape(int fixture, const Shape& value);
+    void SetShape(FixtureIndex fixture, const Shape& value);
     /// The row's shape, not shared with other rows from now on: it may be changed.
-    Shape* GetOwnShape(int fixture);
+    Shape* GetOwnShape(FixtureIndex fixture);
     [[nodiscard]] size_t GetMemoryBytes() const;
     /// Bytes of one row with its shape, a polygon assumed.
     [[nodiscard]] static size_t GetBytesPerRow();
@@ -108,9 +108,9 @@ private:
     void WithPool(Shape::Type shapeType, Use&& use);
     /// A row of the pool with the shape's values, and its use as a fixture's shape.
     int TakeShape(const Shape& value);
-    void PutShape(int fixture, Shape::Type shapeType, int row);
+    void PutShape(FixtureIndex fixture, Shape::Type shapeType, int row);
 
-    std::vector<int> m_shapeRow;  ///< in the pool of its type
+    Column<FixtureIndex, int> m_shapeRow;  ///< in the pool of its type
     ShapePool<CircleShape> m_circles;
     ShapePool<EdgeShape> m_edges;
     ShapePool<PolygonShape> m_polygons;

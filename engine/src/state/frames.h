@@ -18,51 +18,48 @@
 namespace scree {
 
 /// Where the frame for two bodies lies: at the one that is farther away, since the shapes of the other one reach there.
-inline Vec2 FrameOf(const BodyTable& bodies, int a, int b) {
+inline Vec2 FrameOf(const BodyTable& bodies, BodyIndex a, BodyIndex b) {
     if (!bodies.IsFar()) return vec2Zero;
     const auto reach = [](Vec2 c) { return Max(Abs(c.x), Abs(c.y)); };
-    const Vec2 cA = bodies.position[static_cast<size_t>(a)].c, cB = bodies.position[static_cast<size_t>(b)].c;
+    const Vec2 cA = bodies.position[a].c, cB = bodies.position[b].c;
     return reach(cA) > reach(cB) ? cA : cB;
 }
 
 /// Centre of mass.
-inline Vec2 CentreIn(Vec2 frame, const BodyTable& bodies, int body) {
-    const auto b = static_cast<size_t>(body);
-    if (!bodies.IsFar()) return bodies.position[b].c;
-    return (bodies.position[b].c - frame) + bodies.rest[b].end;
+inline Vec2 CentreIn(Vec2 frame, const BodyTable& bodies, BodyIndex body) {
+    if (!bodies.IsFar()) return bodies.position[body].c;
+    return (bodies.position[body].c - frame) + bodies.rest[body].end;
 }
 /// The same at the start of the step.
-inline Vec2 StartIn(Vec2 frame, const BodyTable& bodies, int body) {
-    const auto b = static_cast<size_t>(body);
-    if (!bodies.IsFar()) return bodies.startPosition[b].c;
-    return (bodies.startPosition[b].c - frame) + bodies.rest[b].start;
+inline Vec2 StartIn(Vec2 frame, const BodyTable& bodies, BodyIndex body) {
+    if (!bodies.IsFar()) return bodies.startPosition[body].c;
+    return (bodies.startPosition[body].c - frame) + bodies.rest[body].start;
 }
 
 /// Centre of mass and angle, to be changed and stored again.
-inline Position PositionIn(Vec2 frame, const BodyTable& bodies, int body) {
-    Position p = bodies.position[static_cast<size_t>(body)];
+inline Position PositionIn(Vec2 frame, const BodyTable& bodies, BodyIndex body) {
+    Position p = bodies.position[body];
     if (bodies.IsFar()) p.c = CentreIn(frame, bodies, body);
     return p;
 }
 /// Far from the origin the rest takes what has changed, so that nothing else of the position does.
-inline void StorePosition(Vec2 frame, const Position& changed, int body, BodyTable& bodies) {
-    Position& p = bodies.position[static_cast<size_t>(body)];
+inline void StorePosition(Vec2 frame, const Position& changed, BodyIndex body, BodyTable& bodies) {
+    Position& p = bodies.position[body];
     const Vec2 c = p.c, way = bodies.IsFar() ? changed.c - CentreIn(frame, bodies, body) : vec2Zero;
     p = changed;
     if (!bodies.IsFar()) return;
     p.c = c;
-    bodies.rest[static_cast<size_t>(body)].end += way;
+    bodies.rest[body].end += way;
 }
 
-inline Transform TransformIn(Vec2 frame, const BodyTable& bodies, int body) {
-    const auto b = static_cast<size_t>(body);
-    const Transform& xf = bodies.transform[b];
+inline Transform TransformIn(Vec2 frame, const BodyTable& bodies, BodyIndex body) {
+    const Transform& xf = bodies.transform[body];
     if (!bodies.IsFar()) return xf;
-    return {CentreIn(frame, bodies, body) - Mul(xf.q, bodies.mass[b].localCenter), xf.q};
+    return {CentreIn(frame, bodies, body) - Mul(xf.q, bodies.mass[body].localCenter), xf.q};
 }
 
 /// From a point of body A to one of body B.
-inline Vec2 GapBetween(const BodyTable& bodies, int a, Vec2 localA, int b, Vec2 localB) {
+inline Vec2 GapBetween(const BodyTable& bodies, BodyIndex a, Vec2 localA, BodyIndex b, Vec2 localB) {
     const Vec2 frame = FrameOf(bodies, a, b);
     return Mul(TransformIn(frame, bodies, b), localB) - Mul(TransformIn(frame, bodies, a), localA);
 }
@@ -85,7 +82,7 @@ inline AABB ToWorld(Vec2 frame, const AABB& box) {
 
 /// Where one body is, in a frame near it.
 struct BodyPlace {
-    BodyPlace(const BodyTable& bodies, int body)
+    BodyPlace(const BodyTable& bodies, BodyIndex body)
         : frame(FrameOf(bodies, body, body)), xf(TransformIn(frame, bodies, body)), isFar(bodies.IsFar()) {}
     /// What is given in the world, in the frame.
     [[nodiscard]] Transform In(const Transform& other) const { return {other.p - frame, other.q}; }

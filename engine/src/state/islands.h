@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "state/indices.h"
 
 namespace scree {
 
@@ -21,28 +22,29 @@ struct Island {
 
 struct IslandTable {
     std::vector<Island> islands;
-    std::vector<int> bodies;    ///< bodies of all islands, island by island; static bodies are not listed
-    std::vector<int> contacts;  ///< contacts in the order of discovery
-    std::vector<int> joints;
-    std::vector<int> isolated;  ///< awake bodies without contacts and joints
+    std::vector<BodyIndex> bodies;       ///< bodies of all islands, island by island; static bodies are not listed
+    std::vector<ContactIndex> contacts;  ///< contacts in the order of discovery
+    std::vector<JointIndex> joints;
+    std::vector<BodyIndex> isolated;  ///< awake bodies without contacts and joints
 
     void Clear() {
         islands.clear();
-        for (std::vector<int>* list : {&bodies, &contacts, &joints, &isolated}) list->clear();
+        bodies.clear(), contacts.clear(), joints.clear(), isolated.clear();
     }
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(islands, bodies, contacts, joints, isolated); }
 };
 
-inline std::span<const int> Range(const std::vector<int>& order, int begin, int end) {
-    return {order.data() + begin, static_cast<size_t>(end - begin)};
+template <Index I>
+std::span<const I> Range(const std::vector<I>& order, int begin, int end) {
+    return {order.data() + begin, ToSize(end - begin)};
 }
-inline std::span<const int> Bodies(const IslandTable& t, const Island& i) {
+inline std::span<const BodyIndex> Bodies(const IslandTable& t, const Island& i) {
     return Range(t.bodies, i.bodyBegin, i.bodyEnd);
 }
-inline std::span<const int> Contacts(const IslandTable& t, const Island& i) {
+inline std::span<const ContactIndex> Contacts(const IslandTable& t, const Island& i) {
     return Range(t.contacts, i.contactBegin, i.contactEnd);
 }
-inline std::span<const int> Joints(const IslandTable& t, const Island& i) {
+inline std::span<const JointIndex> Joints(const IslandTable& t, const Island& i) {
     return Range(t.joints, i.jointBegin, i.jointEnd);
 }
 

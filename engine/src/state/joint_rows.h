@@ -20,6 +20,7 @@
 #include "scree/revolute_joint.h"
 #include "scree/weld_joint.h"
 #include "scree/wheel_joint.h"
+#include "state/indices.h"
 
 namespace scree {
 
@@ -216,9 +217,9 @@ struct MouseRow {
 
 /// One side of a gear: the body that a revolute or prismatic joint moves, against that joint's other body.
 struct GearSide {
-    int joint = -1;               ///< index of the revolute or prismatic joint
-    int body = -1, against = -1;  ///< its body B and body A
-    bool slides = false;          ///< prismatic
+    JointIndex joint = JointIndex::none;                          ///< index of the revolute or prismatic joint
+    BodyIndex body = BodyIndex::none, against = BodyIndex::none;  ///< its body B and body A
+    bool slides = false;                                          ///< prismatic
     Vec2 localAnchor{0.0f, 0.0f}, againstAnchor{0.0f, 0.0f}, againstAxis{0.0f, 0.0f};
     float referenceAngle = 0.0f;
     Vec2 axis{0.0f, 0.0f};  ///< of the push on `body` per unit of impulse in the last step

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <algorithm>
-#include <deque>
 #include <tuple>
 #include <vector>
 
@@ -28,10 +27,10 @@ struct JointLink {
 struct JointInfo {
     JointType type = e_unknownJoint;
     bool collideConnected = false;
-    int bodyA = -1, bodyB = -1;
-    int row = -1;       ///< in the table of its type
-    int gearCount = 0;  ///< gears that use this joint
-    int listPrev = -1, listNext = -1;
+    BodyIndex bodyA = BodyIndex::none, bodyB = BodyIndex::none;
+    JointRow row = JointRow::none;  ///< in the table of its type
+    int gearCount = 0;              ///< gears that use this joint
+    JointIndex listPrev = JointIndex::none, listNext = JointIndex::none;
     JointLink link[2];  ///< in the lists of body A and body B
     float forceThreshold = std::numeric_limits<float>::infinity();
     float torqueThreshold = std::numeric_limits<float>::infinity();
@@ -49,9 +48,9 @@ struct JointInfo {
 template <typename Row>
 struct JointStore {
     using RowType = Row;
-    Slots slots;
-    std::vector<Row> rows;
-    std::deque<typename Row::Handle> handles;
+    Slots<JointRow> slots;
+    Column<JointRow, Row> rows;
+    StableColumn<JointRow, typename Row::Handle> handles;
 
     template <typename Self, typename Visit>
     static void Fields(Self& store, Visit& visit) {
@@ -60,33 +59,38 @@ struct JointStore {
     }
 };
 
+/// The parts of an entry.
+constexpr JointIndex JointOf(int entry) { return JointIndex{entry >> 1}; }
+constexpr int SideOf(int entry) { return entry & 1; }
+constexpr int EntryOf(JointIndex joint, int side) { return 2 * ToInt(joint) + side; }
+
 /// The joints of one body, newest first.
 class BodyJoints {
 public:
     class Iterator {
     public:
-        Iterator(const std::vector<JointInfo>& info, int entry) : m_info(&info), m_entry(entry) {}
-        int operator*() const { return m_entry >> 1; }
+        Iterator(const Column<JointIndex, JointInfo>& info, int entry) : m_info(&info), m_entry(entry) {}
+        JointIndex operator*() const { return JointOf(m_entry); }
         Iterator& operator++() {
-            m_entry = (*m_info)[static_cast<size_t>(m_entry >> 1)].link[m_entry & 1].next;
+            m_entry = (*m_info)[**this].link[SideOf(m_entry)].next;
             return *this;
         }
         bool operator!=(const Iterator& other) const { return m_entry != other.m_entry; }
 
     private:
-        const std::vector<JointInfo>* m_info;
+        const Column<JointIndex, JointInfo>* m_info;
         int m_entry;
     };
 
-    BodyJoints(const std::vector<JointInfo>& info, int head) : m_info(info), m_head(head) {}
+    BodyJoints(const Column<JointIndex, JointInfo>& info, int head) : m_info(info), m_head(head) {}
     [[nodiscard]] Iterator begin() const { return {m_info, m_head}; }
     [[nodiscard]] Iterator end() const { return {m_info, -1}; }
     [[nodiscard]] bool empty() const { return m_head < 0; }
     /// The newest joint, −1 if there is none.
-    [[nodiscard]] int Front() const { return m_head < 0 ? -1 : m_head >> 1; }
+    [[nodiscard]] JointIndex Front() const { return JointOf(m_head); }
 
 private:
-    const std::vector<JointInfo>& m_info;
+    const Column<JointIndex, JointInfo>& m_info;
     int m_head;
 };
 
@@ -94,13 +98,13 @@ template <typename... Row>
 using JointStores = std::tuple<JointStore<Row>...>;
 
 struct JointTable {
-    Slots slots;
-    std::vector<JointInfo> info;
-    std::vector<Joint*> handles;
+    Slots<JointIndex> slots;
+    Column<JointIndex, JointInfo> info;
+    Column<JointIndex, Joint*> handles;
     /// One table per type.
     OfJointTypes<JointStores> stores;
-    int listHead = -1;
-    IndexSet watched;  ///< joints with a threshold
+    JointIndex listHead = JointIndex::none;
+    IndexSet<JointIndex> watched;  ///< joints with a threshold
 
     template <typename Row>
     [[nodiscard]] JointStore<Row>& Store() {
@@ -122,35 +126,33 @@ struct JointTable {
 
     /// Adds a joint with the bodies, type, flag and user data of `head`; everything else of it is set here.
     template <typename Row>
-    int Add(WorldState* state, const JointInfo& head, const Row& row) {
+    JointIndex Add(WorldState* state, const JointInfo& head, const Row& row) {
         JointStore<Row>& store = Store<Row>();
-        const int rowIndex = store.slots.Prepare();
-        const int index = slots.Prepare();
+        const JointRow rowIndex = store.slots.Prepare();
+        const JointIndex index = slots.Prepare();
         // When memory runs out nothing has changed yet.
-        ReserveRows(static_cast<size_t>(rowIndex) + 1, store.rows);
-        ReserveRows(static_cast<size_t>(index) + 1, info, handles);
-        watched.Reserve(static_cast<size_t>(index) + 1);
-        ReserveRows(static_cast<size_t>(std::max(head.bodyA, head.bodyB)) + 1, m_first, m_count);
-        if (static_cast<size_t>(rowIndex) == store.handles.size()) store.handles.emplace_back(state, -1, rowIndex);
+        ReserveRows(ToSize(rowIndex) + 1, store.rows);
+        ReserveRows(ToSize(index) + 1, info, handles);
+        watched.Reserve(ToSize(index) + 1);
+        ReserveRows(ToSize(std::max(head.bodyA, head.bodyB)) + 1, m_first, m_count);
+        if (rowIndex == store.handles.End()) store.handles.emplace_back(state, JointIndex::none, rowIndex);
 
         store.slots.Allocate();
         slots.Allocate();
         EnsureRow(store.rows, rowIndex);
-        store.rows[static_cast<size_t>(rowIndex)] = row;
-        Joint& handle = store.handles[static_cast<size_t>(rowIndex)];
+        store.rows[rowIndex] = row;
+        Joint& handle = store.handles[rowIndex];
         handle.m_index = index;
         Link(index, rowIndex, head, &handle);
         return index;
     }
-    void Remove(int joint);
+    void Remove(JointIndex joint);
 
-    [[nodiscard]] BodyJoints OfBody(int body) const {
-        return {info, static_cast<size_t>(body) < m_first.size() ? m_first[static_cast<size_t>(body)] : -1};
-    }
+    [[nodiscard]] BodyJoints OfBody(BodyIndex body) const { return {info, m_first.Has(body) ? m_first[body] : -1}; }
     /// The joint after `joint` in the list of one of its bodies; −1 at the end.
-    [[nodiscard]] int NextOfBody(int joint, int body) const;
+    [[nodiscard]] JointIndex NextOfBody(JointIndex joint, BodyIndex body) const;
     /// False if a joint forbids the two bodies to collide.
-    [[nodiscard]] bool MayCollide(int bodyA, int bodyB) const;
+    [[nodiscard]] bool MayCollide(BodyIndex bodyA, BodyIndex bodyB) const;
     /// The lists of the bodies and everything a joint has; the rows of each type are in the stores.
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
@@ -160,9 +162,7 @@ struct JointTable {
         visit.LeftOut(handles, watched);
     }
     /// After its thresholds changed.
-    void NoteThresholds(int joint) {
-        info[static_cast<size_t>(joint)].HasThreshold() ? watched.Insert(joint) : watched.Erase(joint);
-    }
+    void NoteThresholds(JointIndex joint) { info[joint].HasThreshold() ? watched.Insert(joint) : watched.Erase(joint); }
     /// After the fields were read: makes the handles. False if the fields contradict each other; that bodies exist is
     /// not checked, bodyCount only bounds them.
     [[nodiscard]] bool Restore(WorldState* state, int bodyCount);
@@ -173,14 +173,14 @@ struct JointTable {
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    void Link(int joint, int row, const JointInfo& head, Joint* handle);
-    void LinkToBody(int joint, int side);
-    void UnlinkFromBody(int joint, int side);
+    void Link(JointIndex joint, JointRow row, const JointInfo& head, Joint* handle);
+    void LinkToBody(JointIndex joint, int side);
+    void UnlinkFromBody(JointIndex joint, int side);
     [[nodiscard]] bool RestoreHandles(WorldState* state);
     [[nodiscard]] bool AreListsWhole() const;
 
-    std::vector<int> m_first;  ///< per body: its newest entry
-    std::vector<int> m_count;  ///< per body: entries
+    Column<BodyIndex, int> m_first;  ///< per body: its newest entry
+    Column<BodyIndex, int> m_count;  ///< per body: entries
 };
 
 }  // namespace scree

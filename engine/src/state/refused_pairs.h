@@ -13,20 +13,24 @@
 #include <iterator>
 #include <vector>
 
+#include "state/indices.h"
+
 namespace scree {
 
 class RefusedPairs {
 public:
     /// The larger index is in the high half.
-    static uint64_t KeyOf(uint32_t fixture1, uint32_t fixture2) {
-        const auto [low, high] = std::minmax(fixture1, fixture2);
+    static uint64_t KeyOf(FixtureIndex fixture1, FixtureIndex fixture2) {
+        const auto [low, high] = std::minmax(ProxyOf(fixture1), ProxyOf(fixture2));
         return static_cast<uint64_t>(high) << 32 | low;
     }
+    static FixtureIndex LowOf(uint64_t key) { return FixtureOf(static_cast<uint32_t>(key)); }
+    static FixtureIndex HighOf(uint64_t key) { return FixtureOf(static_cast<uint32_t>(key >> 32)); }
 
     [[nodiscard]] bool Has(uint64_t key) const { return std::binary_search(m_keys.begin(), m_keys.end(), key); }
     /// The filter is asked again about the pairs of this fixture, or about all,
     /// in the next pair finding.
-    void Forget(uint32_t fixture) {
+    void Forget(FixtureIndex fixture) {
         if (!m_keys.empty()) m_forgotten.push_back(fixture);
     }
     void Clear() { m_keys.clear(), m_forgotten.clear(); }
@@ -41,8 +45,7 @@ public:
         std::set_difference(fresh.begin(), fresh.end(), m_keys.begin(), m_keys.end(), std::back_inserter(m_rest));
         for (const uint64_t key : m_keys) {
             const bool isFound = std::binary_search(fresh.begin(), fresh.end(), key);
-            if (isFound || !isSearched(static_cast<uint32_t>(key), static_cast<uint32_t>(key >> 32)))
-                m_kept.push_back(key);
+            if (isFound || !isSearched(LowOf(key), HighOf(key))) m_kept.push_back(key);
         }
         m_keys.swap(m_kept);
         fresh.swap(m_rest);
@@ -57,23 +60,23 @@ public:
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return (m_keys.capacity() + m_kept.capacity() + m_rest.capacity()) * sizeof(uint64_t) +
-               m_forgotten.capacity() * sizeof(uint32_t);
+               m_forgotten.capacity() * sizeof(FixtureIndex);
     }
 
 private:
     void ApplyForgotten() {
         if (m_forgotten.empty()) return;
         std::sort(m_forgotten.begin(), m_forgotten.end());
-        const auto forgotten = [this](uint64_t fixture) {
-            return std::binary_search(m_forgotten.begin(), m_forgotten.end(), static_cast<uint32_t>(fixture));
+        const auto forgotten = [this](FixtureIndex fixture) {
+            return std::binary_search(m_forgotten.begin(), m_forgotten.end(), fixture);
         };
-        std::erase_if(m_keys, [&](uint64_t key) { return forgotten(key >> 32) || forgotten(key); });
+        std::erase_if(m_keys, [&](uint64_t key) { return forgotten(HighOf(key)) || forgotten(LowOf(key)); });
         m_forgotten.clear();
     }
 
     std::vector<uint64_t> m_keys;  ///< sorted
     std::vector<uint64_t> m_kept, m_rest;
-    std::vector<uint32_t> m_forgotten;
+    std::vector<FixtureIndex> m_forgotten;
 };
 
 }  // namespace scree

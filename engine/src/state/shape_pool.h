@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstring>
-#include <deque>
 #include <vector>
 
 #include "base/slots.h"
@@ -36,7 +35,7 @@ struct ShapeBits<PolygonShape> {
     using Bits = std::array<float, 4 + 4 * maxPolygonVertices>;
     static Bits Of(const PolygonShape& s) {
         Bits bits{s.m_radius, s.m_centroid.x, s.m_centroid.y, static_cast<float>(s.m_count)};
-        const auto count = static_cast<size_t>(s.m_count);
+        const size_t count = ToSize(s.m_count);
         std::memcpy(&bits[4], s.m_vertices, count * sizeof(Vec2));
         std::memcpy(&bits[4 + 2 * maxPolygonVertices], s.m_normals, count * sizeof(Vec2));
         return bits;
@@ -52,9 +51,9 @@ public:
             const auto bits = ShapeBits<T>::Of(value);
             int& known = m_known[PlaceOf(bits)];
             if (known >= 0) {
-                const auto there = ShapeBits<T>::Of(m_items[static_cast<size_t>(known)]);
+                const auto there = ShapeBits<T>::Of(m_items[known]);
                 if (std::memcmp(&bits, &there, sizeof bits) == 0) {
-                    ++m_users[static_cast<size_t>(known)];
+                    ++m_users[known];
                     return known;
                 }
             }
@@ -64,24 +63,22 @@ public:
         }
     }
     void Release(int row) {
-        const auto r = static_cast<size_t>(row);
-        if (--m_users[r] > 0) return;
+        if (--m_users[row] > 0) return;
         Forget(row);
         m_free.push_back(row);
     }
     /// The row of a copy that its user may change: nobody else has it or will get it.
     int MakeOwn(int row) {
-        const auto r = static_cast<size_t>(row);
-        if (m_users[r] == 1) {
+        if (m_users[row] == 1) {
             Forget(row);
             return row;
         }
-        const T copy = m_items[r];
+        const T copy = m_items[row];
         const int own = Add(copy);
-        --m_users[r];
+        --m_users[row];
         return own;
     }
-    [[nodiscard]] T* At(int row) { return &m_items[static_cast<size_t>(row)]; }
+    [[nodiscard]] T* At(int row) { return &m_items[row]; }
     [[nodiscard]] size_t GetMemoryBytes() const { return m_items.size() * (sizeof(T) + sizeof(int)); }
 
 private:
@@ -107,19 +104,19 @@ private:
             ReserveRows(m_items.size() + 1, m_users, m_free);  // when memory runs out nothing has changed
             m_items.push_back(value);
             m_users.push_back(1);
-            return static_cast<int>(m_items.size()) - 1;
+            return m_items.End() - 1;
         }
         const int row = m_free.back();
         m_free.pop_back();
-        m_items[static_cast<size_t>(row)] = value;
-        m_users[static_cast<size_t>(row)] = 1;
+        m_items[row] = value;
+        m_users[row] = 1;
         return row;
     }
 
     /// Nobody shall share the row any more. Shapes that their users may have changed are not known, hence not found.
     void Forget(int row) {
         if constexpr (ShapeBits<T>::areShared) {
-            int& known = m_known[PlaceOf(ShapeBits<T>::Of(m_items[static_cast<size_t>(row)]))];
+            int& known = m_known[PlaceOf(ShapeBits<T>::Of(m_items[row]))];
             if (known == row) known = -1;
         }
     }
@@ -130,8 +127,8 @@ private:
         return none;
     }
 
-    std::deque<T> m_items;
-    std::vector<int> m_users;  ///< per item; 0 if free
+    StableColumn<int, T> m_items;
+    Column<int, int> m_users;  ///< per item; 0 if free
     std::vector<int> m_free;
     std::array<int, knownCount> m_known = NoneKnown();  ///< rows that may be shared, by the hash of their bits
 };

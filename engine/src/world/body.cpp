@@ -14,17 +14,15 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 /// True if an impulse reaches the body: dynamic, and awake or woken by it.
-bool TakesImpulse(BodyTable& bodies, int body, bool wake) {
-    if (bodies.type[Row(body)] != dynamicBody) return false;
+bool TakesImpulse(BodyTable& bodies, BodyIndex body, bool wake) {
+    if (bodies.type[body] != dynamicBody) return false;
     if (wake && !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);
     return bodies.Has(body, BodyFlag::awake);
 }
 
 /// The same for a force, which the step has to look at.
-bool TakesForce(WorldState& s, int body, bool wake) {
+bool TakesForce(WorldState& s, BodyIndex body, bool wake) {
     if (!TakesImpulse(s.bodies, body, wake)) return false;
     s.featureCounts.forces = true;
     NeedKernels(s, {Feature::forces});
@@ -32,7 +30,7 @@ bool TakesForce(WorldState& s, int body, bool wake) {
 }
 
 /// What the body's force and torque would add up to.
-ForceRow AddForce(const WorldState& s, int body, Vec2 force, float torque) {
+ForceRow AddForce(const WorldState& s, BodyIndex body, Vec2 force, float torque) {
     ForceRow row = s.bodies.GetForce(body);
     row.force += force;
     row.torque += torque;
@@ -40,10 +38,10 @@ ForceRow AddForce(const WorldState& s, int body, Vec2 force, float torque) {
 }
 
 /// What the body's velocity would become.
-Velocity AddImpulse(const WorldState& s, int body, Vec2 impulse, float turn) {
-    Velocity velocity = s.bodies.velocity[Row(body)];
-    velocity.v += s.bodies.mass[Row(body)].invMass * impulse;
-    velocity.w += s.bodies.mass[Row(body)].invI * turn;
+Velocity AddImpulse(const WorldState& s, BodyIndex body, Vec2 impulse, float turn) {
+    Velocity velocity = s.bodies.velocity[body];
+    velocity.v += s.bodies.mass[body].invMass * impulse;
+    velocity.w += s.bodies.mass[body].invI * turn;
     return velocity;
 }
 
@@ -56,8 +54,8 @@ Guard& RequireSum(Guard& guard, const Velocity& sum, const char* field) {
                          "give less: the velocity would exceed 1e18");
 }
 
-void SetFlag(BodyTable& bodies, int body, uint16_t flag, bool on) {
-    uint16_t& flags = bodies.flags[Row(body)];
+void SetFlag(BodyTable& bodies, BodyIndex body, uint16_t flag, bool on) {
+    uint16_t& flags = bodies.flags[body];
     flags = static_cast<uint16_t>(on ? flags | flag : flags & ~flag);
 }
 
@@ -66,15 +64,15 @@ void SetFlag(BodyTable& bodies, int body, uint16_t flag, bool on) {
 bool Body::Lives(const char* accessor) const { return IsAlive(*m_state, m_state->bodies.slots, m_index, accessor); }
 
 Transform Body::GetTransform() const {
-    if (Lives("Body::GetTransform")) return m_state->bodies.transform[Row(m_index)];
+    if (Lives("Body::GetTransform")) return m_state->bodies.transform[m_index];
     Transform identity;
     identity.SetIdentity();
     return identity;
 }
 Vec2 Body::GetPosition() const { return Lives("Body::GetPosition") ? GetTransform().p : vec2Zero; }
-float Body::GetAngle() const { return Lives("Body::GetAngle") ? m_state->bodies.position[Row(m_index)].a : 0.0f; }
+float Body::GetAngle() const { return Lives("Body::GetAngle") ? m_state->bodies.position[m_index].a : 0.0f; }
 Vec2 Body::GetWorldCenter() const {
-    return Lives("Body::GetWorldCenter") ? m_state->bodies.position[Row(m_index)].c : vec2Zero;
+    return Lives("Body::GetWorldCenter") ? m_state->bodies.position[m_index].c : vec2Zero;
 }
 Vec2 Body::GetPositionRest() const {
     return Lives("Body::GetPositionRest") ? m_state->bodies.GetOriginRest(m_index) : vec2Zero;
@@ -84,7 +82,7 @@ Vec2 Body::GetWorldCenterRest() const {
 }
 Vec2 Body::FromCentre(Vec2 worldPoint) const { return worldPoint - GetWorldCenter() - GetWorldCenterRest(); }
 Vec2 Body::GetLocalCenter() const {
-    return Lives("Body::GetLocalCenter") ? m_state->bodies.mass[Row(m_index)].localCenter : vec2Zero;
+    return Lives("Body::GetLocalCenter") ? m_state->bodies.mass[m_index].localCenter : vec2Zero;
 }
 
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
@@ -93,11 +91,11 @@ ErrorCode Body::SetLinearVelocity(Vec2 v) {
     const Recording recording = guard.Record(m_index, v);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (Dot(v, v) > 0.0f) m_state->bodies.Wake(m_index);
-    m_state->bodies.velocity[Row(m_index)].v = v;
+    m_state->bodies.velocity[m_index].v = v;
     return ErrorCode::ok;
 }
 Vec2 Body::GetLinearVelocity() const {
-    return Lives("Body::GetLinearVelocity") ? m_state->bodies.velocity[Row(m_index)].v : vec2Zero;
+    return Lives("Body::GetLinearVelocity") ? m_state->bodies.velocity[m_index].v : vec2Zero;
 }
 
 ErrorCode Body::SetAngularVelocity(float omega) {
@@ -108,11 +106,11 @@ ErrorCode Body::SetAngularVelocity(float omega) {
     const Recording recording = guard.Record(m_index, omega);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (omega * omega > 0.0f) m_state->bodies.Wake(m_index);
-    m_state->bodies.velocity[Row(m_index)].w = omega;
+    m_state->bodies.velocity[m_index].w = omega;
     return ErrorCode::ok;
 }
 float Body::GetAngularVelocity() const {
-    return Lives("Body::GetAngularVelocity") ? m_state->bodies.velocity[Row(m_index)].w : 0.0f;
+    return Lives("Body::GetAngularVelocity") ? m_state->bodies.velocity[m_index].w : 0.0f;
 }
 
 ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
@@ -123,7 +121,7 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
     const ForceRow sum = AddForce(*m_state, m_index, force, Cross(FromCentre(point), force));
     if (RequireSum(guard, sum, "force").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, force, point, wake);
-    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)] = sum;
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[m_index] = sum;
     return ErrorCode::ok;
 }
 
@@ -134,7 +132,7 @@ ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
     const ForceRow sum = AddForce(*m_state, m_index, force, 0.0f);
     if (RequireSum(guard, sum, "force").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, force, wake);
-    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)] = sum;
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[m_index] = sum;
     return ErrorCode::ok;
 }
 
@@ -145,7 +143,7 @@ ErrorCode Body::ApplyTorque(float torque, bool wake) {
     const ForceRow sum = AddForce(*m_state, m_index, vec2Zero, torque);
     if (RequireSum(guard, sum, "torque").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, torque, wake);
-    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[Row(m_index)] = sum;
+    if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[m_index] = sum;
     return ErrorCode::ok;
 }
 
@@ -156,7 +154,7 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
     const Velocity sum = AddImpulse(*m_state, m_index, impulse, Cross(FromCentre(point), impulse));
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, point, wake);
-    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
+    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[m_index] = sum;
     return ErrorCode::ok;
 }
 
@@ -166,7 +164,7 @@ ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
     const Velocity sum = AddImpulse(*m_state, m_index, impulse, 0.0f);
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, wake);
-    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
+    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[m_index] = sum;
     return ErrorCode::ok;
 }
 
@@ -176,16 +174,16 @@ ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
     const Velocity sum = AddImpulse(*m_state, m_index, vec2Zero, impulse);
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, impulse, wake);
-    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[Row(m_index)] = sum;
+    if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[m_index] = sum;
     return ErrorCode::ok;
 }
 
-float Body::GetMass() const { return Lives("Body::GetMass") ? m_state->bodies.motion[Row(m_index)].mass : 0.0f; }
+float Body::GetMass() const { return Lives("Body::GetMass") ? m_state->bodies.motion[m_index].mass : 0.0f; }
 float Body::GetInertia() const {
     if (!Lives("Body::GetInertia")) return 0.0f;
-    const BodyInfo& info = m_state->bodies.info[Row(m_index)];
+    const BodyInfo& info = m_state->bodies.info[m_index];
     const Vec2 center = GetLocalCenter();
-    return info.inertia + m_state->bodies.motion[Row(m_index)].mass * Dot(center, center);
+    return info.inertia + m_state->bodies.motion[m_index].mass * Dot(center, center);
 }
 void Body::GetMassData(MassData* data) const {
     if (!Lives("Body::GetMassData")) return;
@@ -220,7 +218,7 @@ Vec2 Body::GetLinearVelocityFromLocalPoint(Vec2 localPoint) const {
 }
 
 float Body::GetLinearDamping() const {
-    return Lives("Body::GetLinearDamping") ? m_state->bodies.motion[Row(m_index)].linearDamping : 0.0f;
+    return Lives("Body::GetLinearDamping") ? m_state->bodies.motion[m_index].linearDamping : 0.0f;
 }
 ErrorCode Body::SetLinearDamping(float damping) {
     Guard guard(*m_state, "Body::SetLinearDamping");
@@ -229,11 +227,11 @@ ErrorCode Body::SetLinearDamping(float damping) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, damping);
     const BodyFeatureEdit edit(*m_state, m_index);
-    m_state->bodies.motion[Row(m_index)].linearDamping = damping;
+    m_state->bodies.motion[m_index].linearDamping = damping;
     return ErrorCode::ok;
 }
 float Body::GetAngularDamping() const {
-    return Lives("Body::GetAngularDamping") ? m_state->bodies.motion[Row(m_index)].angularDamping : 0.0f;
+    return Lives("Body::GetAngularDamping") ? m_state->bodies.motion[m_index].angularDamping : 0.0f;
 }
 ErrorCode Body::SetAngularDamping(float damping) {
     Guard guard(*m_state, "Body::SetAngularDamping");
@@ -242,11 +240,11 @@ ErrorCode Body::SetAngularDamping(float damping) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, damping);
     const BodyFeatureEdit edit(*m_state, m_index);
-    m_state->bodies.motion[Row(m_index)].angularDamping = damping;
+    m_state->bodies.motion[m_index].angularDamping = damping;
     return ErrorCode::ok;
 }
 float Body::GetGravityScale() const {
-    return Lives("Body::GetGravityScale") ? m_state->bodies.motion[Row(m_index)].gravityScale : 0.0f;
+    return Lives("Body::GetGravityScale") ? m_state->bodies.motion[m_index].gravityScale : 0.0f;
 }
 ErrorCode Body::SetGravityScale(float scale) {
     Guard guard(*m_state, "Body::SetGravityScale");
@@ -255,11 +253,11 @@ ErrorCode Body::SetGravityScale(float scale) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, scale);
     const BodyFeatureEdit edit(*m_state, m_index);
-    m_state->bodies.motion[Row(m_index)].gravityScale = scale;
+    m_state->bodies.motion[m_index].gravityScale = scale;
     return ErrorCode::ok;
 }
 
-BodyType Body::GetType() const { return Lives("Body::GetType") ? m_state->bodies.type[Row(m_index)] : BodyType{}; }
+BodyType Body::GetType() const { return Lives("Body::GetType") ? m_state->bodies.type[m_index] : BodyType{}; }
 
 ErrorCode Body::SetBullet(bool flag) {
     Guard guard(*m_state, "Body::SetBullet");
@@ -309,7 +307,7 @@ ErrorCode Body::SetFixedRotation(bool flag) {
     if (flag == IsFixedRotation()) return ErrorCode::ok;
     const BodyFeatureEdit edit(*m_state, m_index);
     SetFlag(m_state->bodies, m_index, BodyFlag::fixedRotation, flag);
-    m_state->bodies.velocity[Row(m_index)].w = 0.0f;
+    m_state->bodies.velocity[m_index].w = 0.0f;
     ResetMassData();
     return ErrorCode::ok;
 }
@@ -330,7 +328,7 @@ ErrorCode Body::SetMotionLocks(const MotionLocks& locks) {
     SetFlag(m_state->bodies, m_index, BodyFlag::lockX, locks.x);
     SetFlag(m_state->bodies, m_index, BodyFlag::lockY, locks.y);
     if (GetType() != dynamicBody) return ErrorCode::ok;
-    Vec2& v = m_state->bodies.velocity[Row(m_index)].v;
+    Vec2& v = m_state->bodies.velocity[m_index].v;
     v = {locks.x ? 0.0f : v.x, locks.y ? 0.0f : v.y};
     m_state->bodies.Wake(m_index);
     return ErrorCode::ok;
@@ -364,8 +362,8 @@ ErrorCode Body::SetTargetTransform(Vec2 position, float angle, float timeStep) {
 
 Fixture* Body::GetFixtureList() {
     if (!Lives("Body::GetFixtureList")) return nullptr;
-    const int head = m_state->bodies.fixtureHead[Row(m_index)];
-    return head < 0 ? nullptr : &m_state->fixtures.handles[Row(head)];
+    const FixtureIndex head = m_state->bodies.fixtureHead[m_index];
+    return IsNone(head) ? nullptr : &m_state->fixtures.handles[head];
 }
 const Fixture* Body::GetFixtureList() const { return const_cast<Body*>(this)->GetFixtureList(); }
 int Body::GetContactCount() const {
@@ -377,44 +375,42 @@ void Body::VisitContacts(FunctionRef<bool(Contact*)> visit) const {
     guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed()) return;
     const WorldLock lock(*m_state);
-    std::vector<int> rows;
+    std::vector<ContactIndex> rows;
     m_state->contacts.ListOfBody(m_index, rows);
-    for (const int c : rows) {
+    for (const ContactIndex c : rows) {
         if (m_state->contacts.IsAlive(c) && !visit(m_state->contacts.Handle(m_state, c))) return;
     }
 }
 
 Joint* Body::GetJointList() const {
     if (!Lives("Body::GetJointList")) return nullptr;
-    const int front = m_state->joints.OfBody(m_index).Front();
-    return front < 0 ? nullptr : m_state->joints.handles[Row(front)];
+    const JointIndex front = m_state->joints.OfBody(m_index).Front();
+    return IsNone(front) ? nullptr : m_state->joints.handles[front];
 }
-int Body::GetJointCount() const {
-    return Lives("Body::GetJointCount") ? m_state->bodies.info[Row(m_index)].jointCount : 0;
-}
+int Body::GetJointCount() const { return Lives("Body::GetJointCount") ? m_state->bodies.info[m_index].jointCount : 0; }
 
 void Body::VisitJoints(FunctionRef<bool(Joint*)> visit) const {
     Guard guard(*m_state, "Body::VisitJoints");
     guard.Living(m_state->bodies.slots, m_index);
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Failed() || GetJointCount() == 0) return;
     const WorldLock lock(*m_state);
-    for (const int j : m_state->joints.OfBody(m_index)) {
-        if (!visit(m_state->joints.handles[Row(j)])) return;
+    for (const JointIndex j : m_state->joints.OfBody(m_index)) {
+        if (!visit(m_state->joints.handles[j])) return;
     }
 }
 
 Body* Body::GetNext() {
     if (!Lives("Body::GetNext")) return nullptr;
-    const int next = m_state->bodies.info[Row(m_index)].listNext;
-    return next < 0 ? nullptr : &m_state->bodies.handles[Row(next)];
+    const BodyIndex next = m_state->bodies.info[m_index].listNext;
+    return IsNone(next) ? nullptr : &m_state->bodies.handles[next];
 }
 const Body* Body::GetNext() const { return const_cast<Body*>(this)->GetNext(); }
 BodyUserData Body::GetUserData() const {
-    return Lives("Body::GetUserData") ? m_state->bodies.info[Row(m_index)].userData : BodyUserData{};
+    return Lives("Body::GetUserData") ? m_state->bodies.info[m_index].userData : BodyUserData{};
 }
 ErrorCode Body::SetUserData(const BodyUserData& data) {
     if (!Lives("Body::SetUserData")) return ErrorCode::foreignHandle;
-    m_state->bodies.info[Row(m_index)].userData = data;
+    m_state->bodies.info[m_index].userData = data;
     return ErrorCode::ok;
 }
 World* Body::GetWorld() { return m_state->world; }

@@ -17,36 +17,34 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 /// Adds a fixture in front of the body's list; the mass is not updated.
-int AttachFixture(WorldState& s, int body, const FixtureDef& def) {
-    const int fixture = s.fixtures.Add(&s, body, def);
+FixtureIndex AttachFixture(WorldState& s, BodyIndex body, const FixtureDef& def) {
+    const FixtureIndex fixture = s.fixtures.Add(&s, body, def);
     Undo undo([&] { s.fixtures.UndoAdd(fixture); });
     // The default skin is for bodies of the default size; a radius that was chosen stays.
-    const Shape& shape = *s.fixtures.shape[Row(fixture)];
+    const Shape& shape = *s.fixtures.shape[fixture];
     if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
         s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
     if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
     undo.Dismiss();
-    s.fixtures.next[Row(fixture)] = std::exchange(s.bodies.fixtureHead[Row(body)], fixture);
-    ++s.bodies.info[Row(body)].fixtureCount;
+    s.fixtures.next[fixture] = std::exchange(s.bodies.fixtureHead[body], fixture);
+    ++s.bodies.info[body].fixtureCount;
     AddFixtureFeatures(s, fixture, 1);
     return fixture;
 }
 
 /// Unlinks and frees every fixture of the body for which `goes(fixture)` holds. Their contacts are gone already.
 template <typename Predicate>
-void DetachFixtures(WorldState& s, int body, Predicate goes) {
-    for (int* link = &s.bodies.fixtureHead[Row(body)]; *link >= 0;) {
-        const int fixture = *link;
-        int& next = s.fixtures.next[Row(fixture)];
+void DetachFixtures(WorldState& s, BodyIndex body, Predicate goes) {
+    for (FixtureIndex* link = &s.bodies.fixtureHead[body]; IsSome(*link);) {
+        const FixtureIndex fixture = *link;
+        FixtureIndex& next = s.fixtures.next[fixture];
         if (!goes(fixture)) {
             link = &next;
             continue;
         }
         *link = next;
-        --s.bodies.info[Row(body)].fixtureCount;
+        --s.bodies.info[body].fixtureCount;
         RemoveProxy(s, fixture);
         AddFixtureFeatures(s, fixture, -1);
         s.fixtures.Remove(fixture);
@@ -54,11 +52,11 @@ void DetachFixtures(WorldState& s, int body, Predicate goes) {
 }
 
 /// Takes back the edges of a chain that is not whole, the newest first.
-void UndoChain(WorldState& s, int body, int chainId) {
-    int& head = s.bodies.fixtureHead[Row(body)];
-    while (head >= 0 && s.fixtures.info[Row(head)].chainId == chainId) {
-        const int fixture = std::exchange(head, s.fixtures.next[Row(head)]);
-        --s.bodies.info[Row(body)].fixtureCount;
+void UndoChain(WorldState& s, BodyIndex body, int chainId) {
+    FixtureIndex& head = s.bodies.fixtureHead[body];
+    while (IsSome(head) && s.fixtures.info[head].chainId == chainId) {
+        const FixtureIndex fixture = std::exchange(head, s.fixtures.next[head]);
+        --s.bodies.info[body].fixtureCount;
         RemoveProxy(s, fixture);
         AddFixtureFeatures(s, fixture, -1);
         s.fixtures.UndoAdd(fixture);
@@ -66,12 +64,12 @@ void UndoChain(WorldState& s, int body, int chainId) {
 }
 
 /// One edge per segment; returns the first.
-int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape& chain) {
+FixtureIndex AttachChain(WorldState& s, BodyIndex body, const FixtureDef& def, const ChainShape& chain) {
     const int id = s.fixtures.nextChainId;
     FixtureDef edgeDef = def;
     EdgeShape edge;
     edgeDef.shape = &edge;
-    int first = -1;
+    FixtureIndex first = FixtureIndex::none;
     const bool wereStale = s.isEdited;
     Undo undo([&] {
         UndoChain(s, body, id);
@@ -79,9 +77,9 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
     });
     for (int i = 0; i < chain.GetChildCount(); ++i) {
         chain.GetChildEdge(&edge, i);
-        const int fixture = AttachFixture(s, body, edgeDef);
-        s.fixtures.info[Row(fixture)].chainId = id;
-        s.fixtures.info[Row(fixture)].chainIndex = i;
+        const FixtureIndex fixture = AttachFixture(s, body, edgeDef);
+        s.fixtures.info[fixture].chainId = id;
+        s.fixtures.info[fixture].chainIndex = i;
         if (i == 0) first = fixture;
     }
     undo.Dismiss();
@@ -90,11 +88,11 @@ int AttachChain(WorldState& s, int body, const FixtureDef& def, const ChainShape
 }
 
 /// What the body and its fixtures would use if it were of that type.
-Features FeaturesAs(WorldState& s, int body, BodyType type) {
-    BodyType& own = s.bodies.type[Row(body)];
+Features FeaturesAs(WorldState& s, BodyIndex body, BodyType type) {
+    BodyType& own = s.bodies.type[body];
     const BodyType before = std::exchange(own, type);
     Features f = FeaturesOfBody(s.bodies, body);
-    for (const int i : s.fixtures.From(s.bodies.fixtureHead[Row(body)])) {
+    for (const FixtureIndex i : s.fixtures.From(s.bodies.fixtureHead[body])) {
         f = f | FeaturesOfFixture(s.fixtures, s.bodies, i);
     }
     own = before;
@@ -112,10 +110,10 @@ Fixture* Body::CreateFixture(const FixtureDef* def) {
     if (guard.Uses(UnderSettings(FeaturesOf(*def, GetType()), s.def)).Failed()) return nullptr;
     const Recording recording = guard.Record(m_index, *def);
     const bool isChain = def->shape->GetType() == Shape::e_chain;
-    const int fixture = isChain ? AttachChain(s, m_index, *def, static_cast<const ChainShape&>(*def->shape))
-                                : AttachFixture(s, m_index, *def);
+    const FixtureIndex fixture = isChain ? AttachChain(s, m_index, *def, static_cast<const ChainShape&>(*def->shape))
+                                         : AttachFixture(s, m_index, *def);
     if (def->density > 0.0f) ResetMass(s, m_index);
-    return &s.fixtures.handles[Row(fixture)];
+    return &s.fixtures.handles[fixture];
 }
 
 Fixture* Body::CreateFixture(const Shape* shape, float density) {
@@ -130,13 +128,13 @@ ErrorCode Body::DestroyFixture(Fixture* fixture) {
     Guard guard(s, "Body::DestroyFixture");
     guard.Living(s.bodies.slots, m_index).NotNull(fixture != nullptr, "fixture", "pass a fixture");
     if (guard.Failed()) return guard.Code();
-    guard.Require(Owns(s, fixture) && s.fixtures.body[Row(fixture->GetIndex())] == m_index, ErrorCode::foreignHandle,
+    guard.Require(Owns(s, fixture) && s.fixtures.body[IndexOf(*fixture)] == m_index, ErrorCode::foreignHandle,
                   "fixture", "pass a living fixture of this body");
     if (guard.Unlocked("destroy fixtures outside of Step and callbacks").Failed()) return guard.Code();
-    const int index = fixture->GetIndex();
+    const FixtureIndex index = IndexOf(*fixture);
     const Recording recording = guard.Record(m_index, index);
     DestroyContactsOfFixture(s, index);
-    DetachFixtures(s, m_index, [index](int f) { return f == index; });
+    DetachFixtures(s, m_index, [index](FixtureIndex f) { return f == index; });
     ResetMass(s, m_index);
     return ErrorCode::ok;
 }
@@ -146,15 +144,15 @@ ErrorCode Body::DestroyChain(Fixture* fixture) {
     Guard guard(s, "Body::DestroyChain");
     guard.Living(s.bodies.slots, m_index).NotNull(fixture != nullptr, "fixture", "pass an edge of a chain");
     if (guard.Failed()) return guard.Code();
-    guard.Require(Owns(s, fixture) && s.fixtures.body[Row(fixture->GetIndex())] == m_index, ErrorCode::foreignHandle,
+    guard.Require(Owns(s, fixture) && s.fixtures.body[IndexOf(*fixture)] == m_index, ErrorCode::foreignHandle,
                   "fixture", "pass a living fixture of this body");
     if (guard.Unlocked("destroy chains outside of Step and callbacks").Failed()) return guard.Code();
-    const int id = s.fixtures.info[Row(fixture->GetIndex())].chainId;
+    const int id = s.fixtures.info[IndexOf(*fixture)].chainId;
     if (guard.Require(id >= 0, ErrorCode::outOfRange, "fixture", "pass an edge that a ChainShape made").Failed())
         return guard.Code();
     const Recording recording = guard.Record(m_index, fixture->GetIndex());
     DestroyContactsOfChain(s, m_index, id);
-    DetachFixtures(s, m_index, [&](int f) { return s.fixtures.info[Row(f)].chainId == id; });
+    DetachFixtures(s, m_index, [&](FixtureIndex f) { return s.fixtures.info[f].chainId == id; });
     ResetMass(s, m_index);
     return ErrorCode::ok;
 }
@@ -167,7 +165,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle, Vec2 positionRest) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, position, angle, positionRest);
     NotePosition(s, position, positionRest);
-    s.bodies.Place(Row(m_index), position, positionRest, angle);
+    s.bodies.Place(m_index, position, positionRest, angle);
     if (!IsEnabled()) return ErrorCode::ok;
     UpdateBodyBoxes(s.bodies, s.fixtures, m_index, vec2Zero, *s.broadPhase);
     ForgetGeometry(s, m_index);
@@ -183,12 +181,11 @@ ErrorCode Body::SetType(BodyType type) {
     if (guard.Failed()) return guard.Code();
     if (guard.Uses(UnderSettings(FeaturesAs(s, m_index, type), s.def)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, type);
-    const size_t b = Row(m_index);
-    if (s.bodies.type[b] == type) return ErrorCode::ok;
+    if (s.bodies.type[m_index] == type) return ErrorCode::ok;
     const BodyFeatureEdit edit(s, m_index, true);
-    const bool changesList = (s.bodies.type[b] == staticBody) != (type == staticBody);
+    const bool changesList = (s.bodies.type[m_index] == staticBody) != (type == staticBody);
     ForgetGeometry(s, m_index);  // as what it was
-    s.bodies.type[b] = type;
+    s.bodies.type[m_index] = type;
     if (changesList) s.bodies.Relist(m_index);
     s.bodies.NoteKinematic(m_index);
     ResetMass(s, m_index);
@@ -200,8 +197,8 @@ ErrorCode Body::SetType(BodyType type) {
     s.bodies.ClearForce(m_index);
     DestroyContactsOfBody(s, m_index);
     // The broad phase sorts its boxes by motion type.
-    for (const int f : s.fixtures.From(s.bodies.fixtureHead[b])) {
-        if (!s.fixtures.info[Row(f)].inBroadPhase) continue;
+    for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[m_index])) {
+        if (!s.fixtures.info[f].inBroadPhase) continue;
         RemoveProxy(s, f);
         AddProxy(s, f);
     }
@@ -215,10 +212,10 @@ ErrorCode Body::SetEnabled(bool flag) {
         return guard.Code();
     const Recording recording = guard.Record(m_index, flag);
     if (flag == IsEnabled()) return ErrorCode::ok;
-    uint16_t& flags = s.bodies.flags[Row(m_index)];
+    uint16_t& flags = s.bodies.flags[m_index];
     flags = static_cast<uint16_t>(flag ? flags | BodyFlag::enabled : flags & ~BodyFlag::enabled);
     if (!flag) DestroyContactsOfBody(s, m_index);
-    for (const int f : s.fixtures.From(s.bodies.fixtureHead[Row(m_index)])) {
+    for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[m_index])) {
         flag ? AddProxy(s, f) : RemoveProxy(s, f);
     }
     return ErrorCode::ok;
@@ -240,13 +237,12 @@ ErrorCode Body::SetMassData(const MassData* data) {
                   "it is about the origin: give more than mass·|center|²");
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, *data);
-    const size_t b = Row(m_index);
     ForgetGeometry(s, m_index);
-    s.bodies.motion[b].mass = mass;
-    s.bodies.info[b].inertia = inertia;
-    s.bodies.mass[b].invMass = 1.0f / mass;
-    s.bodies.mass[b].invI = rotates ? 1.0f / inertia : 0.0f;
-    s.bodies.velocity[b].v += Cross(s.bodies.velocity[b].w, s.bodies.SetLocalCenter(b, data->center));
+    s.bodies.motion[m_index].mass = mass;
+    s.bodies.info[m_index].inertia = inertia;
+    s.bodies.mass[m_index].invMass = 1.0f / mass;
+    s.bodies.mass[m_index].invI = rotates ? 1.0f / inertia : 0.0f;
+    s.bodies.velocity[m_index].v += Cross(s.bodies.velocity[m_index].w, s.bodies.SetLocalCenter(m_index, data->center));
     return ErrorCode::ok;
 }
 

@@ -16,10 +16,8 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 /// A contact that is alive, with a number to set.
-Guard CheckContact(const WorldState& s, int contact, const char* function) {
+Guard CheckContact(const WorldState& s, ContactIndex contact, const char* function) {
     Guard guard(s, function);
     guard.Require(s.contacts.IsAlive(contact), ErrorCode::foreignHandle, "this",
                   "use a contact whose boxes still overlap");
@@ -27,13 +25,13 @@ Guard CheckContact(const WorldState& s, int contact, const char* function) {
 }
 
 /// What the fixtures' materials make of it.
-ContactMaterial MixedMaterial(const WorldState& s, int contact) {
-    const ContactPair& pair = s.contacts.pair[Row(contact)];
+ContactMaterial MixedMaterial(const WorldState& s, ContactIndex contact) {
+    const ContactPair& pair = s.contacts.pair[contact];
     return MixMaterials(pair.fixtureA, pair.fixtureB, s.fixtures, s.mixer);
 }
 
 /// Friction or restitution of the contact may differ from its fixtures' now.
-void NoteEdit(WorldState& s, int contact) {
+void NoteEdit(WorldState& s, ContactIndex contact) {
     s.featureCounts.contactsEdited = true;
     NeedKernels(s, FeaturesOfContact(s.contacts, contact));
 }
@@ -43,7 +41,7 @@ void NoteEdit(WorldState& s, int contact) {
 bool Contact::Lives(const char* accessor) const { return !CheckContact(*m_state, m_row, accessor).Failed(); }
 
 Manifold Contact::GetManifold() const {
-    return Lives("Contact::GetManifold") ? m_state->contacts.manifold[Row(m_row)] : Manifold{};
+    return Lives("Contact::GetManifold") ? m_state->contacts.manifold[m_row] : Manifold{};
 }
 ErrorCode Contact::SetManifold(const Manifold& manifold) {
     Guard guard = CheckContact(*m_state, m_row, "Contact::SetManifold");
@@ -56,17 +54,17 @@ ErrorCode Contact::SetManifold(const Manifold& manifold) {
         guard.Finite(p.localPoint, "points").Finite(p.normalImpulse, "points").Finite(p.tangentImpulse, "points");
     }
     if (guard.Failed()) return guard.Code();
-    m_state->contacts.manifold[Row(m_row)] = manifold;
+    m_state->contacts.manifold[m_row] = manifold;
     return ErrorCode::ok;
 }
 
 void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
     Guard guard = CheckContact(*m_state, m_row, "Contact::GetWorldManifold");
     if (guard.NotNull(worldManifold != nullptr, "worldManifold", "pass where to write").Failed()) return;
-    const ContactPair& p = m_state->contacts.pair[Row(m_row)];
+    const ContactPair& p = m_state->contacts.pair[m_row];
     const BodyTable& bodies = m_state->bodies;
     const Vec2 frame = FrameOf(bodies, p.bodyA, p.bodyB);
-    worldManifold->Initialize(&m_state->contacts.manifold[Row(m_row)], TransformIn(frame, bodies, p.bodyA),
+    worldManifold->Initialize(&m_state->contacts.manifold[m_row], TransformIn(frame, bodies, p.bodyA),
                               m_state->fixtures.shape[p.fixtureA]->m_radius, TransformIn(frame, bodies, p.bodyB),
                               m_state->fixtures.shape[p.fixtureB]->m_radius);
     if (bodies.IsFar()) {
@@ -74,7 +72,7 @@ void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
     }
 }
 
-int Contact::GetIndex() const { return m_state->contacts.GetNumber(m_row); }
+int Contact::GetIndex() const { return ToInt(m_state->contacts.GetNumber(m_row)); }
 
 bool Contact::IsTouching() const {
     return Lives("Contact::IsTouching") ? m_state->contacts.Has(m_row, ContactFlag::touching) : false;
@@ -83,7 +81,7 @@ bool Contact::IsTouching() const {
 void Contact::SetEnabled(bool flag) {
     if (CheckContact(*m_state, m_row, "Contact::SetEnabled").Failed()) return;
     const Recording recording(*m_state, "Contact::SetEnabled", m_row, flag);
-    uint8_t& flags = m_state->contacts.flags[Row(m_row)];
+    uint8_t& flags = m_state->contacts.flags[m_row];
     flags = static_cast<uint8_t>((flags & ~ContactFlag::enabled) | (flag ? ContactFlag::enabled : 0));
 }
 bool Contact::IsEnabled() const {
@@ -93,21 +91,17 @@ bool Contact::IsEnabled() const {
 Contact* Contact::GetNext() {
     if (!Lives("Contact::GetNext")) return nullptr;
     ContactTable& contacts = m_state->contacts;
-    for (int c = std::min(m_row, contacts.Size()); c-- > 0;) {
-        if (contacts.IsAlive(c)) return contacts.Handle(m_state, c);
-    }
-    return nullptr;
+    const ContactIndex next = contacts.LastAliveBelow(std::min(m_row, contacts.flags.End()));
+    return IsSome(next) ? contacts.Handle(m_state, next) : nullptr;
 }
 const Contact* Contact::GetNext() const { return const_cast<Contact*>(this)->GetNext(); }
 
 Fixture* Contact::GetFixtureA() {
-    return Lives("Contact::GetFixtureA") ? &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureA]
-                                         : nullptr;
+    return Lives("Contact::GetFixtureA") ? &m_state->fixtures.handles[m_state->contacts.pair[m_row].fixtureA] : nullptr;
 }
 const Fixture* Contact::GetFixtureA() const { return const_cast<Contact*>(this)->GetFixtureA(); }
 Fixture* Contact::GetFixtureB() {
-    return Lives("Contact::GetFixtureB") ? &m_state->fixtures.handles[m_state->contacts.pair[Row(m_row)].fixtureB]
-                                         : nullptr;
+    return Lives("Contact::GetFixtureB") ? &m_state->fixtures.handles[m_state->contacts.pair[m_row].fixtureB] : nullptr;
 }
 const Fixture* Contact::GetFixtureB() const { return const_cast<Contact*>(this)->GetFixtureB(); }
 
@@ -116,17 +110,17 @@ ErrorCode Contact::SetFriction(float friction) {
     if (guard.Amount(friction, "friction").Failed()) return guard.Code();
     if (friction != 0.0f && guard.Uses({Feature::friction}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_row, friction);
-    m_state->contacts.material[Row(m_row)].friction = friction;
+    m_state->contacts.material[m_row].friction = friction;
     NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
 }
 float Contact::GetFriction() const {
-    return Lives("Contact::GetFriction") ? m_state->contacts.material[Row(m_row)].friction : 0.0f;
+    return Lives("Contact::GetFriction") ? m_state->contacts.material[m_row].friction : 0.0f;
 }
 void Contact::ResetFriction() {
     if (CheckContact(*m_state, m_row, "Contact::ResetFriction").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetFriction", m_row);
-    m_state->contacts.material[Row(m_row)].friction = MixedMaterial(*m_state, m_row).friction;
+    m_state->contacts.material[m_row].friction = MixedMaterial(*m_state, m_row).friction;
     NoteEdit(*m_state, m_row);
 }
 
@@ -135,17 +129,17 @@ ErrorCode Contact::SetRestitution(float restitution) {
     if (guard.Finite(restitution, "restitution").Failed()) return guard.Code();
     if (restitution != 0.0f && guard.Uses({Feature::restitution}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_row, restitution);
-    m_state->contacts.material[Row(m_row)].restitution = restitution;
+    m_state->contacts.material[m_row].restitution = restitution;
     NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
 }
 float Contact::GetRestitution() const {
-    return Lives("Contact::GetRestitution") ? m_state->contacts.material[Row(m_row)].restitution : 0.0f;
+    return Lives("Contact::GetRestitution") ? m_state->contacts.material[m_row].restitution : 0.0f;
 }
 void Contact::ResetRestitution() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitution").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetRestitution", m_row);
-    m_state->contacts.material[Row(m_row)].restitution = MixedMaterial(*m_state, m_row).restitution;
+    m_state->contacts.material[m_row].restitution = MixedMaterial(*m_state, m_row).restitution;
     NoteEdit(*m_state, m_row);
 }
 
@@ -153,17 +147,16 @@ ErrorCode Contact::SetRestitutionThreshold(float threshold) {
     Guard guard = CheckContact(*m_state, m_row, "Contact::SetRestitutionThreshold");
     if (guard.Finite(threshold, "threshold").Failed()) return guard.Code();
     const Recording recording = guard.Record(m_row, threshold);
-    m_state->contacts.material[Row(m_row)].restitutionThreshold = threshold;
+    m_state->contacts.material[m_row].restitutionThreshold = threshold;
     return ErrorCode::ok;
 }
 float Contact::GetRestitutionThreshold() const {
-    return Lives("Contact::GetRestitutionThreshold") ? m_state->contacts.material[Row(m_row)].restitutionThreshold
-                                                     : 0.0f;
+    return Lives("Contact::GetRestitutionThreshold") ? m_state->contacts.material[m_row].restitutionThreshold : 0.0f;
 }
 void Contact::ResetRestitutionThreshold() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitutionThreshold").Failed()) return;
     const Recording recording(*m_state, "Contact::ResetRestitutionThreshold", m_row);
-    m_state->contacts.material[Row(m_row)].restitutionThreshold = MixedMaterial(*m_state, m_row).restitutionThreshold;
+    m_state->contacts.material[m_row].restitutionThreshold = MixedMaterial(*m_state, m_row).restitutionThreshold;
 }
 
 ErrorCode Contact::SetTangentSpeed(float speed) {
@@ -171,11 +164,11 @@ ErrorCode Contact::SetTangentSpeed(float speed) {
     if (guard.Finite(speed, "speed").Failed()) return guard.Code();
     if (speed != 0.0f && guard.Uses({Feature::tangentSpeed}).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_row, speed);
-    m_state->contacts.material[Row(m_row)].tangentSpeed = speed;
+    m_state->contacts.material[m_row].tangentSpeed = speed;
     return ErrorCode::ok;
 }
 float Contact::GetTangentSpeed() const {
-    return Lives("Contact::GetTangentSpeed") ? m_state->contacts.material[Row(m_row)].tangentSpeed : 0.0f;
+    return Lives("Contact::GetTangentSpeed") ? m_state->contacts.material[m_row].tangentSpeed : 0.0f;
 }
 
 }  // namespace scree

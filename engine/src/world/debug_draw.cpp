@@ -14,13 +14,12 @@ namespace scree {
 
 namespace {
 
-Color ColorOf(const BodyTable& bodies, int body) {
-    const auto b = static_cast<size_t>(body);
-    if (bodies.type[b] == dynamicBody && bodies.motion[b].mass == 0.0f)
+Color ColorOf(const BodyTable& bodies, BodyIndex body) {
+    if (bodies.type[body] == dynamicBody && bodies.motion[body].mass == 0.0f)
         return {1.0f, 0.0f, 0.0f};  // will not move: an oversight
     if (!bodies.Has(body, BodyFlag::enabled)) return {0.5f, 0.5f, 0.3f};
-    if (bodies.type[b] == staticBody) return {0.5f, 0.9f, 0.5f};
-    if (bodies.type[b] == kinematicBody) return {0.5f, 0.5f, 0.9f};
+    if (bodies.type[body] == staticBody) return {0.5f, 0.9f, 0.5f};
+    if (bodies.type[body] == kinematicBody) return {0.5f, 0.5f, 0.9f};
     if (!bodies.Has(body, BodyFlag::awake)) return {0.6f, 0.6f, 0.6f};
     return {0.9f, 0.7f, 0.7f};
 }
@@ -87,29 +86,28 @@ void DrawBox(const AABB& box, const Color& color, Draw& draw) {
 /// Calls visit(body) in the order of the body list.
 template <typename Visit>
 void ForEachBody(const BodyTable& bodies, Visit visit) {
-    for (int b = bodies.listHead; b >= 0; b = bodies.info[static_cast<size_t>(b)].listNext) visit(b);
+    for (BodyIndex b = bodies.listHead; IsSome(b); b = bodies.info[b].listNext) visit(b);
 }
 
 template <typename Visit>
-void ForEachFixture(const WorldState& s, int body, Visit visit) {
-    for (const int f : s.fixtures.From(s.bodies.fixtureHead[static_cast<size_t>(body)])) visit(static_cast<size_t>(f));
+void ForEachFixture(const WorldState& s, BodyIndex body, Visit visit) {
+    for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[body])) visit(f);
 }
 
 void DrawShapes(const WorldState& s, Draw& draw) {
-    ForEachBody(s.bodies, [&](int body) {
+    ForEachBody(s.bodies, [&](BodyIndex body) {
         const Color color = ColorOf(s.bodies, body);
-        ForEachFixture(s, body, [&](size_t f) {
-            DrawShape(*s.fixtures.shape[f], s.bodies.transform[static_cast<size_t>(body)],
-                      s.fixtures.info[f].chainId >= 0, color, draw);
+        ForEachFixture(s, body, [&](FixtureIndex f) {
+            DrawShape(*s.fixtures.shape[f], s.bodies.transform[body], s.fixtures.info[f].chainId >= 0, color, draw);
         });
     });
 }
 
 void DrawPairs(WorldState& s, Draw& draw) {
     const Color color{0.3f, 0.9f, 0.9f};
-    for (int c = s.contacts.Size(); c-- > 0;) {
-        if (!s.contacts.IsAlive(c)) continue;
-        const ContactPair& pair = s.contacts.pair[static_cast<size_t>(c)];
+    for (ContactIndex c = s.contacts.LastAliveBelow(s.contacts.flags.End()); IsSome(c);
+         c = s.contacts.LastAliveBelow(c)) {
+        const ContactPair& pair = s.contacts.pair[c];
         draw.DrawSegment(s.fixtures.handles[pair.fixtureA].GetAABB().GetCenter(),
                          s.fixtures.handles[pair.fixtureB].GetAABB().GetCenter(), color);
     }
@@ -117,17 +115,16 @@ void DrawPairs(WorldState& s, Draw& draw) {
 
 void DrawBoxes(const WorldState& s, Draw& draw) {
     const Color color{0.9f, 0.3f, 0.9f};
-    ForEachBody(s.bodies, [&](int body) {
-        ForEachFixture(s, body, [&](size_t f) {
-            if (s.fixtures.info[f].inBroadPhase) DrawBox(s.broadPhase->GetBox(static_cast<uint32_t>(f)), color, draw);
+    ForEachBody(s.bodies, [&](BodyIndex body) {
+        ForEachFixture(s, body, [&](FixtureIndex f) {
+            if (s.fixtures.info[f].inBroadPhase) DrawBox(s.broadPhase->GetBox(ProxyOf(f)), color, draw);
         });
     });
 }
 
 void DrawCenters(const WorldState& s, Draw& draw) {
-    ForEachBody(s.bodies, [&](int body) {
-        const auto b = static_cast<size_t>(body);
-        draw.DrawTransform({s.bodies.position[b].c, s.bodies.transform[b].q});
+    ForEachBody(s.bodies, [&](BodyIndex body) {
+        draw.DrawTransform({s.bodies.position[body].c, s.bodies.transform[body].q});
     });
 }
 

@@ -14,8 +14,6 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 void Count(FeatureUsers& users, Features features, int sign = 1) {
     for (uint32_t bits = features.bits; bits != 0; bits &= bits - 1) {
         users[static_cast<size_t>(std::countr_zero(bits))] += sign;
@@ -100,32 +98,30 @@ Features FeaturesOf(const FixtureDef& def, BodyType bodyType) {
         FixtureFacts{def.shape->GetType(), bodyType, def.isSensor, MaterialOf(def), def.filter, def.reports});
 }
 
-Features FeaturesOfBody(const BodyTable& bodies, int body) {
-    const size_t b = Row(body);
-    const MotionRow& motion = bodies.motion[b];
-    return FeaturesOf(BodyFacts{bodies.type[b], bodies.Has(body, BodyFlag::fixedRotation),
+Features FeaturesOfBody(const BodyTable& bodies, BodyIndex body) {
+    const MotionRow& motion = bodies.motion[body];
+    return FeaturesOf(BodyFacts{bodies.type[body], bodies.Has(body, BodyFlag::fixedRotation),
                                 bodies.Has(body, BodyFlag::autoSleep), bodies.Has(body, BodyFlag::bullet),
                                 bodies.Has(body, BodyFlag::lockX | BodyFlag::lockY), motion.linearDamping,
                                 motion.angularDamping, motion.gravityScale});
 }
 
-Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, int fixture) {
-    const size_t f = Row(fixture);
-    return FeaturesOf(FixtureFacts{fixtures.type[f], bodies.type[Row(fixtures.body[f])], fixtures.isSensor[f] != 0,
-                                   fixtures.material[f], fixtures.filter[f], fixtures.info[f].reports});
+Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, FixtureIndex fixture) {
+    return FeaturesOf(FixtureFacts{fixtures.type[fixture], bodies.type[fixtures.body[fixture]],
+                                   fixtures.isSensor[fixture] != 0, fixtures.material[fixture],
+                                   fixtures.filter[fixture], fixtures.info[fixture].reports});
 }
 
-Features FeaturesOfJoint(const JointTable& joints, int joint) {
-    const JointInfo& info = joints.info[Row(joint)];
+Features FeaturesOfJoint(const JointTable& joints, JointIndex joint) {
+    const JointInfo& info = joints.info[joint];
     Features f;
-    JointTable::WithStore(joints, info.type, [&](const auto& store) { f = FeaturesOfRow(store.rows[Row(info.row)]); });
+    JointTable::WithStore(joints, info.type, [&](const auto& store) { f = FeaturesOfRow(store.rows[info.row]); });
     return f.Add(Feature::events, info.HasThreshold());
 }
 
-Features FeaturesOfContact(const ContactTable& contacts, int contact) {
-    const size_t c = Row(contact);
-    const ContactMaterial& material = contacts.material[c];
-    const Manifold& m = contacts.manifold[c];
+Features FeaturesOfContact(const ContactTable& contacts, ContactIndex contact) {
+    const ContactMaterial& material = contacts.material[contact];
+    const Manifold& m = contacts.manifold[contact];
     Features f;
     f.Add(Feature::friction, material.friction != 0.0f)
         .Add(Feature::restitution, material.restitution != 0.0f)
@@ -152,13 +148,13 @@ Features UnderSettings(Features features, const WorldDef& def) {
     return features;
 }
 
-void AddBodyFeatures(WorldState& s, int body, int sign) {
+void AddBodyFeatures(WorldState& s, BodyIndex body, int sign) {
     const Features features = FeaturesOfBody(s.bodies, body);
     Count(s.featureCounts.users, features, sign);
     if (sign > 0 && s.IsLocked()) NeedKernels(s, features);
 }
 
-void AddFixtureFeatures(WorldState& s, int fixture, int sign) {
+void AddFixtureFeatures(WorldState& s, FixtureIndex fixture, int sign) {
     FeatureUsers& users = s.featureCounts.users;
     const Features features = FeaturesOfFixture(s.fixtures, s.bodies, fixture);
     Count(users, features, sign);
@@ -172,39 +168,39 @@ void AddFixtureFeatures(WorldState& s, int fixture, int sign) {
 void RecountFeatures(WorldState& s) {
     s.featureCounts = {};
     s.featureCounts.contactsEdited = true;
-    for (int b = 0; b < s.bodies.slots.Size(); ++b) {
+    for (const BodyIndex b : s.bodies.slots.Rows()) {
         if (!s.bodies.slots.IsAlive(b)) continue;
         AddBodyFeatures(s, b, 1);
         s.featureCounts.forces = s.featureCounts.forces || HasForce(s.bodies.GetForce(b));
     }
-    for (int f = 0; f < s.fixtures.slots.Size(); ++f) {
+    for (const FixtureIndex f : s.fixtures.slots.Rows()) {
         if (s.fixtures.slots.IsAlive(f)) AddFixtureFeatures(s, f, 1);
     }
 }
 
 FeatureUsers CountFeatureUsers(const WorldState& s) {
     FeatureUsers users{};
-    for (int b = 0; b < s.bodies.slots.Size(); ++b) {
+    for (const BodyIndex b : s.bodies.slots.Rows()) {
         if (!s.bodies.slots.IsAlive(b)) continue;
         Features f = UnderSettings(FeaturesOfBody(s.bodies, b), s.def);
-        if (s.bodies.type[Row(b)] != staticBody) {
-            f.Add(Feature::rotation, s.bodies.velocity[Row(b)].w != 0.0f);
+        if (s.bodies.type[b] != staticBody) {
+            f.Add(Feature::rotation, s.bodies.velocity[b].w != 0.0f);
             f.Add(Feature::sleeping, !s.bodies.Has(b, BodyFlag::awake));
             f.Add(Feature::forces, HasForce(s.bodies.GetForce(b)));
         }
         Count(users, f);
     }
-    for (int f = 0; f < s.fixtures.slots.Size(); ++f) {
+    for (const FixtureIndex f : s.fixtures.slots.Rows()) {
         if (s.fixtures.slots.IsAlive(f)) Count(users, UnderSettings(FeaturesOfFixture(s.fixtures, s.bodies, f), s.def));
     }
-    for (int j = 0; j < s.joints.slots.Size(); ++j) {
+    for (const JointIndex j : s.joints.slots.Rows()) {
         if (s.joints.slots.IsAlive(j)) Count(users, FeaturesOfJoint(s.joints, j));
     }
-    for (int c = 0; c < s.contacts.Size(); ++c) {
+    for (const ContactIndex c : s.contacts.flags.Rows()) {
         if (!s.contacts.IsAlive(c)) continue;
-        const ContactPair& pair = s.contacts.pair[Row(c)];
-        const Features given = FeaturesOfFixture(s.fixtures, s.bodies, static_cast<int>(pair.fixtureA)) |
-                               FeaturesOfFixture(s.fixtures, s.bodies, static_cast<int>(pair.fixtureB));
+        const ContactPair& pair = s.contacts.pair[c];
+        const Features given = FeaturesOfFixture(s.fixtures, s.bodies, pair.fixtureA) |
+                               FeaturesOfFixture(s.fixtures, s.bodies, pair.fixtureB);
         Count(users, FeaturesOfContact(s.contacts, c) - given);
     }
     Count(users, FeaturesOfSettings(s));
@@ -216,7 +212,7 @@ namespace {
 /// What contacts use beyond their fixtures; clears the mark once there is nothing.
 Features UsedByContacts(WorldState& s, Features byFixtures) {
     Features used;
-    for (int c = 0; c < s.contacts.Size(); ++c) {
+    for (const ContactIndex c : s.contacts.flags.Rows()) {
         if (s.contacts.IsAlive(c)) used = used | FeaturesOfContact(s.contacts, c);
     }
     used = used.Without(Feature::tangentSpeed);  // no kernel depends on it
@@ -275,7 +271,7 @@ std::string GetName(const KernelSet& kernels) {
     return text.empty() ? "none" : text;
 }
 
-BodyFeatureEdit::BodyFeatureEdit(WorldState& state, int body, bool withFixtures)
+BodyFeatureEdit::BodyFeatureEdit(WorldState& state, BodyIndex body, bool withFixtures)
     : m_state(state), m_body(body), m_withFixtures(withFixtures) {
     Add(-1);
 }
@@ -285,7 +281,7 @@ BodyFeatureEdit::~BodyFeatureEdit() { Add(1); }
 void BodyFeatureEdit::Add(int sign) {
     AddBodyFeatures(m_state, m_body, sign);
     if (!m_withFixtures) return;
-    for (const int f : m_state.fixtures.From(m_state.bodies.fixtureHead[Row(m_body)])) {
+    for (const FixtureIndex f : m_state.fixtures.From(m_state.bodies.fixtureHead[m_body])) {
         AddFixtureFeatures(m_state, f, sign);
     }
 }

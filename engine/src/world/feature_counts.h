@@ -29,11 +29,11 @@ Features UsedOf(const FeatureUsers& users);
 Features FeaturesOf(const BodyDef& def);
 Features FeaturesOf(const Filter& filter);
 Features FeaturesOf(const FixtureDef& def, BodyType bodyType);
-Features FeaturesOfBody(const BodyTable& bodies, int body);
-Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, int fixture);
-Features FeaturesOfJoint(const JointTable& joints, int joint);
+Features FeaturesOfBody(const BodyTable& bodies, BodyIndex body);
+Features FeaturesOfFixture(const FixtureTable& fixtures, const BodyTable& bodies, FixtureIndex fixture);
+Features FeaturesOfJoint(const JointTable& joints, JointIndex joint);
 /// Restitution, friction and tangent speed of its own; friction also while some of it is still in its impulses.
-Features FeaturesOfContact(const ContactTable& contacts, int contact);
+Features FeaturesOfContact(const ContactTable& contacts, ContactIndex contact);
 
 template <typename Row>
 Features FeaturesOfRow(const Row& row) {
@@ -59,8 +59,8 @@ Features AllowedFeatures(const WorldDef& def);
 /// `features` without those that a world with these settings does not look at: sleeping where it is off, and so on.
 Features UnderSettings(Features features, const WorldDef& def);
 
-void AddBodyFeatures(WorldState& state, int body, int sign);
-void AddFixtureFeatures(WorldState& state, int fixture, int sign);
+void AddBodyFeatures(WorldState& state, BodyIndex body, int sign);
+void AddFixtureFeatures(WorldState& state, FixtureIndex fixture, int sign);
 /// Counts bodies and fixtures anew, e.g. of a world that was read from an image.
 void RecountFeatures(WorldState& state);
 /// An exact count of everything.
@@ -78,7 +78,7 @@ void NeedKernels(WorldState& state, Features features);
 /// Brackets a change of one body, or of its fixtures with it.
 class BodyFeatureEdit {
 public:
-    BodyFeatureEdit(WorldState& state, int body, bool withFixtures = false);
+    BodyFeatureEdit(WorldState& state, BodyIndex body, bool withFixtures = false);
     ~BodyFeatureEdit();
     BodyFeatureEdit(const BodyFeatureEdit&) = delete;
     BodyFeatureEdit& operator=(const BodyFeatureEdit&) = delete;
@@ -87,14 +87,14 @@ private:
     void Add(int sign);
 
     WorldState& m_state;
-    int m_body;
+    BodyIndex m_body;
     bool m_withFixtures;
 };
 
 /// Brackets a change of one fixture.
 class FixtureFeatureEdit {
 public:
-    FixtureFeatureEdit(WorldState& state, int fixture) : m_state(state), m_fixture(fixture) {
+    FixtureFeatureEdit(WorldState& state, FixtureIndex fixture) : m_state(state), m_fixture(fixture) {
         AddFixtureFeatures(m_state, m_fixture, -1);
     }
     ~FixtureFeatureEdit() { AddFixtureFeatures(m_state, m_fixture, 1); }
@@ -103,7 +103,7 @@ public:
 
 private:
     WorldState& m_state;
-    int m_fixture;
+    FixtureIndex m_fixture;
 };
 
 }  // namespace scree

@@ -18,11 +18,9 @@ namespace scree {
 namespace {
 
 /// Row of the handle in the columns of the fixture table.
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 /// What the fixture would use if it were a sensor, or none.
-Features FeaturesAs(WorldState& s, int fixture, bool sensor) {
-    uint8_t& own = s.fixtures.isSensor[Row(fixture)];
+Features FeaturesAs(WorldState& s, FixtureIndex fixture, bool sensor) {
+    uint8_t& own = s.fixtures.isSensor[fixture];
     const uint8_t before = std::exchange(own, sensor ? 1 : 0);
     const Features f = UnderSettings(FeaturesOfFixture(s.fixtures, s.bodies, fixture), s.def);
     own = before;
@@ -33,23 +31,23 @@ Features FeaturesAs(WorldState& s, int fixture, bool sensor) {
 /// change there wake.
 class MaterialEdit {
 public:
-    MaterialEdit(WorldState& state, int fixture, bool newContactsOnly)
+    MaterialEdit(WorldState& state, FixtureIndex fixture, bool newContactsOnly)
         : m_state(state), m_fixture(fixture), m_rolling(Own().rollingResistance), m_features(state, fixture) {
         if (newContactsOnly) return;
-        std::vector<int> contacts;
-        m_state.contacts.ListOfBody(m_state.fixtures.body[Row(fixture)], contacts);
-        for (const int contact : contacts) {
+        std::vector<ContactIndex> contacts;
+        m_state.contacts.ListOfBody(m_state.fixtures.body[fixture], contacts);
+        for (const ContactIndex contact : contacts) {
             if (m_state.contacts.IsAlive(contact) && HasFixture(contact)) m_before.push_back({contact, Mixed(contact)});
         }
     }
     ~MaterialEdit() {
         for (const auto& [contact, before] : m_before) {
-            const bool changed = TakeOver(before, Mixed(contact), m_state.contacts.material[Row(contact)]);
+            const bool changed = TakeOver(before, Mixed(contact), m_state.contacts.material[contact]);
             if (!changed && Own().rollingResistance == m_rolling) continue;
             m_state.featureCounts.contactsEdited = true;
             NeedKernels(m_state, FeaturesOfContact(m_state.contacts, contact));
             if (!m_state.contacts.Has(contact, ContactFlag::touching)) continue;
-            const ContactPair& pair = m_state.contacts.pair[Row(contact)];
+            const ContactPair& pair = m_state.contacts.pair[contact];
             m_state.bodies.Wake(pair.bodyA), m_state.bodies.Wake(pair.bodyB);
         }
     }
@@ -58,17 +56,17 @@ public:
 
 private:
     struct Before {
-        int contact;
+        ContactIndex contact;
         ContactMaterial mixed;
     };
 
-    [[nodiscard]] const Material& Own() const { return m_state.fixtures.material[Row(m_fixture)]; }
-    [[nodiscard]] bool HasFixture(int contact) const {
-        const ContactPair& pair = m_state.contacts.pair[Row(contact)];
-        return static_cast<int>(pair.fixtureA) == m_fixture || static_cast<int>(pair.fixtureB) == m_fixture;
+    [[nodiscard]] const Material& Own() const { return m_state.fixtures.material[m_fixture]; }
+    [[nodiscard]] bool HasFixture(ContactIndex contact) const {
+        const ContactPair& pair = m_state.contacts.pair[contact];
+        return pair.fixtureA == m_fixture || pair.fixtureB == m_fixture;
     }
-    [[nodiscard]] ContactMaterial Mixed(int contact) const {
-        const ContactPair& pair = m_state.contacts.pair[Row(contact)];
+    [[nodiscard]] ContactMaterial Mixed(ContactIndex contact) const {
+        const ContactPair& pair = m_state.contacts.pair[contact];
         return MixMaterials(pair.fixtureA, pair.fixtureB, m_state.fixtures, m_state.mixer);
     }
     /// A number that is not what mixing gave was given to the contact itself. Returns whether one has changed.
@@ -85,7 +83,7 @@ private:
     }
 
     WorldState& m_state;
-    int m_fixture;
+    FixtureIndex m_fixture;
     float m_rolling;
     std::vector<Before> m_before;
     FixtureFeatureEdit m_features;
@@ -98,7 +96,7 @@ bool Fixture::Lives(const char* accessor) const {
 }
 
 Shape::Type Fixture::GetType() const {
-    return Lives("Fixture::GetType") ? m_state->fixtures.type[Row(m_index)] : Shape::Type{};
+    return Lives("Fixture::GetType") ? m_state->fixtures.type[m_index] : Shape::Type{};
 }
 Shape* Fixture::GetShape() {
     if (!Lives("Fixture::GetShape")) return nullptr;
@@ -106,14 +104,14 @@ Shape* Fixture::GetShape() {
     return m_state->fixtures.GetOwnShape(m_index);
 }
 const Shape* Fixture::GetShape() const {
-    return Lives("Fixture::GetShape") ? m_state->fixtures.shape[Row(m_index)] : nullptr;
+    return Lives("Fixture::GetShape") ? m_state->fixtures.shape[m_index] : nullptr;
 }
 
 ErrorCode Fixture::SetShape(const Shape& shape) {
     Guard guard(*m_state, "Fixture::SetShape");
     guard.Living(m_state->fixtures.slots, m_index).Unlocked("set shapes outside of Step and callbacks");
     if (guard.Failed()) return guard.Code();
-    guard.Require(shape.GetType() == m_state->fixtures.type[Row(m_index)], ErrorCode::badShape, "shape",
+    guard.Require(shape.GetType() == m_state->fixtures.type[m_index], ErrorCode::badShape, "shape",
                   "give one of the fixture's type, or make a new fixture");
     if (guard.Failed() || guard.Accept(Check(shape)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, shape);
@@ -128,26 +126,24 @@ ErrorCode Fixture::SetSensor(bool sensor) {
     if (guard.Living(m_state->fixtures.slots, m_index).Failed()) return guard.Code();
     if (guard.Uses(FeaturesAs(*m_state, m_index, sensor)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, sensor);
-    uint8_t& flag = m_state->fixtures.isSensor[Row(m_index)];
+    uint8_t& flag = m_state->fixtures.isSensor[m_index];
     if ((flag != 0) == sensor) return ErrorCode::ok;
     const FixtureFeatureEdit edit(*m_state, m_index);
     flag = sensor ? 1 : 0;
-    const int body = m_state->fixtures.body[Row(m_index)];
+    const BodyIndex body = m_state->fixtures.body[m_index];
     ForgetGeometry(*m_state, body);
     ContactTable& contacts = m_state->contacts;
-    for (const int c : contacts.OfBody(body)) {
+    for (const ContactIndex c : contacts.OfBody(body)) {
         if (!contacts.IsAlive(c)) continue;
-        const ContactPair& p = contacts.pair[Row(c)];
+        const ContactPair& p = contacts.pair[c];
         const bool any = m_state->fixtures.isSensor[p.fixtureA] || m_state->fixtures.isSensor[p.fixtureB];
-        contacts.flags[Row(c)] =
-            static_cast<uint8_t>((contacts.flags[Row(c)] & ~ContactFlag::sensor) | (any ? ContactFlag::sensor : 0));
+        contacts.flags[c] =
+            static_cast<uint8_t>((contacts.flags[c] & ~ContactFlag::sensor) | (any ? ContactFlag::sensor : 0));
     }
     m_state->bodies.Wake(body);
     return ErrorCode::ok;
 }
-bool Fixture::IsSensor() const {
-    return Lives("Fixture::IsSensor") ? m_state->fixtures.isSensor[Row(m_index)] != 0 : false;
-}
+bool Fixture::IsSensor() const { return Lives("Fixture::IsSensor") ? m_state->fixtures.isSensor[m_index] != 0 : false; }
 
 ErrorCode Fixture::SetFilterData(const Filter& filter) {
     Guard guard(*m_state, "Fixture::SetFilterData");
@@ -155,12 +151,12 @@ ErrorCode Fixture::SetFilterData(const Filter& filter) {
     if (guard.Failed() || guard.Uses(FeaturesOf(filter)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, filter);
     const FixtureFeatureEdit edit(*m_state, m_index);
-    m_state->fixtures.filter[Row(m_index)] = filter;
+    m_state->fixtures.filter[m_index] = filter;
     RefilterFixture(*m_state, m_index);
     return ErrorCode::ok;
 }
 Filter Fixture::GetFilterData() const {
-    return Lives("Fixture::GetFilterData") ? m_state->fixtures.filter[Row(m_index)] : Filter{};
+    return Lives("Fixture::GetFilterData") ? m_state->fixtures.filter[m_index] : Filter{};
 }
 void Fixture::Refilter() {
     Guard guard(*m_state, "Fixture::Refilter");
@@ -170,35 +166,33 @@ void Fixture::Refilter() {
     RefilterFixture(*m_state, m_index);
 }
 
-int Fixture::GetChainId() const {
-    return Lives("Fixture::GetChainId") ? m_state->fixtures.info[Row(m_index)].chainId : 0;
-}
+int Fixture::GetChainId() const { return Lives("Fixture::GetChainId") ? m_state->fixtures.info[m_index].chainId : 0; }
 int Fixture::GetChainIndex() const {
-    return Lives("Fixture::GetChainIndex") ? m_state->fixtures.info[Row(m_index)].chainIndex : 0;
+    return Lives("Fixture::GetChainIndex") ? m_state->fixtures.info[m_index].chainIndex : 0;
 }
 
 Body* Fixture::GetBody() {
-    return Lives("Fixture::GetBody") ? &m_state->bodies.handles[Row(m_state->fixtures.body[Row(m_index)])] : nullptr;
+    return Lives("Fixture::GetBody") ? &m_state->bodies.handles[m_state->fixtures.body[m_index]] : nullptr;
 }
 const Body* Fixture::GetBody() const { return const_cast<Fixture*>(this)->GetBody(); }
 Fixture* Fixture::GetNext() {
     if (!Lives("Fixture::GetNext")) return nullptr;
-    const int next = m_state->fixtures.next[Row(m_index)];
-    return next < 0 ? nullptr : &m_state->fixtures.handles[Row(next)];
+    const FixtureIndex next = m_state->fixtures.next[m_index];
+    return IsNone(next) ? nullptr : &m_state->fixtures.handles[next];
 }
 const Fixture* Fixture::GetNext() const { return const_cast<Fixture*>(this)->GetNext(); }
 FixtureUserData Fixture::GetUserData() const {
-    return Lives("Fixture::GetUserData") ? m_state->fixtures.info[Row(m_index)].userData : FixtureUserData{};
+    return Lives("Fixture::GetUserData") ? m_state->fixtures.info[m_index].userData : FixtureUserData{};
 }
 ErrorCode Fixture::SetUserData(const FixtureUserData& data) {
     if (!Lives("Fixture::SetUserData")) return ErrorCode::foreignHandle;
-    m_state->fixtures.info[Row(m_index)].userData = data;
+    m_state->fixtures.info[m_index].userData = data;
     return ErrorCode::ok;
 }
 
 bool Fixture::TestPoint(Vec2 p) const {
     if (!Lives("Fixture::TestPoint")) return false;
-    const BodyPlace place(m_state->bodies, GetBody()->GetIndex());
+    const BodyPlace place(m_state->bodies, IndexOf(*GetBody()));
     return GetShape()->TestPoint(place.xf, p - place.frame);
 }
 bool Fixture::RayCast(RayCastOutput* output, const RayCastInput& input) const {
@@ -207,7 +201,7 @@ bool Fixture::RayCast(RayCastOutput* output, const RayCastInput& input) const {
     if (guard.Failed()) return false;
     guard.Finite(input.p1, "RayCastInput::p1");
     guard.Finite(input.p2, "RayCastInput::p2").Amount(input.maxFraction, "RayCastInput::maxFraction");
-    const BodyPlace place(m_state->bodies, GetBody()->GetIndex());
+    const BodyPlace place(m_state->bodies, IndexOf(*GetBody()));
     const RayCastInput ray{input.p1 - place.frame, input.p2 - place.frame, input.maxFraction};
     return !guard.Failed() && GetShape()->RayCast(output, ray, place.xf);
 }
@@ -223,11 +217,11 @@ ErrorCode Fixture::SetDensity(float density) {
     guard.Living(m_state->fixtures.slots, m_index).Amount(density, "density");
     if (guard.Failed() || guard.Accept(CheckMass(*GetShape(), density, "density")).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, density);
-    m_state->fixtures.info[Row(m_index)].density = density;
+    m_state->fixtures.info[m_index].density = density;
     return ErrorCode::ok;
 }
 float Fixture::GetDensity() const {
-    return Lives("Fixture::GetDensity") ? m_state->fixtures.info[Row(m_index)].density : 0.0f;
+    return Lives("Fixture::GetDensity") ? m_state->fixtures.info[m_index].density : 0.0f;
 }
 
 ErrorCode Fixture::SetFriction(float friction, bool newContactsOnly) {
@@ -237,11 +231,11 @@ ErrorCode Fixture::SetFriction(float friction, bool newContactsOnly) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, friction, newContactsOnly);
     const MaterialEdit edit(*m_state, m_index, newContactsOnly);
-    m_state->fixtures.material[Row(m_index)].friction = friction;
+    m_state->fixtures.material[m_index].friction = friction;
     return ErrorCode::ok;
 }
 float Fixture::GetFriction() const {
-    return Lives("Fixture::GetFriction") ? m_state->fixtures.material[Row(m_index)].friction : 0.0f;
+    return Lives("Fixture::GetFriction") ? m_state->fixtures.material[m_index].friction : 0.0f;
 }
 
 ErrorCode Fixture::SetRestitution(float restitution, bool newContactsOnly) {
@@ -251,11 +245,11 @@ ErrorCode Fixture::SetRestitution(float restitution, bool newContactsOnly) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, restitution, newContactsOnly);
     const MaterialEdit edit(*m_state, m_index, newContactsOnly);
-    m_state->fixtures.material[Row(m_index)].restitution = restitution;
+    m_state->fixtures.material[m_index].restitution = restitution;
     return ErrorCode::ok;
 }
 float Fixture::GetRestitution() const {
-    return Lives("Fixture::GetRestitution") ? m_state->fixtures.material[Row(m_index)].restitution : 0.0f;
+    return Lives("Fixture::GetRestitution") ? m_state->fixtures.material[m_index].restitution : 0.0f;
 }
 
 ErrorCode Fixture::SetRestitutionThreshold(float threshold, bool newContactsOnly) {
@@ -264,12 +258,11 @@ ErrorCode Fixture::SetRestitutionThreshold(float threshold, bool newContactsOnly
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, threshold, newContactsOnly);
     const MaterialEdit edit(*m_state, m_index, newContactsOnly);
-    m_state->fixtures.material[Row(m_index)].restitutionThreshold = threshold;
+    m_state->fixtures.material[m_index].restitutionThreshold = threshold;
     return ErrorCode::ok;
 }
 float Fixture::GetRestitutionThreshold() const {
-    return Lives("Fixture::GetRestitutionThreshold") ? m_state->fixtures.material[Row(m_index)].restitutionThreshold
-                                                     : 0.0f;
+    return Lives("Fixture::GetRestitutionThreshold") ? m_state->fixtures.material[m_index].restitutionThreshold : 0.0f;
 }
 
 ErrorCode Fixture::SetTangentSpeed(float speed) {
@@ -279,11 +272,11 @@ ErrorCode Fixture::SetTangentSpeed(float speed) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, speed);
     const MaterialEdit edit(*m_state, m_index, false);
-    m_state->fixtures.material[Row(m_index)].tangentSpeed = speed;
+    m_state->fixtures.material[m_index].tangentSpeed = speed;
     return ErrorCode::ok;
 }
 float Fixture::GetTangentSpeed() const {
-    return Lives("Fixture::GetTangentSpeed") ? m_state->fixtures.material[Row(m_index)].tangentSpeed : 0.0f;
+    return Lives("Fixture::GetTangentSpeed") ? m_state->fixtures.material[m_index].tangentSpeed : 0.0f;
 }
 
 ErrorCode Fixture::SetRollingResistance(float resistance) {
@@ -293,11 +286,11 @@ ErrorCode Fixture::SetRollingResistance(float resistance) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, resistance);
     const MaterialEdit edit(*m_state, m_index, false);
-    m_state->fixtures.material[Row(m_index)].rollingResistance = resistance;
+    m_state->fixtures.material[m_index].rollingResistance = resistance;
     return ErrorCode::ok;
 }
 float Fixture::GetRollingResistance() const {
-    return Lives("Fixture::GetRollingResistance") ? m_state->fixtures.material[Row(m_index)].rollingResistance : 0.0f;
+    return Lives("Fixture::GetRollingResistance") ? m_state->fixtures.material[m_index].rollingResistance : 0.0f;
 }
 
 ErrorCode Fixture::SetMixRules(MixRule friction, MixRule restitution) {
@@ -310,16 +303,16 @@ ErrorCode Fixture::SetMixRules(MixRule friction, MixRule restitution) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, friction, restitution);
     const MaterialEdit edit(*m_state, m_index, false);
-    Material& material = m_state->fixtures.material[Row(m_index)];
+    Material& material = m_state->fixtures.material[m_index];
     material.frictionRule = friction;
     material.restitutionRule = restitution;
     return ErrorCode::ok;
 }
 MixRule Fixture::GetFrictionRule() const {
-    return Lives("Fixture::GetFrictionRule") ? m_state->fixtures.material[Row(m_index)].frictionRule : MixRule{};
+    return Lives("Fixture::GetFrictionRule") ? m_state->fixtures.material[m_index].frictionRule : MixRule{};
 }
 MixRule Fixture::GetRestitutionRule() const {
-    return Lives("Fixture::GetRestitutionRule") ? m_state->fixtures.material[Row(m_index)].restitutionRule : MixRule{};
+    return Lives("Fixture::GetRestitutionRule") ? m_state->fixtures.material[m_index].restitutionRule : MixRule{};
 }
 
 ErrorCode Fixture::SetMaterialId(uint64_t id) {
@@ -327,11 +320,11 @@ ErrorCode Fixture::SetMaterialId(uint64_t id) {
     if (guard.Living(m_state->fixtures.slots, m_index).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, id);
     const MaterialEdit edit(*m_state, m_index, false);
-    m_state->fixtures.info[Row(m_index)].materialId = id;
+    m_state->fixtures.info[m_index].materialId = id;
     return ErrorCode::ok;
 }
 uint64_t Fixture::GetMaterialId() const {
-    return Lives("Fixture::GetMaterialId") ? m_state->fixtures.info[Row(m_index)].materialId : 0;
+    return Lives("Fixture::GetMaterialId") ? m_state->fixtures.info[m_index].materialId : 0;
 }
 
 ErrorCode Fixture::SetReports(uint8_t reports) {
@@ -341,17 +334,16 @@ ErrorCode Fixture::SetReports(uint8_t reports) {
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, reports);
     const FixtureFeatureEdit edit(*m_state, m_index);
-    m_state->fixtures.info[Row(m_index)].reports = reports;
+    m_state->fixtures.info[m_index].reports = reports;
     return ErrorCode::ok;
 }
 uint8_t Fixture::GetReports() const {
-    return Lives("Fixture::GetReports") ? m_state->fixtures.info[Row(m_index)].reports : uint8_t{0};
+    return Lives("Fixture::GetReports") ? m_state->fixtures.info[m_index].reports : uint8_t{0};
 }
 
 AABB Fixture::GetAABB() const {
     if (!Lives("Fixture::GetAABB")) return AABB{};
-    if (m_state->fixtures.info[Row(m_index)].inBroadPhase)
-        return m_state->broadPhase->GetBox(static_cast<uint32_t>(m_index));
+    if (m_state->fixtures.info[m_index].inBroadPhase) return m_state->broadPhase->GetBox(ProxyOf(m_index));
     AABB box;
     GetShape()->ComputeAABB(&box, GetBody()->GetTransform());
     return box;

@@ -21,7 +21,8 @@ public:
     Guard(const WorldState& state, const char* function) : m_state(state), m_function(function) {}
 
     /// The object of the call is alive.
-    Guard& Living(const Slots& slots, int index) {
+    template <Index I>
+    Guard& Living(const Slots<I>& slots, I index) {
         return Require(slots.IsAlive(index), ErrorCode::foreignHandle, "this", "use a handle that was not destroyed");
     }
     Guard& Unlocked(const char* cure) { return Require(!m_state.IsLocked(), ErrorCode::locked, "world", cure); }
@@ -73,7 +74,8 @@ private:
 };
 
 /// True if the object of an accessor is alive; if not, the error handler hears of it.
-inline bool IsAlive(const WorldState& state, const Slots& slots, int index, const char* accessor) {
+template <Index I>
+bool IsAlive(const WorldState& state, const Slots<I>& slots, I index, const char* accessor) {
     return !Guard(state, accessor).Living(slots, index).Failed();
 }
 

@@ -9,15 +9,15 @@ namespace scree {
 
 namespace {
 
-template <typename Id, typename Object>
-Id MakeId(const WorldState& s, const Slots& slots, const Object* object) {
+template <typename Id, Index I, typename Object>
+Id MakeId(const WorldState& s, const Slots<I>& slots, const Object* object) {
     if (!Owns(s, object)) return {};
-    return {object->GetIndex(), slots.GetGeneration(object->GetIndex())};
+    return {object->GetIndex(), slots.GetGeneration(IndexOf(*object))};
 }
 
-template <typename Id>
-bool Lives(const Slots& slots, Id id) {
-    return slots.IsAlive(id.index) && slots.GetGeneration(id.index) == id.generation;
+template <Index I, typename Id>
+bool Lives(const Slots<I>& slots, Id id) {
+    return slots.IsAlive(I{id.index}) && slots.GetGeneration(I{id.index}) == id.generation;
 }
 
 }  // namespace
@@ -30,23 +30,23 @@ JointId World::GetId(const Joint* joint) const { return MakeId<JointId>(*m_state
 
 ContactId World::GetId(const Contact* contact) const {
     if (!Owns(*m_state, contact)) return {};
-    return {contact->GetIndex(), m_state->contacts.GetGeneration(contact->GetIndex())};
+    return {contact->GetIndex(), m_state->contacts.GetGeneration(ContactNumber{contact->GetIndex()})};
 }
 
 Body* World::Find(BodyId id) {
-    return Lives(m_state->bodies.slots, id) ? &m_state->bodies.handles[static_cast<size_t>(id.index)] : nullptr;
+    return Lives(m_state->bodies.slots, id) ? &m_state->bodies.handles[BodyIndex{id.index}] : nullptr;
 }
 Fixture* World::Find(FixtureId id) {
-    return Lives(m_state->fixtures.slots, id) ? &m_state->fixtures.handles[static_cast<size_t>(id.index)] : nullptr;
+    return Lives(m_state->fixtures.slots, id) ? &m_state->fixtures.handles[FixtureIndex{id.index}] : nullptr;
 }
 Joint* World::Find(JointId id) {
-    return Lives(m_state->joints.slots, id) ? m_state->joints.handles[static_cast<size_t>(id.index)] : nullptr;
+    return Lives(m_state->joints.slots, id) ? m_state->joints.handles[JointIndex{id.index}] : nullptr;
 }
 
 Contact* World::Find(ContactId id) {
     ContactTable& contacts = m_state->contacts;
-    Contact* contact = contacts.HandleOf(id.index);
-    return contact != nullptr && contacts.GetGeneration(id.index) == id.generation ? contact : nullptr;
+    Contact* contact = contacts.HandleOf(ContactNumber{id.index});
+    return contact != nullptr && contacts.GetGeneration(ContactNumber{id.index}) == id.generation ? contact : nullptr;
 }
 
 }  // namespace scree

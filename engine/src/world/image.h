@@ -15,6 +15,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/index.h"
+
 namespace scree {
 
 template <typename T>
@@ -53,10 +55,10 @@ private:
             Fields(value, *this);
         }
     }
-    template <typename T>
-    void Write(const std::vector<T>& values) {
+    template <AnyColumn T>
+    void Write(const T& values) {
         Write(static_cast<uint32_t>(values.size()));
-        for (const T& value : values) Write(value);
+        for (const auto& value : values) Write(value);
     }
 
     std::vector<std::byte> m_bytes;
@@ -116,14 +118,14 @@ private:
             Fields(value, *this);
         }
     }
-    template <typename T>
-    void Read(std::vector<T>& values) {
+    template <AnyColumn T>
+    void Read(T& values) {
         uint32_t count = 0;
         Read(count);
         if (count > m_bytes.size()) Fail();  // every element has at least one byte
         if (Failed()) return;
         values.resize(count);
-        for (T& value : values) Read(value);
+        for (auto& value : values) Read(value);
     }
 
     std::span<const std::byte> m_bytes;

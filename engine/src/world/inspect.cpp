@@ -24,14 +24,14 @@ void GetContactColours(const World& world, std::vector<int>& colours) {
     colours.assign(s.contacts.GetNumberEnd(), -1);
     // The soft step solves all active contacts, or group by group; sequential impulses those of large islands.
     const std::span<const SubstepGroup> groups = s.substepGroups.Get();
-    const std::vector<int>& active = groups.empty() ? s.active.contacts : groups.back().lists.contacts;
-    const std::vector<int>& list = s.active.contacts.empty() ? s.solverScratch.wide.contacts : active;
+    const std::vector<ContactIndex>& active = groups.empty() ? s.active.contacts : groups.back().lists.contacts;
+    const std::vector<ContactIndex>& list = s.active.contacts.empty() ? s.solverScratch.wide.contacts : active;
     const std::span<const int> found = s.solverScratch.blocks.GetColours();
     if (list.empty() || found.size() != list.size()) return;
     for (size_t i = 0; i < list.size(); ++i) {
         // A row that another contact has taken since does not touch yet.
         if (!s.contacts.IsAlive(list[i]) || !s.contacts.Has(list[i], ContactFlag::touching)) continue;
-        colours[static_cast<size_t>(s.contacts.GetNumber(list[i]))] = found[i];
+        colours[ToSize(s.contacts.GetNumber(list[i]))] = found[i];
     }
 }
 

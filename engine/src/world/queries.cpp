@@ -16,19 +16,21 @@ namespace scree {
 
 namespace {
 
-bool Sees(const QueryFilter& filter, const FixtureTable& fixtures, uint32_t fixture) {
+bool Sees(const QueryFilter& filter, const FixtureTable& fixtures, FixtureIndex fixture) {
     if (!filter.includeSensors && fixtures.isSensor[fixture] != 0) return false;
-    if (filter.ignored != nullptr && filter.ignored->GetIndex() == fixtures.body[fixture]) return false;
+    if (filter.ignored != nullptr && IndexOf(*filter.ignored) == fixtures.body[fixture]) return false;
     if (filter.maskBits != ~uint64_t{0} && (filter.maskBits & fixtures.filter[fixture].categoryBits) == 0) return false;
     return filter.accepts == nullptr || filter.accepts(&fixtures.handles[fixture], filter.context);
 }
 
 /// Programs may change a fixture that a const query gave them.
-Fixture* HandleOf(const WorldState& s, uint32_t fixture) { return const_cast<Fixture*>(&s.fixtures.handles[fixture]); }
+Fixture* HandleOf(const WorldState& s, FixtureIndex fixture) {
+    return const_cast<Fixture*>(&s.fixtures.handles[fixture]);
+}
 
-BodyPlace PlaceOf(const WorldState& s, uint32_t fixture) { return {s.bodies, s.fixtures.body[fixture]}; }
+BodyPlace PlaceOf(const WorldState& s, FixtureIndex fixture) { return {s.bodies, s.fixtures.body[fixture]}; }
 
-bool Contains(const WorldState& s, uint32_t fixture, Vec2 point) {
+bool Contains(const WorldState& s, FixtureIndex fixture, Vec2 point) {
     const BodyPlace place = PlaceOf(s, fixture);
     return s.fixtures.shape[fixture]->TestPoint(place.xf, point - place.frame);
 }
@@ -36,7 +38,8 @@ bool Contains(const WorldState& s, uint32_t fixture, Vec2 point) {
 /// Exact ray casts on the broad phase's candidates: visit(input, fixture, hit) answers as in World::RayCast.
 template <typename Visit>
 void CastRay(const WorldState& s, Vec2 p1, Vec2 p2, Visit visit) {
-    s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t f) {
+    s.broadPhase->RayCast({p1, p2, 1.0f}, [&](const RayCastInput& input, uint32_t proxy) {
+        const FixtureIndex f = FixtureOf(proxy);
         RayCastOutput hit;
         const BodyPlace place = PlaceOf(s, f);
         const RayCastInput ray{input.p1 - place.frame, input.p2 - place.frame, input.maxFraction};
@@ -64,7 +67,7 @@ Guard& CheckConvex(Guard& guard, const Shape& shape, const Transform& xf) {
 }
 
 /// The shape on its way against one fixture; fraction 0 and no normal if they overlap from the start.
-std::optional<ShapeHit> CastAgainst(const WorldState& s, uint32_t f, const Shape& shape, const Transform& xf,
+std::optional<ShapeHit> CastAgainst(const WorldState& s, FixtureIndex f, const Shape& shape, const Transform& xf,
                                     Vec2 translation) {
     Fixture* fixture = HandleOf(s, f);
     ShapeCastInput input;
@@ -92,7 +95,8 @@ void CastShape(const WorldState& s, const Shape& shape, const Transform& xf, Vec
     AABB start;
     shape.ComputeAABB(&start, xf);
     const AABB swept = Union(start, {start.lowerBound + translation, start.upperBound + translation});
-    s.broadPhase->Query(swept, [&](uint32_t f) {
+    s.broadPhase->Query(swept, [&](uint32_t proxy) {
+        const FixtureIndex f = FixtureOf(proxy);
         if (!Sees(filter, s.fixtures, f)) return true;
         if (const auto hit = CastAgainst(s, f, shape, xf, translation)) hits.push_back(*hit);
         return true;
@@ -118,7 +122,7 @@ ErrorCode World::QueryAABB(const AABB& aabb, FunctionRef<bool(Fixture*)> visit) 
     guard.Require(aabb.IsValid(), ErrorCode::outOfRange, "aabb", "give finite bounds with lower ≤ upper");
     if (guard.Failed()) return guard.Code();
     const WorldLock lock(s);
-    s.broadPhase->Query(aabb, [&](uint32_t f) { return visit(HandleOf(s, f)); });
+    s.broadPhase->Query(aabb, [&](uint32_t proxy) { return visit(HandleOf(s, FixtureOf(proxy))); });
     return ErrorCode::ok;
 }
 
@@ -134,7 +138,7 @@ ErrorCode World::RayCast(Vec2 p1, Vec2 p2, FunctionRef<float(Fixture*, Vec2, Vec
     guard.NotNull(visit != nullptr, "visit", "pass a function");
     if (CheckRay(guard, p1, p2).Failed()) return guard.Code();
     const WorldLock lock(s);
-    CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
+    CastRay(s, p1, p2, [&](const RayCastInput& input, FixtureIndex f, const RayCastOutput& hit) {
         return visit(HandleOf(s, f), PointOnRay(input, hit.fraction), hit.normal, hit.fraction);
     });
     return ErrorCode::ok;
@@ -153,7 +157,7 @@ std::optional<RayHit> World::RayCastClosest(Vec2 p1, Vec2 p2, const QueryFilter&
     Guard guard(s, "World::RayCastClosest");
     if (CheckRay(guard, p1, p2).Failed()) return std::nullopt;
     std::optional<RayHit> best;
-    CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
+    CastRay(s, p1, p2, [&](const RayCastInput& input, FixtureIndex f, const RayCastOutput& hit) {
         if (!Sees(filter, s.fixtures, f)) return -1.0f;
         Fixture* fixture = HandleOf(s, f);
         // The smaller index wins a tie, so that no algorithm shows.
@@ -171,7 +175,7 @@ ErrorCode World::RayCastAll(Vec2 p1, Vec2 p2, std::vector<RayHit>& hits, const Q
     Guard guard(s, "World::RayCastAll");
     if (CheckRay(guard, p1, p2).Failed()) return guard.Code();
     hits.clear();
-    CastRay(s, p1, p2, [&](const RayCastInput& input, uint32_t f, const RayCastOutput& hit) {
+    CastRay(s, p1, p2, [&](const RayCastInput& input, FixtureIndex f, const RayCastOutput& hit) {
         if (Sees(filter, s.fixtures, f)) {
             hits.push_back({HandleOf(s, f), PointOnRay(input, hit.fraction), hit.normal, hit.fraction});
         }
@@ -189,7 +193,8 @@ ErrorCode World::QueryPoint(Vec2 point, FunctionRef<bool(Fixture*)> visit, const
     if (guard.NotNull(visit != nullptr, "visit", "pass a function").Finite(point, "point").Failed())
         return guard.Code();
     const WorldLock lock(s);
-    s.broadPhase->Query({point, point}, [&](uint32_t f) {
+    s.broadPhase->Query({point, point}, [&](uint32_t proxy) {
+        const FixtureIndex f = FixtureOf(proxy);
         if (!Sees(filter, s.fixtures, f) || !Contains(s, f, point)) return true;
         return visit(HandleOf(s, f));
     });
@@ -205,7 +210,8 @@ ErrorCode World::OverlapShape(const Shape& shape, const Transform& xf, FunctionR
     AABB box;
     shape.ComputeAABB(&box, xf);
     const WorldLock lock(s);
-    s.broadPhase->Query(box, [&](uint32_t f) {
+    s.broadPhase->Query(box, [&](uint32_t proxy) {
+        const FixtureIndex f = FixtureOf(proxy);
         if (!Sees(filter, s.fixtures, f)) return true;
         const BodyPlace place = PlaceOf(s, f);
         if (!TestOverlap(s.fixtures.shape[f], 0, &shape, 0, place.xf, place.In(xf))) return true;

@@ -16,26 +16,26 @@ namespace {
 
 /// Destroys the contacts of a body that satisfy the predicate. Their rows are used again after the next pair finding.
 template <typename Predicate>
-void DestroyIf(WorldState& s, int body, Predicate involves) {
+void DestroyIf(WorldState& s, BodyIndex body, Predicate involves) {
     const WorldLock lock(s);
     s.contacts.RouseOf(body);  // so that its list stays as it is while callbacks ask for others
     DestroyContactsOfBodyIf(body, involves, s.Events(), s.bodies, s.contacts);
 }
 
 /// The coming step looks at the body and at its contacts.
-void Stir(WorldState& s, int body) {
+void Stir(WorldState& s, BodyIndex body) {
     s.isEdited = true;
-    if (s.bodies.type[static_cast<size_t>(body)] != staticBody) s.bodies.List(body);
+    if (s.bodies.type[body] != staticBody) s.bodies.List(body);
     s.contacts.RouseOf(body);
 }
 
 /// The next step asks the filters again about these contacts, and about pairs that have none.
 template <typename Predicate>
-void RefilterIf(WorldState& s, int body, Predicate involves) {
+void RefilterIf(WorldState& s, BodyIndex body, Predicate involves) {
     Stir(s, body);
-    for (const int c : s.contacts.OfBody(body)) {
-        if (s.contacts.IsAlive(c) && involves(s.contacts.pair[static_cast<size_t>(c)])) {
-            s.contacts.flags[static_cast<size_t>(c)] |= ContactFlag::refilter;
+    for (const ContactIndex c : s.contacts.OfBody(body)) {
+        if (s.contacts.IsAlive(c) && involves(s.contacts.pair[c])) {
+            s.contacts.flags[c] |= ContactFlag::refilter;
         }
     }
 }
@@ -46,101 +46,98 @@ Motion MotionOf(BodyType type) {
 
 }  // namespace
 
-void ForgetGeometry(WorldState& s, int body) {
+void ForgetGeometry(WorldState& s, BodyIndex body) {
     NearStatics& near = s.continuousScratch.nearStatics;
-    s.bodies.type[static_cast<size_t>(body)] == staticBody ? near.ForgetAll() : near.Forget(body);
+    s.bodies.type[body] == staticBody ? near.ForgetAll() : near.Forget(body);
     if (s.contacts.steady.empty()) return;
-    for (const int contact : s.contacts.OfBody(body)) s.contacts.ForgetSteady(contact);
+    for (const ContactIndex contact : s.contacts.OfBody(body)) s.contacts.ForgetSteady(contact);
 }
 
-void NoteBodyEdit(WorldState& s, int body) {
-    for (const int f : s.fixtures.From(s.bodies.fixtureHead[static_cast<size_t>(body)])) {
-        s.edited.Add(static_cast<uint32_t>(f));
+void NoteBodyEdit(WorldState& s, BodyIndex body) {
+    for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[body])) {
+        s.edited.Add(f);
     }
     Stir(s, body);
 }
 
-void NoteParting(WorldState& s, int bodyA, int bodyB) {
-    const auto count = [&](int body) { return s.bodies.info[static_cast<size_t>(body)].fixtureCount; };
+void NoteParting(WorldState& s, BodyIndex bodyA, BodyIndex bodyB) {
+    const auto count = [&](BodyIndex body) { return s.bodies.info[body].fixtureCount; };
     NoteBodyEdit(s, count(bodyA) <= count(bodyB) ? bodyA : bodyB);
 }
 
-void AddProxy(WorldState& s, int fixture) {
-    const auto f = static_cast<size_t>(fixture);
-    const auto b = static_cast<size_t>(s.fixtures.body[f]);
-    const BodyPlace place(s.bodies, s.fixtures.body[f]);
+void AddProxy(WorldState& s, FixtureIndex fixture) {
+    const BodyIndex body = s.fixtures.body[fixture];
+    const BodyPlace place(s.bodies, body);
     AABB box;
-    s.fixtures.shape[f]->ComputeAABB(&box, place.xf);
+    s.fixtures.shape[fixture]->ComputeAABB(&box, place.xf);
     box = place.OutOf(box);
-    s.edited.Add(static_cast<uint32_t>(fixture));
-    s.broadPhase->Insert(static_cast<uint32_t>(fixture), static_cast<uint32_t>(b), MotionOf(s.bodies.type[b]), box);
-    s.fixtures.info[f].inBroadPhase = true;
-    ForgetGeometry(s, s.fixtures.body[f]);
-    Stir(s, s.fixtures.body[f]);
+    s.edited.Add(fixture);
+    s.broadPhase->Insert(ProxyOf(fixture), OwnerOf(body), MotionOf(s.bodies.type[body]), box);
+    s.fixtures.info[fixture].inBroadPhase = true;
+    ForgetGeometry(s, body);
+    Stir(s, body);
 }
 
-void RestoreProxy(WorldState& s, int fixture, const AABB& box) {
-    const auto body = static_cast<uint32_t>(s.fixtures.body[static_cast<size_t>(fixture)]);
-    ForgetGeometry(s, static_cast<int>(body));
-    s.broadPhase->Restore(static_cast<uint32_t>(fixture), body, MotionOf(s.bodies.type[body]), box);
+void RestoreProxy(WorldState& s, FixtureIndex fixture, const AABB& box) {
+    const BodyIndex body = s.fixtures.body[fixture];
+    ForgetGeometry(s, body);
+    s.broadPhase->Restore(ProxyOf(fixture), OwnerOf(body), MotionOf(s.bodies.type[body]), box);
 }
 
-void RemoveProxy(WorldState& s, int fixture) {
-    FixtureInfo& info = s.fixtures.info[static_cast<size_t>(fixture)];
+void RemoveProxy(WorldState& s, FixtureIndex fixture) {
+    FixtureInfo& info = s.fixtures.info[fixture];
     if (!info.inBroadPhase) return;
-    s.broadPhase->Remove(static_cast<uint32_t>(fixture));
+    s.broadPhase->Remove(ProxyOf(fixture));
     info.inBroadPhase = false;
-    s.contacts.refused.Forget(static_cast<uint32_t>(fixture));
-    ForgetGeometry(s, s.fixtures.body[static_cast<size_t>(fixture)]);
+    s.contacts.refused.Forget(fixture);
+    ForgetGeometry(s, s.fixtures.body[fixture]);
     s.isEdited = true;
 }
 
-void DestroyContactsOfFixture(WorldState& s, int fixture) {
-    const auto f = static_cast<uint32_t>(fixture);
-    DestroyIf(s, s.fixtures.body[f], [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
+void DestroyContactsOfFixture(WorldState& s, FixtureIndex fixture) {
+    DestroyIf(s, s.fixtures.body[fixture],
+              [=](const ContactPair& p) { return p.fixtureA == fixture || p.fixtureB == fixture; });
 }
 
-void DestroyContactsOfChain(WorldState& s, int body, int chainId) {
+void DestroyContactsOfChain(WorldState& s, BodyIndex body, int chainId) {
     DestroyIf(s, body, [&](const ContactPair& p) {
         return s.fixtures.info[p.fixtureA].chainId == chainId || s.fixtures.info[p.fixtureB].chainId == chainId;
     });
 }
 
-void DestroyContactsOfBody(WorldState& s, int body) {
+void DestroyContactsOfBody(WorldState& s, BodyIndex body) {
     DestroyIf(s, body, [](const ContactPair&) { return true; });
 }
 
-void RefilterFixture(WorldState& s, int fixture) {
-    const auto f = static_cast<uint32_t>(fixture);
-    s.contacts.refused.Forget(f);
-    s.edited.Add(f);
-    RefilterIf(s, s.fixtures.body[f], [f](const ContactPair& p) { return p.fixtureA == f || p.fixtureB == f; });
+void RefilterFixture(WorldState& s, FixtureIndex fixture) {
+    s.contacts.refused.Forget(fixture);
+    s.edited.Add(fixture);
+    RefilterIf(s, s.fixtures.body[fixture],
+               [=](const ContactPair& p) { return p.fixtureA == fixture || p.fixtureB == fixture; });
 }
 
-void RefilterBodies(WorldState& s, int bodyA, int bodyB) {
+void RefilterBodies(WorldState& s, BodyIndex bodyA, BodyIndex bodyB) {
     RefilterIf(s, bodyA, [=](const ContactPair& p) { return p.bodyA == bodyB || p.bodyB == bodyB; });
 }
 
-void ResetMass(WorldState& s, int body) {
+void ResetMass(WorldState& s, BodyIndex body) {
     ForgetGeometry(s, body);
-    const auto b = static_cast<size_t>(body);
-    BodyInfo& info = s.bodies.info[b];
-    MassRow& row = s.bodies.mass[b];
-    float& mass = s.bodies.motion[b].mass;
+    BodyInfo& info = s.bodies.info[body];
+    MassRow& row = s.bodies.mass[body];
+    float& mass = s.bodies.motion[body].mass;
     mass = 0.0f;
     info.inertia = 0.0f;
     row.invMass = row.invI = 0.0f;
-    if (s.bodies.type[b] != dynamicBody) {
-        s.bodies.SetLocalCenter(b, vec2Zero);
+    if (s.bodies.type[body] != dynamicBody) {
+        s.bodies.SetLocalCenter(body, vec2Zero);
         return;
     }
     Vec2 center = vec2Zero;
-    for (const int f : s.fixtures.From(s.bodies.fixtureHead[b])) {
-        const auto fi = static_cast<size_t>(f);
-        const float density = s.fixtures.info[fi].density;
+    for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[body])) {
+        const float density = s.fixtures.info[f].density;
         if (density == 0.0f) continue;
         MassData part;
-        s.fixtures.shape[fi]->ComputeMass(&part, density);
+        s.fixtures.shape[f]->ComputeMass(&part, density);
         mass += part.mass;
         center += part.mass * part.center;
         info.inertia += part.I;
@@ -152,8 +149,8 @@ void ResetMass(WorldState& s, int body) {
     if (turns) info.inertia -= mass * Dot(center, center);
     row.invI = turns ? UsableInverse(info.inertia) : 0.0f;
     if (row.invI == 0.0f) info.inertia = 0.0f;
-    Velocity& velocity = s.bodies.velocity[b];
-    velocity.v += Cross(velocity.w, s.bodies.SetLocalCenter(b, center));
+    Velocity& velocity = s.bodies.velocity[body];
+    velocity.v += Cross(velocity.w, s.bodies.SetLocalCenter(body, center));
 }
 
 void NotePosition(WorldState& s, Vec2 position, Vec2 rest) {

@@ -19,25 +19,25 @@ void SayGoodbye(WorldState& state, Object* object) {
 }
 
 /// What continuous collision knows about static fixtures near the body is forgotten; of all bodies if it is static.
-void ForgetGeometry(WorldState& state, int body);
+void ForgetGeometry(WorldState& state, BodyIndex body);
 /// The boxes of the body have been edited: the coming step finds its pairs again and looks at it.
-void NoteBodyEdit(WorldState& state, int body);
+void NoteBodyEdit(WorldState& state, BodyIndex body);
 /// The pairs of two bodies may have contacts again.
-void NoteParting(WorldState& state, int bodyA, int bodyB);
+void NoteParting(WorldState& state, BodyIndex bodyA, BodyIndex bodyB);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
-void AddProxy(WorldState& state, int fixture);
-void RemoveProxy(WorldState& state, int fixture);
+void AddProxy(WorldState& state, FixtureIndex fixture);
+void RemoveProxy(WorldState& state, FixtureIndex fixture);
 /// Gives the broad phase back a fixture of a restored world, with the box it had there.
-void RestoreProxy(WorldState& state, int fixture, const AABB& box);
+void RestoreProxy(WorldState& state, FixtureIndex fixture, const AABB& box);
 /// Destroys the contacts of a fixture, of a chain of a body, or of a body, at once.
-void DestroyContactsOfFixture(WorldState& state, int fixture);
-void DestroyContactsOfChain(WorldState& state, int body, int chainId);
-void DestroyContactsOfBody(WorldState& state, int body);
+void DestroyContactsOfFixture(WorldState& state, FixtureIndex fixture);
+void DestroyContactsOfChain(WorldState& state, BodyIndex body, int chainId);
+void DestroyContactsOfBody(WorldState& state, BodyIndex body);
 /// Lets the next step ask the filters again about the contacts of a fixture, or between two bodies.
-void RefilterFixture(WorldState& state, int fixture);
-void RefilterBodies(WorldState& state, int bodyA, int bodyB);
+void RefilterFixture(WorldState& state, FixtureIndex fixture);
+void RefilterBodies(WorldState& state, BodyIndex bodyA, BodyIndex bodyB);
 /// Mass, centre and inertia of a body from its fixtures.
-void ResetMass(WorldState& state, int body);
+void ResetMass(WorldState& state, BodyIndex body);
 
 /// A body with such a coordinate, m, makes the positions of the world have rests (WorldDef::farDistance).
 inline bool IsFar(const WorldState& s, float coordinate) { return coordinate > s.FarDistance(); }

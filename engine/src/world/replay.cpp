@@ -23,16 +23,15 @@ Object* ReadObject(World& world, ImageReader& in) {
     } else {
         int index = -1;
         in(index);
-        const auto i = static_cast<size_t>(index);
         if constexpr (std::is_same_v<Object, Body>) {
-            return s.bodies.slots.IsAlive(index) ? &s.bodies.handles[i] : nullptr;
+            return s.bodies.slots.IsAlive(BodyIndex{index}) ? &s.bodies.handles[BodyIndex{index}] : nullptr;
         } else if constexpr (std::is_same_v<Object, Fixture>) {
-            return s.fixtures.slots.IsAlive(index) ? &s.fixtures.handles[i] : nullptr;
+            return s.fixtures.slots.IsAlive(FixtureIndex{index}) ? &s.fixtures.handles[FixtureIndex{index}] : nullptr;
         } else if constexpr (std::is_same_v<Object, Contact>) {
-            return s.contacts.IsAlive(index) ? s.contacts.Handle(&s, index) : nullptr;
+            return s.contacts.IsAlive(ContactIndex{index}) ? s.contacts.Handle(&s, ContactIndex{index}) : nullptr;
         } else {
-            if (!s.joints.slots.IsAlive(index)) return nullptr;
-            Joint* joint = s.joints.handles[i];
+            if (!s.joints.slots.IsAlive(JointIndex{index})) return nullptr;
+            Joint* joint = s.joints.handles[JointIndex{index}];
             bool fits = std::is_same_v<Object, Joint>;
             JointTable::WithStore(s.joints, joint->GetType(), [&](auto& store) {
                 using Handle = typename std::remove_reference_t<decltype(store)>::RowType::Handle;

@@ -14,21 +14,21 @@ ErrorCode World::ShiftOrigin(Vec2 newOrigin) {
     WorldState& s = *m_state;
     Guard guard(s, "World::ShiftOrigin");
     guard.Unlocked("shift the origin outside of Step and callbacks").Near(newOrigin, "newOrigin");
-    for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
-        guard.Require(IsInRange(s.bodies.position[static_cast<size_t>(body)].c - newOrigin), ErrorCode::outOfRange,
-                      "newOrigin", "leave every body within 1e18 m of the origin");
+    for (BodyIndex body = s.bodies.listHead; IsSome(body); body = s.bodies.info[body].listNext) {
+        guard.Require(IsInRange(s.bodies.position[body].c - newOrigin), ErrorCode::outOfRange, "newOrigin",
+                      "leave every body within 1e18 m of the origin");
     }
     if (guard.Failed()) return guard.Code();
     const Recording recording = guard.Record(newOrigin);
-    for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
-        NotePosition(s, s.bodies.position[static_cast<size_t>(body)].c - newOrigin, vec2Zero);
+    for (BodyIndex body = s.bodies.listHead; IsSome(body); body = s.bodies.info[body].listNext) {
+        NotePosition(s, s.bodies.position[body].c - newOrigin, vec2Zero);
     }
-    for (int body = s.bodies.listHead; body >= 0; body = s.bodies.info[static_cast<size_t>(body)].listNext) {
-        s.bodies.ShiftOrigin(static_cast<size_t>(body), newOrigin);
+    for (BodyIndex body = s.bodies.listHead; IsSome(body); body = s.bodies.info[body].listNext) {
+        s.bodies.ShiftOrigin(body, newOrigin);
         if (s.bodies.Has(body, BodyFlag::enabled)) UpdateBodyBoxes(s.bodies, s.fixtures, body, vec2Zero, *s.broadPhase);
     }
     // Boxes are rounded anew, and some may come to touch.
-    for (const int body : s.bodies.movers) s.bodies.List(body);
+    for (const BodyIndex body : s.bodies.movers) s.bodies.List(body);
     s.edited.AddAll();
     s.isEdited = true;
     s.continuousScratch.nearStatics.ForgetAll();

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <deque>
 #include <utility>
 
 #include "geometry/collide.h"
@@ -37,25 +36,24 @@ struct Header {
 static_assert(sizeof(Header) == 32);
 constexpr uint32_t snapshotByteOrder = 0x01020304u, otherByteOrder = 0x04030201u;
 
-bool ReadShape(FixtureTable& fixtures, int fixture, ImageReader& in) {
+bool ReadShape(FixtureTable& fixtures, FixtureIndex fixture, ImageReader& in) {
     bool safe = true;
-    const bool known =
-        WithShapeType(fixtures.type[static_cast<size_t>(fixture)], [&]<typename T>(std::type_identity<T>) {
-            T shape;
-            in(shape);
-            safe = !in.Failed() && IsSafe(shape);
-            if (safe) fixtures.SetShape(fixture, shape);
-        });
+    const bool known = WithShapeType(fixtures.type[fixture], [&]<typename T>(std::type_identity<T>) {
+        T shape;
+        in(shape);
+        safe = !in.Failed() && IsSafe(shape);
+        if (safe) fixtures.SetShape(fixture, shape);
+    });
     return known && safe;
 }
 
 bool ReadShapesAndBoxes(WorldState& s, ImageReader& in) {
     s.fixtures.shape.assign(s.fixtures.info.size(), nullptr);
-    for (int fixture = 0; fixture < s.fixtures.slots.Size(); ++fixture) {
+    for (const FixtureIndex fixture : s.fixtures.slots.Rows()) {
         s.fixtures.handles.emplace_back(&s, fixture);
         if (!s.fixtures.slots.IsAlive(fixture)) continue;
         if (!ReadShape(s.fixtures, fixture, in)) return false;
-        if (!s.fixtures.info[static_cast<size_t>(fixture)].inBroadPhase) continue;
+        if (!s.fixtures.info[fixture].inBroadPhase) continue;
         AABB box;
         in(box);
         if (in.Failed() || !box.IsValid()) return false;
@@ -67,18 +65,18 @@ bool ReadShapesAndBoxes(WorldState& s, ImageReader& in) {
 /// Puts a sub-stepped step that is not over yet back to where its bodies stand.
 bool ResumeSubStep(ContinuousScratch& scratch, size_t bodyCount) {
     if (scratch.alpha.size() > bodyCount) return false;
-    for (size_t body = 0; body < scratch.alpha.size(); ++body) {
+    for (const BodyIndex body : scratch.alpha.Rows()) {
         if (scratch.alpha[body] < 0.0f || scratch.alpha[body] > 1.0f) return false;
-        if (scratch.alpha[body] > 0.0f) scratch.touched.push_back(static_cast<int>(body));
+        if (scratch.alpha[body] > 0.0f) scratch.touched.push_back(body);
     }
     return true;
 }
 
 /// The collision functions take two shapes in one order only, and dispatch on it.
 bool CanCollide(const ContactTable& contacts, const FixtureTable& fixtures) {
-    for (int contact = 0; contact < contacts.Size(); ++contact) {
+    for (const ContactIndex contact : contacts.flags.Rows()) {
         if (!contacts.IsAlive(contact)) continue;
-        const ContactPair& pair = contacts.pair[static_cast<size_t>(contact)];
+        const ContactPair& pair = contacts.pair[contact];
         const CollideEntry entry = FindCollide(fixtures.type[pair.fixtureA], fixtures.type[pair.fixtureB]);
         if (entry.function == nullptr || entry.swap) return false;
     }
@@ -88,7 +86,7 @@ bool CanCollide(const ContactTable& contacts, const FixtureTable& fixtures) {
 bool Read(WorldState& s, ImageReader& in) {
     in(s.bodies);
     if (in.Failed() || !AreBodiesConsistent(s.bodies)) return false;
-    for (int body = 0; body < s.bodies.slots.Size(); ++body) s.bodies.handles.emplace_back(&s, body);
+    for (const BodyIndex body : s.bodies.slots.Rows()) s.bodies.handles.emplace_back(&s, body);
     s.bodies.ListAll();
     in(s.fixtures);
     if (in.Failed() || !AreFixturesConsistent(s.fixtures, s.bodies) || !ReadShapesAndBoxes(s, in)) return false;
@@ -142,10 +140,10 @@ std::unique_ptr<World> MakeWorld(std::span<const std::byte> content) {
 }
 
 /// Rows of `fresh` get the handles that `kept` has for them.
-template <typename Handle>
-void TakeHandles(std::deque<Handle>& fresh, std::deque<Handle>& kept, int rows, WorldState& s) {
+template <typename I, typename Handle>
+void TakeHandles(StableColumn<I, Handle>& fresh, StableColumn<I, Handle>& kept, int rows, WorldState& s) {
     fresh.swap(kept);
-    while (static_cast<int>(fresh.size()) < rows) fresh.emplace_back(&s, static_cast<int>(fresh.size()));
+    while (ToInt(fresh.End()) < rows) fresh.emplace_back(&s, fresh.End());
 }
 
 /// The definition of an image without what it leaves out.

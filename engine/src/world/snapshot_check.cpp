@@ -13,14 +13,12 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 template <typename... Columns>
 bool HaveSize(size_t size, const Columns&... columns) {
     return ((columns.size() == size) && ...);
 }
 
-bool IsFinite(const BodyTable& t, size_t b) {
+bool IsFinite(const BodyTable& t, BodyIndex b) {
     const Transform& xf = t.transform[b];
     const bool poses = t.position[b].c.IsValid() && t.startPosition[b].c.IsValid() && xf.p.IsValid() &&
                        std::isfinite(t.position[b].a) && std::isfinite(t.startPosition[b].a);
@@ -36,10 +34,11 @@ bool IsPossible(const BodyDemand& demand) {
 
 bool IsBodyListWhole(const BodyTable& t) {
     int listed = 0;
-    int lastMover = -1;
-    for (int body = t.listHead, prev = -1; body >= 0; prev = body, body = t.info[Row(body)].listNext, ++listed) {
-        if (!t.slots.IsAlive(body) || t.info[Row(body)].listPrev != prev) return false;
-        if (t.type[Row(body)] == staticBody) continue;
+    BodyIndex lastMover = BodyIndex::none;
+    for (BodyIndex body = t.listHead, prev = BodyIndex::none; IsSome(body);
+         prev = body, body = t.info[body].listNext, ++listed) {
+        if (!t.slots.IsAlive(body) || t.info[body].listPrev != prev) return false;
+        if (t.type[body] == staticBody) continue;
         if (lastMover != prev) return false;  // a mover behind a static body
         lastMover = body;
     }
@@ -48,21 +47,21 @@ bool IsBodyListWhole(const BodyTable& t) {
 
 bool AreMoversWhole(const BodyTable& t) {
     int movers = 0;
-    for (int body = 0; body < t.slots.Size(); ++body) {
+    for (const BodyIndex body : t.slots.Rows()) {
         if (!t.slots.IsAlive(body)) continue;
-        const int row = t.info[Row(body)].moverRow;
-        if ((t.type[Row(body)] == staticBody) != (row < 0)) return false;
-        if (row < 0) continue;
-        if (Row(row) >= t.movers.size() || t.movers[Row(row)] != body) return false;
+        const MoverRow row = t.info[body].moverRow;
+        if ((t.type[body] == staticBody) != IsNone(row)) return false;
+        if (IsNone(row)) continue;
+        if (!t.movers.Has(row) || t.movers[row] != body) return false;
         ++movers;
     }
-    return Row(movers) == t.movers.size();
+    return ToSize(movers) == t.movers.size();
 }
 
 }  // namespace
 
 bool AreBodiesConsistent(const BodyTable& t) {
-    const size_t size = Row(t.slots.Size());
+    const size_t size = ToSize(t.slots.Size());
     if (!t.slots.IsConsistent() || !HaveSize(size, t.velocity, t.position, t.startPosition)) return false;
     if (!HaveSize(t.force.empty() ? 0 : size, t.force)) return false;
     if (!HaveSize(t.rest.empty() ? 0 : size, t.rest)) return false;
@@ -71,75 +70,73 @@ bool AreBodiesConsistent(const BodyTable& t) {
         return false;
     if (!HaveSize(t.demand.empty() ? 0 : size, t.demand)) return false;
     if (!std::all_of(t.demand.begin(), t.demand.end(), IsPossible)) return false;
-    for (size_t b = 0; b < size; ++b) {
+    for (const BodyIndex b : t.slots.Rows()) {
         if (t.type[b] > dynamicBody) return false;
-        if (t.slots.IsAlive(static_cast<int>(b)) && !IsFinite(t, b)) return false;
+        if (t.slots.IsAlive(b) && !IsFinite(t, b)) return false;
     }
     return IsBodyListWhole(t) && AreMoversWhole(t);
 }
 
 bool AreFixturesConsistent(const FixtureTable& t, const BodyTable& bodies) {
     if (!t.slots.IsConsistent()) return false;
-    if (!HaveSize(Row(t.slots.Size()), t.body, t.type, t.isSensor, t.filter, t.material, t.next, t.info)) return false;
+    if (!HaveSize(ToSize(t.slots.Size()), t.body, t.type, t.isSensor, t.filter, t.material, t.next, t.info))
+        return false;
     // Every fixture in the list of its own body and in no other; a list cannot be longer than its body says.
     int listed = 0;
-    for (int body = 0; body < bodies.slots.Size(); ++body) {
+    for (const BodyIndex body : bodies.slots.Rows()) {
         if (!bodies.slots.IsAlive(body)) continue;
         int count = 0;
-        for (const int f : t.From(bodies.fixtureHead[Row(body)])) {
-            if (!t.slots.IsAlive(f) || t.body[Row(f)] != body || ++count > t.slots.Count()) return false;
-            if (t.info[Row(f)].inBroadPhase != bodies.Has(body, BodyFlag::enabled)) return false;
-            if ((t.info[Row(f)].reports & ~Report::all) != 0) return false;
-            const Material& material = t.material[Row(f)];
+        for (const FixtureIndex f : t.From(bodies.fixtureHead[body])) {
+            if (!t.slots.IsAlive(f) || t.body[f] != body || ++count > t.slots.Count()) return false;
+            if (t.info[f].inBroadPhase != bodies.Has(body, BodyFlag::enabled)) return false;
+            if ((t.info[f].reports & ~Report::all) != 0) return false;
+            const Material& material = t.material[f];
             if (material.frictionRule > MixRule::custom || material.restitutionRule > MixRule::custom) return false;
         }
-        if (count != bodies.info[Row(body)].fixtureCount) return false;
+        if (count != bodies.info[body].fixtureCount) return false;
         listed += count;
     }
     return listed == t.slots.Count();
 }
 
 bool AreContactsConsistent(const ContactTable& t, const FixtureTable& fixtures) {
-    for (int contact = 0; contact < t.Size(); ++contact) {
+    for (const ContactIndex contact : t.flags.Rows()) {
         if (!t.IsAlive(contact)) continue;
-        const ContactPair& pair = t.pair[Row(contact)];
-        for (const uint32_t fixture : {pair.fixtureA, pair.fixtureB}) {
-            if (fixture >= Row(fixtures.slots.Size()) || !fixtures.slots.IsAlive(static_cast<int>(fixture)))
-                return false;
-        }
+        const ContactPair& pair = t.pair[contact];
+        if (!fixtures.slots.IsAlive(pair.fixtureA) || !fixtures.slots.IsAlive(pair.fixtureB)) return false;
         if (fixtures.body[pair.fixtureA] != pair.bodyA || fixtures.body[pair.fixtureB] != pair.bodyB) return false;
         if (pair.bodyA == pair.bodyB) return false;
-        const Manifold& m = t.manifold[Row(contact)];
+        const Manifold& m = t.manifold[contact];
         if (m.pointCount < 0 || m.pointCount > maxManifoldPoints || m.type > Manifold::e_faceB) return false;
     }
     return true;
 }
 
 bool AreJointsConsistent(const JointTable& t, const BodyTable& bodies) {
-    std::vector<int> gears(Row(t.slots.Size()), 0);
-    std::vector<int> counts(Row(bodies.slots.Size()), 0);
-    for (int joint = 0; joint < t.slots.Size(); ++joint) {
+    Column<JointIndex, int> gears(ToSize(t.slots.Size()), 0);
+    Column<BodyIndex, int> counts(ToSize(bodies.slots.Size()), 0);
+    for (const JointIndex joint : t.slots.Rows()) {
         if (!t.slots.IsAlive(joint)) continue;
-        const JointInfo& info = t.info[Row(joint)];
+        const JointInfo& info = t.info[joint];
         if (!bodies.slots.IsAlive(info.bodyA) || !bodies.slots.IsAlive(info.bodyB)) return false;
-        ++counts[Row(info.bodyA)];
-        ++counts[Row(info.bodyB)];
+        ++counts[info.bodyA];
+        ++counts[info.bodyB];
         if (info.type != e_gearJoint) continue;
-        const GearRow& gear = t.Store<GearRow>().rows[Row(info.row)];
+        const GearRow& gear = t.Store<GearRow>().rows[info.row];
         for (const GearSide& side : gear.side) {
             if (!t.slots.IsAlive(side.joint)) return false;
-            const JointInfo& part = t.info[Row(side.joint)];
+            const JointInfo& part = t.info[side.joint];
             if (part.type != (side.slides ? e_prismaticJoint : e_revoluteJoint)) return false;
             if (part.bodyB != side.body || part.bodyA != side.against) return false;
-            ++gears[Row(side.joint)];
+            ++gears[side.joint];
         }
         if (gear.side[0].body != info.bodyA || gear.side[1].body != info.bodyB) return false;
     }
-    for (int joint = 0; joint < t.slots.Size(); ++joint) {
-        if (t.slots.IsAlive(joint) && t.info[Row(joint)].gearCount != gears[Row(joint)]) return false;
+    for (const JointIndex joint : t.slots.Rows()) {
+        if (t.slots.IsAlive(joint) && t.info[joint].gearCount != gears[joint]) return false;
     }
-    for (int body = 0; body < bodies.slots.Size(); ++body) {
-        if (bodies.slots.IsAlive(body) && bodies.info[Row(body)].jointCount != counts[Row(body)]) return false;
+    for (const BodyIndex body : bodies.slots.Rows()) {
+        if (bodies.slots.IsAlive(body) && bodies.info[body].jointCount != counts[body]) return false;
     }
     return true;
 }

@@ -280,12 +280,12 @@ void Fields(Self& s, Visit& visit) {
 /// The shapes of the living fixtures, and the boxes of those in the broad phase.
 template <typename Visit>
 void VisitShapesAndBoxes(const WorldState& s, Visit& visit) {
-    for (int fixture = 0; fixture < s.fixtures.slots.Size(); ++fixture) {
+    for (const FixtureIndex fixture : s.fixtures.slots.Rows()) {
         if (!s.fixtures.slots.IsAlive(fixture)) continue;
-        const auto f = static_cast<size_t>(fixture);
-        WithShapeType(s.fixtures.type[f],
-                      [&]<typename T>(std::type_identity<T>) { visit(static_cast<const T&>(*s.fixtures.shape[f])); });
-        if (s.fixtures.info[f].inBroadPhase) visit(s.broadPhase->GetBox(static_cast<uint32_t>(fixture)));
+        WithShapeType(s.fixtures.type[fixture], [&]<typename T>(std::type_identity<T>) {
+            visit(static_cast<const T&>(*s.fixtures.shape[fixture]));
+        });
+        if (s.fixtures.info[fixture].inBroadPhase) visit(s.broadPhase->GetBox(ProxyOf(fixture)));
     }
 }
 

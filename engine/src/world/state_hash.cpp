@@ -25,8 +25,8 @@ public:
     template <typename Table, typename... Columns>
     void Rows(const Table& rows, const Columns&... columns) {
         Add(rows.Size());
-        for (int row = 0; row < rows.Size(); ++row) {
-            if (rows.IsAlive(row)) (AddRow(columns, static_cast<size_t>(row)), ...);
+        for (const auto row : rows.Rows()) {
+            if (rows.IsAlive(row)) (AddRow(columns, row), ...);
         }
     }
     template <typename... T>
@@ -41,9 +41,9 @@ public:
     [[nodiscard]] uint64_t Get() const { return m_hash; }
 
 private:
-    template <typename T>
-    void AddRow(const std::vector<T>& column, size_t row) {
-        Add(row < column.size() ? column[row] : T());
+    template <Index I, typename T>
+    void AddRow(const Column<I, T>& column, I row) {
+        Add(column.Has(row) ? column[row] : T());
     }
     template <typename T>
     void Add(const T& value) {
@@ -59,10 +59,10 @@ private:
             Fields(value, *this);
         }
     }
-    template <typename T>
-    void Add(const std::vector<T>& values) {
+    template <AnyColumn T>
+    void Add(const T& values) {
         AddWord(values.size());
-        for (const T& value : values) Add(value);
+        for (const auto& value : values) Add(value);
     }
     void AddWord(uint64_t word) {
         word ^= word >> 33;

@@ -57,7 +57,7 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
 
 ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, const ContactEvents& events,
                                int substeps) {
-    const std::vector<int>& isolated = SolvedOf(settings, s.Lists()).isolated;
+    const std::vector<BodyIndex>& isolated = SolvedOf(settings, s.Lists()).isolated;
     ContinuousSettings own = MakeContinuousSettings(settings, substeps, isolated, s.def.subStepping);
     SolverSettings ofRest = settings;
     ofRest.substeps = substeps;

@@ -54,7 +54,7 @@ Finding CheckPolygon(const PolygonShape& polygon) {
     }
     if (!polygon.Validate())
         return {ErrorCode::badShape, "PolygonShape::m_vertices", "give a convex, counter-clockwise polygon"};
-    return CheckNear(std::span(polygon.m_vertices, static_cast<size_t>(polygon.m_count)), "PolygonShape::m_vertices");
+    return CheckNear(std::span(polygon.m_vertices, ToSize(polygon.m_count)), "PolygonShape::m_vertices");
 }
 
 Finding CheckConvex(const ConvexShape& convex) {
@@ -63,7 +63,7 @@ Finding CheckConvex(const ConvexShape& convex) {
         return {ErrorCode::badShape, "ConvexShape::m_count", "use a Make function; 1 to 64 vertices"};
     if (!convex.Validate())
         return {ErrorCode::badShape, "ConvexShape::m_vertices", "give a convex, counter-clockwise core"};
-    return CheckNear(std::span(convex.m_vertices, static_cast<size_t>(convex.m_count)), "ConvexShape::m_vertices");
+    return CheckNear(std::span(convex.m_vertices, ToSize(convex.m_count)), "ConvexShape::m_vertices");
 }
 
 Finding CheckEdge(const EdgeShape& edge) {
@@ -196,20 +196,20 @@ Finding Check(const WorldDef& def) {
 
 bool Owns(const WorldState& state, const Body* body) {
     if (body == nullptr) return false;
-    const int index = body->GetIndex();
-    return state.bodies.slots.IsAlive(index) && &state.bodies.handles[static_cast<size_t>(index)] == body;
+    const BodyIndex index = IndexOf(*body);
+    return state.bodies.slots.IsAlive(index) && &state.bodies.handles[index] == body;
 }
 
 bool Owns(const WorldState& state, const Fixture* fixture) {
     if (fixture == nullptr) return false;
-    const int index = fixture->GetIndex();
-    return state.fixtures.slots.IsAlive(index) && &state.fixtures.handles[static_cast<size_t>(index)] == fixture;
+    const FixtureIndex index = IndexOf(*fixture);
+    return state.fixtures.slots.IsAlive(index) && &state.fixtures.handles[index] == fixture;
 }
 
 bool Owns(const WorldState& state, const Joint* joint) {
     if (joint == nullptr) return false;
-    const int index = joint->GetIndex();
-    return state.joints.slots.IsAlive(index) && state.joints.handles[static_cast<size_t>(index)] == joint;
+    const JointIndex index = IndexOf(*joint);
+    return state.joints.slots.IsAlive(index) && state.joints.handles[index] == joint;
 }
 
 bool Owns(const WorldState& state, const Contact* contact) { return state.contacts.Owns(contact); }

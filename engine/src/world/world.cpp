@@ -88,9 +88,9 @@ Body* World::CreateBody(const BodyDef* def) {
     if (Guard(s, name).Uses(used).Failed()) return nullptr;
     const Recording recording(s, name, *def);
     NotePosition(s, def->position, def->positionRest);
-    const int index = s.bodies.Add(&s, *def);
+    const BodyIndex index = s.bodies.Add(&s, *def);
     AddBodyFeatures(s, index, 1);
-    return &s.bodies.handles[static_cast<size_t>(index)];
+    return &s.bodies.handles[index];
 }
 
 ErrorCode World::DestroyBody(Body* body) {
@@ -99,21 +99,21 @@ ErrorCode World::DestroyBody(Body* body) {
     if (body == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "body", "pass a body");
     if (!Owns(s, body)) return s.Refuse(ErrorCode::foreignHandle, name, "body", "pass a living body of this world");
     if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "destroy bodies outside of Step");
-    const int index = body->GetIndex();
+    const BodyIndex index = IndexOf(*body);
     const Recording recording(s, name, index);
-    for (int j = s.joints.OfBody(index).Front(); j >= 0; j = s.joints.OfBody(index).Front()) {
-        Joint* joint = s.joints.handles[static_cast<size_t>(j)];
+    for (JointIndex j = s.joints.OfBody(index).Front(); IsSome(j); j = s.joints.OfBody(index).Front()) {
+        Joint* joint = s.joints.handles[j];
         SayGoodbye(s, joint);
         DestroyJoint(joint);
     }
     DestroyContactsOfBody(s, index);
-    int& head = s.bodies.fixtureHead[static_cast<size_t>(index)];
-    while (head >= 0) {
-        const int fixture = head;
-        SayGoodbye(s, &s.fixtures.handles[static_cast<size_t>(fixture)]);
+    FixtureIndex& head = s.bodies.fixtureHead[index];
+    while (IsSome(head)) {
+        const FixtureIndex fixture = head;
+        SayGoodbye(s, &s.fixtures.handles[fixture]);
         RemoveProxy(s, fixture);
-        head = s.fixtures.next[static_cast<size_t>(fixture)];
-        --s.bodies.info[static_cast<size_t>(index)].fixtureCount;
+        head = s.fixtures.next[fixture];
+        --s.bodies.info[index].fixtureCount;
         AddFixtureFeatures(s, fixture, -1);
         s.fixtures.Remove(fixture);
     }
@@ -136,7 +136,7 @@ ErrorCode World::DestroyJoint(Joint* joint) {
     if (joint == nullptr) return s.Refuse(ErrorCode::nullArgument, name, "joint", "pass a joint");
     if (!Owns(s, joint)) return s.Refuse(ErrorCode::foreignHandle, name, "joint", "pass a living joint of this world");
     if (s.IsLocked()) return s.Refuse(ErrorCode::locked, name, "world", "destroy joints outside of Step");
-    const int index = joint->GetIndex();
+    const JointIndex index = IndexOf(*joint);
     const Recording recording(s, name, index);
     RemoveJointWithGears(s, index);
     return ErrorCode::ok;
@@ -174,7 +174,7 @@ ErrorCode World::SetContactFilter(ContactFilter* filter) {
     m_state->contacts.refused.Clear();
     // The coming step asks it about all pairs without a contact.
     m_state->contacts.mustMatch = true;
-    for (const int body : m_state->bodies.movers) m_state->bodies.List(body);
+    for (const BodyIndex body : m_state->bodies.movers) m_state->bodies.List(body);
     return ErrorCode::ok;
 }
 
@@ -194,7 +194,7 @@ bool World::GetAutoClearForces() const { return m_state->autoClearForces; }
 void World::ClearForces() {
     const Recording recording(*m_state, "World::ClearForces");
     if (!m_state->featureCounts.forces && GetFeatureMode() != FeatureMode::full) return;  // they are zero
-    for (const int body : m_state->bodies.Listed()) m_state->bodies.ClearForce(body);
+    for (const BodyIndex body : m_state->bodies.Listed()) m_state->bodies.ClearForce(body);
     m_state->featureCounts.forces = false;
 }
 
@@ -214,7 +214,7 @@ ErrorCode World::SetAllowSleeping(bool flag) {
     const Recording recording = guard.Record(flag);
     m_state->def.allowSleep = flag;
     if (flag) return ErrorCode::ok;
-    for (const int body : m_state->bodies.movers) m_state->bodies.Wake(body);
+    for (const BodyIndex body : m_state->bodies.movers) m_state->bodies.Wake(body);
     return ErrorCode::ok;
 }
 bool World::GetAllowSleeping() const { return m_state->def.allowSleep; }
@@ -308,23 +308,21 @@ bool World::GetExactDrift() const { return m_state->def.exactDrift; }
 bool World::IsLocked() const { return m_state->IsLocked(); }
 
 Body* World::GetBodyList() {
-    const int head = m_state->bodies.listHead;
-    return head < 0 ? nullptr : &m_state->bodies.handles[static_cast<size_t>(head)];
+    const BodyIndex head = m_state->bodies.listHead;
+    return IsNone(head) ? nullptr : &m_state->bodies.handles[head];
 }
 const Body* World::GetBodyList() const { return const_cast<World*>(this)->GetBodyList(); }
 
 Joint* World::GetJointList() {
-    const int head = m_state->joints.listHead;
-    return head < 0 ? nullptr : m_state->joints.handles[static_cast<size_t>(head)];
+    const JointIndex head = m_state->joints.listHead;
+    return IsNone(head) ? nullptr : m_state->joints.handles[head];
 }
 const Joint* World::GetJointList() const { return const_cast<World*>(this)->GetJointList(); }
 
 Contact* World::GetContactList() {
     ContactTable& contacts = m_state->contacts;
-    for (int c = contacts.Size(); c-- > 0;) {
-        if (contacts.IsAlive(c)) return contacts.Handle(m_state.get(), c);
-    }
-    return nullptr;
+    const ContactIndex last = contacts.LastAliveBelow(contacts.flags.End());
+    return IsSome(last) ? contacts.Handle(m_state.get(), last) : nullptr;
 }
 const Contact* World::GetContactList() const { return const_cast<World*>(this)->GetContactList(); }
 

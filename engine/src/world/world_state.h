@@ -29,6 +29,11 @@ namespace scree {
 
 class Recorder;
 
+/// Rows of handles.
+inline BodyIndex IndexOf(const Body& body) { return BodyIndex{body.GetIndex()}; }
+inline FixtureIndex IndexOf(const Fixture& fixture) { return FixtureIndex{fixture.GetIndex()}; }
+inline JointIndex IndexOf(const Joint& joint) { return JointIndex{joint.GetIndex()}; }
+
 struct WorldState {
     World* world = nullptr;
     WorldDef def;

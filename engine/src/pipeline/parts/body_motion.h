@@ -30,19 +30,19 @@ inline CapFactors CapMotion(const SolverSettings& settings, Vec2 translation, fl
 
 /// Updates the transform; a body that is not finite any more, or beyond all bounds (limits.h), goes back to its start,
 /// at rest. Returns true if it did.
-inline bool FinishPose(BodyTable& bodies, size_t b) {
-    const bool finite =
-        IsInRange(bodies.position[b], bodies.velocity[b]) && (!bodies.IsFar() || IsInRange(bodies.rest[b].end));
+inline bool FinishPose(BodyTable& bodies, BodyIndex body) {
+    const bool finite = IsInRange(bodies.position[body], bodies.velocity[body]) &&
+                        (!bodies.IsFar() || IsInRange(bodies.rest[body].end));
     if (!finite) {
-        bodies.ReturnToStart(b);
-        bodies.velocity[b] = {vec2Zero, 0.0f, 0.0f};
+        bodies.ReturnToStart(body);
+        bodies.velocity[body] = {vec2Zero, 0.0f, 0.0f};
     }
     // Bodies that do not turn keep their rotation: the sine and cosine would be the same.
-    const Position& start = bodies.startPosition[b];
-    if (bodies.position[b].a == start.a && bodies.position[b].aRest == start.aRest) {
-        bodies.UpdateOrigin(b);
+    const Position& start = bodies.startPosition[body];
+    if (bodies.position[body].a == start.a && bodies.position[body].aRest == start.aRest) {
+        bodies.UpdateOrigin(body);
     } else {
-        bodies.UpdateTransform(static_cast<int>(b));
+        bodies.UpdateTransform(body);
     }
     return !finite;
 }
@@ -51,26 +51,26 @@ inline bool FinishPose(BodyTable& bodies, size_t b) {
 inline float SleepSpeed(const SolverSettings& settings) { return linearSleepTolerance * settings.lengthScale; }
 
 /// Advances the body's sleep timer and returns it.
-inline float UpdateSleepTimer(BodyTable& bodies, size_t b, const SolverSettings& settings) {
-    const Velocity& v = bodies.velocity[b];
+inline float UpdateSleepTimer(BodyTable& bodies, BodyIndex body, const SolverSettings& settings) {
+    const Velocity& v = bodies.velocity[body];
     const float tolerance = SleepSpeed(settings);
     const bool slow =
         v.w * v.w <= angularSleepTolerance * angularSleepTolerance && Dot(v.v, v.v) <= tolerance * tolerance;
-    if (!bodies.Has(static_cast<int>(b), BodyFlag::autoSleep) || !slow) {
-        bodies.sleepTime[b] = 0.0f;
+    if (!bodies.Has(body, BodyFlag::autoSleep) || !slow) {
+        bodies.sleepTime[body] = 0.0f;
         return 0.0f;
     }
-    bodies.sleepTime[b] += settings.dt;
-    return bodies.sleepTime[b];
+    bodies.sleepTime[body] += settings.dt;
+    return bodies.sleepTime[body];
 }
 
 /// Puts the island's bodies to sleep if all of them have been slow for long enough.
-inline void SleepIsland(BodyTable& bodies, std::span<const int> island, const SolverSettings& settings,
+inline void SleepIsland(BodyTable& bodies, std::span<const BodyIndex> island, const SolverSettings& settings,
                         bool positionsSolved) {
     float shortest = std::numeric_limits<float>::max();
-    for (const int b : island) shortest = Min(shortest, UpdateSleepTimer(bodies, static_cast<size_t>(b), settings));
+    for (const BodyIndex body : island) shortest = Min(shortest, UpdateSleepTimer(bodies, body, settings));
     if (shortest < timeToSleep || !positionsSolved) return;
-    for (const int b : island) bodies.PutToSleep(b);
+    for (const BodyIndex body : island) bodies.PutToSleep(body);
 }
 
 }  // namespace scree

@@ -28,17 +28,17 @@ void Collide(Manifold& manifold, const Shape& shapeA, const Transform& xfA, cons
 
 }  // namespace
 
-bool StaysSteady(int contact, const BodyTable& bodies, const ContactTable& contacts) {
-    const auto c = static_cast<size_t>(contact);
-    if (!contacts.keepsSteady || c >= contacts.steady.size()) return false;
-    const SteadyContact& row = contacts.steady[c];
+bool StaysSteady(ContactIndex contact, const BodyTable& bodies, const ContactTable& contacts) {
+    if (!contacts.keepsSteady || !contacts.steady.Has(contact)) return false;
+    const SteadyContact& row = contacts.steady[contact];
     if (row.isKept == 0.0f || contacts.Has(contact, ContactFlag::sensor)) return false;
     const float mostWay = contacts.steadyReach;
     constexpr float mostTurn = 0.2f;
-    const ContactPair& pair = contacts.pair[c];
-    const int a = row.isSwapped != 0.0f ? pair.bodyB : pair.bodyA, b = row.isSwapped != 0.0f ? pair.bodyA : pair.bodyB;
-    const float turnA = bodies.position[static_cast<size_t>(a)].a - row.turnA;
-    const float turnB = bodies.position[static_cast<size_t>(b)].a - row.turnB;
+    const ContactPair& pair = contacts.pair[contact];
+    const bool isSwapped = row.isSwapped != 0.0f;
+    const BodyIndex a = isSwapped ? pair.bodyB : pair.bodyA, b = isSwapped ? pair.bodyA : pair.bodyB;
+    const float turnA = bodies.position[a].a - row.turnA;
+    const float turnB = bodies.position[b].a - row.turnB;
     if (!(Abs(turnA) < mostTurn && Abs(turnB) < mostTurn)) return false;
     const Vec2 frame = FrameOf(bodies, a, b);
     // As A sees it: a tower that leans as a whole keeps all its contacts.
@@ -46,15 +46,14 @@ bool StaysSteady(int contact, const BodyTable& bodies, const ContactTable& conta
     return way.Length() + Abs(turnB - turnA) * row.reach < mostWay;
 }
 
-bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
+bool ComputeManifold(ContactIndex contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
                      ContactTable& contacts) {
-    const auto c = static_cast<size_t>(contact);
-    const ContactPair& pair = contacts.pair[c];
+    const ContactPair& pair = contacts.pair[contact];
     const Shape& shapeA = *fixtures.shape[pair.fixtureA];
     const Shape& shapeB = *fixtures.shape[pair.fixtureB];
     const Vec2 frame = FrameOf(bodies, pair.bodyA, pair.bodyB);
     const Transform xfA = TransformIn(frame, bodies, pair.bodyA), xfB = TransformIn(frame, bodies, pair.bodyB);
-    Manifold& manifold = contacts.manifold[c];
+    Manifold& manifold = contacts.manifold[contact];
     if (StaysSteady(contact, bodies, contacts)) return true;
     contacts.ForgetSteady(contact);
     if (contacts.Has(contact, ContactFlag::sensor)) {
@@ -72,22 +71,22 @@ bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable&
     return manifold.pointCount > 0;
 }
 
-bool NoteTouching(int contact, bool isTouching, bool restartsTimers, BodyTable& bodies, ContactTable& contacts) {
-    const auto c = static_cast<size_t>(contact);
+bool NoteTouching(ContactIndex contact, bool isTouching, bool restartsTimers, BodyTable& bodies,
+                  ContactTable& contacts) {
     if (contacts.RestingCount() > 0) contacts.Rouse(contact);
-    const uint8_t flags = contacts.flags[c];
+    const uint8_t flags = contacts.flags[contact];
     const bool wasTouching = (flags & ContactFlag::touching) != 0;
-    contacts.flags[c] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |
-                                             (isTouching ? ContactFlag::touching : 0));
+    contacts.flags[contact] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |
+                                                   (isTouching ? ContactFlag::touching : 0));
     if (wasTouching != isTouching && (flags & ContactFlag::sensor) == 0) {
-        for (const int body : {contacts.pair[c].bodyA, contacts.pair[c].bodyB}) {
+        for (const BodyIndex body : {contacts.pair[contact].bodyA, contacts.pair[contact].bodyB}) {
             if (restartsTimers || !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);
         }
     }
     return wasTouching != isTouching;
 }
 
-void TellAbout(int contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,
+void TellAbout(ContactIndex contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,
                ContactTable& contacts) {
     if (hasChanged && isTouching && events.HearsBegin())
         events.listener->BeginContact(contacts.Handle(events.state, contact));
@@ -97,10 +96,10 @@ void TellAbout(int contact, bool isTouching, bool hasChanged, const Manifold& ol
     events.listener->PreSolve(contacts.Handle(events.state, contact), &old);
 }
 
-bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
+bool UpdateContact(ContactIndex contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
                    ContactTable& contacts) {
     Manifold old;
-    if (events.HearsPreSolve()) old = contacts.manifold[static_cast<size_t>(contact)];
+    if (events.HearsPreSolve()) old = contacts.manifold[contact];
     const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
     const bool hasChanged = NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts);
     if (hasChanged && events.log != nullptr) NoteChange(contact, contacts, *events.log);

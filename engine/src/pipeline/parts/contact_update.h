@@ -40,25 +40,26 @@ private:
 };
 
 /// True if the contact goes on with the geometry that it keeps (SteadyContact): its bodies lie about as they did.
-bool StaysSteady(int contact, const BodyTable& bodies, const ContactTable& contacts);
+bool StaysSteady(ContactIndex contact, const BodyTable& bodies, const ContactTable& contacts);
 
 /// The manifold at the present transforms, with the impulses of the old one by feature id; true if the fixtures touch.
 /// Nothing else changes but `work`, the counts of what sensors cost, so contacts may be computed in any order and at
 /// the same time.
-bool ComputeManifold(int contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
+bool ComputeManifold(ContactIndex contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
                      ContactTable& contacts);
 
 /// What follows a computed manifold: flags, and the bodies wake if the contact began or ended
 /// (ContactEvents::restartsTimers). True if it did.
-bool NoteTouching(int contact, bool isTouching, bool restartsTimers, BodyTable& bodies, ContactTable& contacts);
+bool NoteTouching(ContactIndex contact, bool isTouching, bool restartsTimers, BodyTable& bodies,
+                  ContactTable& contacts);
 
 /// Tells the listener of a contact that began or ended (`hasChanged`), and of one that is going to be solved; `old` is
 /// its manifold before that was computed, of interest only where somebody hears of pre-solve.
-void TellAbout(int contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,
+void TellAbout(ContactIndex contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,
                ContactTable& contacts);
 
 /// All of this: computes, notes and tells. Returns true if the fixtures touch.
-bool UpdateContact(int contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
+bool UpdateContact(ContactIndex contact, const FixtureTable& fixtures, const ContactEvents& events, BodyTable& bodies,
                    ContactTable& contacts);
 
 }  // namespace scree

@@ -9,15 +9,15 @@
 
 namespace scree {
 
-void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts) {
-    const auto c = static_cast<size_t>(contact);
+void DestroyContact(ContactIndex contact, bool parted, const ContactEvents& events, BodyTable& bodies,
+                    ContactTable& contacts) {
     contacts.Rouse(contact);
-    const ContactPair pair = contacts.pair[c];
+    const ContactPair pair = contacts.pair[contact];
     const bool touched = contacts.Has(contact, ContactFlag::touching);
-    const bool pushed = contacts.manifold[c].pointCount > 0 && !contacts.Has(contact, ContactFlag::sensor);
+    const bool pushed = contacts.manifold[contact].pointCount > 0 && !contacts.Has(contact, ContactFlag::sensor);
     if (parted) {
-        contacts.flags[c] = static_cast<uint8_t>(contacts.flags[c] & ~ContactFlag::touching);
-        contacts.manifold[c].pointCount = 0;
+        contacts.flags[contact] = static_cast<uint8_t>(contacts.flags[contact] & ~ContactFlag::touching);
+        contacts.manifold[contact].pointCount = 0;
     }
     if (touched && events.log != nullptr)
         events.log->NoteChange(pair, contacts.Has(contact, ContactFlag::sensor), false);
@@ -25,7 +25,7 @@ void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyT
         events.listener->EndContact(contacts.Handle(events.state, contact));
     }
     if (pushed) {
-        for (const int body : {pair.bodyA, pair.bodyB}) {
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
             if (events.restartsTimers || !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);
         }
     }

@@ -13,16 +13,17 @@ namespace scree {
 
 /// Destroys one contact: EndContact if it was touching, and its bodies wake if it pushed. The row is usable again after
 /// the next Compact. `parted`: its boxes have come apart, so that it has no points when its end is told.
-void DestroyContact(int contact, bool parted, const ContactEvents& events, BodyTable& bodies, ContactTable& contacts);
+void DestroyContact(ContactIndex contact, bool parted, const ContactEvents& events, BodyTable& bodies,
+                    ContactTable& contacts);
 
 /// Destroys the contacts of a body for which `involves(pair)` holds, newest row first. O(contacts of the body), see
 /// ContactTable::OfBody. The listener must not add contacts.
 template <typename Predicate>
-void DestroyContactsOfBodyIf(int body, Predicate involves, const ContactEvents& events, BodyTable& bodies,
+void DestroyContactsOfBodyIf(BodyIndex body, Predicate involves, const ContactEvents& events, BodyTable& bodies,
                              ContactTable& contacts) {
-    for (const int c : contacts.OfBody(body)) {
-        if (contacts.IsAlive(c) && involves(contacts.pair[static_cast<size_t>(c)])) {
-            DestroyContact(c, false, events, bodies, contacts);
+    for (const ContactIndex contact : contacts.OfBody(body)) {
+        if (contacts.IsAlive(contact) && involves(contacts.pair[contact])) {
+            DestroyContact(contact, false, events, bodies, contacts);
         }
     }
 }

@@ -17,47 +17,45 @@
 namespace scree {
 
 /// Whether a body is locked by these flags (BodyFlag).
-inline bool IsLockedBy(const BodyTable& bodies, int body, uint16_t flags) {
-    return bodies.type[static_cast<size_t>(body)] == dynamicBody && bodies.Has(body, flags);
+inline bool IsLockedBy(const BodyTable& bodies, BodyIndex body, uint16_t flags) {
+    return bodies.type[body] == dynamicBody && bodies.Has(body, flags);
 }
 
 class LockedBodies {
 public:
     /// Those of a list; none without the feature.
-    void Gather(const KernelSet& kernels, std::span<const int> list, const BodyTable& bodies) {
+    void Gather(const KernelSet& kernels, std::span<const BodyIndex> list, const BodyTable& bodies) {
         m_x.clear(), m_y.clear();
         if (!kernels.locks) return;
-        for (const int body : list) {
+        for (const BodyIndex body : list) {
             if (IsLockedBy(bodies, body, BodyFlag::lockX)) m_x.push_back(body);
             if (IsLockedBy(bodies, body, BodyFlag::lockY)) m_y.push_back(body);
         }
     }
     /// In a column of velocities, or of motions since the start of the step.
-    void Stop(std::vector<Velocity>& column) const {
-        for (const int body : m_x) column[static_cast<size_t>(body)].v.x = 0.0f;
-        for (const int body : m_y) column[static_cast<size_t>(body)].v.y = 0.0f;
+    void Stop(Column<BodyIndex, Velocity>& column) const {
+        for (const BodyIndex body : m_x) column[body].v.x = 0.0f;
+        for (const BodyIndex body : m_y) column[body].v.y = 0.0f;
     }
     /// Takes back what position passes did.
     void Return(BodyTable& bodies) const {
-        for (const int body : m_x) {
-            const auto b = static_cast<size_t>(body);
-            bodies.position[b].c.x = bodies.startPosition[b].c.x;
-            if (bodies.IsFar()) bodies.rest[b].end.x = bodies.rest[b].start.x;
+        for (const BodyIndex body : m_x) {
+            bodies.position[body].c.x = bodies.startPosition[body].c.x;
+            if (bodies.IsFar()) bodies.rest[body].end.x = bodies.rest[body].start.x;
         }
-        for (const int body : m_y) {
-            const auto b = static_cast<size_t>(body);
-            bodies.position[b].c.y = bodies.startPosition[b].c.y;
-            if (bodies.IsFar()) bodies.rest[b].end.y = bodies.rest[b].start.y;
+        for (const BodyIndex body : m_y) {
+            bodies.position[body].c.y = bodies.startPosition[body].c.y;
+            if (bodies.IsFar()) bodies.rest[body].end.y = bodies.rest[body].start.y;
         }
     }
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_x, m_y); }
 
 private:
-    std::vector<int> m_x, m_y;
+    std::vector<BodyIndex> m_x, m_y;
 };
 
 /// The same for one body by itself.
-inline void StopLocked(const BodyTable& bodies, int body, Velocity& v) {
+inline void StopLocked(const BodyTable& bodies, BodyIndex body, Velocity& v) {
     if (IsLockedBy(bodies, body, BodyFlag::lockX)) v.v.x = 0.0f;
     if (IsLockedBy(bodies, body, BodyFlag::lockY)) v.v.y = 0.0f;
 }

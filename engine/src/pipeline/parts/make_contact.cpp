@@ -12,31 +12,24 @@
 
 namespace scree {
 
-bool MayHaveContact(int fixtureA, int fixtureB, const ContactEvents& events, FixtureTable& fixtures,
+bool MayHaveContact(FixtureIndex fixtureA, FixtureIndex fixtureB, const ContactEvents& events, FixtureTable& fixtures,
                     JointTable& joints) {
-    const auto a = static_cast<size_t>(fixtureA);
-    const auto b = static_cast<size_t>(fixtureB);
-    if (!joints.MayCollide(fixtures.body[a], fixtures.body[b])) return false;
-    if (events.filter == nullptr) return ShouldCollide(fixtures.filter[a], fixtures.filter[b]);
-    return events.filter->ShouldCollide(&fixtures.handles[a], &fixtures.handles[b]);
+    if (!joints.MayCollide(fixtures.body[fixtureA], fixtures.body[fixtureB])) return false;
+    if (events.filter == nullptr) return ShouldCollide(fixtures.filter[fixtureA], fixtures.filter[fixtureB]);
+    return events.filter->ShouldCollide(&fixtures.handles[fixtureA], &fixtures.handles[fixtureB]);
 }
 
-int MakeContact(int fixtureA, int fixtureB, const ContactEvents& events, const FixtureTable& fixtures,
-                ContactTable& contacts) {
-    const Shape::Type typeA = fixtures.type[static_cast<size_t>(fixtureA)];
-    const Shape::Type typeB = fixtures.type[static_cast<size_t>(fixtureB)];
+ContactIndex MakeContact(FixtureIndex fixtureA, FixtureIndex fixtureB, const ContactEvents& events,
+                         const FixtureTable& fixtures, ContactTable& contacts) {
+    const Shape::Type typeA = fixtures.type[fixtureA];
+    const Shape::Type typeB = fixtures.type[fixtureB];
     const CollideEntry entry = FindCollide(typeA, typeB);
-    if (entry.function == nullptr) return -1;
+    if (entry.function == nullptr) return ContactIndex::none;
     if (entry.swap) std::swap(fixtureA, fixtureB);
-    const auto a = static_cast<size_t>(fixtureA);
-    const auto b = static_cast<size_t>(fixtureB);
-    const int contact = contacts.Add(
-        {static_cast<uint32_t>(fixtureA), static_cast<uint32_t>(fixtureB), fixtures.body[a], fixtures.body[b]});
-    const auto c = static_cast<size_t>(contact);
-    contacts.flags[c] |= ContactFlag::enabled;
-    if (fixtures.isSensor[a] || fixtures.isSensor[b]) contacts.flags[c] |= ContactFlag::sensor;
-    contacts.material[c] =
-        MixMaterials(static_cast<uint32_t>(fixtureA), static_cast<uint32_t>(fixtureB), fixtures, events.mixer);
+    const ContactIndex contact = contacts.Add({fixtureA, fixtureB, fixtures.body[fixtureA], fixtures.body[fixtureB]});
+    contacts.flags[contact] |= ContactFlag::enabled;
+    if (fixtures.isSensor[fixtureA] || fixtures.isSensor[fixtureB]) contacts.flags[contact] |= ContactFlag::sensor;
+    contacts.material[contact] = MixMaterials(fixtureA, fixtureB, fixtures, events.mixer);
     return contact;
 }
 

@@ -14,10 +14,10 @@
 namespace scree {
 
 /// True if joints and filters let the two fixtures have a contact.
-bool MayHaveContact(int fixtureA, int fixtureB, const ContactEvents& events, FixtureTable& fixtures,
+bool MayHaveContact(FixtureIndex fixtureA, FixtureIndex fixtureB, const ContactEvents& events, FixtureTable& fixtures,
                     JointTable& joints);
 /// A new row for a pair that has none; −1 if the two shapes never touch (two edges).
-int MakeContact(int fixtureA, int fixtureB, const ContactEvents& events, const FixtureTable& fixtures,
-                ContactTable& contacts);
+ContactIndex MakeContact(FixtureIndex fixtureA, FixtureIndex fixtureB, const ContactEvents& events,
+                         const FixtureTable& fixtures, ContactTable& contacts);
 
 }  // namespace scree

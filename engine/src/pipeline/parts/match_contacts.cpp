@@ -19,55 +19,55 @@ constexpr int leastPairsToShare = 1024;
 
 /// The contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the pairs
 /// leave it: a pair that is gone or new is one such place, the start of a worker's range another.
-void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts, std::vector<int>& found) {
+void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts,
+                  std::vector<ContactIndex>& found) {
     EnsureRows(found, pairs.size());
     pool.For(static_cast<int>(pairs.size()), leastPairsToShare, [&](int begin, int end, int /*worker*/) {
-        int ownFirst = -1;
-        int* follower = begin == 0 ? &contacts.firstMatched : &ownFirst;
-        for (auto i = static_cast<size_t>(begin); i < static_cast<size_t>(end); ++i) {
-            int contact = *follower;
-            if (!contacts.IsRowOf(contact, pairs[i].a, pairs[i].b)) contact = contacts.Find(pairs[i].a, pairs[i].b);
+        ContactIndex ownFirst = ContactIndex::none;
+        ContactIndex* follower = begin == 0 ? &contacts.firstMatched : &ownFirst;
+        for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
+            const FixtureIndex a = FixtureOf(pairs[i].a), b = FixtureOf(pairs[i].b);
+            ContactIndex contact = *follower;
+            if (!contacts.IsRowOf(contact, a, b)) contact = contacts.Find(a, b);
             found[i] = contact;
-            if (contact < 0) continue;
+            if (IsNone(contact)) continue;
             if (*follower != contact) *follower = contact;
-            follower = &contacts.successor[static_cast<size_t>(contact)];
+            follower = &contacts.successor[contact];
         }
     });
 }
 
 /// Marks the contacts of the pairs; those that have none and may get one go to `fresh`.
 void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t, std::vector<uint64_t>& fresh) {
-    std::vector<int>& found = t.contacts.matched;
+    std::vector<ContactIndex>& found = t.contacts.matched;
     FindContacts(pairs, t.pool, t.contacts, found);
     for (size_t i = 0; i < pairs.size(); ++i) {
-        const Pair pair = pairs[i];
-        if (found[i] >= 0) {
-            t.contacts.flags[static_cast<size_t>(found[i])] |= ContactFlag::marked;
-        } else if (events.filter != nullptr ||
-                   MayHaveContact(static_cast<int>(pair.a), static_cast<int>(pair.b), events, t.fixtures, t.joints)) {
-            fresh.push_back(static_cast<uint64_t>(pair.b) << 32 | pair.a);
+        const FixtureIndex a = FixtureOf(pairs[i].a), b = FixtureOf(pairs[i].b);
+        if (IsSome(found[i])) {
+            t.contacts.flags[found[i]] |= ContactFlag::marked;
+        } else if (events.filter != nullptr || MayHaveContact(a, b, events, t.fixtures, t.joints)) {
+            fresh.push_back(static_cast<uint64_t>(pairs[i].b) << 32 | pairs[i].a);
         }
     }
 }
 
 /// Whether joints and the program's filter let the pair have a contact. What
 /// the filter refuses is noted.
-bool AskAbout(int a, int b, uint64_t key, const ContactEvents& events, MatchTables t) {
-    if (!t.joints.MayCollide(t.fixtures.body[static_cast<size_t>(a)], t.fixtures.body[static_cast<size_t>(b)]))
-        return false;
+bool AskAbout(FixtureIndex a, FixtureIndex b, uint64_t key, const ContactEvents& events, MatchTables t) {
+    if (!t.joints.MayCollide(t.fixtures.body[a], t.fixtures.body[b])) return false;
     if (MayHaveContact(a, b, events, t.fixtures, t.joints)) return true;
     t.contacts.freshRefusals.push_back(key);
     return false;
 }
 
-bool HasRow(const std::vector<uint8_t>* rows, uint32_t row) {
-    return rows != nullptr && row < rows->size() && (*rows)[row] != 0;
+bool HasRow(const Column<FixtureIndex, uint8_t>* rows, FixtureIndex row) {
+    return rows != nullptr && rows->Has(row) && (*rows)[row] != 0;
 }
 
 bool IsSearched(const Searched& searched, const BodyTable& bodies, const ContactPair& pair) {
     if (searched.all) return true;
     if (HasRow(searched.edited, pair.fixtureA) || HasRow(searched.edited, pair.fixtureB)) return true;
-    const auto isListed = [&](int body) { return bodies.isListed[static_cast<size_t>(body)] != 0; };
+    const auto isListed = [&](BodyIndex body) { return bodies.isListed[body] != 0; };
     return searched.listed && (isListed(pair.bodyA) || isListed(pair.bodyB));
 }
 
@@ -88,17 +88,16 @@ void MatchContacts(std::span<const Pair> pairs, const Searched& searched, FreshO
     fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
     const bool asks = events.filter != nullptr;
     if (asks) {
-        t.contacts.refused.TakeOut(fresh, [&](uint32_t a, uint32_t b) {
+        t.contacts.refused.TakeOut(fresh, [&](FixtureIndex a, FixtureIndex b) {
             return IsSearched(searched, t.bodies, {a, b, t.fixtures.body[a], t.fixtures.body[b]});
         });
     }
     if (order == FreshOrder::newestFirst) std::reverse(fresh.begin(), fresh.end());
     t.contacts.Reserve(fresh.size());
     for (const uint64_t key : fresh) {
-        const int a = static_cast<int>(key & 0xFFFFFFFFu);
-        const int b = static_cast<int>(key >> 32);
+        const FixtureIndex a = RefusedPairs::LowOf(key), b = RefusedPairs::HighOf(key);
         if (asks && !AskAbout(a, b, key, events, t)) continue;
-        if (MakeContact(a, b, events, t.fixtures, t.contacts) < 0 && asks) t.contacts.freshRefusals.push_back(key);
+        if (IsNone(MakeContact(a, b, events, t.fixtures, t.contacts)) && asks) t.contacts.freshRefusals.push_back(key);
     }
     t.contacts.refused.Add(t.contacts.freshRefusals);
     t.contacts.freshRefusals.clear();

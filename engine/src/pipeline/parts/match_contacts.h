@@ -37,8 +37,8 @@ enum class FreshOrder : uint8_t { oldestFirst, newestFirst };
 /// have neither begun nor parted.
 struct Searched {
     bool all = false;
-    bool listed = false;                           ///< those of listed bodies
-    const std::vector<uint8_t>* edited = nullptr;  ///< per fixture, rows may be missing; null: none
+    bool listed = false;                                    ///< those of listed bodies
+    const Column<FixtureIndex, uint8_t>* edited = nullptr;  ///< per fixture, rows may be missing; null: none
 };
 
 /// Marks, creates, sweeps; pairs may come twice. Contacts of bodies that joints or filters keep apart are not made.

@@ -35,7 +35,8 @@ float Mix(MixRule rule, float a, float b, Standard&& standard, Ask&& ask) {
 
 }  // namespace
 
-ContactMaterial MixMaterials(uint32_t fixtureA, uint32_t fixtureB, const FixtureTable& fixtures, MaterialMixer* mixer) {
+ContactMaterial MixMaterials(FixtureIndex fixtureA, FixtureIndex fixtureB, const FixtureTable& fixtures,
+                             MaterialMixer* mixer) {
     const Material& a = fixtures.material[fixtureA];
     const Material& b = fixtures.material[fixtureB];
     const Fixture* const handleA = &fixtures.handles[fixtureA];

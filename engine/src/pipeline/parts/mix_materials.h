@@ -12,6 +12,7 @@
 namespace scree {
 
 /// Asks the mixer (null: none) where a rule says so.
-ContactMaterial MixMaterials(uint32_t fixtureA, uint32_t fixtureB, const FixtureTable& fixtures, MaterialMixer* mixer);
+ContactMaterial MixMaterials(FixtureIndex fixtureA, FixtureIndex fixtureB, const FixtureTable& fixtures,
+                             MaterialMixer* mixer);
 
 }  // namespace scree

@@ -16,21 +16,20 @@ namespace scree {
 namespace {
 
 /// The farthest that a fixture of the body reaches from its centre of mass, m.
-float ReachOfBody(int body, const NearStatics::Tables& t) {
+float ReachOfBody(BodyIndex body, const NearStatics::Tables& t) {
     float reach = 0.0f;
-    const auto b = static_cast<size_t>(body);
-    for (const int f : t.fixtures.From(t.bodies.fixtureHead[b])) {
-        if (t.fixtures.isSensor[static_cast<size_t>(f)]) continue;
-        reach = Max(reach, Reach(*t.fixtures.shape[static_cast<size_t>(f)], t.bodies.mass[b].localCenter));
+    for (const FixtureIndex f : t.fixtures.From(t.bodies.fixtureHead[body])) {
+        if (t.fixtures.isSensor[f]) continue;
+        reach = Max(reach, Reach(*t.fixtures.shape[f], t.bodies.mass[body].localCenter));
     }
     return reach;
 }
 
 }  // namespace
 
-NearStatics::Ball NearStatics::MakeBall(int body, const Tables& t) {
-    const Vec2 to = t.bodies.position[static_cast<size_t>(body)].c;
-    const Vec2 way = to - t.bodies.startPosition[static_cast<size_t>(body)].c;
+NearStatics::Ball NearStatics::MakeBall(BodyIndex body, const Tables& t) {
+    const Vec2 to = t.bodies.position[body].c;
+    const Vec2 way = to - t.bodies.startPosition[body].c;
     const float reach = ReachOfBody(body, t);
     Ball ball;
     ball.centre = to + way;
@@ -39,51 +38,49 @@ NearStatics::Ball NearStatics::MakeBall(int body, const Tables& t) {
     const float size = Abs(ball.centre.x) + Abs(ball.centre.y) + reach + ball.radius;
     const float far = reach + ball.radius + 2.0f * linearSlop * t.lengthScale + 1.0e-5f * size;
     const Vec2 extents{far, far};
-    t.broadPhase.QueryStatic({ball.centre - extents, ball.centre + extents}, [&](uint32_t fixture) {
-        const auto other = static_cast<size_t>(t.fixtures.body[fixture]);
+    t.broadPhase.QueryStatic({ball.centre - extents, ball.centre + extents}, [&](uint32_t proxy) {
+        const FixtureIndex fixture = FixtureOf(proxy);
+        const BodyIndex other = t.fixtures.body[fixture];
         if (t.bodies.type[other] != staticBody || t.fixtures.isSensor[fixture]) return true;
         if (LeastDistance(*t.fixtures.shape[fixture], t.bodies.transform[other], ball.centre) > far) return true;
-        if (ball.count < mostFixtures) ball.fixtures[ball.count] = static_cast<int>(fixture);
+        if (ball.count < mostFixtures) ball.fixtures[ball.count] = fixture;
         return ++ball.count <= mostFixtures;
     });
     std::sort(ball.fixtures, ball.fixtures + std::min(ball.count, mostFixtures));
     return ball;
 }
 
-std::optional<std::span<const int>> NearStatics::Get(int body, const BodyTable& bodies) const {
-    const auto b = static_cast<size_t>(body);
-    if (!m_enabled || bodies.IsFar() || b >= m_balls.size()) return std::nullopt;
-    const Ball& ball = m_balls[b];
-    const float farthest = Max(DistanceSquared(bodies.startPosition[b].c, ball.centre),
-                               DistanceSquared(bodies.position[b].c, ball.centre));
+std::optional<std::span<const FixtureIndex>> NearStatics::Get(BodyIndex body, const BodyTable& bodies) const {
+    if (!m_enabled || bodies.IsFar() || !m_balls.Has(body)) return std::nullopt;
+    const Ball& ball = m_balls[body];
+    const float farthest = Max(DistanceSquared(bodies.startPosition[body].c, ball.centre),
+                               DistanceSquared(bodies.position[body].c, ball.centre));
     const bool isInside = ball.radius >= 0.0f && farthest <= ball.radius * ball.radius;
     if (!isInside || ball.count > mostFixtures) return std::nullopt;
-    return std::span<const int>(ball.fixtures, static_cast<size_t>(ball.count));
+    return std::span<const FixtureIndex>(ball.fixtures, ToSize(ball.count));
 }
 
-std::optional<std::span<const int>> NearStatics::Find(int body, const Tables& tables) {
+std::optional<std::span<const FixtureIndex>> NearStatics::Find(BodyIndex body, const Tables& tables) {
     if (!m_enabled || tables.bodies.IsFar()) return std::nullopt;
-    const auto b = static_cast<size_t>(body);
-    if (b >= m_balls.size()) EnsureRows(m_balls, static_cast<size_t>(tables.bodies.slots.Size()));
-    Ball& ball = m_balls[b];
-    const float farthest = Max(DistanceSquared(tables.bodies.startPosition[b].c, ball.centre),
-                               DistanceSquared(tables.bodies.position[b].c, ball.centre));
+    if (!m_balls.Has(body)) EnsureRows(m_balls, ToSize(tables.bodies.slots.Size()));
+    Ball& ball = m_balls[body];
+    const float farthest = Max(DistanceSquared(tables.bodies.startPosition[body].c, ball.centre),
+                               DistanceSquared(tables.bodies.position[body].c, ball.centre));
     if (!(ball.radius >= 0.0f && farthest <= ball.radius * ball.radius)) ball = MakeBall(body, tables);
     if (ball.count > mostFixtures) return std::nullopt;
-    return std::span<const int>(ball.fixtures, static_cast<size_t>(ball.count));
+    return std::span<const FixtureIndex>(ball.fixtures, ToSize(ball.count));
 }
 
 void NearStatics::PrepareCalm(const BodyTable& bodies, bool atOutlines) {
     if (m_atOutlines != atOutlines) m_calm.clear();
     m_atOutlines = atOutlines;
-    if (m_enabled && !bodies.IsFar()) EnsureRows(m_calm, static_cast<size_t>(bodies.slots.Size()));
+    if (m_enabled && !bodies.IsFar()) EnsureRows(m_calm, ToSize(bodies.slots.Size()));
 }
 
-void NearStatics::NoteCalm(int body, const BodyTable& bodies, float reach, float slack) {
-    const auto b = static_cast<size_t>(body);
-    const Ball& ball = m_balls[b];
-    const Position& at = bodies.position[b];
-    m_calm[b] = {at.c, at.a, reach, Min(slack, ball.radius - Distance(at.c, ball.centre))};
+void NearStatics::NoteCalm(BodyIndex body, const BodyTable& bodies, float reach, float slack) {
+    const Ball& ball = m_balls[body];
+    const Position& at = bodies.position[body];
+    m_calm[body] = {at.c, at.a, reach, Min(slack, ball.radius - Distance(at.c, ball.centre))};
 }
 
 }  // namespace scree

@@ -33,10 +33,9 @@ public:
     /// To be called when a static fixture comes, moves or changes. O(1).
     void ForgetAll() { m_balls.clear(), m_calm.clear(); }
     /// To be called when the body gets a fixture or another centre of mass.
-    void Forget(int body) {
-        const auto b = static_cast<size_t>(body);
-        if (b < m_balls.size()) m_balls[b] = Ball();
-        if (b < m_calm.size()) m_calm[b] = Calm();
+    void Forget(BodyIndex body) {
+        if (m_balls.Has(body)) m_balls[body] = Ball();
+        if (m_calm.Has(body)) m_calm[body] = Calm();
     }
     /// From now on nothing is known of any body: a program holds a shape that it may change at any time.
     void Disable() { m_enabled = false; }
@@ -46,25 +45,24 @@ public:
     /// The static fixtures, in ascending order, that the body can meet on its way from startPosition to position; all
     /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid
     /// until the next call.
-    std::optional<std::span<const int>> Find(int body, const Tables& tables);
+    std::optional<std::span<const FixtureIndex>> Find(BodyIndex body, const Tables& tables);
     /// The same without asking the broad phase: nothing where Find would have to. Safe for several threads.
-    [[nodiscard]] std::optional<std::span<const int>> Get(int body, const BodyTable& bodies) const;
+    [[nodiscard]] std::optional<std::span<const FixtureIndex>> Get(BodyIndex body, const BodyTable& bodies) const;
 
     /// Makes room for what NoteCalm notes. What was noted with other answers of `atOutlines` is forgotten.
     void PrepareCalm(const BodyTable& bodies, bool atOutlines);
     /// Where it is at the end of the step the body, whose core reaches `reach` from its centre, was shown to meet no
     /// static fixture while none of its points moves by more than `slack`. Only for a body that Get has answered.
-    void NoteCalm(int body, const BodyTable& bodies, float reach, float slack);
+    void NoteCalm(BodyIndex body, const BodyTable& bodies, float reach, float slack);
     /// True if the body stays within what was noted on its whole way.
-    [[nodiscard]] bool StaysCalm(int body, const BodyTable& bodies) const {
-        const auto b = static_cast<size_t>(body);
-        if (!m_enabled || b >= m_calm.size()) return false;
-        const Calm& calm = m_calm[b];
+    [[nodiscard]] bool StaysCalm(BodyIndex body, const BodyTable& bodies) const {
+        if (!m_enabled || !m_calm.Has(body)) return false;
+        const Calm& calm = m_calm[body];
         const auto isWithin = [&](const Position& p) {
             const float left = calm.slack - Abs(p.a - calm.angle) * calm.reach;
             return left >= 0.0f && DistanceSquared(p.c, calm.centre) <= left * left;
         };
-        return isWithin(bodies.startPosition[b]) && isWithin(bodies.position[b]);
+        return isWithin(bodies.startPosition[body]) && isWithin(bodies.position[body]);
     }
 
 private:
@@ -74,7 +72,7 @@ private:
         Vec2 centre = vec2Zero;
         float radius = -1.0f;  ///< m; negative: there is no ball yet
         int count = 0;         ///< of fixtures; more than mostFixtures: too many to keep
-        int fixtures[mostFixtures];
+        FixtureIndex fixtures[mostFixtures];
     };
 
     struct Calm {
@@ -83,11 +81,11 @@ private:
         float slack = -1.0f;  ///< m; negative: nothing is known
     };
 
-    static Ball MakeBall(int body, const Tables& tables);
+    static Ball MakeBall(BodyIndex body, const Tables& tables);
 
-    std::vector<Ball> m_balls;  ///< by body
-    std::vector<Calm> m_calm;   ///< by body
-    bool m_atOutlines = false;  ///< what m_calm is about
+    Column<BodyIndex, Ball> m_balls;  ///< by body
+    Column<BodyIndex, Calm> m_calm;   ///< by body
+    bool m_atOutlines = false;        ///< what m_calm is about
     bool m_enabled = true;
 };
 

@@ -13,10 +13,10 @@
 namespace scree {
 
 /// Notes that a contact has begun or ended.
-void NoteChange(int contact, const ContactTable& contacts, EventLog& log);
+void NoteChange(ContactIndex contact, const ContactTable& contacts, EventLog& log);
 /// Notes the blow of a contact that touches and is going to be solved, if its fixtures report that: how fast they come
 /// together at its points.
-void NoteHit(int contact, const FixtureTable& fixtures, const BodyTable& bodies, const ContactTable& contacts,
+void NoteHit(ContactIndex contact, const FixtureTable& fixtures, const BodyTable& bodies, const ContactTable& contacts,
              EventLog& log);
 
 }  // namespace scree

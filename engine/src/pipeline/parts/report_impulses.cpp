@@ -21,8 +21,8 @@ void ReportImpulses(const ContactRows& rows, const ContactEvents& events, Contac
     }
 }
 
-void ReportBlockImpulses(SolverScratch& scratch, bool summed, std::span<const int> list, const ContactEvents& events,
-                         ContactTable& contacts) {
+void ReportBlockImpulses(SolverScratch& scratch, bool summed, std::span<const ContactIndex> list,
+                         const ContactEvents& events, ContactTable& contacts) {
     if (!events.HearsPostSolve()) return;
     scratch.blocks.GetImpulses(summed, scratch.impulses);
     for (size_t i = 0; i < list.size() && events.listener != nullptr; ++i) {

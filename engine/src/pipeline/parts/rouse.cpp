@@ -9,18 +9,18 @@ namespace scree {
 
 namespace {
 
-void SetResting(int body, bool resting, const BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase) {
-    for (const int f : fixtures.From(bodies.fixtureHead[static_cast<size_t>(body)])) {
-        if (fixtures.info[static_cast<size_t>(f)].inBroadPhase)
-            broadPhase.SetResting(static_cast<uint32_t>(f), resting);
+void SetResting(BodyIndex body, bool resting, const BodyTable& bodies, const FixtureTable& fixtures,
+                BroadPhase& broadPhase) {
+    for (const FixtureIndex f : fixtures.From(bodies.fixtureHead[body])) {
+        if (fixtures.info[f].inBroadPhase) broadPhase.SetResting(ProxyOf(f), resting);
     }
 }
 
 }  // namespace
 
 void RouseProxies(BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase) {
-    for (const int body : bodies.risenProxies) {
-        if (bodies.isListed[static_cast<size_t>(body)] != 0) SetResting(body, false, bodies, fixtures, broadPhase);
+    for (const BodyIndex body : bodies.risenProxies) {
+        if (bodies.isListed[body] != 0) SetResting(body, false, bodies, fixtures, broadPhase);
     }
     bodies.risenProxies.clear();
 }
@@ -29,7 +29,7 @@ void RestSleepers(BodyTable& bodies, const FixtureTable& fixtures, ContactTable&
     RouseContacts(bodies, contacts);
     if (bodies.fellAsleep > 0) {
         bodies.fellAsleep = 0;
-        for (const int body : bodies.Listed()) {
+        for (const BodyIndex body : bodies.Listed()) {
             if (bodies.Has(body, BodyFlag::awake)) continue;
             bodies.Unlist(body);
             SetResting(body, true, bodies, fixtures, broadPhase);
@@ -38,16 +38,15 @@ void RestSleepers(BodyTable& bodies, const FixtureTable& fixtures, ContactTable&
     }
     if (!contacts.mayRest) return;
     contacts.mayRest = false;
-    contacts.active.ForEach([&](int contact) {
-        const auto c = static_cast<size_t>(contact);
+    contacts.active.ForEach([&](ContactIndex contact) {
         constexpr uint8_t asked = ContactFlag::marked | ContactFlag::refilter;
-        if ((contacts.flags[c] & asked) != ContactFlag::marked) {
+        if ((contacts.flags[contact] & asked) != ContactFlag::marked) {
             contacts.mayRest = true;
             return;
         }
-        const ContactPair& pair = contacts.pair[c];
-        if (bodies.isListed[static_cast<size_t>(pair.bodyA)] != 0) return;
-        if (bodies.isListed[static_cast<size_t>(pair.bodyB)] == 0) contacts.Rest(contact);
+        const ContactPair& pair = contacts.pair[contact];
+        if (bodies.isListed[pair.bodyA] != 0) return;
+        if (bodies.isListed[pair.bodyB] == 0) contacts.Rest(contact);
     });
 }
 

@@ -15,9 +15,9 @@ namespace scree {
 
 /// Rouses the contacts of the bodies that were listed since the last call. Returns how many of these contacts touch in
 /// rows below `row`.
-inline int RouseContacts(BodyTable& bodies, ContactTable& contacts, int row = 0) {
+inline int RouseContacts(BodyTable& bodies, ContactTable& contacts, ContactIndex row = ContactIndex{0}) {
     int touching = 0;
-    for (const int body : bodies.risen) touching += contacts.RouseOf(body, row);
+    for (const BodyIndex body : bodies.risen) touching += contacts.RouseOf(body, row);
     bodies.risen.clear();
     return touching;
 }

@@ -49,7 +49,7 @@ struct Twist {
 
 /// A body's constants over a soft step, and what its last sub-step did. One cache line.
 struct alignas(64) SoftBody {
-    int body;
+    BodyIndex body;
     bool jointed;
     float linearDamp, angularDamp;  ///< factors of half a sub-step
     Twist kick;                     ///< by gravity and forces in half a sub-step
@@ -71,12 +71,12 @@ struct SolverScratch {
     RollingRows rolling;  ///< of the contacts or the blocks
     LockedBodies locked;  ///< of the bodies that are solved
     JointConstraints joints;
-    std::vector<Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
+    Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
-    std::vector<Velocity> startVelocity;  ///< per body, of jointed ones: where the motion of the soft step began
-    std::vector<int> jointed;             ///< rows of `soft`
-    std::vector<Twist> before;            ///< of these: velocity before a pass over the contacts
-    IslandTable rest;                     ///< jointed bodies that go on after a time of impact
+    Column<BodyIndex, Velocity> startVelocity;  ///< per body, of jointed ones: where the motion of the soft step began
+    std::vector<int> jointed;                   ///< rows of `soft`
+    std::vector<Twist> before;                  ///< of these: velocity before a pass over the contacts
+    IslandTable rest;                           ///< jointed bodies that go on after a time of impact
     IslandTable wide;                   ///< islands that are solved together, joined; `islands` keeps their own ranges
     std::vector<uint8_t> islandSolved;  ///< per island of `wide`: positions are within tolerance
     std::vector<ContactImpulse> impulses;
@@ -139,7 +139,7 @@ template <typename Body>
 SolverCounts CountOver(TaskPool& pool, size_t count, Body&& body) {
     return CountRanges(pool, count, leastBodies, [&](int begin, int end) {
         SolverCounts sum;
-        for (int i = begin; i < end; ++i) sum += body(static_cast<size_t>(i));
+        for (int i = begin; i < end; ++i) sum += body(ToSize(i));
         return sum;
     });
 }
@@ -147,7 +147,7 @@ SolverCounts CountOver(TaskPool& pool, size_t count, Body&& body) {
 template <typename Body>
 void ForEachOf(TaskPool& pool, size_t count, Body&& body) {
     pool.For(static_cast<int>(count), leastBodies, [&](int begin, int end, int) {
-        for (int i = begin; i < end; ++i) body(static_cast<size_t>(i));
+        for (int i = begin; i < end; ++i) body(ToSize(i));
     });
 }
 
@@ -177,8 +177,9 @@ struct SolverTables {
 };
 
 /// Rolling rows of a list of contacts; none without the feature.
-inline void PrepareRolling(const SolverSettings& settings, const FixtureTable& fixtures, std::span<const int> list,
-                           float impulseScale, SolverTables tables, RollingRows& rows) {
+inline void PrepareRolling(const SolverSettings& settings, const FixtureTable& fixtures,
+                           std::span<const ContactIndex> list, float impulseScale, SolverTables tables,
+                           RollingRows& rows) {
     rows.Clear();
     if (!settings.kernels.rolling) return;
     EnsureRows(tables.contacts.rolling, tables.contacts.flags.size());

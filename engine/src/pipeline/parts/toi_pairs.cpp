@@ -17,8 +17,6 @@ namespace scree {
 
 namespace {
 
-size_t Row(int index) { return static_cast<size_t>(index); }
-
 /// Below these counts bodies to look over and searches are not worth waking workers for.
 constexpr int leastToScreen = 512, leastSearches = 32;
 
@@ -29,44 +27,44 @@ constexpr float middleShare = 0.25f, leastMiddleScale = 0.02f;
 }  // namespace
 
 void ToiPairs::Clear() {
-    const size_t count = Row(m_bodies.slots.Size());
+    const size_t count = ToSize(m_bodies.slots.Size());
     m_s.pairs.clear();
     m_s.events.Clear();
     EnsureRows(m_s.firstPair, count, -1);
     EnsureRows(m_s.alpha, count);
     EnsureRows(m_s.isPassedOver, count);
-    for (const int body : m_s.lookers) m_s.isPassedOver[Row(body)] = 0;  // of the last step
+    for (const BodyIndex body : m_s.lookers) m_s.isPassedOver[body] = 0;  // of the last step
     m_s.lookers.clear();
-    EnsureRows(m_s.knownTo, Row(m_t.fixtures.slots.Size()));
-    for (const int body : m_s.touched) {
-        m_s.firstPair[Row(body)] = -1;
-        if (!m_s.resuming) m_s.alpha[Row(body)] = 0.0f;
+    EnsureRows(m_s.knownTo, ToSize(m_t.fixtures.slots.Size()));
+    for (const BodyIndex body : m_s.touched) {
+        m_s.firstPair[body] = -1;
+        if (!m_s.resuming) m_s.alpha[body] = 0.0f;
     }
     m_s.touched.clear();
 }
 
 /// Non-bullet dynamic bodies pass through each other.
-bool ToiPairs::MayMeet(int bodyA, int bodyB) const {
+bool ToiPairs::MayMeet(BodyIndex bodyA, BodyIndex bodyB) const {
     if (!IsDynamic(bodyA) && !IsDynamic(bodyB)) return false;
     return !IsDynamic(bodyA) || !IsDynamic(bodyB) || IsBullet(bodyA) || IsBullet(bodyB);
 }
 
 /// However slow, since a body that is pressed down may creep through by less than a slop a step.
-bool ToiPairs::Moves(int body) const {
-    const Position& from = m_bodies.startPosition[Row(body)];
-    const Position& to = m_bodies.position[Row(body)];
+bool ToiPairs::Moves(BodyIndex body) const {
+    const Position& from = m_bodies.startPosition[body];
+    const Position& to = m_bodies.position[body];
     if (!(from.c == to.c) || from.a != to.a) return true;
-    return m_bodies.IsFar() && !(m_bodies.rest[Row(body)].start == m_bodies.rest[Row(body)].end);
+    return m_bodies.IsFar() && !(m_bodies.rest[body].start == m_bodies.rest[body].end);
 }
 
 void ToiPairs::FindAll() {
-    const std::span<const int> bodies = m_bodies.Listed();
+    const std::span<const BodyIndex> bodies = m_bodies.Listed();
     // What rests is no danger but to what moves: a kinematic body that rests counts only where dynamic ones do not.
     const bool somethingMoves =
-        std::ranges::any_of(bodies, [this](int b) { return IsDynamic(b) && m_bodies.IsActive(b); });
+        std::ranges::any_of(bodies, [this](BodyIndex b) { return IsDynamic(b) && m_bodies.IsActive(b); });
     m_s.lookers.assign(bodies.begin(), bodies.end());
     if (somethingMoves) m_bodies.AddRestingKinematics(m_s.lookers);
-    for (const int body : m_s.lookers) {
+    for (const BodyIndex body : m_s.lookers) {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
     }
@@ -80,7 +78,7 @@ void ToiPairs::FindAll() {
     const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale};
     m_timesFollow = true;
     for (size_t i = 0; i < m_s.lookers.size(); ++i) {
-        const int body = m_s.lookers[i];
+        const BodyIndex body = m_s.lookers[i];
         if (m_s.screened[i] == ScreenedBody::passes) continue;
         if (!IsDynamic(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
@@ -96,45 +94,45 @@ void ToiPairs::FindAll() {
 /// the body.
 void ToiPairs::Screen() {
     m_s.nearStatics.PrepareCalm(m_bodies, m_atOutlines);
-    const std::vector<int>& lookers = m_s.lookers;
+    const std::vector<BodyIndex>& lookers = m_s.lookers;
     m_s.screened.resize(lookers.size());
     m_t.pool.For(static_cast<int>(lookers.size()), leastToScreen, [&](int begin, int end, int /*worker*/) {
-        for (int i = begin; i < end; ++i) m_s.screened[Row(i)] = ScreenBody(lookers[Row(i)]);
+        for (int i = begin; i < end; ++i) m_s.screened[ToSize(i)] = ScreenBody(lookers[ToSize(i)]);
     });
     if (m_s.audit == nullptr) return;
-    for (const int body : lookers) {
-        if (m_s.isPassedOver[Row(body)] != 0 && m_bodies.IsActive(body)) AuditBody(body);
+    for (const BodyIndex body : lookers) {
+        if (m_s.isPassedOver[body] != 0 && m_bodies.IsActive(body)) AuditBody(body);
     }
 }
 
-ScreenedBody ToiPairs::ScreenBody(int body) {
+ScreenedBody ToiPairs::ScreenBody(BodyIndex body) {
     if (!m_bodies.Has(body, BodyFlag::enabled)) return ScreenedBody::passes;
     if (!IsDynamic(body)) return ScreenedBody::isToCollect;
     if (!m_bodies.IsActive(body)) return ScreenedBody::passes;
     if (IsBullet(body)) return ScreenedBody::isToCollect;
     if (!Moves(body)) return ScreenedBody::passes;
     const ScreenedBody screened = LookAround(body);
-    if (screened == ScreenedBody::passes) m_s.isPassedOver[Row(body)] = 1;
+    if (screened == ScreenedBody::passes) m_s.isPassedOver[body] = 1;
     return screened;
 }
 
 /// Passes if the body surely meets no static fixture of those that are known to be near it.
-ScreenedBody ToiPairs::LookAround(int body) {
+ScreenedBody ToiPairs::LookAround(BodyIndex body) {
     if (m_bodies.IsFar()) return ScreenedBody::isToCollect;
     if (m_s.nearStatics.StaysCalm(body, m_bodies)) return ScreenedBody::passes;
     const auto near = m_s.nearStatics.Get(body, m_bodies);
     if (!near) return ScreenedBody::isToCollect;
     float slack = std::numeric_limits<float>::max(), reach = 0.0f;
-    for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+    for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
         if (near->empty()) break;
-        if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
-        for (const int other : *near) {
+        if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
+        for (const FixtureIndex other : *near) {
             const ToiPair pair = PairOf(f, other);
             const Clearance clearance = ClearanceOf(pair);
             slack = clearance.isSure ? Min(slack, clearance.slack) : -1.0f;
             reach = Max(reach, clearance.reach);
             if (clearance.isSure) continue;
-            const AABB& box = m_t.broadPhase.GetBox(static_cast<uint32_t>(other));
+            const AABB& box = m_t.broadPhase.GetBox(ProxyOf(other));
             if (!PassesBy(pair) && TestOverlap(SweptBox(body, f), box)) return ScreenedBody::isToCollect;
         }
     }
@@ -143,12 +141,12 @@ ScreenedBody ToiPairs::LookAround(int body) {
 }
 
 /// Searches in full for what was passed over.
-void ToiPairs::AuditBody(int body) const {
+void ToiPairs::AuditBody(BodyIndex body) const {
     const auto near = m_s.nearStatics.Get(body, m_bodies);
     if (!near) return;
-    for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
-        if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
-        for (const int other : *near) Audit(PairOf(f, other));
+    for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
+        if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
+        for (const FixtureIndex other : *near) Audit(PairOf(f, other));
     }
 }
 
@@ -163,21 +161,21 @@ void ToiPairs::FindTimes() {
     m_s.times.resize(m_s.pairs.size());
     m_t.pool.For(static_cast<int>(m_s.pairs.size()), leastSearches, [&](int begin, int end, int /*worker*/) {
         TOIStats work;
-        for (int i = begin; i < end; ++i) m_s.times[Row(i)] = FirstTimeOf(m_s.pairs[Row(i)], work);
+        for (int i = begin; i < end; ++i) m_s.times[i] = FirstTimeOf(m_s.pairs[i], work);
         if (work.calls > 0) CountSearches(*m_events.work, work);
     });
-    for (size_t i = 0; i < m_s.times.size(); ++i) {
-        if (m_s.times[i] < 1.0f) SetEvent(static_cast<int>(i), m_s.times[i]);
+    for (const int i : m_s.times.Rows()) {
+        if (m_s.times[i] < 1.0f) SetEvent(i, m_s.times[i]);
     }
 }
 
 /// Gives the dynamic bodies boxes that cover their motion, when someone can hit them.
 void ToiPairs::SweepBoxes() {
     m_s.sweptBoxes.clear();
-    for (const int body : m_bodies.Listed()) {
+    for (const BodyIndex body : m_bodies.Listed()) {
         if (!m_bodies.IsActive(body)) continue;
-        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
-            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, static_cast<uint32_t>(f)});
+        for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
+            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, ProxyOf(f)});
         }
     }
     m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
@@ -188,12 +186,12 @@ bool ToiPairs::AreFewToMeet() const {
     constexpr int most = 24;
     if (m_s.resuming || m_bodies.IsFar()) return false;
     int fixtures = 0;
-    for (const int body : m_s.lookers) {
+    for (const BodyIndex body : m_s.lookers) {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         if (IsDynamic(body)) {
             if (IsBullet(body) && m_bodies.IsActive(body)) return false;
         } else {
-            fixtures += m_bodies.info[Row(body)].fixtureCount;
+            fixtures += m_bodies.info[body].fixtureCount;
             if (fixtures > most) return false;
         }
     }
@@ -205,24 +203,24 @@ bool ToiPairs::AreFewToMeet() const {
 void ToiPairs::GatherTargets() {
     m_s.sweptBoxes.clear();
     m_s.hitters.clear();
-    for (const int body : m_s.lookers) {
+    for (const BodyIndex body : m_s.lookers) {
         if (IsDynamic(body) || !m_bodies.Has(body, BodyFlag::enabled)) continue;
-        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+        for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
             m_s.hitters.push_back(SweptBox(body, f));
-            if (m_bodies.IsActive(body)) m_t.broadPhase.Update(static_cast<uint32_t>(f), m_s.hitters.back(), vec2Zero);
+            if (m_bodies.IsActive(body)) m_t.broadPhase.Update(ProxyOf(f), m_s.hitters.back(), vec2Zero);
         }
     }
     const float slop = linearSlop * m_lengthScale;  // boxes of what fell asleep may lag behind
-    for (const int body : m_bodies.Listed()) {
+    for (const BodyIndex body : m_bodies.Listed()) {
         if (!IsDynamic(body) || !m_bodies.IsActive(body)) continue;
-        const Position& from = m_bodies.startPosition[Row(body)];
-        const Position& to = m_bodies.position[Row(body)];
+        const Position& from = m_bodies.startPosition[body];
+        const Position& to = m_bodies.position[body];
         const float turn = Abs(to.a - from.a);
         const float way = Max(Abs(to.c.x - from.c.x), Abs(to.c.y - from.c.y)) + slop;
-        for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
+        for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
             // No point leaves its box at the start by more than the centre goes and a turn about it takes it, nor does
             // SweptBox widen it by more.
-            AABB box = m_t.broadPhase.GetBox(static_cast<uint32_t>(f));
+            AABB box = m_t.broadPhase.GetBox(ProxyOf(f));
             float most = way;
             if (turn > 0.0f) {
                 const Vec2 low = from.c - box.lowerBound, high = box.upperBound - from.c;
@@ -233,23 +231,23 @@ void ToiPairs::GatherTargets() {
             box = {box.lowerBound - Vec2{most, most}, box.upperBound + Vec2{most, most}};
             const auto isNear = [&box](const AABB& hitter) { return TestOverlap(box, hitter); };
             if (std::ranges::none_of(m_s.hitters, isNear)) continue;
-            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, static_cast<uint32_t>(f)});
+            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, ProxyOf(f)});
         }
     }
 }
 
-void ToiPairs::SweepBoxesOf(int body) {
-    for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
-        m_t.broadPhase.Update(static_cast<uint32_t>(f), SweptBox(body, f), vec2Zero);
+void ToiPairs::SweepBoxesOf(BodyIndex body) {
+    for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
+        m_t.broadPhase.Update(ProxyOf(f), SweptBox(body, f), vec2Zero);
     }
 }
 
 /// Covers the fixture on its whole way: the boxes at both ends, widened by how far a turning point leaves the
 /// straight line between its ends.
-AABB ToiPairs::SweptBox(int body, int fixture) const {
+AABB ToiPairs::SweptBox(BodyIndex body, FixtureIndex fixture) const {
     const Vec2 frame = FrameOf(m_bodies, body, body);
     const Sweep sweep = SweepOf(body, frame);
-    const Shape& shape = *m_t.fixtures.shape[Row(fixture)];
+    const Shape& shape = *m_t.fixtures.shape[fixture];
     Transform xf = TransformIn(frame, m_bodies, body);  // at the end
     AABB box, start;
     shape.ComputeAABB(&box, xf);
@@ -267,24 +265,24 @@ AABB ToiPairs::SweptBox(int body, int fixture) const {
     return m_bodies.IsFar() ? ToWorld(frame, box) : box;
 }
 
-Sweep ToiPairs::SweepOf(int body, Vec2 frame) const {
+Sweep ToiPairs::SweepOf(BodyIndex body, Vec2 frame) const {
     Sweep sweep;
-    sweep.localCenter = m_bodies.mass[Row(body)].localCenter;
+    sweep.localCenter = m_bodies.mass[body].localCenter;
     sweep.c0 = StartIn(frame, m_bodies, body);
-    sweep.a0 = m_bodies.startPosition[Row(body)].a;
+    sweep.a0 = m_bodies.startPosition[body].a;
     sweep.c = CentreIn(frame, m_bodies, body);
-    sweep.a = m_bodies.position[Row(body)].a;
-    sweep.alpha0 = m_s.alpha[Row(body)];
+    sweep.a = m_bodies.position[body].a;
+    sweep.alpha0 = m_s.alpha[body];
     return sweep;
 }
 
 /// Collect for a dynamic body that has no pairs yet but those of kinematic bodies and bullets with it.
-void ToiPairs::CollectFirst(int body, const NearStatics::Tables& tables) {
+void ToiPairs::CollectFirst(BodyIndex body, const NearStatics::Tables& tables) {
     const bool isBullet = IsBullet(body);
     const auto known = isBullet ? std::nullopt : m_s.nearStatics.Find(body, tables);
     m_s.candidates.clear();
-    for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
-        if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
+    for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
+        if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
         if (!known) {
             FindCandidates(body, f, isBullet);
         } else if (!known->empty()) {
@@ -292,39 +290,39 @@ void ToiPairs::CollectFirst(int body, const NearStatics::Tables& tables) {
         }
     }
     const auto isSpared = [&](const ToiCandidate& c) {
-        const int otherBody = m_t.fixtures.body[Row(c.other)];
-        return m_bodies.type[Row(otherBody)] == staticBody && IsSpared(PairOf(c.fixture, c.other));
+        const BodyIndex otherBody = m_t.fixtures.body[c.other];
+        return m_bodies.type[otherBody] == staticBody && IsSpared(PairOf(c.fixture, c.other));
     };
     if (m_s.candidates.empty()) return;
     if (!isBullet && std::ranges::all_of(m_s.candidates, isSpared)) {
-        m_s.isPassedOver[Row(body)] = 1;
+        m_s.isPassedOver[body] = 1;
     } else {
         AddCandidates(body);
     }
 }
 
 /// Makes the pairs of a body with everything on its way and puts their events into the heap.
-void ToiPairs::Collect(int body, bool withDynamic) {
+void ToiPairs::Collect(BodyIndex body, bool withDynamic) {
     m_s.candidates.clear();
-    for (const int f : m_t.fixtures.From(m_bodies.fixtureHead[Row(body)])) {
-        if (m_t.fixtures.isSensor[Row(f)] || !m_t.fixtures.info[Row(f)].inBroadPhase) continue;
+    for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
+        if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
         FindCandidates(body, f, withDynamic);
     }
     AddCandidates(body);
 }
 
-void ToiPairs::FindCandidates(int body, int fixture, std::span<const int> known) {
+void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<const FixtureIndex> known) {
     const AABB box = SweptBox(body, fixture);
-    for (const int other : known) {
-        if (!TestOverlap(box, m_t.broadPhase.GetBox(static_cast<uint32_t>(other)))) continue;
+    for (const FixtureIndex other : known) {
+        if (!TestOverlap(box, m_t.broadPhase.GetBox(ProxyOf(other)))) continue;
         m_s.candidates.push_back({fixture, other});
     }
 }
 
-void ToiPairs::FindCandidates(int body, int fixture, bool withDynamic) {
+void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDynamic) {
     m_s.found.clear();
     const auto visit = [&](uint32_t other) {
-        m_s.found.push_back(static_cast<int>(other));
+        m_s.found.push_back(FixtureOf(other));
         return true;
     };
     const AABB box = SweptBox(body, fixture);
@@ -333,23 +331,23 @@ void ToiPairs::FindCandidates(int body, int fixture, bool withDynamic) {
         m_t.broadPhase.Query(box, visit);
         if (m_fewToMeet && !IsDynamic(body)) {
             // The boxes of what moves were not: those that are near are listed.
-            std::erase_if(m_s.found, [this](int other) {
-                const int otherBody = m_t.fixtures.body[Row(other)];
+            std::erase_if(m_s.found, [this](FixtureIndex other) {
+                const BodyIndex otherBody = m_t.fixtures.body[other];
                 return IsDynamic(otherBody) && m_bodies.IsActive(otherBody);
             });
             for (const BoxUpdate& target : m_s.sweptBoxes) {
-                if (TestOverlap(box, target.box)) m_s.found.push_back(static_cast<int>(target.fixture));
+                if (TestOverlap(box, target.box)) m_s.found.push_back(FixtureOf(target.fixture));
             }
         }
     } else {
         m_t.broadPhase.QueryStatic(box, visit);
     }
     std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
-    for (const int other : m_s.found) m_s.candidates.push_back({fixture, other});
+    for (const FixtureIndex other : m_s.found) m_s.candidates.push_back({fixture, other});
 }
 
-void ToiPairs::AddCandidates(int body) {
-    m_s.isPassedOver[Row(body)] = 0;
+void ToiPairs::AddCandidates(BodyIndex body) {
+    m_s.isPassedOver[body] = 0;
     for (size_t i = 0; i < m_s.candidates.size(); ++i) {
         const ToiCandidate candidate = m_s.candidates[i];
         if (i == 0 || candidate.fixture != m_s.candidates[i - 1].fixture) MarkKnown(body, candidate.fixture);
@@ -358,46 +356,46 @@ void ToiPairs::AddCandidates(int body) {
 }
 
 /// Marks the fixtures that have a pair with `fixture` already: one pass, however many are to be asked about.
-void ToiPairs::MarkKnown(int body, int fixture) {
+void ToiPairs::MarkKnown(BodyIndex body, FixtureIndex fixture) {
     if (m_s.round == std::numeric_limits<int>::max()) {
         m_s.round = 0;
         std::ranges::fill(m_s.knownTo, 0);
     }
     ++m_s.round;
-    for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) {
-        const ToiPair& pair = m_s.pairs[Row(p)];
-        if (pair.fixtureA == fixture) m_s.knownTo[Row(pair.fixtureB)] = m_s.round;
-        if (pair.fixtureB == fixture) m_s.knownTo[Row(pair.fixtureA)] = m_s.round;
+    for (int p = m_s.firstPair[body]; p >= 0; p = Next(p, body)) {
+        const ToiPair& pair = m_s.pairs[p];
+        if (pair.fixtureA == fixture) m_s.knownTo[pair.fixtureB] = m_s.round;
+        if (pair.fixtureB == fixture) m_s.knownTo[pair.fixtureA] = m_s.round;
     }
 }
 
-void ToiPairs::Add(int fixture, int other) {
-    const int body = m_t.fixtures.body[Row(fixture)];
-    const int otherBody = m_t.fixtures.body[Row(other)];
-    if (otherBody == body || m_t.fixtures.isSensor[Row(other)] || !MayMeet(body, otherBody)) return;
-    if (m_bodies.type[Row(otherBody)] == staticBody && IsClear(fixture, other, 0.0f)) return;
-    if (m_s.knownTo[Row(other)] == m_s.round) return;
+void ToiPairs::Add(FixtureIndex fixture, FixtureIndex other) {
+    const BodyIndex body = m_t.fixtures.body[fixture];
+    const BodyIndex otherBody = m_t.fixtures.body[other];
+    if (otherBody == body || m_t.fixtures.isSensor[other] || !MayMeet(body, otherBody)) return;
+    if (m_bodies.type[otherBody] == staticBody && IsClear(fixture, other, 0.0f)) return;
+    if (m_s.knownTo[other] == m_s.round) return;
     if (!MayCollide(fixture, other)) return;
     const int index = static_cast<int>(m_s.pairs.size());
-    for (const int b : {body, otherBody}) {
-        if (m_s.firstPair[Row(b)] < 0) m_s.touched.push_back(b);
+    for (const BodyIndex b : {body, otherBody}) {
+        if (m_s.firstPair[b] < 0) m_s.touched.push_back(b);
     }
     m_s.pairs.push_back(PairOf(fixture, other));
-    m_s.pairs.back().nextA = m_s.firstPair[Row(body)];
-    m_s.pairs.back().nextB = m_s.firstPair[Row(otherBody)];
-    m_s.firstPair[Row(body)] = index;
-    m_s.firstPair[Row(otherBody)] = index;
+    m_s.pairs.back().nextA = m_s.firstPair[body];
+    m_s.pairs.back().nextB = m_s.firstPair[otherBody];
+    m_s.firstPair[body] = index;
+    m_s.firstPair[otherBody] = index;
     if (!m_timesFollow) UpdateEvent(index);
 }
 
 /// Neither refused by a filter or a joint nor disabled by a listener.
-bool ToiPairs::MayCollide(int fixture, int other) const {
+bool ToiPairs::MayCollide(FixtureIndex fixture, FixtureIndex other) const {
     // Who asks nobody need not look for the contact: it is enabled, and there because it may be.
     if (m_events.listener != nullptr || m_events.filter != nullptr) {
-        const int contact = m_t.contacts.Find(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
-        if (contact >= 0) return m_t.contacts.Has(contact, ContactFlag::enabled);
+        const ContactIndex contact = m_t.contacts.Find(fixture, other);
+        if (IsSome(contact)) return m_t.contacts.Has(contact, ContactFlag::enabled);
     }
-    const uint64_t key = RefusedPairs::KeyOf(static_cast<uint32_t>(fixture), static_cast<uint32_t>(other));
+    const uint64_t key = RefusedPairs::KeyOf(fixture, other);
     if (m_events.filter != nullptr && m_t.contacts.refused.Has(key)) return false;
     return MayHaveContact(std::min(fixture, other), std::max(fixture, other), m_events, m_t.fixtures, m_t.joints);
 }
@@ -405,43 +403,45 @@ bool ToiPairs::MayCollide(int fixture, int other) const {
 /// Spares the search for a time of impact where shapes may touch: an event begins only some slops below the
 /// surfaces, where disks that roll never get. Leaves as much again as an event's tolerance to rounding.
 bool ToiPairs::PassesBy(const ToiPair& pair) const {
-    const bool isStaticA = m_bodies.type[Row(pair.bodyA)] == staticBody;
-    if (!isStaticA && m_bodies.type[Row(pair.bodyB)] != staticBody) return false;
-    const int fixture = isStaticA ? pair.fixtureB : pair.fixtureA, other = isStaticA ? pair.fixtureA : pair.fixtureB;
+    const bool isStaticA = m_bodies.type[pair.bodyA] == staticBody;
+    if (!isStaticA && m_bodies.type[pair.bodyB] != staticBody) return false;
+    const FixtureIndex fixture = isStaticA ? pair.fixtureB : pair.fixtureA,
+                       other = isStaticA ? pair.fixtureA : pair.fixtureB;
     const float scale = m_lengthScale;
-    const float radii = m_t.fixtures.shape[Row(fixture)]->m_radius + m_t.fixtures.shape[Row(other)]->m_radius;
+    const float radii = m_t.fixtures.shape[fixture]->m_radius + m_t.fixtures.shape[other]->m_radius;
     return IsClear(fixture, other, radii - (TOITarget(radii, scale) + 2.0f * toiTolerance * scale));
 }
 /// True if a fixture, on its whole way, surely overlaps a static one by less than `overlap`; with 0 they stay
 /// apart, as where the boxes of slanted slabs overlap.
-bool ToiPairs::IsClear(int fixture, int other, float overlap) const {
-    const int body = m_t.fixtures.body[Row(fixture)], otherBody = m_t.fixtures.body[Row(other)];
-    const float reach = Reach(*m_t.fixtures.shape[Row(fixture)], m_bodies.mass[Row(body)].localCenter);
+bool ToiPairs::IsClear(FixtureIndex fixture, FixtureIndex other, float overlap) const {
+    const BodyIndex body = m_t.fixtures.body[fixture], otherBody = m_t.fixtures.body[other];
+    const float reach = Reach(*m_t.fixtures.shape[fixture], m_bodies.mass[body].localCenter);
     const Vec2 frame = FrameOf(m_bodies, body, otherBody);
-    return WayIsClear(*m_t.fixtures.shape[Row(other)], TransformIn(frame, m_bodies, otherBody),
+    return WayIsClear(*m_t.fixtures.shape[other], TransformIn(frame, m_bodies, otherBody),
                       StartIn(frame, m_bodies, body), CentreIn(frame, m_bodies, body), reach - overlap);
 }
 
 /// Bounds the motion of a pair one of which does not turn.
 Clearance ToiPairs::ClearanceOf(const ToiPair& pair) const {
     const bool isMoverA = IsMoverA(pair);
-    const int mover = isMoverA ? pair.bodyA : pair.bodyB, still = isMoverA ? pair.bodyB : pair.bodyA;
-    const bool isStatic = m_bodies.type[Row(still)] == staticBody;
-    if (!isStatic && m_bodies.startPosition[Row(still)].a != m_bodies.position[Row(still)].a) return {};
+    const BodyIndex mover = isMoverA ? pair.bodyA : pair.bodyB, still = isMoverA ? pair.bodyB : pair.bodyA;
+    const bool isStatic = m_bodies.type[still] == staticBody;
+    if (!isStatic && m_bodies.startPosition[still].a != m_bodies.position[still].a) return {};
     // Ways are compared from a body's own start on.
-    const float begin = m_s.alpha[Row(mover)], beginOfStill = m_s.alpha[Row(still)];
+    const float begin = m_s.alpha[mover], beginOfStill = m_s.alpha[still];
     if (!isStatic && begin != beginOfStill) return {};
     const Vec2 frame = FrameOf(m_bodies, mover, still);
     Vec2 way = CentreIn(frame, m_bodies, mover) - StartIn(frame, m_bodies, mover);
     if (!isStatic) way -= CentreIn(frame, m_bodies, still) - StartIn(frame, m_bodies, still);
-    const float turn = Abs(m_bodies.position[Row(mover)].a - m_bodies.startPosition[Row(mover)].a);
+    const float turn = Abs(m_bodies.position[mover].a - m_bodies.startPosition[mover].a);
     const Watched watched = pair.isHeld                             ? Watched::middle
                             : m_atOutlines && begin >= beginOfStill ? Watched::coresOrMiddle
                                                                     : Watched::cores;
-    const int fixture = isMoverA ? pair.fixtureA : pair.fixtureB, other = isMoverA ? pair.fixtureB : pair.fixtureA;
+    const FixtureIndex fixture = isMoverA ? pair.fixtureA : pair.fixtureB,
+                       other = isMoverA ? pair.fixtureB : pair.fixtureA;
     return BoundClearance(
-        {*m_t.fixtures.shape[Row(other)], TransformIn(frame, m_bodies, still), *m_t.fixtures.shape[Row(fixture)],
-         TransformIn(frame, m_bodies, mover), m_bodies.mass[Row(mover)].localCenter, way, turn},
+        {*m_t.fixtures.shape[other], TransformIn(frame, m_bodies, still), *m_t.fixtures.shape[fixture],
+         TransformIn(frame, m_bodies, mover), m_bodies.mass[mover].localCenter, way, turn},
         watched, m_lengthScale);
 }
 
@@ -458,22 +458,22 @@ float ToiPairs::FirstTimeOf(const ToiPair& pair, TOIStats& work) const {
 
 /// Computes when the pair meets and puts, moves or takes out its event.
 void ToiPairs::UpdateEvent(int index) {
-    const float alpha = FirstTimeOf(m_s.pairs[Row(index)], *m_events.work);
+    const float alpha = FirstTimeOf(m_s.pairs[index], *m_events.work);
     alpha < 1.0f ? SetEvent(index, alpha) : m_s.events.Remove(index);
 }
 
 void ToiPairs::SetEvent(int index, float alpha) {
-    const ToiPair& pair = m_s.pairs[Row(index)];
-    const auto low = static_cast<uint64_t>(std::min(pair.fixtureA, pair.fixtureB));
-    const auto high = static_cast<uint64_t>(std::max(pair.fixtureA, pair.fixtureB));
+    const ToiPair& pair = m_s.pairs[index];
+    const uint64_t low = ProxyOf(std::min(pair.fixtureA, pair.fixtureB));
+    const uint64_t high = ProxyOf(std::max(pair.fixtureA, pair.fixtureB));
     m_s.events.Set(index, alpha, high << 32 | low);
 }
 
 /// The part of the step at which the pair meets; 1: not in this step.
 float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
     TOIInput input;
-    input.proxyA.Set(m_t.fixtures.shape[Row(pair.fixtureA)], 0);
-    input.proxyB.Set(m_t.fixtures.shape[Row(pair.fixtureB)], 0);
+    input.proxyA.Set(m_t.fixtures.shape[pair.fixtureA], 0);
+    input.proxyB.Set(m_t.fixtures.shape[pair.fixtureB], 0);
     const Vec2 frame = FrameOf(m_bodies, pair.bodyA, pair.bodyB);
     input.sweepA = SweepOf(pair.bodyA, frame);
     input.sweepB = SweepOf(pair.bodyB, frame);
@@ -493,8 +493,8 @@ float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
     // one that moves must not pass to the other side.
     if (pair.isHeld || output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
         const bool isA = IsMoverA(pair);
-        const Shape& mover = *m_t.fixtures.shape[Row(isA ? pair.fixtureA : pair.fixtureB)];
-        const Shape& still = *m_t.fixtures.shape[Row(isA ? pair.fixtureB : pair.fixtureA)];
+        const Shape& mover = *m_t.fixtures.shape[isA ? pair.fixtureA : pair.fixtureB];
+        const Shape& still = *m_t.fixtures.shape[isA ? pair.fixtureB : pair.fixtureA];
         const Vec2 middle = MiddleOf(mover);
         (isA ? input.proxyA : input.proxyB).Set(&middle, 1, 0.0f);
         // The middle of a small thing that lies on the surface is nearer to it than some slops: it may come nearer.
@@ -509,15 +509,15 @@ float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
     return Min(alpha0 + (1.0f - alpha0) * output.t, 1.0f);
 }
 
-void ToiPairs::UpdateTimes(int body) {
-    for (int p = m_s.firstPair[Row(body)]; p >= 0; p = Next(p, body)) UpdateEvent(p);
+void ToiPairs::UpdateTimes(BodyIndex body) {
+    for (int p = m_s.firstPair[body]; p >= 0; p = Next(p, body)) UpdateEvent(p);
 }
 
-void ToiPairs::Complete(int body) {
-    if (m_s.isPassedOver[Row(body)] != 0) Collect(body, false);
+void ToiPairs::Complete(BodyIndex body) {
+    if (m_s.isPassedOver[body] != 0) Collect(body, false);
 }
 
-void ToiPairs::Refresh(int body) {
+void ToiPairs::Refresh(BodyIndex body) {
     UpdateTimes(body);
     if (!Moves(body)) return;
     if (m_dynamicTargets) SweepBoxesOf(body);

@@ -39,8 +39,8 @@ struct ContinuousTables {
 
 /// Two fixtures that may meet on their way.
 struct ToiPair {
-    int fixtureA, fixtureB;
-    int bodyA, bodyB;
+    FixtureIndex fixtureA, fixtureB;
+    BodyIndex bodyA, bodyB;
     int rounds;           ///< events so far
     int nextA, nextB;     ///< the next pair of each body's list
     bool over;            ///< not to be looked at again in this step
@@ -49,7 +49,7 @@ struct ToiPair {
 
 /// A fixture of a body and one on its way.
 struct ToiCandidate {
-    int fixture, other;
+    FixtureIndex fixture, other;
 };
 
 /// What the first look at a body says.
@@ -63,20 +63,20 @@ struct ToiAudit {
 
 /// Scratch of the pairs, kept between steps.
 struct ToiScratch {
-    std::vector<ToiPair> pairs;
-    std::vector<int> firstPair;            ///< per body, −1: none
-    std::vector<float> alpha;              ///< per body: the part of the step done at its start position
-    std::vector<int> touched;              ///< bodies whose entries above must be reset
-    std::vector<int> found;                ///< fixtures of one query
-    std::vector<int> lookers;              ///< bodies whose ways are looked at
-    std::vector<ToiCandidate> candidates;  ///< of one body
-    std::vector<ScreenedBody> screened;    ///< by place among the lookers
-    std::vector<BoxUpdate> sweptBoxes;     ///< when someone can hit moving bodies
-    std::vector<AABB> hitters;             ///< swept boxes of kinematic fixtures, while they are few
-    std::vector<uint8_t> isPassedOver;     ///< per body: 1 if it has no pairs because it meets nothing static
-    std::vector<float> times;              ///< per pair
-    std::vector<int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
-    int round = 0;             ///< of collecting, counts up; 0: none yet
+    Column<int, ToiPair> pairs;
+    Column<BodyIndex, int> firstPair;         ///< per body, −1: none
+    Column<BodyIndex, float> alpha;           ///< per body: the part of the step done at its start position
+    std::vector<BodyIndex> touched;           ///< bodies whose entries above must be reset
+    std::vector<FixtureIndex> found;          ///< fixtures of one query
+    std::vector<BodyIndex> lookers;           ///< bodies whose ways are looked at
+    std::vector<ToiCandidate> candidates;     ///< of one body
+    std::vector<ScreenedBody> screened;       ///< by place among the lookers
+    std::vector<BoxUpdate> sweptBoxes;        ///< when someone can hit moving bodies
+    std::vector<AABB> hitters;                ///< swept boxes of kinematic fixtures, while they are few
+    Column<BodyIndex, uint8_t> isPassedOver;  ///< per body: 1 if it has no pairs because it meets nothing static
+    Column<int, float> times;                 ///< per pair
+    Column<FixtureIndex, int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
+    int round = 0;                      ///< of collecting, counts up; 0: none yet
     NearStatics nearStatics;
     IndexedHeap events;
     bool resuming = false;  ///< the step goes on
@@ -106,62 +106,62 @@ public:
     /// Makes the pairs of everything that moves with what is on its way.
     void FindAll();
     /// Makes the pairs of a body that was passed over: it takes part in an event.
-    void Complete(int body);
+    void Complete(BodyIndex body);
     /// New times for all pairs of a body.
-    void UpdateTimes(int body);
+    void UpdateTimes(BodyIndex body);
     /// The same of one pair.
     void UpdateEvent(int index);
     /// The same after its motion changed, and pairs with what has come into its way.
-    void Refresh(int body);
+    void Refresh(BodyIndex body);
 
-    [[nodiscard]] bool IsDynamic(int body) const { return m_bodies.type[static_cast<size_t>(body)] == dynamicBody; }
+    [[nodiscard]] bool IsDynamic(BodyIndex body) const { return m_bodies.type[body] == dynamicBody; }
     /// The body's motion in what is left of the step, relative to `frame`.
-    [[nodiscard]] Sweep SweepOf(int body, Vec2 frame) const;
+    [[nodiscard]] Sweep SweepOf(BodyIndex body, Vec2 frame) const;
     /// The pair behind `pair` in the list of the body that begins with firstPair; −1: none.
-    [[nodiscard]] int Next(int pair, int body) const {
-        const ToiPair& p = m_s.pairs[static_cast<size_t>(pair)];
+    [[nodiscard]] int Next(int pair, BodyIndex body) const {
+        const ToiPair& p = m_s.pairs[pair];
         return p.bodyA == body ? p.nextA : p.nextB;
     }
 
 private:
-    [[nodiscard]] bool IsBullet(int body) const { return m_bodies.Has(body, BodyFlag::bullet); }
-    [[nodiscard]] bool MayMeet(int bodyA, int bodyB) const;
-    [[nodiscard]] bool Moves(int body) const;
+    [[nodiscard]] bool IsBullet(BodyIndex body) const { return m_bodies.Has(body, BodyFlag::bullet); }
+    [[nodiscard]] bool MayMeet(BodyIndex bodyA, BodyIndex bodyB) const;
+    [[nodiscard]] bool Moves(BodyIndex body) const;
     /// Of a pair with something dynamic: which one moves against the other.
     [[nodiscard]] bool IsMoverA(const ToiPair& pair) const {
         return IsDynamic(pair.bodyA) && (!IsDynamic(pair.bodyB) || IsBullet(pair.bodyA));
     }
-    [[nodiscard]] ToiPair PairOf(int fixture, int other) const {
+    [[nodiscard]] ToiPair PairOf(FixtureIndex fixture, FixtureIndex other) const {
         return {.fixtureA = fixture,
                 .fixtureB = other,
-                .bodyA = m_t.fixtures.body[static_cast<size_t>(fixture)],
-                .bodyB = m_t.fixtures.body[static_cast<size_t>(other)],
+                .bodyA = m_t.fixtures.body[fixture],
+                .bodyB = m_t.fixtures.body[other],
                 .rounds = 0,
                 .nextA = -1,
                 .nextB = -1,
                 .over = false};
     }
     void Screen();
-    [[nodiscard]] ScreenedBody ScreenBody(int body);
-    [[nodiscard]] ScreenedBody LookAround(int body);
-    void AuditBody(int body) const;
+    [[nodiscard]] ScreenedBody ScreenBody(BodyIndex body);
+    [[nodiscard]] ScreenedBody LookAround(BodyIndex body);
+    void AuditBody(BodyIndex body) const;
     void Audit(const ToiPair& pair) const;
     void FindTimes();
     void SweepBoxes();
     [[nodiscard]] bool AreFewToMeet() const;
     void GatherTargets();
-    void SweepBoxesOf(int body);
-    [[nodiscard]] AABB SweptBox(int body, int fixture) const;
-    void CollectFirst(int body, const NearStatics::Tables& tables);
-    void Collect(int body, bool withDynamic);
-    void FindCandidates(int body, int fixture, std::span<const int> known);
-    void FindCandidates(int body, int fixture, bool withDynamic);
-    void AddCandidates(int body);
-    void MarkKnown(int body, int fixture);
-    void Add(int fixture, int other);
-    [[nodiscard]] bool MayCollide(int fixture, int other) const;
+    void SweepBoxesOf(BodyIndex body);
+    [[nodiscard]] AABB SweptBox(BodyIndex body, FixtureIndex fixture) const;
+    void CollectFirst(BodyIndex body, const NearStatics::Tables& tables);
+    void Collect(BodyIndex body, bool withDynamic);
+    void FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<const FixtureIndex> known);
+    void FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDynamic);
+    void AddCandidates(BodyIndex body);
+    void MarkKnown(BodyIndex body, FixtureIndex fixture);
+    void Add(FixtureIndex fixture, FixtureIndex other);
+    [[nodiscard]] bool MayCollide(FixtureIndex fixture, FixtureIndex other) const;
     [[nodiscard]] bool PassesBy(const ToiPair& pair) const;
-    [[nodiscard]] bool IsClear(int fixture, int other, float overlap) const;
+    [[nodiscard]] bool IsClear(FixtureIndex fixture, FixtureIndex other, float overlap) const;
     [[nodiscard]] Clearance ClearanceOf(const ToiPair& pair) const;
     [[nodiscard]] bool IsSpared(const ToiPair& pair) const;
     void SetEvent(int index, float alpha);

@@ -14,7 +14,7 @@ namespace scree {
 namespace {
 
 /// Inlined: it runs for each box.
-SCREE_INLINE AABB BoxOfFixture(const FixtureTable& fixtures, size_t fixture, const Transform& xf) {
+SCREE_INLINE AABB BoxOfFixture(const FixtureTable& fixtures, FixtureIndex fixture, const Transform& xf) {
     const Shape& shape = *fixtures.shape[fixture];
     switch (fixtures.type[fixture]) {
         case Shape::e_circle:
@@ -39,20 +39,19 @@ public:
           m_broadPhase(broadPhase),
           m_usesDisplacement(broadPhase.UsesDisplacement()) {}
 
-    SCREE_INLINE void Add(int body) {
+    SCREE_INLINE void Add(BodyIndex body) {
         static_assert(sizeof(Position) == 4 * sizeof(float));
-        const auto b = static_cast<size_t>(body);
-        m_farthest = Max4(Abs4(Load4(&m_bodies.position[b].c.x)), m_farthest);
-        const Vec2 c = m_bodies.position[b].c;
-        const Vec2 displacement = m_usesDisplacement ? m_bodies.GetMotion(b) : vec2Zero;
-        const Transform xf = isFar ? TransformIn(c, m_bodies, body) : m_bodies.transform[b];
-        for (const int f : m_fixtures.From(m_bodies.fixtureHead[b])) {
+        m_farthest = Max4(Abs4(Load4(&m_bodies.position[body].c.x)), m_farthest);
+        const Vec2 c = m_bodies.position[body].c;
+        const Vec2 displacement = m_usesDisplacement ? m_bodies.GetMotion(body) : vec2Zero;
+        const Transform xf = isFar ? TransformIn(c, m_bodies, body) : m_bodies.transform[body];
+        for (const FixtureIndex f : m_fixtures.From(m_bodies.fixtureHead[body])) {
             if (m_count == capacity) Flush();
             BoxUpdate& update = m_updates[m_count++];
-            update.box = BoxOfFixture(m_fixtures, static_cast<size_t>(f), xf);
+            update.box = BoxOfFixture(m_fixtures, f, xf);
             if constexpr (isFar) update.box = ToWorld(c, update.box);
             update.displacement = displacement;
-            update.fixture = static_cast<uint32_t>(f);
+            update.fixture = ProxyOf(f);
         }
     }
     void Flush() {
@@ -75,16 +74,16 @@ private:
 
 template <bool isFar>
 float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
-                  std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
+                  std::initializer_list<const std::vector<BodyIndex>*> solved, BroadPhase& broadPhase) {
     BoxBatch<isFar> batch(bodies, fixtures, broadPhase);
-    for (const int body : bodies.Listed()) {
+    for (const BodyIndex body : bodies.Listed()) {
         if (bodies.IsActive(body)) batch.Add(body);
     }
     // Bodies that fell asleep in this step moved in it, too.
-    for (const std::vector<int>* list : solved) {
-        for (const int body : *list) {
+    for (const std::vector<BodyIndex>* list : solved) {
+        for (const BodyIndex body : *list) {
             constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
-            const uint16_t flags = bodies.flags[static_cast<size_t>(body)];
+            const uint16_t flags = bodies.flags[body];
             if ((flags & active) == active) continue;  // done above
             if (bodies.slots.IsAlive(body) && (flags & BodyFlag::enabled) != 0) batch.Add(body);
         }
@@ -96,17 +95,16 @@ float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
 }  // namespace
 
 float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
-                       std::initializer_list<const std::vector<int>*> solved, BroadPhase& broadPhase) {
+                       std::initializer_list<const std::vector<BodyIndex>*> solved, BroadPhase& broadPhase) {
     return bodies.IsFar() ? UpdateMoved<true>(bodies, fixtures, solved, broadPhase)
                           : UpdateMoved<false>(bodies, fixtures, solved, broadPhase);
 }
 
-void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, int body, Vec2 displacement,
+void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, BodyIndex body, Vec2 displacement,
                      BroadPhase& broadPhase) {
     const BodyPlace place(bodies, body);
-    for (const int f : fixtures.From(bodies.fixtureHead[static_cast<size_t>(body)])) {
-        broadPhase.Update(static_cast<uint32_t>(f),
-                          place.OutOf(BoxOfFixture(fixtures, static_cast<size_t>(f), place.xf)), displacement);
+    for (const FixtureIndex f : fixtures.From(bodies.fixtureHead[body])) {
+        broadPhase.Update(ProxyOf(f), place.OutOf(BoxOfFixture(fixtures, f, place.xf)), displacement);
     }
 }
 

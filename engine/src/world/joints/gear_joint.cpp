@@ -28,9 +28,9 @@ void CheckSide(const Joint* joint, const char* field, const WorldState& state, G
 
 /// Copies what one joint measures; `coordinate` is its present value.
 GearSide MakeSide(const Joint& joint, const WorldState& state, float& coordinate) {
-    const JointInfo& info = state.joints.info[static_cast<size_t>(joint.GetIndex())];
+    const JointInfo& info = state.joints.info[IndexOf(joint)];
     GearSide side;
-    side.joint = joint.GetIndex();
+    side.joint = IndexOf(joint);
     side.body = info.bodyB;
     side.against = info.bodyA;
     side.slides = info.type == e_prismaticJoint;
@@ -87,10 +87,10 @@ float GearJoint::GetReactionTorque(float inverseDt) const {
     return Lives("GearJoint::GetReactionTorque") ? inverseDt * Row().impulse * Row().side[0].arm : 0.0f;
 }
 Joint* GearJoint::GetJoint1() const {
-    return Lives("GearJoint::GetJoint1") ? m_state->joints.handles[static_cast<size_t>(Row().side[0].joint)] : nullptr;
+    return Lives("GearJoint::GetJoint1") ? m_state->joints.handles[Row().side[0].joint] : nullptr;
 }
 Joint* GearJoint::GetJoint2() const {
-    return Lives("GearJoint::GetJoint2") ? m_state->joints.handles[static_cast<size_t>(Row().side[1].joint)] : nullptr;
+    return Lives("GearJoint::GetJoint2") ? m_state->joints.handles[Row().side[1].joint] : nullptr;
 }
 ErrorCode GearJoint::SetRatio(float ratio) {
     return JointEdit(m_state, this, "GearJoint::SetRatio")

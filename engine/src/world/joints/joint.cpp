@@ -12,9 +12,9 @@ namespace scree {
 
 namespace {
 
-JointInfo& InfoOf(WorldState* s, int joint) { return s->joints.info[static_cast<size_t>(joint)]; }
-Body* BodyOf(WorldState* s, int body) { return &s->bodies.handles[static_cast<size_t>(body)]; }
-Joint* JointOf(WorldState* s, int joint) { return joint < 0 ? nullptr : s->joints.handles[static_cast<size_t>(joint)]; }
+JointInfo& InfoOf(WorldState* s, JointIndex joint) { return s->joints.info[joint]; }
+Body* BodyOf(WorldState* s, BodyIndex body) { return &s->bodies.handles[body]; }
+Joint* JointOf(WorldState* s, JointIndex joint) { return IsNone(joint) ? nullptr : s->joints.handles[joint]; }
 
 /// Frequency and damping ratio of a spring that acts on `amount` (a mass or an inertia) as stiffness and damping.
 ErrorCode FrequencyToSpring(float amount, float frequencyHertz, float dampingRatio, float& stiffness, float& damping) {
@@ -115,14 +115,13 @@ Joint* Joint::GetNext() const {
 Joint* Joint::GetNext(const Body* body) const {
     if (!Lives("Joint::GetNext")) return nullptr;
     if (body != GetBodyA() && body != GetBodyB()) return nullptr;
-    return JointOf(m_state, m_state->joints.NextOfBody(m_index, body->GetIndex()));
+    return JointOf(m_state, m_state->joints.NextOfBody(m_index, IndexOf(*body)));
 }
 void Joint::ShiftOrigin(Vec2 newOrigin) {
     JointEdit edit = JointEdit(m_state, this, "Joint::ShiftOrigin").Finite(newOrigin, "newOrigin");
     if (edit.Failed()) return;
     const Recording recording = edit.Record(newOrigin);
-    JointTable::WithStore(m_state->joints, GetType(),
-                          [&](auto& store) { ShiftRow(store.rows[static_cast<size_t>(m_row)], newOrigin); });
+    JointTable::WithStore(m_state->joints, GetType(), [&](auto& store) { ShiftRow(store.rows[m_row], newOrigin); });
 }
 
 ErrorCode EnableLimit(JointEdit edit, LimitState& limit, bool flag) {
@@ -160,7 +159,7 @@ ErrorCode SetSpring(JointEdit edit, SpringState& spring, float stiffness, float 
 
 Vec2 GetAnchorGap(const Joint& joint, Vec2 localAnchorA, Vec2 localAnchorB) {
     Body& a = *joint.GetBodyA();
-    return GapBetween(a.GetWorld()->GetState().bodies, a.GetIndex(), localAnchorA, joint.GetBodyB()->GetIndex(),
+    return GapBetween(a.GetWorld()->GetState().bodies, IndexOf(a), localAnchorA, IndexOf(*joint.GetBodyB()),
                       localAnchorB);
 }
 

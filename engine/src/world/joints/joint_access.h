@@ -14,8 +14,8 @@
 namespace scree {
 
 template <typename Row>
-Row& RowOf(WorldState* state, int row) {
-    return state->joints.Store<Row>().rows[static_cast<size_t>(row)];
+Row& RowOf(WorldState* state, JointRow row) {
+    return state->joints.Store<Row>().rows[row];
 }
 
 /// A setter: checks the handle and the value, then stores it. Usage: `return JointEdit(m_state, this,
@@ -71,9 +71,9 @@ public:
         return !Failed();
     }
     /// The same with the values that it has.
-    bool AllowsNow() { return !m_guard.Uses(FeaturesOfJoint(m_state.joints, m_joint->GetIndex())).Failed(); }
+    bool AllowsNow() { return !m_guard.Uses(FeaturesOfJoint(m_state.joints, IndexOf(*m_joint))).Failed(); }
     void WakeBodies() {
-        const JointInfo& info = m_state.joints.info[static_cast<size_t>(m_joint->GetIndex())];
+        const JointInfo& info = m_state.joints.info[IndexOf(*m_joint)];
         m_state.bodies.Wake(info.bodyA);
         m_state.bodies.Wake(info.bodyB);
     }

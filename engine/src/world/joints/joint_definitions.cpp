@@ -24,14 +24,14 @@ void CheckBodies(const JointDef& def, const WorldState& state, Guard& guard) {
         .Require(def.bodyA != def.bodyB, ErrorCode::outOfRange, "JointDef::bodyB", "join two different bodies");
 }
 
-JointInfo& InfoOf(WorldState& s, int joint) { return s.joints.info[static_cast<size_t>(joint)]; }
+JointInfo& InfoOf(WorldState& s, JointIndex joint) { return s.joints.info[joint]; }
 
-Joint* Insert(WorldState& s, int joint) {
+Joint* Insert(WorldState& s, JointIndex joint) {
     const JointInfo& info = InfoOf(s, joint);
-    ++s.bodies.info[static_cast<size_t>(info.bodyA)].jointCount;
-    ++s.bodies.info[static_cast<size_t>(info.bodyB)].jointCount;
+    ++s.bodies.info[info.bodyA].jointCount;
+    ++s.bodies.info[info.bodyB].jointCount;
     if (!info.collideConnected) RefilterBodies(s, info.bodyA, info.bodyB);
-    return s.joints.handles[static_cast<size_t>(joint)];
+    return s.joints.handles[joint];
 }
 
 JointInfo HeadOf(const JointDef& def) {
@@ -64,8 +64,8 @@ Joint* Create(WorldState& s, const JointDef& base, Guard& guard) {
     if (guard.Uses(FeaturesOfRow(row)).Failed()) return nullptr;
     const Recording recording = guard.Record(base);
     JointInfo head = HeadOf(def);
-    head.bodyA = def.bodyA->GetIndex();
-    head.bodyB = def.bodyB->GetIndex();
+    head.bodyA = IndexOf(*def.bodyA);
+    head.bodyB = IndexOf(*def.bodyB);
     return Insert(s, s.joints.Add(&s, head, row));
 }
 
@@ -79,7 +79,7 @@ Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
     JointInfo head = HeadOf(def);
     head.bodyA = row.side[0].body;
     head.bodyB = row.side[1].body;
-    const int index = s.joints.Add(&s, head, row);
+    const JointIndex index = s.joints.Add(&s, head, row);
     for (const GearSide& side : row.side) ++InfoOf(s, side.joint).gearCount;
     return Insert(s, index);
 }
@@ -103,22 +103,22 @@ Joint* AddJoint(WorldState& s, const JointDef& def) {
     return joint;
 }
 
-int FindGearOf(const WorldState& s, int joint) {
-    const JointInfo& info = s.joints.info[static_cast<size_t>(joint)];
-    if (info.gearCount == 0) return -1;
+JointIndex FindGearOf(const WorldState& s, JointIndex joint) {
+    const JointInfo& info = s.joints.info[joint];
+    if (info.gearCount == 0) return JointIndex::none;
     // A gear hangs on the second body of each of its joints.
-    for (const int other : s.joints.OfBody(info.bodyB)) {
-        const JointInfo& candidate = s.joints.info[static_cast<size_t>(other)];
+    for (const JointIndex other : s.joints.OfBody(info.bodyB)) {
+        const JointInfo& candidate = s.joints.info[other];
         if (candidate.type != e_gearJoint) continue;
-        const GearRow& gear = s.joints.Store<GearRow>().rows[static_cast<size_t>(candidate.row)];
+        const GearRow& gear = s.joints.Store<GearRow>().rows[candidate.row];
         if (gear.side[0].joint == joint || gear.side[1].joint == joint) return other;
     }
-    return -1;
+    return JointIndex::none;
 }
 
-void RemoveJointWithGears(WorldState& s, int joint) {
-    for (int gear = FindGearOf(s, joint); gear >= 0; gear = FindGearOf(s, joint)) {
-        SayGoodbye(s, s.joints.handles[static_cast<size_t>(gear)]);
+void RemoveJointWithGears(WorldState& s, JointIndex joint) {
+    for (JointIndex gear = FindGearOf(s, joint); IsSome(gear); gear = FindGearOf(s, joint)) {
+        SayGoodbye(s, s.joints.handles[gear]);
         RemoveJoint(s, gear);
     }
     RemoveJoint(s, joint);
@@ -127,31 +127,31 @@ void RemoveJointWithGears(WorldState& s, int joint) {
 void BreakStrainedJoints(WorldState& s) {
     if (s.joints.watched.IsEmpty()) return;
     const float inverseDt = s.lastInverseDt;
-    std::vector<int> broken;
-    s.joints.watched.ForEach([&](int joint) {
+    std::vector<JointIndex> broken;
+    s.joints.watched.ForEach([&](JointIndex joint) {
         const JointInfo& info = InfoOf(s, joint);
         if (!s.bodies.IsActive(info.bodyA) && !s.bodies.IsActive(info.bodyB)) return;
-        const Joint* const handle = s.joints.handles[static_cast<size_t>(joint)];
+        const Joint* const handle = s.joints.handles[joint];
         const float force = handle->GetReactionForce(inverseDt).Length();
         const float torque = Abs(handle->GetReactionTorque(inverseDt));
         if (force <= info.forceThreshold && torque <= info.torqueThreshold) return;
-        s.log.NoteJoint({joint, s.joints.slots.GetGeneration(joint)}, force, torque, info.breaks);
+        s.log.NoteJoint({ToInt(joint), s.joints.slots.GetGeneration(joint)}, force, torque, info.breaks);
         if (info.breaks) broken.push_back(joint);
     });
-    for (const int joint : broken) {
+    for (const JointIndex joint : broken) {
         if (s.joints.slots.IsAlive(joint)) RemoveJointWithGears(s, joint);  // else a gear that went with its joint
     }
 }
 
-void RemoveJoint(WorldState& s, int joint) {
+void RemoveJoint(WorldState& s, JointIndex joint) {
     const JointInfo info = InfoOf(s, joint);
     if (info.type == e_gearJoint) {
-        const GearRow& gear = s.joints.Store<GearRow>().rows[static_cast<size_t>(info.row)];
+        const GearRow& gear = s.joints.Store<GearRow>().rows[info.row];
         for (const GearSide& side : gear.side) --InfoOf(s, side.joint).gearCount;
     }
     s.joints.Remove(joint);
-    for (const int body : {info.bodyA, info.bodyB}) {
-        --s.bodies.info[static_cast<size_t>(body)].jointCount;
+    for (const BodyIndex body : {info.bodyA, info.bodyB}) {
+        --s.bodies.info[body].jointCount;
         s.bodies.Wake(body);
     }
     if (!info.collideConnected) NoteParting(s, info.bodyA, info.bodyB);

@@ -39,12 +39,12 @@ GearRow MakeGearRow(const GearJointDef& def, const WorldState& state);
 /// Checks the definition and makes the joint; null and an error for a bad one.
 Joint* AddJoint(WorldState& state, const JointDef& def);
 /// A gear that uses this joint, −1 if none does. Gears go before their joints.
-int FindGearOf(const WorldState& state, int joint);
+JointIndex FindGearOf(const WorldState& state, JointIndex joint);
 /// Takes a joint out of the world, after the gears that use it.
-void RemoveJointWithGears(WorldState& state, int joint);
+void RemoveJointWithGears(WorldState& state, JointIndex joint);
 /// At the end of a step: tells of the joints above a threshold, and takes out those that break.
 void BreakStrainedJoints(WorldState& state);
 /// Takes a joint that no gear uses out of the world and wakes its bodies.
-void RemoveJoint(WorldState& state, int joint);
+void RemoveJoint(WorldState& state, JointIndex joint);
 
 }  // namespace scree

@@ -18,7 +18,7 @@ void MotorJointDef::Initialize(Body* a, Body* b) {
     bodyB = b;
     if (a == nullptr || b == nullptr) return;  // CreateJoint says so
     const BodyTable& bodies = a->GetWorld()->GetState().bodies;
-    linearOffset = a->GetLocalVector(GapBetween(bodies, a->GetIndex(), vec2Zero, b->GetIndex(), vec2Zero));
+    linearOffset = a->GetLocalVector(GapBetween(bodies, IndexOf(*a), vec2Zero, IndexOf(*b), vec2Zero));
     angularOffset = b->GetAngle() - a->GetAngle();
 }
 

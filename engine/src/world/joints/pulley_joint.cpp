@@ -15,8 +15,8 @@ namespace {
 
 float RopeLength(Body* body, Vec2 localAnchor, Vec2 groundAnchor) {
     const BodyTable& bodies = body->GetWorld()->GetState().bodies;
-    const Vec2 frame = FrameOf(bodies, body->GetIndex(), body->GetIndex());
-    return Distance(Mul(TransformIn(frame, bodies, body->GetIndex()), localAnchor), groundAnchor - frame);
+    const Vec2 frame = FrameOf(bodies, IndexOf(*body), IndexOf(*body));
+    return Distance(Mul(TransformIn(frame, bodies, IndexOf(*body)), localAnchor), groundAnchor - frame);
 }
 
 }  // namespace
