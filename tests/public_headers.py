@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
+#
+# Functions of public headers, for the tests of what is exported and of what recordings hold.
 """What the engine's public headers declare, by clang's syntax tree."""
 
 import json

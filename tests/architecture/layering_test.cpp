@@ -90,10 +90,12 @@ TEST(Layering, OnlyTheBaseOfTheEngineNamesCompilersAndInstructions) {
     static const std::regex names(
         R"(__builtin_|__attribute__|__atomic_|gnu::|_mm\d*_|__GNUC__|_MSC_VER|__SSE|__AVX|__ARM)");
     constexpr std::string_view base = "engine/src/base/";
-    constexpr std::string_view cInterface = "engine/include/scree/scree_c.h";  // C has no header of ours below it
+    // C has no header of ours below it; what a library exports is said in public headers, which may not include ours.
+    constexpr std::string_view cInterface = "engine/include/scree/scree_c.h", exports = "engine/include/scree/api.h";
     Lines wrong;
     for (const SourceFile& file : SourceFiles()) {
-        if (!file.path.starts_with("engine/") || file.path.starts_with(base) || file.path == cInterface) continue;
+        if (!file.path.starts_with("engine/") || file.path.starts_with(base)) continue;
+        if (file.path == cInterface || file.path == exports) continue;
         for (const std::string& line : file.lines) {
             if (std::regex_search(line, names)) wrong.push_back(file.path + ": " + line);
         }

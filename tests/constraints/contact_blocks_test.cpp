@@ -48,12 +48,13 @@ std::vector<ContactIndex> TouchingContacts(const WorldState& s) {
 
 void ExpectProper(const WorldState& s, const std::vector<ContactIndex>& list, std::span<const int> colours) {
     ASSERT_EQ(colours.size(), list.size());
-    std::set<std::pair<int, int>> pushed;  // (colour, body)
+    std::set<std::pair<int, BodyIndex>> pushed;  // (colour, body)
     for (size_t i = 0; i < list.size(); ++i) {
         const ContactPair& pair = s.contacts.pair[list[i]];
         for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
             if (s.bodies.type[body] != dynamicBody) continue;
-            EXPECT_TRUE(pushed.insert({colours[i], body}).second) << "contact " << list[i] << " colour " << colours[i];
+            EXPECT_TRUE(pushed.insert({colours[i], body}).second)
+                << "contact " << ToInt(list[i]) << " colour " << colours[i];
         }
     }
 }
@@ -81,9 +82,9 @@ TEST(ContactBlocks, InspectTellsTheColoursOfTheLastStep) {
     World world({0.0f, -10.0f});
     MakeHeap(world, 300, 6.0f);
     const auto solvedNow = [&] {
-        std::vector<int> list;
+        std::vector<ContactIndex> list;
         for (const Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
-            if (c->IsTouching()) list.push_back(c->GetIndex());
+            if (c->IsTouching()) list.push_back(ContactIndex{c->GetIndex()});
         }
         return list;
     };
@@ -132,7 +133,7 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
         const Manifold& before = s.contacts.manifold[c];
         const Manifold& after = stored[c];
         for (int p = 0; p < before.pointCount; ++p) {
-            EXPECT_EQ(after.points[p].normalImpulse, before.points[p].normalImpulse) << c;
+            EXPECT_EQ(after.points[p].normalImpulse, before.points[p].normalImpulse) << ToInt(c);
         }
     }
 }
@@ -147,8 +148,8 @@ void ExpectFilled(const WorldState& s, ContactIndex c, bool onMoverSurface, cons
     world.Initialize(&m, s.bodies.transform[pair.bodyA], s.fixtures.shape[pair.fixtureA]->m_radius,
                      s.bodies.transform[pair.bodyB], s.fixtures.shape[pair.fixtureB]->m_radius);
     const Vec2 normal = swapped ? -world.normal : world.normal, tangent = Cross(normal, 1.0f);
-    EXPECT_EQ(block.bodyA[l], a);
-    EXPECT_EQ(block.bodyB[l], b);
+    EXPECT_EQ(block.bodyA[l], ToInt(a));
+    EXPECT_EQ(block.bodyB[l], ToInt(b));
     EXPECT_EQ((Vec2{block.normalX[l], block.normalY[l]}), normal);
     const bool atSurface = onMoverSurface && s.bodies.type[a] != dynamicBody;
     Vec2 middle = vec2Zero;

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
+#
+# What the shared library exports against what its public headers declare.
 """check.py CLANG SOURCE LIBRARY [--update]: what the shared library of the engine exports.
 
 Every function that a public header declares without its body must be exported, and nothing else of the library may be.

@@ -88,7 +88,7 @@ TEST(MoverPlanes, AreSolvedToTheNearestTranslation) {
 }
 
 TEST(MoverPlanes, AreSolvedInASharpCorner) {
-    MoverPlane planes[2];
+    MoverPlane planes[2]{};
     planes[0].normal = {std::cos(0.53f), std::sin(0.53f)};
     planes[1].normal = {std::cos(3.02f), std::sin(-3.02f)};
     const Vec2 found = SolvePlanes({-0.13f, -1.0f}, planes);
@@ -97,7 +97,7 @@ TEST(MoverPlanes, AreSolvedInASharpCorner) {
 }
 
 TEST(MoverPlanes, ThatLeaveNoRoomAreGivenWayToInTurn) {
-    MoverPlane planes[2];
+    MoverPlane planes[2]{};
     planes[0].normal = {1.0f, 0.0f}, planes[0].separation = -0.1f;
     planes[1].normal = {-1.0f, 0.0f}, planes[1].separation = -0.1f;
     const Vec2 found = SolvePlanes({0.0f, 0.5f}, planes);
