@@ -125,7 +125,7 @@ void PutNear(Moving& m, float gap, Source& random) {
 
 TEST(Passage, IsSureOnlyWhereNothingMeets) {
     Source random(5);
-    int sure[3] = {}, met = 0, slackened = 0, resting = 0;
+    int sure[3] = {}, met = 0, slackened = 0, resting = 0, passing = 0;
     for (int i = 0; i < 120000; ++i) {
         Moving m;
         const float lengthScale = random.Below(4) == 0 ? random.Size(0.1f, 10.0f) : 1.0f;
@@ -157,6 +157,10 @@ TEST(Passage, IsSureOnlyWhereNothingMeets) {
             const Clearance clearance = bound(m.sweepB.c - m.sweepB.c0, m.sweepB.a - m.sweepB.a0);
             const bool meets = HasEvent(m, watched, lengthScale);
             met += meets ? 1 : 0;
+            if (watched == Watched::coresOrMiddle && clearance.middlePasses) {
+                ++passing;
+                EXPECT_FALSE(HasEvent(m, Watched::middle, lengthScale)) << "case " << i;
+            }
             if (clearance.isSure) {
                 ++sure[static_cast<int>(watched)];
                 resting += watched == Watched::coresOrMiddle && HasEvent(m, Watched::cores, lengthScale) ? 1 : 0;
@@ -184,6 +188,7 @@ TEST(Passage, IsSureOnlyWhereNothingMeets) {
     EXPECT_GT(sure[2], 20000);
     EXPECT_GT(resting, 500);
     EXPECT_GT(slackened, 40000);
+    EXPECT_GT(passing, 20000);
     EXPECT_GT(met, 20000);
 }
 
@@ -206,6 +211,24 @@ TEST(Passage, IsSureWhereABoxRestsOrSlides) {
             EXPECT_TRUE(clearance.isSure) << i;
             EXPECT_GT(clearance.slack, 0.5f * linearSlop) << i;
         }
+    }
+}
+
+/// A disk that rolls over a hill of short segments comes no nearer to the ends of those beside it, though it is below
+/// the lines through them.
+TEST(Passage, IsSureBesideTheEndsOfSegments) {
+    Source random(7);
+    for (int i = 0; i < 500; ++i) {
+        CircleShape disk;
+        disk.m_radius = random.Between(0.2f, 0.5f);
+        const float fall = random.Between(0.05f, 0.6f), side = random.Below(2) == 0 ? 1.0f : -1.0f;
+        const Vec2 corner{side * disk.m_radius * random.Between(0.5f, 1.0f), 0.0f};
+        EdgeShape beside;
+        beside.SetTwoSided(corner, corner + Vec2{side * std::cos(fall), -std::sin(fall)});
+        const Vec2 way{random.Between(-0.01f, 0.01f), 0.0f};
+        const Passage passage{
+            beside, {{0.0f, 0.0f}, Rot(0.0f)}, disk, {{0.0f, disk.m_radius}, Rot(0.0f)}, vec2Zero, way, 0.0f};
+        EXPECT_TRUE(BoundClearance(passage, Watched::coresOrMiddle, 1.0f).isSure) << i;
     }
 }
 

@@ -84,6 +84,12 @@ SCREE_KERNEL void PrefetchToWrite([[maybe_unused]] const void* address) {
 #endif
 }
 
+/// A count that rises at a steady rate and is read in a few nanoseconds.
+#if defined(SCREE_HAS_SSE2)
+#define SCREE_HAS_TICKS
+SCREE_KERNEL unsigned long long CountTicks() { return __rdtsc(); }
+#endif
+
 /// Tells the processor that this thread only waits.
 SCREE_KERNEL void PauseSpinning() {
 #if defined(SCREE_HAS_SSE2)

@@ -55,7 +55,7 @@ public:
 
 private:
     void Grow(size_t needed) {
-        size_t size = std::max<size_t>({needed, 2 * m_out.size(), 256});
+        size_t size = std::max<size_t>({needed, 2 * m_out.size(), 16});  // few: they are cleared first
         // A warm call must not allocate only because doubling overshoots.
         if (needed <= m_out.capacity()) size = std::min(size, m_out.capacity());
         m_out.resize(size);

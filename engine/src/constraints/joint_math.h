@@ -108,10 +108,14 @@ struct Arms {
     Vec2 a, b;
     Vec2 gap;  ///< from A's anchor to B's
 };
-inline Arms MakeArms(const JointPair& p, const PairPosition& pose, Vec2 localAnchorA, Vec2 localAnchorB) {
-    const Vec2 a = Mul(Rot(pose.a.a), localAnchorA - p.massA.localCenter);
+inline Arms MakeArms(const JointPair& p, const PairPosition& pose, const Rot& turnA, Vec2 localAnchorA,
+                     Vec2 localAnchorB) {
+    const Vec2 a = Mul(turnA, localAnchorA - p.massA.localCenter);
     const Vec2 b = Mul(Rot(pose.b.a), localAnchorB - p.massB.localCenter);
     return {a, b, pose.b.c + b - pose.a.c - a};
+}
+inline Arms MakeArms(const JointPair& p, const PairPosition& pose, Vec2 localAnchorA, Vec2 localAnchorB) {
+    return MakeArms(p, pose, Rot(pose.a.a), localAnchorA, localAnchorB);
 }
 
 /// One row of a Jacobian: its speed is axis·(vB − vA) + armB·wB − armA·wA.

@@ -23,8 +23,9 @@ float TurnCoupling(const JointPair& p) {
 void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c) {
     c.pair = MakePair(in);
     const PairPosition pose = PoseOf(c.pair, in.bodies);
-    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    row.axis = Mul(Rot(pose.a.a), row.localAxisA);
+    const Rot turnA(pose.a.a);
+    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    row.axis = Mul(turnA, row.localAxisA);
     c.along = MakeSlide(arms, row.axis);
     c.across = MakeSlide(arms, row.axis.Skew());
     c.alongMass = InverseOrZero(InverseMass(c.pair, c.along));
@@ -84,8 +85,9 @@ void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointS
 
 bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
-    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    const Vec2 axis = Mul(Rot(pose.a.a), row.localAxisA);
+    const Rot turnA(pose.a.a);
+    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    const Vec2 axis = Mul(turnA, row.localAxisA);
     const AxisRow along = MakeSlide(arms, axis), across = MakeSlide(arms, axis.Skew());
     const Vec2 error{Dot(across.axis, arms.gap), pose.b.a - pose.a.a - row.referenceAngle};
     const float limitError = row.limit.enabled ? LimitError(row.limit, Dot(axis, arms.gap), step.slop) : 0.0f;

@@ -12,8 +12,9 @@ namespace scree {
 void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     c.pair = MakePair(in);
     const PairPosition pose = PoseOf(c.pair, in.bodies);
-    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    row.axis = Mul(Rot(pose.a.a), row.localAxisA);
+    const Rot turnA(pose.a.a);
+    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    row.axis = Mul(turnA, row.localAxisA);
     c.along = MakeSlide(arms, row.axis);
     c.across = MakeSlide(arms, row.axis.Skew());
     const float alongInverse = InverseMass(c.pair, c.along);
@@ -79,24 +80,27 @@ void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& ste
 bool KeepsBounds(const WheelConstraint& c, const WheelRow& row, const JointStep& step, const BodyTable& bodies) {
     if (!row.limit.enabled) return true;
     const PairPosition pose = Load(c.pair, bodies);
-    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    return LimitError(row.limit, Dot(Mul(Rot(pose.a.a), row.localAxisA), arms.gap), step.slop) == 0.0f;
+    const Rot turnA(pose.a.a);
+    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    return LimitError(row.limit, Dot(Mul(turnA, row.localAxisA), arms.gap), step.slop) == 0.0f;
 }
 
 bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointStep& step, BodyTable& bodies) {
     PairPosition pose = Load(c.pair, bodies);
     float limitError = 0.0f;
     if (row.limit.enabled) {
-        const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
+        const Rot turnA(pose.a.a);
+        const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
         // Arms along the axis of the step's start and, below, effective masses of then: the iteration has the same end
         // without its Jacobian, and Box2D's bodies come to rest in the same places.
         AxisRow along = MakeSlide(arms, row.axis);
-        along.axis = Mul(Rot(pose.a.a), row.localAxisA);
+        along.axis = Mul(turnA, row.localAxisA);
         limitError = LimitError(row.limit, Dot(along.axis, arms.gap), step.slop);
         Apply(c.pair, along, -limitError * InverseOrZero(InverseMass(c.pair, along)), pose);
     }
-    const Arms arms = MakeArms(c.pair, pose, row.localAnchorA, row.localAnchorB);
-    const AxisRow across = MakeSlide(arms, Mul(Rot(pose.a.a), row.localAxisA).Skew());
+    const Rot turnA(pose.a.a);
+    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    const AxisRow across = MakeSlide(arms, Mul(turnA, row.localAxisA).Skew());
     const float error = Dot(across.axis, arms.gap);
     Apply(c.pair, across, -error * c.acrossMass, pose);
     Store(c.pair, pose, bodies);

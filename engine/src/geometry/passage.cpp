@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One face, the extents of the mover along it, and what is left of them after way and turn.
+// One face, the extents of the mover along it, an axis from an end of it, and what is left of them after way and turn.
 
 #include "geometry/passage.h"
 
 #include <algorithm>
 #include <limits>
+#include <span>
 
 #include "scree/convex_shape.h"
 #include "scree/time_of_impact.h"
@@ -85,13 +86,15 @@ struct Extents {
     float lowest, highest, first, last;
     FacePoint low, beside;  ///< the lowest vertex, and the lower one of its neighbours
     float reachSquared = 0.0f;
+    int count;
+    FacePoint points[maxConvexVertices];
 };
 
 Extents Measure(const DistanceProxy& proxy, const Transform& toFace, Vec2 centre) {
-    FacePoint points[maxConvexVertices];
     Extents e;
+    FacePoint(&points)[maxConvexVertices] = e.points;
     int lowest = 0;
-    const int count = std::min(proxy.m_count, maxConvexVertices);
+    const int count = e.count = std::min(proxy.m_count, maxConvexVertices);
     for (int i = 0; i < count; ++i) {
         const Vec2 p = Mul(toFace, proxy.m_vertices[i]);
         points[i] = {p.y, p.x};
@@ -131,9 +134,28 @@ struct Gap {
     }
 };
 
+/// The axis from the nearer end of a face that is all of its shape to the nearest of some points beyond that end.
+void TryFromEnd(std::span<const FacePoint> points, float length, float along, float up, Gap& gap) {
+    const auto isBeyond = [&](float place) { return place > length || place < 0.0f; };
+    const FacePoint* nearest = nullptr;
+    float least = std::numeric_limits<float>::max(), end = 0.0f;
+    for (const FacePoint& p : points) {
+        const float from = p.place < 0.0f ? 0.0f : length, x = p.place - from;
+        const float squared = x * x + p.height * p.height;
+        if (squared < least && isBeyond(p.place)) nearest = &p, least = squared, end = from;
+    }
+    if (nearest == nullptr) return;
+    Vec2 axis{nearest->place - end, nearest->height};
+    axis.Normalize();
+    float lowest = std::numeric_limits<float>::max();
+    for (const FacePoint& p : points) lowest = Min(lowest, axis.x * p.place + axis.y * p.height);
+    gap.Try(lowest - Max(0.0f, axis.x * length), -(axis.x * along + axis.y * up));
+}
+
 }  // namespace
 
 Vec2 MiddleOf(const Shape& shape) {
+    if (shape.GetType() == Shape::e_circle) return static_cast<const CircleShape&>(shape).m_p;
     MassData mass;
     shape.ComputeMass(&mass, 1.0f);
     return mass.center;
@@ -196,6 +218,9 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
             gap.Try(-e.highest, up);
             gap.Try(e.first - face.length, -along);
             gap.Try(-e.last, along);
+            // Along a chain most segments lie beside the mover: their ends are nearest to it.
+            if (gap.least - byTurn < near)
+                TryFromEnd(std::span(e.points, static_cast<size_t>(e.count)), face.length, along, up, gap);
         }
         clearance.slack = gap.end - near;
         clearance.isSure = gap.least - byTurn >= near;
@@ -206,7 +231,11 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
     Gap gap;
     gap.Try(middle.y, -up);
     if (face.isAll) gap.Try(-middle.y, up);
-    const bool passes = gap.least - byTurn >= needed(radius);
+    if (face.isAll && gap.least - byTurn < needed(radius)) {
+        const FacePoint point{middle.y, middle.x};
+        TryFromEnd(std::span(&point, 1), face.length, along, up, gap);
+    }
+    const bool passes = clearance.middlePasses = gap.least - byTurn >= needed(radius);
     if (watched == Watched::middle) {
         clearance.isSure = passes;
         return clearance;

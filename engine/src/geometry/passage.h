@@ -7,7 +7,7 @@
 // Take an axis that is fixed in the still shape. The distance of the cores along it falls at most linearly with the way
 // of the mover's centre along the axis, and by its turn times its reach. So what is beyond the target at both ends,
 // with the turn taken off, is beyond it all the way. Axes are those of one face of the still shape, and of an edge also
-// its ends.
+// its ends and the direction from one of them to the nearest vertex of the mover.
 
 #pragma once
 
@@ -34,7 +34,8 @@ enum class Watched : uint8_t {
 };
 
 struct Clearance {
-    bool isSure = false;  ///< nothing meets on the way
+    bool isSure = false;        ///< nothing meets on the way
+    bool middlePasses = false;  ///< the middle of the mover does not, where it is watched
     /// Nothing meets either on any way on which no point of the mover gets farther than this from where it is at the
     /// end of this one, m; negative: nothing is known.
     float slack = -1.0f;

@@ -20,6 +20,18 @@ void Count(FeatureUsers& users, Features features, int sign = 1) {
     }
 }
 
+void Count(FeatureCounts& counts, Features features, int sign) {
+    Count(counts.users, features, sign);
+    if (sign > 0) {
+        counts.used = counts.used | features;
+        return;
+    }
+    for (uint32_t bits = features.bits; bits != 0; bits &= bits - 1) {
+        const auto at = static_cast<size_t>(std::countr_zero(bits));
+        if (counts.users[at] == 0) counts.used = counts.used.Without(static_cast<Feature>(at));
+    }
+}
+
 bool IsDefault(const Filter& filter) {
     constexpr Filter plain;
     return filter.categoryBits == plain.categoryBits && filter.maskBits == plain.maskBits &&
@@ -150,14 +162,14 @@ Features UnderSettings(Features features, const WorldDef& def) {
 
 void AddBodyFeatures(WorldState& s, BodyIndex body, int sign) {
     const Features features = FeaturesOfBody(s.bodies, body);
-    Count(s.featureCounts.users, features, sign);
+    Count(s.featureCounts, features, sign);
     if (sign > 0 && s.IsLocked()) NeedKernels(s, features);
 }
 
 void AddFixtureFeatures(WorldState& s, FixtureIndex fixture, int sign) {
-    FeatureUsers& users = s.featureCounts.users;
+    const FeatureUsers& users = s.featureCounts.users;
     const Features features = FeaturesOfFixture(s.fixtures, s.bodies, fixture);
-    Count(users, features, sign);
+    Count(s.featureCounts, features, sign);
     // When the last fixture with a feature is gone, contacts may still have it.
     const auto isGone = [&](Feature feature) {
         return features.Has(feature) && users[static_cast<size_t>(feature)] == 0;
@@ -223,7 +235,7 @@ Features UsedByContacts(WorldState& s, Features byFixtures) {
 Features NeededFeatures(WorldState& s) {
     if (s.def.featureMode == FeatureMode::full) return compiledFeatures;
     if (s.def.featureMode == FeatureMode::fixed) return AllowedFeatures(s.def);
-    Features used = UsedOf(s.featureCounts.users) | FeaturesOfSettings(s);
+    Features used = s.featureCounts.used | FeaturesOfSettings(s);
     used.Add(Feature::forces, s.featureCounts.forces);
     const bool isSettled = used.Has(Feature::friction) && used.Has(Feature::restitution);
     return s.featureCounts.contactsEdited && !isSettled ? used | UsedByContacts(s, used) : used;

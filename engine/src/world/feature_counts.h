@@ -19,6 +19,7 @@ struct WorldState;
 
 struct FeatureCounts {
     FeatureUsers users{};         ///< of what bodies and fixtures decide, whatever the world's settings
+    Features used;                ///< those of them that have some
     bool forces = false;          ///< one was applied since the last ClearForces
     bool contactsEdited = false;  ///< contacts may use what their fixtures do not
 };

@@ -25,7 +25,7 @@ void WriteError(const Error& error, void*) {
 }
 
 /// Which of these features bodies and fixtures would use, were all settings on.
-Features UsedIn(const WorldState& s, Features features) { return UsedOf(s.featureCounts.users) & features; }
+Features UsedIn(const WorldState& s, Features features) { return s.featureCounts.used & features; }
 
 }  // namespace
 

@@ -127,6 +127,7 @@ inline constexpr int leastIsolatedBodies = 32768;
 /// Runs range(begin, end) → SolverCounts over parts of [0, count) on the workers and returns the sum.
 template <typename OfRange>
 SolverCounts CountRanges(TaskPool& pool, size_t count, int least, OfRange&& range) {
+    if (count == 0) return {};
     SolverCounts parts[maxWorkers];
     pool.For(static_cast<int>(count), least,
              [&](int begin, int end, int worker) { parts[worker] += range(begin, end); });

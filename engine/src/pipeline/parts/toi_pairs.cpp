@@ -153,7 +153,7 @@ void ToiPairs::AuditBody(BodyIndex body) const {
 void ToiPairs::Audit(const ToiPair& pair) const {
     TOIStats work;
     ++m_s.audit->spared;
-    if (TimeOf(pair, work) < 1.0f) ++m_s.audit->missed;
+    if (TimeOf(pair, Bounded::notYet, work) < 1.0f) ++m_s.audit->missed;
 }
 
 /// Times of all pairs, on all workers, and their events.
@@ -161,7 +161,9 @@ void ToiPairs::FindTimes() {
     m_s.times.resize(m_s.pairs.size());
     m_t.pool.For(static_cast<int>(m_s.pairs.size()), leastSearches, [&](int begin, int end, int /*worker*/) {
         TOIStats work;
-        for (int i = begin; i < end; ++i) m_s.times[i] = FirstTimeOf(m_s.pairs[i], work);
+        for (int i = begin; i < end; ++i) {
+            m_s.times[i] = FirstTimeOf(m_s.pairs[i], m_s.pairs[i].bounded, work);
+        }
         if (work.calls > 0) CountSearches(*m_events.work, work);
     });
     for (const int i : m_s.times.Rows()) {
@@ -289,12 +291,15 @@ void ToiPairs::CollectFirst(BodyIndex body, const NearStatics::Tables& tables) {
             FindCandidates(body, f, *known);
         }
     }
-    const auto isSpared = [&](const ToiCandidate& c) {
-        const BodyIndex otherBody = m_t.fixtures.body[c.other];
-        return m_bodies.type[otherBody] == staticBody && IsSpared(PairOf(c.fixture, c.other));
-    };
     if (m_s.candidates.empty()) return;
-    if (!isBullet && std::ranges::all_of(m_s.candidates, isSpared)) {
+    bool passes = !isBullet;
+    for (ToiCandidate& c : m_s.candidates) {
+        if (m_bodies.type[m_t.fixtures.body[c.other]] == staticBody) {
+            c.bounded = BoundsOf(PairOf(c.fixture, c.other));
+        }
+        passes = passes && c.bounded == Bounded::isSpared;
+    }
+    if (passes) {
         m_s.isPassedOver[body] = 1;
     } else {
         AddCandidates(body);
@@ -351,7 +356,7 @@ void ToiPairs::AddCandidates(BodyIndex body) {
     for (size_t i = 0; i < m_s.candidates.size(); ++i) {
         const ToiCandidate candidate = m_s.candidates[i];
         if (i == 0 || candidate.fixture != m_s.candidates[i - 1].fixture) MarkKnown(body, candidate.fixture);
-        Add(candidate.fixture, candidate.other);
+        Add(candidate);
     }
 }
 
@@ -369,7 +374,8 @@ void ToiPairs::MarkKnown(BodyIndex body, FixtureIndex fixture) {
     }
 }
 
-void ToiPairs::Add(FixtureIndex fixture, FixtureIndex other) {
+void ToiPairs::Add(const ToiCandidate& candidate) {
+    const FixtureIndex fixture = candidate.fixture, other = candidate.other;
     const BodyIndex body = m_t.fixtures.body[fixture];
     const BodyIndex otherBody = m_t.fixtures.body[other];
     if (otherBody == body || m_t.fixtures.isSensor[other] || !MayMeet(body, otherBody)) return;
@@ -381,6 +387,7 @@ void ToiPairs::Add(FixtureIndex fixture, FixtureIndex other) {
         if (m_s.firstPair[b] < 0) m_s.touched.push_back(b);
     }
     m_s.pairs.push_back(PairOf(fixture, other));
+    m_s.pairs.back().bounded = candidate.bounded;
     m_s.pairs.back().nextA = m_s.firstPair[body];
     m_s.pairs.back().nextB = m_s.firstPair[otherBody];
     m_s.firstPair[body] = index;
@@ -445,20 +452,25 @@ Clearance ToiPairs::ClearanceOf(const ToiPair& pair) const {
         watched, m_lengthScale);
 }
 
-/// True if the pair surely has no event, so that no search is needed.
-bool ToiPairs::IsSpared(const ToiPair& pair) const {
-    if (!ClearanceOf(pair).isSure && !PassesBy(pair)) return false;
+/// What has to be searched of the pair.
+Bounded ToiPairs::BoundsOf(const ToiPair& pair) const {
+    const Clearance clearance = ClearanceOf(pair);
+    if (!clearance.isSure && !PassesBy(pair)) {
+        return clearance.middlePasses ? Bounded::needsCores : Bounded::needsSearch;
+    }
     if (m_s.audit != nullptr) Audit(pair);
-    return true;
+    return Bounded::isSpared;
 }
 
-float ToiPairs::FirstTimeOf(const ToiPair& pair, TOIStats& work) const {
-    return pair.over || IsSpared(pair) ? 1.0f : TimeOf(pair, work);
+float ToiPairs::FirstTimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) const {
+    if (pair.over) return 1.0f;
+    if (bounded == Bounded::notYet) bounded = BoundsOf(pair);
+    return bounded == Bounded::isSpared ? 1.0f : TimeOf(pair, bounded, work);
 }
 
 /// Computes when the pair meets and puts, moves or takes out its event.
 void ToiPairs::UpdateEvent(int index) {
-    const float alpha = FirstTimeOf(m_s.pairs[index], *m_events.work);
+    const float alpha = FirstTimeOf(m_s.pairs[index], Bounded::notYet, *m_events.work);
     alpha < 1.0f ? SetEvent(index, alpha) : m_s.events.Remove(index);
 }
 
@@ -470,7 +482,7 @@ void ToiPairs::SetEvent(int index, float alpha) {
 }
 
 /// The part of the step at which the pair meets; 1: not in this step.
-float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
+float ToiPairs::TimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) const {
     TOIInput input;
     input.proxyA.Set(m_t.fixtures.shape[pair.fixtureA], 0);
     input.proxyB.Set(m_t.fixtures.shape[pair.fixtureB], 0);
@@ -492,6 +504,7 @@ float ToiPairs::TimeOf(const ToiPair& pair, TOIStats& work) const {
     // What begins as near as it may come, or within the other already, is held by its contact; only the middle of the
     // one that moves must not pass to the other side.
     if (pair.isHeld || output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
+        if (bounded == Bounded::needsCores) return 1.0f;
         const bool isA = IsMoverA(pair);
         const Shape& mover = *m_t.fixtures.shape[isA ? pair.fixtureA : pair.fixtureB];
         const Shape& still = *m_t.fixtures.shape[isA ? pair.fixtureB : pair.fixtureA];

@@ -37,19 +37,29 @@ struct ContinuousTables {
     BroadPhase& broadPhase;
 };
 
+/// What the bounds have said of a pair's way.
+enum class Bounded : uint8_t {
+    notYet,
+    isSpared,    ///< it has no event
+    needsCores,  ///< the middle of the mover meets nothing
+    needsSearch
+};
+
 /// Two fixtures that may meet on their way.
 struct ToiPair {
     FixtureIndex fixtureA, fixtureB;
     BodyIndex bodyA, bodyB;
-    int rounds;           ///< events so far
-    int nextA, nextB;     ///< the next pair of each body's list
-    bool over;            ///< not to be looked at again in this step
-    bool isHeld = false;  ///< by its contact: only its centre is looked at
+    int rounds;                         ///< events so far
+    int nextA, nextB;                   ///< the next pair of each body's list
+    bool over;                          ///< not to be looked at again in this step
+    bool isHeld = false;                ///< by its contact: only its centre is looked at
+    Bounded bounded = Bounded::notYet;  ///< of the way at which it was made
 };
 
 /// A fixture of a body and one on its way.
 struct ToiCandidate {
     FixtureIndex fixture, other;
+    Bounded bounded = Bounded::notYet;
 };
 
 /// What the first look at a body says.
@@ -158,15 +168,15 @@ private:
     void FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDynamic);
     void AddCandidates(BodyIndex body);
     void MarkKnown(BodyIndex body, FixtureIndex fixture);
-    void Add(FixtureIndex fixture, FixtureIndex other);
+    void Add(const ToiCandidate& candidate);
     [[nodiscard]] bool MayCollide(FixtureIndex fixture, FixtureIndex other) const;
     [[nodiscard]] bool PassesBy(const ToiPair& pair) const;
     [[nodiscard]] bool IsClear(FixtureIndex fixture, FixtureIndex other, float overlap) const;
     [[nodiscard]] Clearance ClearanceOf(const ToiPair& pair) const;
-    [[nodiscard]] bool IsSpared(const ToiPair& pair) const;
+    [[nodiscard]] Bounded BoundsOf(const ToiPair& pair) const;
     void SetEvent(int index, float alpha);
-    [[nodiscard]] float FirstTimeOf(const ToiPair& pair, TOIStats& work) const;
-    [[nodiscard]] float TimeOf(const ToiPair& pair, TOIStats& work) const;
+    [[nodiscard]] float FirstTimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) const;
+    [[nodiscard]] float TimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) const;
 
     const float m_lengthScale;
     const bool m_atOutlines;
