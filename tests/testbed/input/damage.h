@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdlib>
 #include <random>
 #include <string>
@@ -45,6 +47,12 @@ void Damage(std::string& text, std::mt19937& random, std::size_t weight, Replace
 inline int CountOfMutations(int usual) {
     const char* asked = std::getenv("SCREE_MUTATIONS");
     return asked != nullptr ? std::atoi(asked) : usual;
+}
+
+/// What came of them, for the table that tests/fuzz/mutations writes.
+inline void RecordMutations(int count, int refused) {
+    testing::Test::RecordProperty("damaged", count);
+    testing::Test::RecordProperty("refused", refused);
 }
 
 }  // namespace testbed

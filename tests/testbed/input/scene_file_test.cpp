@@ -276,6 +276,7 @@ TEST(SceneFile, DamagedFilesEndInAnErrorOrInASceneThatIsGood) {
         }
     }
     EXPECT_GT(refused, count / 3);
+    RecordMutations(count, refused);
 }
 
 TEST(SceneFile, AHundredThousandBodiesLoadInASecond) {
