@@ -26,9 +26,6 @@ struct Api {
     typedef scree::Body Body;
     typedef scree::Fixture Fixture;
     typedef scree::Joint Joint;
-    typedef scree::Contact Contact;
-    typedef scree::Manifold Manifold;
-    typedef scree::WorldManifold WorldManifold;
     typedef scree::Shape Shape;
     typedef scree::CircleShape Circle;
     typedef scree::EdgeShape Edge;
@@ -50,14 +47,56 @@ struct Api {
         std::vector<detail::Place> m_places;
     };
 
+    /// Reads bodies and contacts at once: one by one they take longer than their share of a step.
+    class Reader {
+    public:
+        bool ReadBodies(const World& world, const std::vector<detail::BodySlot<Body>>& slots,
+                        std::vector<detail::State>& now) {
+            scree::inspect::GetBodies(world, m_bodies);
+            if (m_bodies.size() != slots.size()) return false;
+            for (std::size_t k = 0; k < slots.size(); ++k) {
+                const scree::inspect::BodyView& b = m_bodies[k];
+                if (slots[k].body != b.body) return false;
+                if (slots[k].quick != QuickIdentityOf(b.generation, b.type, b.newestFixture)) return false;
+                const float values[6] = {b.position.x,       b.position.y,       b.angle,
+                                         b.linearVelocity.x, b.linearVelocity.y, b.angularVelocity};
+                std::memcpy(now[k].bits, values, sizeof values);
+                now[k].awake = b.type != scree::staticBody && b.isAwake;
+            }
+            return true;
+        }
+        void WriteContacts(const World& world, const Places& places, detail::Bytes& bytes) {
+            scree::inspect::GetTouchingContacts(world, m_contacts);
+            detail::ContactBytes out(bytes);
+            for (const scree::inspect::ContactView& c : m_contacts) {
+                unsigned char* end = out.Begin(places.At(c.fixtureA), places.At(c.fixtureB), c.pointCount, c.isSensor,
+                                               c.points.normal.x, c.points.normal.y);
+                for (int i = 0; i < c.pointCount; ++i) {
+                    end = detail::PutFloat(detail::PutFloat(end, c.points.points[i].x), c.points.points[i].y);
+                    end = detail::PutFloat(end, c.points.separations[i]);
+                    end = detail::PutFloat(detail::PutFloat(end, c.normalImpulses[i]), c.tangentImpulses[i]);
+                }
+                out.End(end);
+            }
+        }
+
+    private:
+        std::vector<scree::inspect::BodyView> m_bodies;
+        std::vector<scree::inspect::ContactView> m_contacts;
+    };
+
     static const char* Writer() { return "scree_capture.h"; }
     static std::string Engine() { return "scree"; }
     static int TypeOf(const Body& body) { return body.GetType(); }
 
+    static std::uint64_t QuickIdentityOf(std::uint32_t generation, int type, scree::FixtureId newest) {
+        const std::uint64_t own = std::uint64_t{generation} << 8 | static_cast<unsigned>(type);
+        return newest.index < 0 ? own : Mix(own, newest);
+    }
     static std::uint64_t QuickIdentityOf(const World& world, const Body& body) {
-        const std::uint64_t own = std::uint64_t{world.GetId(&body).generation} << 8 | body.GetType();
         const Fixture* newest = body.GetFixtureList();
-        return newest == nullptr ? own : Mix(own, world.GetId(newest));
+        return QuickIdentityOf(world.GetId(&body).generation, body.GetType(),
+                               newest == nullptr ? scree::FixtureId{} : world.GetId(newest));
     }
     static std::uint64_t IdentityOf(const World& world, const Body& body) {
         std::uint64_t hash = QuickIdentityOf(world, body);
@@ -166,11 +205,6 @@ struct Api {
             }
         }
     }
-
-    static std::pair<detail::Place, detail::Place> PlacesOf(const Contact& contact, const Places& places) {
-        return {places.At(contact.GetFixtureA()->GetIndex()), places.At(contact.GetFixtureB()->GetIndex())};
-    }
-    static Manifold ManifoldOf(const Contact& contact) { return contact.GetManifold(); }
 
     static void WriteNodes(const World& world, const Places& places, detail::Bytes& bytes) {
         std::vector<scree::BvhNode> nodes;

@@ -120,6 +120,7 @@ struct Api {
     typedef b2PolygonShape Polygon;
     typedef b2Vec2 Vec2;
     typedef FixturePlaces Places;
+    typedef detail::ListReader<Api> Reader;
 
     static const char* Writer() { return "scree_capture_box2d.h"; }
     /// Without the third number: 2.4.1 says that it is 2.4.0.

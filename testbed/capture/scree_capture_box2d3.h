@@ -400,6 +400,7 @@ struct Api {
     typedef WorldPoints WorldManifold;
     typedef Point Vec2;
     typedef std::unordered_map<const Fixture*, detail::Place> Places;
+    typedef detail::ListReader<Api> Reader;
 
     static const char* Writer() { return "scree_capture_box2d3.h"; }
     static std::string Engine() {

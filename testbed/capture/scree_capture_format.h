@@ -349,7 +349,7 @@ struct State {
     }
 };
 
-inline std::uint32_t OrdinalOf(std::uint32_t bits) { return bits >> 31 ? bits ^ 0x7FFFFFFFu : bits; }
+inline std::uint32_t OrdinalOf(std::uint32_t bits) { return bits ^ ((0u - (bits >> 31)) & 0x7FFFFFFFu); }
 
 /// Zero of its sign instead of a number below the smallest normal one, which some programs flush and others do not.
 inline std::uint32_t WithoutDenormals(std::uint32_t bits) {
@@ -368,8 +368,15 @@ inline std::uint32_t Predict(std::uint32_t last, std::uint32_t velocity, double 
 /// Whether prediction computes here what it does everywhere: rounding each operation to double.
 inline bool CanPredict() { return FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1; }
 
+/// The least bytes that hold a number, without asking what a processor would have to guess.
 inline unsigned LengthOf(std::uint32_t value) {
-    return value == 0 ? 0u : value < 0x100u ? 1u : value < 0x10000u ? 2u : value < 0x1000000u ? 3u : 4u;
+#ifdef __GNUC__
+    const int bits = 63 - __builtin_clzll(static_cast<unsigned long long>(value) << 1 | 1u);
+    return (static_cast<unsigned>(bits) + 7u) / 8u;
+#else
+    return static_cast<unsigned>(value > 0) + static_cast<unsigned>(value > 0xFFu) +
+           static_cast<unsigned>(value > 0xFFFFu) + static_cast<unsigned>(value > 0xFFFFFFu);
+#endif
 }
 
 /// The most bytes that a packed state takes.
@@ -378,11 +385,12 @@ static const std::size_t mostStateBytes = 2 + 10 + 24;
 /// Writes a state at `out`, which has room for mostStateBytes + 4, and returns its end.
 inline unsigned char* PackState(unsigned char* out, std::int64_t number, std::int64_t lastNumber, const State& now,
                                 const State& last, double h) {
-    std::uint32_t residuals[6];
+    std::uint32_t predicted[6], residuals[6];
     unsigned lengths[6];
+    for (int i = 0; i < 3; ++i) predicted[i] = Predict(last.bits[i], now.bits[i + 3], h);
+    for (int i = 3; i < 6; ++i) predicted[i] = last.bits[i];
     for (int i = 0; i < 6; ++i) {
-        const std::uint32_t predicted = i < 3 ? Predict(last.bits[i], now.bits[i + 3], h) : last.bits[i];
-        const std::uint32_t difference = OrdinalOf(now.bits[i]) - OrdinalOf(predicted);
+        const std::uint32_t difference = OrdinalOf(now.bits[i]) - OrdinalOf(predicted[i]);
         residuals[i] = difference << 1 ^ (0u - (difference >> 31));
         lengths[i] = LengthOf(residuals[i]);
     }
@@ -465,7 +473,11 @@ public:
 
 #ifdef SCREE_CAPTURE_NO_THREAD
     bool HasRoom() const { return m_error.empty(); }
-    void Push(Bytes payload, bool mayDeflate) { Append(payload, mayDeflate); }
+    void Push(Bytes payload, bool mayDeflate) {
+        Append(payload, mayDeflate);
+        m_spare.swap(payload);
+    }
+    Bytes TakeSpare() { return std::move(m_spare); }
     void Flush() {}
     std::string GetError() const { return m_error; }
 #else
@@ -481,6 +493,11 @@ public:
             m_queue.emplace_back(std::move(payload), mayDeflate);
         }
         m_changed.notify_all();
+    }
+    /// A payload that was written, for its memory: pages that a system hands out anew take longer than their content.
+    Bytes TakeSpare() {
+        std::lock_guard<std::mutex> lock(m_mutex);
+        return std::move(m_spare);
     }
     /// Returns once all is in the file.
     void Flush() {
@@ -514,12 +531,13 @@ private:
         for (;;) {
             m_changed.wait(lock, [this] { return m_isEnding || !m_queue.empty(); });
             if (m_queue.empty()) return;
-            const std::pair<Bytes, bool> next = std::move(m_queue.front());
+            std::pair<Bytes, bool> next = std::move(m_queue.front());
             m_queue.pop_front();
             lock.unlock();
             Append(next.first, next.second);
             lock.lock();
             m_waiting -= next.first.size();
+            if (m_spare.capacity() < next.first.capacity()) m_spare.swap(next.first);
             m_changed.notify_all();
         }
     }
@@ -533,6 +551,7 @@ private:
     std::FILE* m_file = nullptr;
     std::size_t m_memory;
     std::string m_error;
+    Bytes m_spare;
 };
 
 }  // namespace detail

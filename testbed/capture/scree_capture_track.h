@@ -104,6 +104,15 @@ struct Place {
     std::int64_t fixture, child;
 };
 
+/// A body that is recorded, as it was in the last step.
+template <typename Body>
+struct BodySlot {
+    Body* body;
+    std::uint64_t quick, identity;  ///< change when another body or other fixtures stand at the address
+    std::int64_t number;
+    State last, created;
+};
+
 /// The most bytes that a place, and a contact, take.
 static const std::size_t mostPlaceBytes = 30, mostContactBytes = 2 * mostPlaceBytes + 9 + 2 * 20;
 
@@ -116,6 +125,74 @@ inline void PutPlace(Bytes& bytes, const Place& place) {
     unsigned char text[mostPlaceBytes];
     bytes.insert(bytes.end(), text, PutPlace(text, place));
 }
+
+/// The end of bytes that grow by whole contacts: a vector is slow byte by byte.
+class ContactBytes {
+public:
+    explicit ContactBytes(Bytes& bytes) : m_bytes(bytes), m_used(bytes.size()) {}
+    ~ContactBytes() { m_bytes.resize(m_used); }
+    ContactBytes(const ContactBytes&) = delete;
+    ContactBytes& operator=(const ContactBytes&) = delete;
+
+    /// A contact with `count` points; of each the caller then writes x, y, separation and both impulses.
+    unsigned char* Begin(const Place& a, const Place& b, int count, bool isSensor, float normalX, float normalY) {
+        if (m_bytes.size() - m_used < mostContactBytes) m_bytes.resize(m_used + 64 * mostContactBytes);
+        unsigned char* out = PutPlace(PutPlace(m_bytes.data() + m_used, a), b);
+        *out++ = static_cast<unsigned char>(count + (isSensor ? 4 : 0));
+        return PutFloat(PutFloat(out, normalX), normalY);
+    }
+    void End(const unsigned char* end) { m_used = static_cast<std::size_t>(end - m_bytes.data()); }
+
+private:
+    Bytes& m_bytes;
+    std::size_t m_used;
+};
+
+/// Reads a world by its lists and accessors.
+template <typename Api>
+class ListReader {
+public:
+    /// States of all bodies; false if the list of bodies is no longer that of the slots.
+    bool ReadBodies(typename Api::World& world, const std::vector<BodySlot<typename Api::Body>>& slots,
+                    std::vector<State>& now) {
+        std::size_t k = 0;
+        for (const typename Api::Body* b = world.GetBodyList(); b != nullptr; b = b->GetNext(), ++k) {
+            if (k == slots.size() || slots[k].body != b || slots[k].quick != Api::QuickIdentityOf(world, *b)) {
+                return false;
+            }
+            Api::ReadState(*b, now[k]);
+        }
+        return k == slots.size();
+    }
+    /// Appends the touching contacts.
+    void WriteContacts(typename Api::World& world, const typename Api::Places& places, Bytes& bytes) {
+        ContactBytes out(bytes);
+        for (typename Api::Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
+            if (c->IsTouching()) WriteContact(*c, places, out);
+        }
+    }
+
+private:
+    static void WriteContact(typename Api::Contact& contact, const typename Api::Places& places, ContactBytes& out) {
+        const std::pair<Place, Place> sides = Api::PlacesOf(contact, places);
+        const typename Api::Manifold& manifold = Api::ManifoldOf(contact);
+        const bool isSensor = contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
+        const int count = manifold.pointCount;
+        typename Api::WorldManifold points;
+        if (count > 0) {
+            contact.GetWorldManifold(&points);
+        } else {
+            points.normal.Set(0.0f, 0.0f);
+        }
+        unsigned char* end = out.Begin(sides.first, sides.second, count, isSensor, points.normal.x, points.normal.y);
+        for (int i = 0; i < count; ++i) {
+            end = PutFloat(PutFloat(end, points.points[i].x), points.points[i].y);
+            end = PutFloat(end, points.separations[i]);
+            end = PutFloat(PutFloat(end, manifold.points[i].normalImpulse), manifold.points[i].tangentImpulse);
+        }
+        out.End(end);
+    }
+};
 
 template <typename Api>
 class BasicTrack {
@@ -199,12 +276,7 @@ public:
     int GetSkippedSteps() const { return m_skipped; }
 
 private:
-    struct Slot {
-        Body* body;
-        std::uint64_t quick, identity;  ///< change when another body or other fixtures stand at the address
-        std::int64_t number;
-        State last, created;
-    };
+    typedef BodySlot<Body> Slot;
     struct JointSlot {
         const Joint* joint;
         std::uint64_t identity;
@@ -285,14 +357,7 @@ private:
     /// False if the list of bodies is no longer that of the slots.
     bool GatherStates() {
         m_now.resize(m_slots.size());
-        std::size_t k = 0;
-        for (const Body* b = m_world.GetBodyList(); b != nullptr; b = b->GetNext(), ++k) {
-            if (k == m_slots.size() || m_slots[k].body != b || m_slots[k].quick != Api::QuickIdentityOf(m_world, *b)) {
-                return false;
-            }
-            Api::ReadState(*b, m_now[k]);
-        }
-        return k == m_slots.size();
+        return m_reader.ReadBodies(m_world, m_slots, m_now);
     }
 
     bool HaveJointsChanged() {
@@ -524,39 +589,8 @@ private:
         m_out.Value(static_cast<std::int64_t>(m_world.GetContactCount()));
         m_out.Key("contacts");
         const std::size_t begin = m_out.BeginBytes();
-        Bytes& bytes = m_out.GetBytes();
-        std::size_t used = bytes.size();
-        for (typename Api::Contact* c = m_world.GetContactList(); c != nullptr; c = c->GetNext()) {
-            if (!c->IsTouching()) continue;
-            // Room for many at once: a vector is slow byte by byte.
-            if (bytes.size() - used < mostContactBytes) bytes.resize(used + 64 * mostContactBytes);
-            used = static_cast<std::size_t>(WriteContact(*c, bytes.data() + used) - bytes.data());
-        }
-        bytes.resize(used);
+        m_reader.WriteContacts(m_world, m_places, m_out.GetBytes());
         m_out.EndBytes(begin);
-    }
-
-    /// Writes at `out`, which has room for mostContactBytes, and returns the end.
-    unsigned char* WriteContact(typename Api::Contact& contact, unsigned char* out) {
-        const std::pair<Place, Place> places = Api::PlacesOf(contact, m_places);
-        out = PutPlace(PutPlace(out, places.first), places.second);
-        const typename Api::Manifold& manifold = Api::ManifoldOf(contact);
-        const bool isSensor = contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
-        const int count = manifold.pointCount;
-        *out++ = static_cast<unsigned char>(count + (isSensor ? 4 : 0));
-        typename Api::WorldManifold points;
-        if (count > 0) {
-            contact.GetWorldManifold(&points);
-        } else {
-            points.normal.Set(0.0f, 0.0f);
-        }
-        out = PutFloat(PutFloat(out, points.normal.x), points.normal.y);
-        for (int i = 0; i < count; ++i) {
-            out = PutFloat(PutFloat(out, points.points[i].x), points.points[i].y);
-            out = PutFloat(out, points.separations[i]);
-            out = PutFloat(PutFloat(out, manifold.points[i].normalImpulse), manifold.points[i].tangentImpulse);
-        }
-        return out;
     }
 
     static void PushEvents(Output& file, const Events& events) {
@@ -574,7 +608,7 @@ private:
     void EndBlock() {
         m_out.EndArray();
         m_out.EndMap();
-        m_block.payload = m_out.GetBytes();
+        m_block.payload.swap(m_out.GetBytes());
         m_out.Clear();
         m_blockSteps = 0;
         if (IsRing()) {
@@ -585,6 +619,8 @@ private:
             PushEvents(*m_file, m_gone);
             m_gone = Events();
             m_file->Push(std::move(m_block.payload), true);
+            m_out.GetBytes() = m_file->TakeSpare();
+            m_out.Clear();
         }
         m_block = Block();
     }
@@ -630,6 +666,7 @@ private:
     std::int64_t m_nextBody = 0, m_nextJoint = 0;
     std::uint64_t m_counts = 0;
     typename Api::Places m_places;
+    typename Api::Reader m_reader;
     bool m_mustResync = false;
 
     std::int64_t m_step = 0;

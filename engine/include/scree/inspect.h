@@ -10,7 +10,9 @@
 #include <vector>
 
 #include "scree/api.h"
+#include "scree/body.h"
 #include "scree/bvh_node.h"
+#include "scree/collision.h"
 #include "scree/time_of_impact.h"
 #include "scree/world.h"
 
@@ -52,6 +54,30 @@ SCREE_API MemoryUse GetMemoryUse(const World& world);
 /// all others, which takes longer and gives the same bits: what that path is worth. Where a body is stopped at a time
 /// of impact the two may differ.
 SCREE_API void SetIsolatedPath(World& world, bool apart);
+
+/// A body as recorders want it: what its accessors say, read at once.
+struct BodyView {
+    const Body* body;
+    uint32_t generation;      ///< of its id
+    FixtureId newestFixture;  ///< the first of its list; index −1: it has none
+    BodyType type;
+    bool isAwake;
+    Vec2 position, linearVelocity;
+    float angle, angularVelocity;
+};
+/// All bodies in the order of World::GetBodyList. O(bodies), a tenth of what their accessors take.
+SCREE_API void GetBodies(const World& world, std::vector<BodyView>& bodies);
+
+/// A touching contact in the same way.
+struct ContactView {
+    int fixtureA, fixtureB;  ///< Fixture::GetIndex
+    bool isSensor;           ///< one of them is
+    int pointCount;
+    WorldManifold points;  ///< without points: its normal is 0
+    float normalImpulses[maxManifoldPoints], tangentImpulses[maxManifoldPoints];
+};
+/// The contacts that touch, in the order of World::GetContactList. O(contacts).
+SCREE_API void GetTouchingContacts(const World& world, std::vector<ContactView>& contacts);
 
 /// The kernels that the last step ran.
 SCREE_API KernelSet GetKernels(const World& world);

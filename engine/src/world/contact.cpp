@@ -61,15 +61,17 @@ ErrorCode Contact::SetManifold(const Manifold& manifold) {
 void Contact::GetWorldManifold(WorldManifold* worldManifold) const {
     Guard guard = CheckContact(*m_state, m_row, "Contact::GetWorldManifold");
     if (guard.NotNull(worldManifold != nullptr, "worldManifold", "pass where to write").Failed()) return;
-    const ContactPair& p = m_state->contacts.pair[m_row];
-    const BodyTable& bodies = m_state->bodies;
+    m_state->PlaceManifold(m_row, *worldManifold);
+}
+
+void WorldState::PlaceManifold(ContactIndex contact, WorldManifold& placed) const {
+    const ContactPair& p = contacts.pair[contact];
     const Vec2 frame = FrameOf(bodies, p.bodyA, p.bodyB);
-    worldManifold->Initialize(&m_state->contacts.manifold[m_row], TransformIn(frame, bodies, p.bodyA),
-                              m_state->fixtures.shape[p.fixtureA]->m_radius, TransformIn(frame, bodies, p.bodyB),
-                              m_state->fixtures.shape[p.fixtureB]->m_radius);
-    if (bodies.IsFar()) {
-        for (Vec2& point : worldManifold->points) point += frame;
-    }
+    placed.Initialize(&contacts.manifold[contact], TransformIn(frame, bodies, p.bodyA),
+                      fixtures.shape[p.fixtureA]->m_radius, TransformIn(frame, bodies, p.bodyB),
+                      fixtures.shape[p.fixtureB]->m_radius);
+    if (!bodies.IsFar()) return;
+    for (Vec2& point : placed.points) point += frame;
 }
 
 int Contact::GetIndex() const { return ToInt(m_state->contacts.GetNumber(m_row)); }

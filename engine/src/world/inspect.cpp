@@ -66,6 +66,46 @@ void SetIsolatedPath(World& world, bool apart) {
     world.GetState().isolatedPath = apart ? IsolatedPath::apart : IsolatedPath::asIslands;
 }
 
+void GetBodies(const World& world, std::vector<BodyView>& views) {
+    const WorldState& s = world.GetState();
+    const BodyTable& bodies = s.bodies;
+    views.clear();
+    for (BodyIndex b = bodies.listHead; IsSome(b); b = bodies.info[b].listNext) {
+        const FixtureIndex newest = bodies.fixtureHead[b];
+        const uint32_t generation = IsSome(newest) ? s.fixtures.slots.GetGeneration(newest) : 0;
+        views.push_back({.body = &bodies.handles[b],
+                         .generation = bodies.slots.GetGeneration(b),
+                         .newestFixture = {ToInt(newest), generation},
+                         .type = bodies.type[b],
+                         .isAwake = bodies.Has(b, BodyFlag::awake),
+                         .position = bodies.transform[b].p,
+                         .linearVelocity = bodies.velocity[b].v,
+                         .angle = bodies.position[b].a,
+                         .angularVelocity = bodies.velocity[b].w});
+    }
+}
+
+void GetTouchingContacts(const World& world, std::vector<ContactView>& views) {
+    const WorldState& s = world.GetState();
+    const ContactTable& contacts = s.contacts;
+    views.clear();
+    for (ContactIndex c = contacts.LastAliveBelow(contacts.flags.End()); IsSome(c); c = contacts.LastAliveBelow(c)) {
+        if (!contacts.Has(c, ContactFlag::touching)) continue;
+        const ContactPair& pair = contacts.pair[c];
+        const Manifold& manifold = contacts.manifold[c];
+        ContactView& view = views.emplace_back();
+        view.fixtureA = ToInt(pair.fixtureA), view.fixtureB = ToInt(pair.fixtureB);
+        view.isSensor = (s.fixtures.isSensor[pair.fixtureA] | s.fixtures.isSensor[pair.fixtureB]) != 0;
+        view.pointCount = manifold.pointCount;
+        view.points.normal = vec2Zero;
+        s.PlaceManifold(c, view.points);
+        for (int i = 0; i < view.pointCount; ++i) {
+            view.normalImpulses[i] = manifold.points[i].normalImpulse;
+            view.tangentImpulses[i] = manifold.points[i].tangentImpulse;
+        }
+    }
+}
+
 KernelSet GetKernels(const World& world) { return world.GetState().kernels; }
 
 }  // namespace scree::inspect

@@ -92,6 +92,8 @@ struct WorldState {
     /// A coordinate beyond it makes positions have rests, m.
     [[nodiscard]] float FarDistance() const { return def.farDistance * def.lengthScale; }
     [[nodiscard]] bool IsLocked() const { return locks.load(std::memory_order_relaxed) > 0; }
+    /// A contact's manifold at the present poses; without points nothing is written.
+    void PlaceManifold(ContactIndex contact, WorldManifold& placed) const;
     /// The pool that `def` asks for, in place of the one there was.
     void MakePool();
     /// Tells the error handler and gives the code back.
