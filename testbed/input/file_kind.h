@@ -13,13 +13,13 @@
 
 namespace testbed {
 
-enum class FileKind : std::uint8_t { scene, track, image, recording };
+enum class FileKind : std::uint8_t { scene, track, image, recording, rube };
 
 struct FileKindInfo {
     FileKind kind = FileKind::scene;
     std::string_view name;       ///< what --format takes
     std::string_view ending;     ///< of its files' names
-    std::string_view beginning;  ///< of their bytes
+    std::string_view beginning;  ///< of their bytes; JSON, which has no more of it than "{", is told by its keys
     std::string_view what;
 };
 
@@ -31,7 +31,7 @@ struct FileKindInfo {
 /// The kind whose ending a path has.
 [[nodiscard]] std::optional<FileKind> KindOfEnding(std::string_view path);
 
-/// The kind that bytes begin like.
+/// The kind that bytes begin like; of JSON, that whose keys the outermost object has.
 [[nodiscard]] std::optional<FileKind> KindOfBytes(std::string_view bytes);
 
 /// The kind of that name. Throws UsageError with the nearest one.

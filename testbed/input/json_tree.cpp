@@ -110,6 +110,13 @@ const JsonNode* JsonNode::Find(std::string_view key) const {
     return found == keys.end() ? nullptr : &items[static_cast<std::size_t>(found - keys.begin())];
 }
 
+std::string JsonPlace::Describe() const {
+    std::string text = outer != nullptr ? outer->Describe() : "";
+    if (index >= 0) return text + fmt::format("[{}]", index);
+    if (!text.empty() && !key.empty()) text += '.';
+    return text + std::string(key);
+}
+
 std::string_view NameOf(JsonNode::Kind kind) {
     switch (kind) {
         case JsonNode::Kind::null:

@@ -27,6 +27,15 @@ struct JsonNode {
     [[nodiscard]] const JsonNode* Find(std::string_view key) const;
 };
 
+/// Where in a tree a node stands: "bodies[12].angle". The text is only made for messages.
+struct JsonPlace {
+    const JsonPlace* outer = nullptr;  ///< has to live as long
+    std::string_view key{};            ///< in an object
+    int index = -1;                    ///< in an array
+
+    [[nodiscard]] std::string Describe() const;
+};
+
 /// What a kind is called in messages: "a number", "an object" …
 [[nodiscard]] std::string_view NameOf(JsonNode::Kind kind);
 

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "scenes/outline.h"
+#include "testbed/input/area.h"
 #include "testbed/input/scene_fields.h"
 #include "testbed/input/scene_file.h"
 
@@ -43,41 +44,6 @@ double Cross(Vec2 a, Vec2 b, Vec2 c) {
            (static_cast<double>(b.y) - a.y) * (static_cast<double>(c.x) - a.x);
 }
 double DistanceOf(Vec2 a, Vec2 b) { return std::hypot(static_cast<double>(a.x) - b.x, static_cast<double>(a.y) - b.y); }
-
-/// Area, centre and moment about the origin of a body, for a density of 1.
-struct AreaSums {
-    double area = 0.0, x = 0.0, y = 0.0, moment = 0.0;
-};
-
-AreaSums SumsOf(std::span<const Vec2> v) {
-    AreaSums sums;
-    for (std::size_t i = 0; i < v.size(); ++i) {
-        const double ax = v[i].x, ay = v[i].y;
-        const double bx = v[(i + 1) % v.size()].x, by = v[(i + 1) % v.size()].y;
-        const double cross = ax * by - ay * bx;
-        sums.area += 0.5 * cross;
-        sums.x += cross * (ax + bx) / 6.0;
-        sums.y += cross * (ay + by) / 6.0;
-        sums.moment += cross * (ax * ax + ax * bx + bx * bx + ay * ay + ay * by + by * by) / 12.0;
-    }
-    return sums;
-}
-
-AreaSums SumsOf(const scenes::Scene& scene, const scenes::Shape& shape) {
-    if (shape.type == ShapeType::edge || shape.type == ShapeType::chain) return {};
-    if (shape.type == ShapeType::circle) {
-        const double r2 = static_cast<double>(shape.radius) * shape.radius, area = 3.14159265358979 * r2;
-        const double x = shape.center.x, y = shape.center.y;
-        return {area, area * x, area * y, area * (0.5 * r2 + x * x + y * y)};
-    }
-    if (shape.type == ShapeType::polygon) return SumsOf(shape.Vertices());
-    if (shape.type == ShapeType::box) {
-        const double hx = shape.halfExtents.x, hy = shape.halfExtents.y, area = 4.0 * hx * hy;
-        const double x = shape.center.x, y = shape.center.y;
-        return {area, area * x, area * y, area * ((hx * hx + hy * hy) / 3.0 + x * x + y * y)};
-    }
-    return SumsOf(scenes::PolygonInstead(scene, shape).Vertices());
-}
 
 /// Finds the first fault of a scene and says where it is.
 class Search {
@@ -141,16 +107,9 @@ private:
                 RequireAmount(value, at + key);
             }
             Require(IsNear(fixture.tangentSpeed), at + ".tangentSpeed", "give a number of at most 1e18");
-            if (m_fault.empty() && fixture.density > 0.0f) Add(mass, SumsOf(m_scene, fixture.shape), fixture.density);
+            if (m_fault.empty() && fixture.density > 0.0f) mass.Add(SumsOf(m_scene, fixture.shape), fixture.density);
         }
         if (m_fault.empty() && body.type == scenes::BodyType::dynamic) CheckMass(mass, place);
-    }
-
-    static void Add(AreaSums& total, const AreaSums& one, double density) {
-        total.area += density * one.area;
-        total.x += density * one.x;
-        total.y += density * one.y;
-        total.moment += density * one.moment;
     }
 
     /// A moment about the centre of mass that is lost in the rounding of the one about the origin is none.

@@ -33,6 +33,9 @@ inline constexpr int sceneVersion = 1;
 /// The scene in a file. Throws FileError, also when it cannot be read.
 [[nodiscard]] scenes::Scene ReadSceneFile(const std::filesystem::path& file);
 
+/// What a scene without a name is called: the name of its file without folder and endings.
+[[nodiscard]] std::string NameOfScene(std::string_view source);
+
 /// What is wrong with a scene, "place: fault; cure"; empty if nothing is.
 [[nodiscard]] std::string DescribeFault(const scenes::Scene& scene);
 

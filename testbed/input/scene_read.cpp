@@ -30,21 +30,8 @@ namespace testbed {
 namespace {
 
 using Kind = JsonNode::Kind;
+using Place = JsonPlace;
 using Names = std::vector<std::string_view>;
-
-/// Where in the file a value stands; the text is only made for messages.
-struct Place {
-    const Place* outer = nullptr;
-    std::string_view key{};
-    int index = -1;
-
-    [[nodiscard]] std::string Describe() const {
-        std::string text = outer != nullptr ? outer->Describe() : "";
-        if (index >= 0) return text + fmt::format("[{}]", index);
-        if (!text.empty() && !key.empty()) text += '.';
-        return text + std::string(key);
-    }
-};
 
 /// A body of this number of fixtures is no mistake that one would make by hand, and stays far from the end of int.
 constexpr std::size_t mostItems = 20'000'000;
@@ -57,7 +44,7 @@ public:
         const Place top{};
         Expect(root, top, Kind::object);
         CheckHeader(root, top);
-        m_scene.name = NameFromSource();
+        m_scene.name = NameOfScene(m_source);
         m_scene.size = 1;
         m_scene.steps = 600;
         const Names arrays{"format", "version", "bodies", "joints", "spawns", "user"};
@@ -97,17 +84,6 @@ private:
             Fail(Place{&top, "version"}, fmt::format("version {:.0f} is newer than this program, which reads up to {}",
                                                      version->number, sceneVersion));
         }
-    }
-
-    /// The file's name without folder and endings, as a name of a scene.
-    [[nodiscard]] std::string NameFromSource() const {
-        std::string name(m_source.substr(m_source.find_last_of('/') + 1));
-        name = name.substr(0, name.find('.'));
-        for (char& c : name) {
-            if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_') c = '-';
-        }
-        if (name.size() > 64) name.resize(64);
-        return name.empty() ? "scene" : name;
     }
 
     // Values.
@@ -298,6 +274,16 @@ std::string UserText(std::string_view text, const JsonNode& root, const Reader& 
 }
 
 }  // namespace
+
+std::string NameOfScene(std::string_view source) {
+    std::string name(source.substr(source.find_last_of('/') + 1));
+    name = name.substr(0, name.find('.'));
+    for (char& c : name) {
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_') c = '-';
+    }
+    if (name.size() > 64) name.resize(64);
+    return name.empty() ? "scene" : name;
+}
 
 scenes::Scene ReadScene(const JsonNode& root, std::string_view source) {
     Reader reader(source);

@@ -18,6 +18,7 @@
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/track_run.h"
+#include "testbed/input/rube_file.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/input/track_file.h"
 
@@ -130,6 +131,11 @@ SceneInput ReadInput(const std::string& path, const InputArguments& arguments) {
     if (file.kind == FileKind::recording) return InputOfRecording(file, arguments);
     RefuseMotion(path, arguments);
     if (file.kind == FileKind::image) return InputOf(ReadWorldImage(file.bytes, path), path);
+    if (file.kind == FileKind::rube) {
+        RubeWorld world = ReadRube(file.bytes, path);
+        for (const std::string& notice : world.notices) fmt::print(stderr, "scree: {}: {}\n", path, notice);
+        return InputOf(std::move(world.scene));
+    }
     return InputOf(ReadScene(file.bytes, path));
 }
 

@@ -80,6 +80,9 @@ int RunConvert(const ConvertArguments& arguments) {
         throw UsageError("give what to read and what to write: scree convert IN OUT");
     }
     const FileKind kind = KindOfOutput(arguments.out);
+    if (kind == FileKind::rube) {
+        throw UsageError(fmt::format("{}: files of R.U.B.E. are only read; give *.scene.json", arguments.out));
+    }
     std::error_code ignored;
     if (std::filesystem::equivalent(arguments.in, arguments.out, ignored)) {
         throw UsageError(fmt::format("{} is read and written; give another name to write", arguments.out));

@@ -14,6 +14,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/engines/saved_world.h"
+#include "testbed/input/rube_file.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/input/track_file.h"
 #include "testbed/jobs/files/commands.h"
@@ -47,7 +48,6 @@ void AddWorld(Facts& facts, const scenes::Scene& scene) {
 
 Facts FactsOfScene(const scenes::Scene& scene) {
     Facts facts;
-    facts["version"] = sceneVersion;
     facts["name"] = scene.name;
     AddWorld(facts, scene);
     facts["steps"] = scene.steps;
@@ -101,6 +101,12 @@ Facts FactsOfRecording(std::string_view bytes, const std::string& file) {
     return facts;
 }
 
+Facts FactsOfRube(const RubeWorld& world) {
+    Facts facts = FactsOfScene(world.scene);
+    facts["notices"] = world.notices;
+    return facts;
+}
+
 /// What a file says it is, though its ending says nothing.
 InputFile ReadAnyFile(const std::string& path, const InputArguments& given) {
     InputArguments input = given;
@@ -120,6 +126,7 @@ Facts ReadFacts(const std::string& path, const InputArguments& input) {
     Facts facts{{"file", path}, {"kind", info.name}, {"what", info.what}, {"bytes", file.bytes.size()}};
     switch (file.kind) {
         case FileKind::scene:
+            facts["version"] = sceneVersion;
             facts.update(FactsOfScene(ReadScene(file.bytes, path)));
             break;
         case FileKind::track:
@@ -130,6 +137,9 @@ Facts ReadFacts(const std::string& path, const InputArguments& input) {
             break;
         case FileKind::recording:
             facts.update(FactsOfRecording(file.bytes, path));
+            break;
+        case FileKind::rube:
+            facts.update(FactsOfRube(ReadRube(file.bytes, path)));
             break;
     }
     return facts;
@@ -148,6 +158,10 @@ std::string Print(const Json& value) {
 
 void PrintFacts(const Facts& facts) {
     for (const auto& [key, value] : facts.items()) {
+        if (key == "notices") {
+            for (const Json& notice : value) fmt::print("{:<17}{}\n", "notice", Print(notice));
+            continue;
+        }
         const std::string text = Print(value);
         std::string name = key;
         std::ranges::replace(name, '_', ' ');

@@ -98,6 +98,12 @@ bool IsNameCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '_' || c == '-';
 }
 
+/// Not every *.json is a world.
+bool IsScene(const fs::path& file) {
+    const std::optional<FileKind> kind = KindOfEnding(file.string());
+    return kind && (*kind != FileKind::rube || KindOfBytes(ReadText(file, "give a file")) == kind);
+}
+
 /// Paths of the scenes and motions below a folder, relative to it, sorted.
 std::vector<std::string> ListScenes(const fs::path& folder) {
     if (!fs::is_directory(folder)) {
@@ -106,7 +112,7 @@ std::vector<std::string> ListScenes(const fs::path& folder) {
     }
     std::vector<std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        if (entry.is_regular_file() && KindOfEnding(entry.path().string())) {
+        if (entry.is_regular_file() && IsScene(entry.path())) {
             files.push_back(fs::relative(entry.path(), folder).generic_string());
         }
     }

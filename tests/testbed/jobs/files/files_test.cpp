@@ -256,7 +256,7 @@ TEST_F(Files, WhatCannotBeMeantIsRefusedInALine) {
         {"convert heap.track level.scene.json", exitUsage, "--from K"},
         {"convert tiles tiles.world", exitUsage, "images come from our engine's"},
         {"convert tiles tiles.recording", exitUsage, "only a program that runs makes a recording"},
-        {"convert tiles tiles.json", exitUsage, "its ending says no kind of file"},
+        {"convert tiles tiles.txt", exitUsage, "its ending says no kind of file"},
         {"convert tiles tiles.scene.json --steps 3", exitUsage, "are for tracks"},
         {"convert tiles no-folder/tiles.track --steps 3", exitIo, "no-folder/tiles.track"},
     };
