@@ -70,6 +70,7 @@ namespace scree {
 SCREE_KERNEL void Prefetch([[maybe_unused]] const void* address) {
 #if defined(__GNUC__)
     __builtin_prefetch(address);
+    __asm__ volatile("");  // GCC leaves out calls of functions that do nothing but this
 #elif defined(SCREE_HAS_SSE2)
     _mm_prefetch(static_cast<const char*>(address), _MM_HINT_T0);
 #endif
@@ -79,6 +80,7 @@ SCREE_KERNEL void Prefetch([[maybe_unused]] const void* address) {
 SCREE_KERNEL void PrefetchToWrite([[maybe_unused]] const void* address) {
 #if defined(__GNUC__)
     __builtin_prefetch(address, 1);
+    __asm__ volatile("");
 #else
     Prefetch(address);
 #endif

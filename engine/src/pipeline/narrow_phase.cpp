@@ -68,7 +68,7 @@ public:
             const uint8_t flags = m_t.contacts.flags[contact];
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
             if (m_keepsOld) m_scratch.old[contact] = m_t.contacts.manifold[contact];
-            if (StaysSteady(contact, m_t.bodies, m_t.contacts)) {
+            if (m_t.contacts.keepsSteady && StaysSteady(contact, m_t.bodies, m_t.contacts)) {
                 Note(contact, true);
                 continue;
             }
@@ -165,6 +165,15 @@ void ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, TOIStats& work, Nar
                [&](int begin, int end, int) { AheadOfOrder(t, keepsOld, work, scratch).Compute(begin, end); });
 }
 
+/// Whether a contact that was looked at ahead goes on touching, or not touching, as before.
+bool StaysAsItWas(uint8_t flags, uint8_t finding) {
+    constexpr uint8_t there = ContactFlag::alive | ContactFlag::marked;
+    constexpr uint8_t asked = there | ContactFlag::refilter;
+    const bool touches = (finding & NarrowPhaseScratch::touching) != 0;
+    return (flags & asked) == there && (finding & NarrowPhaseScratch::known) != 0 &&
+           touches == ((flags & ContactFlag::touching) != 0);
+}
+
 /// Whether what was found ahead of a contact still holds: callbacks may have put its bodies to sleep, or made one of
 /// its fixtures a sensor.
 bool Holds(uint8_t finding, ContactIndex contact, const NarrowPhaseTables& t) {
@@ -187,18 +196,24 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
         return IsSome(contact);
     };
     bool isTold = false;  // the listener has been called, and may have changed what was found ahead
+    const bool isQuick = events.listener == nullptr && events.log == nullptr;
     while (goOn()) {
         if (!ahead) Fetch(contact, t);
-        if (!t.contacts.Has(contact, ContactFlag::alive)) continue;
+        uint8_t& flags = t.contacts.flags[contact];
+        const uint8_t known = ahead ? scratch.findings[contact] : NarrowPhaseScratch::nothing;
+        if (isQuick && StaysAsItWas(flags, known)) {
+            flags |= ContactFlag::enabled;
+            touchingCount += (flags & ContactFlag::touching) != 0 ? 1 : 0;
+            continue;
+        }
+        if ((flags & ContactFlag::alive) == 0) continue;
         if (!Stays(contact, events, t)) {
             isTold = isTold || events.listener != nullptr;
             DestroyContact(contact, !t.contacts.Has(contact, ContactFlag::marked), events, t.bodies, t.contacts);
             continue;
         }
-        uint8_t finding = NarrowPhaseScratch::nothing;
-        if (ahead) finding = scratch.findings[contact];
-        bool touching = (finding & NarrowPhaseScratch::touching) != 0;
-        if (finding != NarrowPhaseScratch::nothing && (!isTold || Holds(finding, contact, t))) {
+        bool touching = (known & NarrowPhaseScratch::touching) != 0;
+        if (known != NarrowPhaseScratch::nothing && (!isTold || Holds(known, contact, t))) {
             const bool changed = NoteTouching(contact, touching, events.restartsTimers, t.bodies, t.contacts);
             if (changed && events.log != nullptr) NoteChange(contact, t.contacts, *events.log);
             if (events.listener != nullptr && (changed || (touching && events.heard.preSolve))) {
