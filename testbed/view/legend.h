@@ -15,7 +15,7 @@ namespace testbed {
 
 struct LegendEntry {
     std::vector<Color> swatches;  ///< one, or the colours that are taken in turn
-    std::string text;             ///< at most 25 characters
+    std::string text;             ///< fits its cell of the grid
 };
 
 [[nodiscard]] std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme);

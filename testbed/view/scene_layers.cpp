@@ -319,14 +319,14 @@ void SceneDrawer::DrawLabels() {
     for (const FixtureState& fixture : m_snapshot.fixtures) {
         const auto index = static_cast<size_t>(fixture.body);
         const PixelRect rect = ProjectBox(fixture.tight, 0, m_camera);
-        const bool isLarge = rect.y1 - rect.y0 >= glyphHeight + 3;
+        const bool isLarge = rect.y1 - rect.y0 >= capHeight + 4;
         if (isLabelled[index] || !(isLarge || m_snapshot.bodies.size() <= maxBodiesAllLabelled)) continue;
         // Off the picture, and not finite, fail alike.
         const Point center{(rect.x0 + rect.x1) * 0.5, (rect.y0 + rect.y1) * 0.5};
         if (!(center.x >= 0 && center.x < m_list.width && center.y >= 0 && center.y < m_list.height)) continue;
         const std::string text = std::to_string(m_snapshot.bodies[index].index);
-        m_list.texts.push_back({static_cast<int>(center.x) - GetTextWidth(text, 1) / 2, static_cast<int>(center.y) - 4,
-                                1, m_colors.label, text});
+        m_list.texts.push_back({static_cast<int>(center.x) - GetTextWidth(text, 1) / 2,
+                                static_cast<int>(center.y) - capHeight / 2, 1, m_colors.label, text});
         isLabelled[index] = true;
     }
 }
