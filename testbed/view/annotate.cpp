@@ -49,17 +49,16 @@ int FitScale(const std::string& text, int scale, int width) {
     return scale;
 }
 
-std::vector<int64_t> ChooseTicks(int64_t end) {
-    constexpr int64_t most = 6;  // intervals
+std::vector<int64_t> ChooseTicks(int64_t end, int intervals) {
     int64_t step = 1;
-    for (int64_t power = 1; end / step > most; power *= 10) {
+    for (int64_t power = 1; step * intervals < end; power *= 10) {
         for (const int64_t factor : {1, 2, 5}) {
             step = factor * power;
-            if (end / step <= most) break;
+            if (step * intervals >= end) break;
         }
     }
     std::vector<int64_t> ticks;
-    for (int64_t tick = 0; tick < end; tick += step) ticks.push_back(tick);
+    for (int64_t tick = 0; tick == 0 || 2 * (end - tick) >= step; tick += step) ticks.push_back(tick);
     ticks.push_back(end);
     return ticks;
 }

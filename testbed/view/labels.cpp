@@ -23,42 +23,15 @@ namespace {
 
 constexpr const char* gap = "   ";  // between the parts of a line
 constexpr int footerLines = 2;
-constexpr double barShare = 0.36;  // of a pane's width
-constexpr int edge = 6;            // pixels between text and a picture's border, at scale 1
+constexpr double barShare = 0.36;                           // of a pane's width
+constexpr int countIntervals = 5, differenceIntervals = 3;  // of a scale; of each half of one
+constexpr int edge = 6;                                     // pixels between text and a picture's border, at scale 1
 
 /// The count at the end of the bar: in the alpha style that from which more layers no longer change the colour.
 uint32_t GetBarEnd(uint32_t scaleMax, const PictureOptions& options, const std::vector<Color>& palette) {
     if (options.style != Style::alpha) return std::max(scaleMax, 1u);
     const auto saturated = std::find(palette.begin(), palette.end(), palette.back());
     return std::max(static_cast<uint32_t>(saturated - palette.begin()), 1u);
-}
-
-/// The bar of a count scale, with numbered ticks.
-ColorBar MakeCountBar(const PixelBox& box, uint32_t scaleMax, const PictureOptions& options) {
-    std::vector<Color> palette = MakePalette(options.style, options.opacity, scaleMax, options.theme);
-    const uint32_t end = GetBarEnd(scaleMax, options, palette);
-    const Style style = options.style;
-    const auto color = [palette = std::move(palette), style, end](double position) {
-        // The smallest count at or right of the position.
-        uint32_t first = 0, last = end;
-        while (first < last) {
-            const uint32_t middle = first + (last - first) / 2;
-            if (GetScalePosition(style, middle, end) < position) {
-                first = middle + 1;
-            } else {
-                last = middle;
-            }
-        }
-        return palette[first];
-    };
-    ColorBar bar{box, color, {}};
-    std::vector<int64_t> ticks = style == Style::log ? ChooseLogarithmicTicks(end) : ChooseTicks(end);
-    ticks.pop_back();
-    bar.marks.push_back({1, fmt::format("{}{}", end < scaleMax ? "≥ " : "", end)});
-    for (const int64_t tick : ticks) {
-        bar.marks.push_back({GetScalePosition(style, static_cast<double>(tick), end), fmt::format("{}", tick)});
-    }
-    return bar;
 }
 
 /// A line across the bar, with `text` above it.
@@ -79,6 +52,9 @@ PixelBox GetFooterBar(const Image& image, int top, int scale) {
     const int width = static_cast<int>(image.width * barShare);
     return {image.width - width - edge * scale, top + 4 * scale, image.width - edge * scale, top + lineHeight * scale};
 }
+
+/// A number with the sign that is as wide as a plus.
+std::string WithMinus(const std::string& number) { return number.starts_with('-') ? "−" + number.substr(1) : number; }
 
 using TwoLines = std::array<std::string, footerLines>;
 
@@ -162,6 +138,33 @@ std::string MakeStatsText(const OverlapStats& stats, const std::string& note) {
     return text;
 }
 
+ColorBar MakeCountBar(const PixelBox& box, uint32_t scaleMax, const PictureOptions& options) {
+    std::vector<Color> palette = MakePalette(options.style, options.opacity, scaleMax, options.theme);
+    const uint32_t end = GetBarEnd(scaleMax, options, palette);
+    const Style style = options.style;
+    const auto color = [palette = std::move(palette), style, end](double position) {
+        // The smallest count at or right of the position.
+        uint32_t first = 0, last = end;
+        while (first < last) {
+            const uint32_t middle = first + (last - first) / 2;
+            if (GetScalePosition(style, middle, end) < position) {
+                first = middle + 1;
+            } else {
+                last = middle;
+            }
+        }
+        return palette[first];
+    };
+    ColorBar bar{box, color, {}};
+    std::vector<int64_t> ticks = style == Style::log ? ChooseLogarithmicTicks(end) : ChooseTicks(end, countIntervals);
+    ticks.pop_back();
+    bar.marks.push_back({1, fmt::format("{}{}", end < scaleMax ? "≥ " : "", end)});
+    for (const int64_t tick : ticks) {
+        bar.marks.push_back({GetScalePosition(style, static_cast<double>(tick), end), fmt::format("{}", tick)});
+    }
+    return bar;
+}
+
 void DrawHeader(Image& image, const std::string& left, const std::string& right, Theme theme) {
     DrawHeaderAt(image, left, right, FitHeader(left, right, image.width), theme);
 }
@@ -200,7 +203,7 @@ void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, int64_t en
     };
     ColorBar bar{GetFooterBar(image, top, scale), color, {}};
     // The ends and 0 first: of numbers without room the others are left out.
-    std::vector<int64_t> ticks = ChooseTicks(end);
+    std::vector<int64_t> ticks = ChooseTicks(end, differenceIntervals);
     std::rotate(ticks.begin(), ticks.end() - 1, ticks.end());
     for (const int64_t tick : ticks) {
         const double share = static_cast<double>(tick) / static_cast<double>(end) / 2;
@@ -208,9 +211,9 @@ void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, int64_t en
         bar.marks.push_back({0.5 + share, tick != 0 ? fmt::format("+{}", tick) : "0"});
     }
     DrawColorBar(image, bar, scale, theme);
-    const TwoLines lines{
-        fmt::format("difference min {}{}max {}{}mean {:.3f}", stats.min, gap, stats.max, gap, stats.mean),
-        fmt::format("blue: {} counts more, red: {} counts more", secondName, firstName)};
+    const TwoLines lines{fmt::format("difference min {}{}max {}{}mean {}", WithMinus(fmt::format("{}", stats.min)), gap,
+                                     stats.max, gap, WithMinus(fmt::format("{:.3f}", stats.mean))),
+                         fmt::format("blue: {} counts more, red: {} counts more", secondName, firstName)};
     DrawLines(image, edge * scale, top + 3 * scale, lines, scale, FitLines(lines, scale, room), room,
               GetTheme(theme).text);
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "testbed/picture/palette.h"
+#include "testbed/view/annotate.h"
 #include "testbed/view/camera.h"
 #include "testbed/view/picture.h"
 
@@ -29,6 +30,10 @@ namespace testbed {
 
 /// A strip along the picture's upper edge with one line: `left` at its left end, `right` at its right end.
 void DrawHeader(Image& image, const std::string& left, const std::string& right, Theme theme = Theme::dark);
+
+/// The bar of a count scale with numbered ticks, its end first. In the alpha style it ends where more layers no longer
+/// change the colour.
+[[nodiscard]] ColorBar MakeCountBar(const PixelBox& box, uint32_t scaleMax, const PictureOptions& options);
 
 /// The strips of overlap panes: title, numbers and colour bar, in letters of one size.
 void DrawPaneLabels(std::span<const PaneInput> inputs, std::span<OverlapPane> panes, uint32_t scaleMax,

@@ -21,7 +21,11 @@ namespace {
 
 constexpr int cellWidth = 192;   // pixels at scale 1: a swatch and a text
 constexpr int swatchWidth = 14;  // pixels at scale 1
+constexpr int swatchGap = 5;     // pixels between a swatch and its text, at scale 1
 constexpr int border = 6;        // pixels between strip and picture border, at scale 1
+
+/// At scale 1; colours that are taken in turn share it.
+int GetSwatchWidth(int parts) { return std::max(swatchWidth, 6 * parts); }
 
 /// How many entries MakeLegend gives: a camera is fitted before there is anything to ask for numbers.
 int CountEntries(const Layers& layers) { return static_cast<int>(MakeLegend({}, layers, Theme::dark).size()); }
@@ -105,6 +109,8 @@ std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& laye
     return entries;
 }
 
+int GetLegendTextRoom(int swatches) { return cellWidth - GetSwatchWidth(swatches) - swatchGap; }
+
 int GetLegendHeight(const Layers& layers, int width) {
     const int scale = GetLabelScale(width), entries = CountEntries(layers);
     return entries == 0 ? 0 : GetStripHeight(GetRows(entries, GetColumns(width, scale)), scale);
@@ -120,7 +126,7 @@ void DrawLegend(Image& image, const std::vector<LegendEntry>& entries, Theme the
         const LegendEntry& entry = entries[static_cast<size_t>(i)];
         const int x = (border + i % columns * cellWidth) * scale;
         const int y = top + (3 + i / columns * lineHeight) * scale;
-        const int parts = static_cast<int>(entry.swatches.size()), width = std::max(swatchWidth, 6 * parts);
+        const int parts = static_cast<int>(entry.swatches.size()), width = GetSwatchWidth(parts);
         for (int part = 0; part < parts; ++part) {
             BlendRect(
                 image,
@@ -128,8 +134,9 @@ void DrawLegend(Image& image, const std::vector<LegendEntry>& entries, Theme the
                 entry.swatches[static_cast<size_t>(part)]);
         }
         // A picture narrower than a cell cuts.
-        const int left = x + (width + 5) * scale, end = std::min(x + cellWidth * scale, image.width);
-        DrawText(image, left, y, CutText(entry.text, scale, end - left), scale, colors.text);
+        const int left = x + (width + swatchGap) * scale;
+        const int room = std::min(GetLegendTextRoom(parts) * scale, image.width - left);
+        DrawText(image, left, y, CutText(entry.text, scale, room), scale, colors.text);
     }
 }
 

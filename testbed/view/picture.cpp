@@ -114,11 +114,7 @@ OverlapStats MeasureCounts(const CountImage& counts, int nodesDrawn) {
 
 Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options) {
     if (options.camera) return MakeCamera(*options.camera, options.width, options.height);
-    std::vector<Box> boxes;
-    for (const Snapshot* snapshot : snapshots) {
-        for (const FixtureState& fixture : snapshot->fixtures) boxes.push_back(fixture.tight);
-    }
-    return FitCamera(boxes, options.width, options.height, GetPictureMargins(options));
+    return FitCamera(CollectFitBoxes(snapshots), options.width, options.height, GetPictureMargins(options));
 }
 
 OverlapCount CountOverlap(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options) {

@@ -62,8 +62,8 @@ struct OverlapCount {
     OverlapStats stats;
 };
 
-/// The camera of a picture of these snapshots: `options.camera`, else fitted to the union of all their fixtures' boxes,
-/// with room for the labels.
+/// The camera of a picture of these snapshots: `options.camera`, else fitted to CollectFitBoxes, with room for the
+/// labels.
 [[nodiscard]] Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options);
 
 /// Counts on the CPU, no GL: O(nodes + pixels). The same counts as PictureMaker's.
