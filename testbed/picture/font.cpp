@@ -80,6 +80,7 @@ public:
     Font() {
         if (stbtt_InitFont(&m_info, screeFontBytes, stbtt_GetFontOffsetForIndex(screeFontBytes, 0)) == 0)
             throw std::logic_error("the font in the program is damaged");
+        m_capital = static_cast<float>(GetBox(stbtt_FindGlyphIndex(&m_info, 'H')).y1);
     }
 
     /// Valid as long as the font.
@@ -93,28 +94,22 @@ public:
 private:
     /// Of a few positions between pixels, the one at which stems meet the pixels best.
     Glyph Rasterize(int index, int scale) const {
-        const float size = stbtt_ScaleForMappingEmToPixels(&m_info, static_cast<float>(fontEm * scale));
+        const float size = static_cast<float>(capHeight * scale) / m_capital;
         int advance = 0, bearing = 0;
         stbtt_GetGlyphHMetrics(&m_info, index, &advance, &bearing);
+        // What stands on the baseline stays there; a dash need not.
+        const bool isRaised = static_cast<float>(GetBox(index).y0) > m_capital / 10;
         Glyph best;
         double bestSharpness = -1;
-        for (const int eighths : {0, -1, 1, -2, 2, -3, 3, 4}) {
-            const float shift = static_cast<float>(eighths) / 8;
-            Glyph glyph;
-            int right = 0, bottom = 0;
-            stbtt_GetGlyphBitmapBoxSubpixel(&m_info, index, size, size, shift, 0, &glyph.left, &glyph.top, &right,
-                                            &bottom);
-            glyph.width = right - glyph.left;
-            glyph.height = bottom - glyph.top;
-            glyph.coverage.resize(static_cast<size_t>(glyph.width) * static_cast<size_t>(glyph.height));
-            if (!glyph.coverage.empty()) {
-                stbtt_MakeGlyphBitmapSubpixel(&m_info, glyph.coverage.data(), glyph.width, glyph.height, glyph.width,
-                                              size, size, shift, 0, index);
+        for (const int up : {0, -1, 1, -2, 2, -3, 3, 4}) {
+            if (up != 0 && !isRaised) break;
+            for (const int right : {0, -1, 1, -2, 2, -3, 3, 4}) {
+                Glyph glyph = RasterizeAt(index, size, static_cast<float>(right) / 8, static_cast<float>(up) / 8);
+                const double sharpness = MeasureSharpness(glyph.coverage);
+                if (sharpness <= bestSharpness) continue;
+                bestSharpness = sharpness;
+                best = std::move(glyph);
             }
-            const double sharpness = MeasureSharpness(glyph.coverage);
-            if (sharpness <= bestSharpness) continue;
-            bestSharpness = sharpness;
-            best = std::move(glyph);
         }
         best.advance = static_cast<int>(std::lround(static_cast<float>(advance) * size));
         for (uint8_t& value : best.coverage) value = RoundCoverage(value);
@@ -122,7 +117,30 @@ private:
         return best;
     }
 
+    [[nodiscard]] Glyph RasterizeAt(int index, float size, float shiftX, float shiftY) const {
+        Glyph glyph;
+        int right = 0, bottom = 0;
+        stbtt_GetGlyphBitmapBoxSubpixel(&m_info, index, size, size, shiftX, shiftY, &glyph.left, &glyph.top, &right,
+                                        &bottom);
+        glyph.width = right - glyph.left;
+        glyph.height = bottom - glyph.top;
+        glyph.coverage.resize(static_cast<size_t>(glyph.width) * static_cast<size_t>(glyph.height));
+        if (!glyph.coverage.empty()) {
+            stbtt_MakeGlyphBitmapSubpixel(&m_info, glyph.coverage.data(), glyph.width, glyph.height, glyph.width, size,
+                                          size, shiftX, shiftY, index);
+        }
+        return glyph;
+    }
+
+    /// In the font's units, y up.
+    [[nodiscard]] PixelBox GetBox(int index) const {
+        PixelBox box{0, 0, 0, 0};
+        stbtt_GetGlyphBox(&m_info, index, &box.x0, &box.y0, &box.x1, &box.y1);
+        return box;
+    }
+
     stbtt_fontinfo m_info{};
+    float m_capital = 1;                            ///< height of capitals in the font's units
     std::map<std::pair<int, int>, Glyph> m_glyphs;  ///< by index in the font and scale
 };
 

@@ -15,9 +15,9 @@
 
 namespace testbed {
 
-/// Metrics of a line in pixels at scale 1; at scale s they are s times as large. The em is chosen so that capitals,
-/// small letters and stems are whole pixels.
-inline constexpr int fontEm = 11, capHeight = 8, lineHeight = 13;
+/// Metrics of a line in pixels at scale 1; at scale s they are s times as large. With capitals of 8 pixels small
+/// letters are 6 high and stems 1 wide, so that letters are sharp.
+inline constexpr int capHeight = 8, lineHeight = 13;
 
 /// Pixels that a line covers: its first column of ink to its last. Blanks at its ends take none. Text is UTF-8; bytes
 /// that are none give U+FFFD, what the font lacks gives a box.
