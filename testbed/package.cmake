@@ -1,6 +1,9 @@
 # What is installed of the testbed. The shaders are in the program.
 install(TARGETS scree_cli RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 
+# The licence of what else is in the program asks to be beside it.
+install(FILES testbed/picture/font_licence.txt DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+
 # The manual pages tell what --help tells, hence by the program itself.
 set(SCREE_MANUAL ${PROJECT_BINARY_DIR}/testbed/man1)
 add_custom_command(OUTPUT ${SCREE_MANUAL}/scree.1 COMMAND scree_cli man -o ${SCREE_MANUAL}

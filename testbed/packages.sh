@@ -11,6 +11,7 @@ readonly SCREE_BUILD_PACKAGES=(
     libosmesa6-dev libegl-dev libgl1-mesa-dri             # OpenGL without a screen, in software
     python3-glad                                          # generates the OpenGL loader at build time
     zlib1g-dev libstb-dev                                 # PNG, written and read
+    fonts-dejavu-core                                     # the letters of pictures, embedded at build time
     libcli11-dev nlohmann-json3-dev libfmt-dev            # command line, JSON, text
     gnuplot-nox                                           # timing plots
     libjs-chart.js                                        # interactive figures of pages

@@ -17,6 +17,8 @@ namespace testbed {
 
 namespace {
 
+constexpr char32_t replacementCharacter = 0xFFFD;
+
 /// Reads the whole text by from_chars with these arguments after the value; `kind` names what it should be.
 template <typename Number, typename... Arguments>
 Parsed<Number> ParseBy(std::string_view text, std::string_view kind, Arguments... arguments) {
@@ -51,6 +53,27 @@ void ForEachLine(std::string_view text, const std::function<void(std::size_t num
         ++number;
         if (!line.empty()) visit(number, line);
     }
+}
+
+char32_t TakeUtf8(std::string_view& text) {
+    const auto first = static_cast<unsigned char>(text.front());
+    text.remove_prefix(1);
+    if (first < 0x80) return first;
+    if (first < 0xC2 || first > 0xF4) return replacementCharacter;
+    const int more = first < 0xE0 ? 1 : first < 0xF0 ? 2 : 3;
+    char32_t character = first & (0x3Fu >> more);
+    // The second byte alone tells longer spellings than needed, surrogates and what lies beyond U+10FFFF.
+    unsigned least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
+    unsigned most = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;
+    for (int i = 0; i < more; ++i) {
+        if (text.empty()) return replacementCharacter;
+        const auto next = static_cast<unsigned char>(text.front());
+        if (next < least || next > most) return replacementCharacter;
+        text.remove_prefix(1);
+        character = character << 6 | (next & 0x3Fu);
+        least = 0x80, most = 0xBF;
+    }
+    return character;
 }
 
 template <typename Number>

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Text taken apart: parts between separators, lines, and numbers, which say what is wrong with a text that is none.
+// Text taken apart: parts between separators, lines, characters, and numbers, which say what is wrong with a text that
+// is none.
 
 #pragma once
 
@@ -25,6 +26,10 @@ requires std::same_as<Text, std::string> std::vector<std::string_view> Split(Tex
 /// Calls visit(number, line) for every line that is not empty; numbers begin at 1 and count the empty ones too. A line
 /// feed at the end begins no further line.
 void ForEachLine(std::string_view text, const std::function<void(std::size_t number, std::string_view line)>& visit);
+
+/// The character that UTF-8 text begins with, which it loses. What is none gives U+FFFD and loses one byte, or all
+/// those that could begin a character (Unicode 15, section 3.9). The text is not empty.
+[[nodiscard]] char32_t TakeUtf8(std::string_view& text);
 
 /// What a text says as a number, or why it says none: "'12x' is not a whole number".
 template <typename Number>

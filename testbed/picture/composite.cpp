@@ -90,6 +90,13 @@ void CompositeRows(const Image& samples, int supersampling, Image& picture, int 
     }
 }
 
+void BlendPixel(Color& below, Color color, uint8_t coverage) {
+    color.a = static_cast<uint8_t>((color.a * coverage + 127) / 255);
+    Sums sums;
+    sums.Add(color);
+    below = Over<1>(below, sums);
+}
+
 void BlendRect(Image& picture, const PixelBox& box, Color color) {
     Sums sums;
     sums.Add(color);

@@ -17,6 +17,9 @@ void CompositeSamples(const Image& samples, int supersampling, Image& picture);
 /// The same for the picture's rows from `top` on, as many as there are samples for.
 void CompositeRows(const Image& samples, int supersampling, Image& picture, int top);
 
+/// A colour over a pixel of which it covers `coverage` of 255; the colour's opacity counts.
+void BlendPixel(Color& below, Color color, uint8_t coverage);
+
 /// One colour over a rectangle, clipped to the picture; the colour's opacity counts.
 void BlendRect(Image& picture, const PixelBox& box, Color color);
 

@@ -28,9 +28,9 @@ struct Triangle {
     Color color;
 };
 
-/// A line of the bitmap font, its top left corner at a picture pixel; drawn after the triangles.
+/// A line of text, drawn after the triangles.
 struct TextItem {
-    int x, y;
+    int x, y;  ///< as DrawText takes them, in picture pixels
     int scale;
     Color color;
     std::string text;

@@ -10,7 +10,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 #include "testbed/base/text.h"
 
@@ -18,11 +17,26 @@ namespace testbed {
 
 namespace {
 
-constexpr double emptyAcross = 10.0;  // m shown when there is nothing to fit
+constexpr double emptyAcross = 10.0;   // m shown when there is nothing to fit
+constexpr float surroundings = 0.25f;  // shown of what is static on each side, of the larger side of what moves
 
 bool IsFinite(const Box& box) {
     return std::isfinite(box.lower.x) && std::isfinite(box.lower.y) && std::isfinite(box.upper.x) &&
            std::isfinite(box.upper.y);
+}
+
+/// The smallest box around two.
+Box Join(const Box& a, const Box& b) {
+    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
+            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
+}
+
+/// What two boxes share; none where they do not touch.
+std::optional<Box> Intersect(const Box& a, const Box& b) {
+    const Box common{{std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y)},
+                     {std::min(a.upper.x, b.upper.x), std::min(a.upper.y, b.upper.y)}};
+    if (common.lower.x > common.upper.x || common.lower.y > common.upper.y) return std::nullopt;
+    return common;
 }
 
 }  // namespace
@@ -45,6 +59,27 @@ std::optional<CameraRequest> ParseCamera(std::string_view text) {
 
 Camera MakeCamera(const CameraRequest& request, int width, int height) {
     return {request.x, request.y, width / request.across, width, height, 0, 0};
+}
+
+std::vector<Box> CollectFitBoxes(std::span<const Snapshot* const> snapshots) {
+    std::vector<Box> boxes, still;
+    for (const Snapshot* snapshot : snapshots) {
+        for (const FixtureState& fixture : snapshot->fixtures) {
+            if (!IsFinite(fixture.tight)) continue;
+            const BodyState& body = snapshot->bodies[static_cast<size_t>(fixture.body)];
+            (body.type == scenes::BodyType::isStatic ? still : boxes).push_back(fixture.tight);
+        }
+    }
+    if (boxes.empty()) return still;
+    Box around = boxes.front();
+    for (const Box& box : boxes) around = Join(around, box);
+    const float margin = surroundings * std::max(around.upper.x - around.lower.x, around.upper.y - around.lower.y);
+    around.lower = {around.lower.x - margin, around.lower.y - margin};
+    around.upper = {around.upper.x + margin, around.upper.y + margin};
+    for (const Box& box : still) {
+        if (const std::optional<Box> near = Intersect(box, around)) boxes.push_back(*near);
+    }
+    return boxes;
 }
 
 Camera FitCamera(std::span<const Box> boxes, int width, int height, const Margins& margins) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "testbed/engines/snapshot.h"
 #include "testbed/picture/counts.h"
@@ -46,6 +47,10 @@ struct Margins {
 };
 
 [[nodiscard]] Camera MakeCamera(const CameraRequest& request, int width, int height);
+
+/// What pictures of these snapshots are fitted to: the boxes of all fixtures whose bodies can move, and of static ones
+/// the parts near them, so that a long ground does not make all else small. All fixtures where nothing can move.
+[[nodiscard]] std::vector<Box> CollectFitBoxes(std::span<const Snapshot* const> snapshots);
 
 /// Shows all boxes, centred between the margins, as large as possible. No or non-finite boxes: 10 m across the origin.
 [[nodiscard]] Camera FitCamera(std::span<const Box> boxes, int width, int height, const Margins& margins);

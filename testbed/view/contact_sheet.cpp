@@ -93,7 +93,8 @@ Image ContactSheet::Make() const {
             std::copy_n(&cell.image.At(0, row), cell.image.width, &sheet.At(x, y + row));
         }
         const int textScale = FitScale(cell.label, scale, m_thumbnailWidth);
-        DrawText(sheet, x, y + cell.image.height + 3 * scale, cell.label, textScale, colors.text);
+        DrawText(sheet, x, y + cell.image.height + 3 * scale, CutText(cell.label, textScale, m_thumbnailWidth),
+                 textScale, colors.text);
     }
     return sheet;
 }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "testbed/picture/palette.h"
+#include "testbed/view/annotate.h"
 #include "testbed/view/camera.h"
 #include "testbed/view/picture.h"
 
@@ -30,13 +31,20 @@ namespace testbed {
 /// A strip along the picture's upper edge with one line: `left` at its left end, `right` at its right end.
 void DrawHeader(Image& image, const std::string& left, const std::string& right, Theme theme = Theme::dark);
 
-/// The strip along the lower edge of an overlap pane: numbers and colour bar.
-void DrawPaneFooter(Image& image, const OverlapPane& pane, const std::string& note, uint32_t scaleMax,
+/// The bar of a count scale with numbered ticks, its end first. In the alpha style it ends where more layers no longer
+/// change the colour.
+[[nodiscard]] ColorBar MakeCountBar(const PixelBox& box, uint32_t scaleMax, const PictureOptions& options);
+
+/// The strips of overlap panes: title, numbers and colour bar, in letters of one size.
+void DrawPaneLabels(std::span<const PaneInput> inputs, std::span<OverlapPane> panes, uint32_t scaleMax,
                     const PictureOptions& options);
 
-/// The strip along the lower edge of a difference picture.
-void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, const std::string& firstName,
+/// The strip along the lower edge of a difference picture whose colours end at ±`end`.
+void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, int64_t end, const std::string& firstName,
                           const std::string& secondName, Theme theme);
+
+/// Height of the lower strip of both, pixels.
+[[nodiscard]] int GetFooterHeight(int width);
 
 /// Panes beside each other in a row of a comparison: all up to three, then as many as rows.
 [[nodiscard]] int GetCompareColumns(std::size_t panes);

@@ -19,14 +19,18 @@ namespace testbed {
 
 namespace {
 
-constexpr int cellWidth = 192;   // font pixels: a swatch and 25 characters
-constexpr int swatchWidth = 14;  // font pixels
-constexpr int edge = 6;          // font pixels between strip and picture border
+constexpr int cellWidth = 192;   // pixels at scale 1: a swatch and a text
+constexpr int swatchWidth = 14;  // pixels at scale 1
+constexpr int swatchGap = 5;     // pixels between a swatch and its text, at scale 1
+constexpr int border = 6;        // pixels between strip and picture border, at scale 1
+
+/// At scale 1; colours that are taken in turn share it.
+int GetSwatchWidth(int parts) { return std::max(swatchWidth, 6 * parts); }
 
 /// How many entries MakeLegend gives: a camera is fitted before there is anything to ask for numbers.
 int CountEntries(const Layers& layers) { return static_cast<int>(MakeLegend({}, layers, Theme::dark).size()); }
 
-int GetColumns(int width, int scale) { return std::max(1, (width / scale - edge) / cellWidth); }
+int GetColumns(int width, int scale) { return std::max(1, (width / scale - border) / cellWidth); }
 
 int GetRows(int entries, int columns) { return (entries + columns - 1) / columns; }
 
@@ -70,7 +74,7 @@ std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& laye
                 entries.push_back({cycle, DescribePartitions(snapshot)});
                 break;
             case Layer::bvh:
-                entries.push_back({cycle, fmt::format("levels 0-{}", snapshot.treeHeight)});
+                entries.push_back({cycle, fmt::format("levels 0–{}", snapshot.treeHeight)});
                 break;
             case Layer::fattened:
                 add(colors.fattenedBox, "box in the broad phase");
@@ -89,7 +93,7 @@ std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& laye
                 add(colors.velocity, fmt::format("arc: to {:.3g} rad/s", peaks.turn));
                 break;
             case Layer::impulses:
-                add(colors.impulse, fmt::format("impulse: to {:.3g} Ns", peaks.impulse));
+                add(colors.impulse, fmt::format("impulse: to {:.3g} N s", peaks.impulse));
                 break;
             case Layer::normals:
                 add(colors.normal, "normal, A to B");
@@ -105,6 +109,8 @@ std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& laye
     return entries;
 }
 
+int GetLegendTextRoom(int swatches) { return cellWidth - GetSwatchWidth(swatches) - swatchGap; }
+
 int GetLegendHeight(const Layers& layers, int width) {
     const int scale = GetLabelScale(width), entries = CountEntries(layers);
     return entries == 0 ? 0 : GetStripHeight(GetRows(entries, GetColumns(width, scale)), scale);
@@ -118,15 +124,19 @@ void DrawLegend(Image& image, const std::vector<LegendEntry>& entries, Theme the
     BlendRect(image, {0, top, image.width, image.height}, colors.strip);
     for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
         const LegendEntry& entry = entries[static_cast<size_t>(i)];
-        const int x = (edge + i % columns * cellWidth) * scale;
+        const int x = (border + i % columns * cellWidth) * scale;
         const int y = top + (3 + i / columns * lineHeight) * scale;
-        const int parts = static_cast<int>(entry.swatches.size()), width = std::max(swatchWidth, 6 * parts);
+        const int parts = static_cast<int>(entry.swatches.size()), width = GetSwatchWidth(parts);
         for (int part = 0; part < parts; ++part) {
-            BlendRect(image,
-                      {x + width * part / parts * scale, y, x + width * (part + 1) / parts * scale, y + 7 * scale},
-                      entry.swatches[static_cast<size_t>(part)]);
+            BlendRect(
+                image,
+                {x + width * part / parts * scale, y, x + width * (part + 1) / parts * scale, y + capHeight * scale},
+                entry.swatches[static_cast<size_t>(part)]);
         }
-        DrawText(image, x + (width + 5) * scale, y, entry.text, scale, colors.text);
+        // A picture narrower than a cell cuts.
+        const int left = x + (width + swatchGap) * scale;
+        const int room = std::min(GetLegendTextRoom(parts) * scale, image.width - left);
+        DrawText(image, left, y, CutText(entry.text, scale, room), scale, colors.text);
     }
 }
 

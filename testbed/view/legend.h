@@ -15,10 +15,13 @@ namespace testbed {
 
 struct LegendEntry {
     std::vector<Color> swatches;  ///< one, or the colours that are taken in turn
-    std::string text;             ///< at most 25 characters
+    std::string text;             ///< fits its cell of the grid
 };
 
 [[nodiscard]] std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme);
+
+/// Pixels for the text of an entry with so many swatches, at scale 1.
+[[nodiscard]] int GetLegendTextRoom(int swatches);
 
 /// Height of the legend's strip on a picture of this width, pixels; 0 without entries.
 [[nodiscard]] int GetLegendHeight(const Layers& layers, int width);

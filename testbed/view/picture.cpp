@@ -14,6 +14,7 @@
 
 #include "testbed/gl/renderer.h"
 #include "testbed/picture/font.h"
+#include "testbed/view/annotate.h"
 #include "testbed/view/labels.h"
 #include "testbed/view/legend.h"
 #include "testbed/view/scene_layers.h"
@@ -47,6 +48,12 @@ std::vector<PixelRect> ProjectNodes(const Snapshot& snapshot, const Camera& came
         rects.push_back(ProjectBox(box, options.querySize * 0.5, camera));
     }
     return rects;
+}
+
+/// Above a strip of `stripHeight` pixels, in letters as large as the other labels'.
+void AddScaleBar(Image& image, const Camera& camera, int stripHeight, const PictureOptions& options) {
+    if (!options.labels) return;
+    DrawScaleBar(image, camera.pixelsPerMetre, image.height - stripHeight, GetLabelScale(options.width), options.theme);
 }
 
 DifferenceStats MeasureDifference(const CountImage& first, const CountImage& second) {
@@ -107,11 +114,7 @@ OverlapStats MeasureCounts(const CountImage& counts, int nodesDrawn) {
 
 Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options) {
     if (options.camera) return MakeCamera(*options.camera, options.width, options.height);
-    std::vector<Box> boxes;
-    for (const Snapshot* snapshot : snapshots) {
-        for (const FixtureState& fixture : snapshot->fixtures) boxes.push_back(fixture.tight);
-    }
-    return FitCamera(boxes, options.width, options.height, GetPictureMargins(options));
+    return FitCamera(CollectFitBoxes(snapshots), options.width, options.height, GetPictureMargins(options));
 }
 
 OverlapCount CountOverlap(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options) {
@@ -167,6 +170,7 @@ void PictureMaker::Implementation::AddCompare(std::span<const PaneInput> inputs,
     for (const PaneInput& input : inputs) {
         const CountImage counts = Count(*input.snapshot, camera, options);
         pictures.push_back(ColorPane(*input.snapshot, counts, palette, camera, options));
+        AddScaleBar(pictures.back(), camera, 0, options);
     }
     const Timer timer(times.colours);
     result.compare = MakeCompare(inputs, result.panes, pictures, result.scaleMax, options);
@@ -181,13 +185,14 @@ void PictureMaker::Implementation::AddDifference(std::span<const PaneInput> inpu
     difference.pane = pane;
     difference.stats = MeasureDifference(first.count.counts, second.count.counts);
     const DifferenceStats& stats = difference.stats;
-    difference.image = ColorDifference(first.count.counts, second.count.counts,
-                                       std::max<int64_t>({-stats.min, stats.max, 1}), options.theme);
+    const int64_t end = options.differenceMax.value_or(std::max<int64_t>({-stats.min, stats.max, 1}));
+    difference.image = ColorDifference(first.count.counts, second.count.counts, end, options.theme);
     if (!options.labels) return;
     DrawHeader(difference.image, MakeTitle(*inputs[pane].snapshot),
                fmt::format("{} minus {}, {} nodes", first.name, second.name, GetNodeSelectionName(options.nodes)),
                options.theme);
-    DrawDifferenceFooter(difference.image, stats, first.name, second.name, options.theme);
+    DrawDifferenceFooter(difference.image, stats, end, first.name, second.name, options.theme);
+    AddScaleBar(difference.image, result.camera, GetFooterHeight(options.width), options);
 }
 
 PictureMaker::PictureMaker(Backend backend, const ContextOptions& contextOptions)
@@ -231,10 +236,9 @@ OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const
         OverlapPane& pane = result.panes[i];
         const Snapshot& snapshot = *inputs[i].snapshot;
         pane.image = implementation.ColorPane(snapshot, pane.count.counts, palette, result.camera, options);
-        if (!options.labels) continue;
-        DrawHeader(pane.image, MakeTitle(snapshot), MakeEngineText(snapshot), options.theme);
-        DrawPaneFooter(pane.image, pane, inputs[i].note, result.scaleMax, options);
+        AddScaleBar(pane.image, result.camera, GetFooterHeight(options.width), options);
     }
+    if (options.labels) DrawPaneLabels(inputs, result.panes, result.scaleMax, options);
     if (inputs.size() == 1) return result;
     implementation.AddCompare(inputs, palette, options, result);
     for (size_t i = 0; i < inputs.size(); ++i) {
@@ -254,6 +258,7 @@ Image PictureMaker::MakeRender(const PaneInput& input, const PictureOptions& opt
         const std::string note = input.note.empty() ? "" : "   " + input.note;
         DrawHeader(image, MakeTitle(*snapshot), MakeEngineText(*snapshot) + note, options.theme);
         if (options.legend) DrawLegend(image, MakeLegend(*snapshot, options.layers, options.theme), options.theme);
+        AddScaleBar(image, chosen, options.legend ? GetLegendHeight(options.layers, image.width) : 0, options);
     }
     return image;
 }

@@ -31,11 +31,12 @@ struct PictureOptions {
     int width = 1920, height = 1080;  ///< of a pane picture, 64…8192 pixels
     NodeSelection nodes;
     Style style = Style::alpha;
-    double opacity = 0.04;                ///< of one layer in the alpha style, 0 < a ≤ 1
-    std::optional<uint32_t> scaleMax;     ///< count at the colour scale's end; none: the largest of all panes
-    double querySize = 0;                 ///< every node grows by half of it on each side, m, ≥ 0
-    std::optional<CameraRequest> camera;  ///< none: fit
-    Layers layers = Layers::Bodies();     ///< drawn over the counts
+    double opacity = 0.04;                 ///< of one layer in the alpha style, 0 < a ≤ 1
+    std::optional<uint32_t> scaleMax;      ///< count at the colour scale's end; none: the largest of all panes
+    std::optional<int64_t> differenceMax;  ///< where the colours of differences end; none: the largest of each picture
+    double querySize = 0;                  ///< every node grows by half of it on each side, m, ≥ 0
+    std::optional<CameraRequest> camera;   ///< none: fit
+    Layers layers = Layers::Bodies();      ///< drawn over the counts
     Theme theme = Theme::dark;
     int supersampling = 2;  ///< samples along a pixel's edge for the layers: 1, 2 or 4
     bool labels = true;     ///< title, numbers and colour bar
@@ -61,8 +62,8 @@ struct OverlapCount {
     OverlapStats stats;
 };
 
-/// The camera of a picture of these snapshots: `options.camera`, else fitted to the union of all their fixtures' boxes,
-/// with room for the labels.
+/// The camera of a picture of these snapshots: `options.camera`, else fitted to CollectFitBoxes, with room for the
+/// labels.
 [[nodiscard]] Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options);
 
 /// Counts on the CPU, no GL: O(nodes + pixels). The same counts as PictureMaker's.
@@ -71,7 +72,7 @@ struct OverlapCount {
 /// A snapshot to draw and what its label adds to scene, size, step, engine, broad phase, node count and overlap.
 struct PaneInput {
     const Snapshot* snapshot = nullptr;
-    std::string note;  ///< for example "sibling overlap 0.012"; ASCII
+    std::string note;  ///< for example "sibling overlap 0.012"; UTF-8
 };
 
 struct OverlapPane {

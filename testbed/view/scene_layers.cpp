@@ -33,6 +33,30 @@ constexpr double partitionReach = 0.6;  // of the way from a contact to its bodi
 constexpr double turnMarkRadius = 5;    // pixels, of the smallest circle that shows how it is turned
 constexpr size_t maxBodiesAllLabelled = 200;
 
+/// Keeps texts apart: of those that would overlap, the first stays.
+class TakenPixels {
+public:
+    TakenPixels(int width, int height)
+        : m_width(width), m_height(height), m_taken(static_cast<size_t>(width) * static_cast<size_t>(height), false) {}
+
+    /// False, and nothing is taken, where a pixel of the box is taken already.
+    bool Take(PixelBox box) {
+        box = {std::max(box.x0, 0), std::max(box.y0, 0), std::min(box.x1, m_width), std::min(box.y1, m_height)};
+        for (const bool isTest : {true, false}) {
+            for (int y = box.y0; y < box.y1; ++y) {
+                const auto row = m_taken.begin() + static_cast<std::ptrdiff_t>(y) * m_width;
+                if (isTest && std::find(row + box.x0, row + box.x1, true) != row + box.x1) return false;
+                if (!isTest) std::fill(row + box.x0, row + box.x1, true);
+            }
+        }
+        return true;
+    }
+
+private:
+    int m_width, m_height;
+    std::vector<bool> m_taken;
+};
+
 class SceneDrawer {
 public:
     SceneDrawer(const Snapshot& snapshot, const Camera& camera, const SceneLook& look, DrawList& list)
@@ -316,17 +340,20 @@ void SceneDrawer::DrawContacts(Layer layer) {
 
 void SceneDrawer::DrawLabels() {
     std::vector<bool> isLabelled(m_snapshot.bodies.size(), false);
+    TakenPixels taken(m_list.width, m_list.height);
     for (const FixtureState& fixture : m_snapshot.fixtures) {
         const auto index = static_cast<size_t>(fixture.body);
         const PixelRect rect = ProjectBox(fixture.tight, 0, m_camera);
-        const bool isLarge = rect.y1 - rect.y0 >= glyphHeight + 3;
+        const bool isLarge = rect.y1 - rect.y0 >= capHeight + 4;
         if (isLabelled[index] || !(isLarge || m_snapshot.bodies.size() <= maxBodiesAllLabelled)) continue;
         // Off the picture, and not finite, fail alike.
         const Point center{(rect.x0 + rect.x1) * 0.5, (rect.y0 + rect.y1) * 0.5};
         if (!(center.x >= 0 && center.x < m_list.width && center.y >= 0 && center.y < m_list.height)) continue;
         const std::string text = std::to_string(m_snapshot.bodies[index].index);
-        m_list.texts.push_back({static_cast<int>(center.x) - GetTextWidth(text, 1) / 2, static_cast<int>(center.y) - 4,
-                                1, m_colors.label, text});
+        const int width = GetTextWidth(text, 1);
+        const int x = static_cast<int>(center.x) - width / 2, y = static_cast<int>(center.y) - capHeight / 2;
+        if (!taken.Take({x - 1, y - 1, x + width + 1, y + capHeight + 1})) continue;
+        m_list.texts.push_back({x, y, 1, m_colors.label, text});
         isLabelled[index] = true;
     }
 }

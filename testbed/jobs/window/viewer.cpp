@@ -223,10 +223,9 @@ void ArrangePanes(Viewer& viewer, const PixelBox& area) {
         return std::max(isBeside ? area.y1 - area.y0 : (area.y1 - area.y0 - (count - 1) * paneGap) / count, 1);
     };
     if (viewer.mustFit) {
-        std::vector<Box> boxes;
-        for (const EnginePane& pane : viewer.panes) {
-            for (const FixtureState& fixture : pane.snapshot.fixtures) boxes.push_back(fixture.tight);
-        }
+        std::vector<const Snapshot*> snapshots;
+        for (const EnginePane& pane : viewer.panes) snapshots.push_back(&pane.snapshot);
+        const std::vector<Box> boxes = CollectFitBoxes(snapshots);
         const auto fit = [&](bool isBeside) {
             return FitCamera(boxes, widthOf(isBeside), heightOf(isBeside),
                              {fitMargin, fitMargin + titleHeight, fitMargin, fitMargin});

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Numbers survive being written and read, whatever is no number says why, and parts join to what was split.
+// Numbers and characters survive being written and read, whatever is no number says why, and parts join to what was
+// split.
 
 #include "testbed/base/text.h"
 
@@ -19,6 +20,45 @@
 
 namespace testbed {
 namespace {
+
+std::u32string ReadUtf8(std::string_view text) {
+    std::u32string read;
+    while (!text.empty()) read += TakeUtf8(text);
+    return read;
+}
+
+/// The bytes of one character, by the definition.
+std::string WriteUtf8(char32_t c) {
+    const auto byte = [](char32_t value) { return static_cast<char>(static_cast<unsigned char>(value)); };
+    const auto next = [&](int shift) { return byte(0x80 | (c >> shift & 0x3F)); };
+    if (c < 0x80) return {byte(c)};
+    if (c < 0x800) return {byte(0xC0 | c >> 6), next(0)};
+    if (c < 0x10000) return {byte(0xE0 | c >> 12), next(6), next(0)};
+    return {byte(0xF0 | c >> 18), next(12), next(6), next(0)};
+}
+
+TEST(Text, Utf8ReadsBack) {
+    EXPECT_TRUE(rc::check("UTF-8", [](const std::vector<uint32_t>& numbers) {
+        std::u32string characters;
+        std::string text;
+        for (const uint32_t number : numbers) {
+            const char32_t c = number % 0x110000;
+            if (c >= 0xD800 && c < 0xE000) continue;  // surrogates are no characters
+            characters += c;
+            text += WriteUtf8(c);
+        }
+        RC_ASSERT(ReadUtf8(text) == characters);
+    }));
+}
+
+TEST(Text, BytesThatAreNoUtf8AreReplaced) {
+    // The examples of Unicode 15, tables 3-8 to 3-11.
+    EXPECT_EQ(ReadUtf8("\xC0\xAF\xE0\x80\xBF\xF0\x81\x82\x41"), U"\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFDA");
+    EXPECT_EQ(ReadUtf8("\xED\xA0\x80\xED\xBF\xBF\xED\xAF\x41"), U"\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFDA");
+    EXPECT_EQ(ReadUtf8("\xF4\x91\x92\x93\xFF\x41\x80\xBF\x42"), U"\uFFFD\uFFFD\uFFFD\uFFFD\uFFFDA\uFFFD\uFFFDB");
+    EXPECT_EQ(ReadUtf8("\xE1\x80\xE2\xF0\x91\x92\xF1\xBF\x41"), U"\uFFFD\uFFFD\uFFFD\uFFFDA");
+    EXPECT_EQ(ReadUtf8("\xE2\x82"), U"\uFFFD") << "cut off";
+}
 
 TEST(Text, WholeNumbersReadBack) {
     EXPECT_TRUE(rc::check("int", [](int value) {

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace testbed {
@@ -44,6 +45,44 @@ TEST(Camera, FitShowsEveryBoxInsideTheMarginsAndFillsOneAxis) {
         RC_ASSERT(fillsWidth || fillsHeight);
     });
     EXPECT_TRUE(holds);
+}
+
+/// A snapshot of boxes with their bodies' types.
+Snapshot MakeBoxes(const std::vector<std::pair<Box, scenes::BodyType>>& boxes) {
+    Snapshot snapshot;
+    for (const auto& [box, type] : boxes) {
+        BodyState body{};
+        body.type = type;
+        FixtureState fixture{};
+        fixture.body = static_cast<int>(snapshot.bodies.size());
+        fixture.tight = box;
+        snapshot.bodies.push_back(body);
+        snapshot.fixtures.push_back(fixture);
+    }
+    return snapshot;
+}
+
+TEST(Camera, FitLooksAtWhatMoves) {
+    using scenes::BodyType;
+    EXPECT_TRUE(rc::check("ground", [] {
+        const auto half = static_cast<float>(*rc::gen::inRange(1, 500));
+        const auto x = static_cast<float>(*rc::gen::inRange(-100, 100)),
+                   y = static_cast<float>(*rc::gen::inRange(0, 3));
+        const Box pile{{x, y}, {x + 10, y + 6}};
+        const Snapshot snapshot =
+            MakeBoxes({{{{-half, -1}, {half, 0}}, BodyType::isStatic}, {pile, BodyType::dynamic}});
+        const Snapshot* const pointer = &snapshot;
+        const Camera camera = FitCamera(CollectFitBoxes(std::span(&pointer, 1)), 640, 400, {});
+        RC_ASSERT(camera.ToPixelX(pile.lower.x) >= -pixelTolerance &&
+                  camera.ToPixelX(pile.upper.x) <= 640 + pixelTolerance);
+        RC_ASSERT(camera.ToPixelY(pile.upper.y) >= -pixelTolerance &&
+                  camera.ToPixelY(pile.lower.y) <= 400 + pixelTolerance);
+        RC_ASSERT(camera.pixelsPerMetre * 10 >= 640 / 1.5 - 1e-3);  // the ground takes a quarter on each side at most
+    }));
+    // What stands still alone is shown whole.
+    const Snapshot still = MakeBoxes({{{{-200, -1}, {200, 0}}, BodyType::isStatic}});
+    const Snapshot* const pointer = &still;
+    EXPECT_NEAR(FitCamera(CollectFitBoxes(std::span(&pointer, 1)), 800, 400, {}).pixelsPerMetre, 2, 1e-6);
 }
 
 TEST(Camera, NothingToFitIsAViewOfTheOrigin) {
