@@ -202,6 +202,75 @@ TEST_F(ExtremeNumbers, AWorldWithAnchorsBeyondAllPlacesIsSavedAndLoaded) {
     }
 }
 
+/// Impulses of joints that pull beyond all numbers may be none: the image holds 0 for them, as the next step does.
+TEST(ExtremeJoints, OfAnyNumbersAreSavedAndLoaded) {
+    std::mt19937 random(std::random_device{}());
+    const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
+    const auto number = [&] {
+        const int kind = below(6);
+        if (kind == 0) return largest * static_cast<float>(below(201) - 100) / 100.0f;
+        if (kind == 1) return std::ldexp(static_cast<float>(below(3) - 1), below(250) - 125);
+        return static_cast<float>(below(200) - 100) / 8.0f;
+    };
+    const auto point = [&] { return Vec2{number(), number()}; };
+    int made = 0;
+    for (int round = 0; round < 3000; ++round) {
+        World wide({static_cast<float>(below(20)), -10.0f});
+        ErrorLog errors(wide);
+        Body* bodies[3] = {};
+        for (Body*& body : bodies) {
+            BodyDef def;
+            def.type = static_cast<BodyType>(below(3));
+            def.position = {static_cast<float>(below(20)), static_cast<float>(below(20))};
+            def.linearVelocity = point();
+            body = wide.CreateBody(&def);
+            if (body == nullptr) break;
+            AddBox(body, 0.5f, 0.5f);
+        }
+        if (bodies[2] == nullptr) continue;
+        const auto add = [&](auto def) {
+            if constexpr (requires { def.enableMotor; }) def.enableMotor = below(2) == 0, def.motorSpeed = number();
+            if constexpr (requires { def.enableLimit; }) def.enableLimit = below(2) == 0;
+            if constexpr (requires { def.lowerTranslation; }) {
+                def.lowerTranslation = number(), def.upperTranslation = number();
+            }
+            if constexpr (requires { def.stiffness; }) def.stiffness = number(), def.damping = number();
+            def.localAnchorA = point(), def.localAnchorB = point();
+            def.bodyA = bodies[0], def.bodyB = bodies[1 + below(2)];
+            made += wide.CreateJoint(&def) != nullptr ? 1 : 0;
+        };
+        for (int i = 0; i < 2; ++i) {
+            switch (below(6)) {
+                case 0:
+                    add(RevoluteJointDef());
+                    break;
+                case 1:
+                    add(PrismaticJointDef());
+                    break;
+                case 2:
+                    add(DistanceJointDef());
+                    break;
+                case 3:
+                    add(WheelJointDef());
+                    break;
+                case 4:
+                    add(WeldJointDef());
+                    break;
+                default:
+                    add(PulleyJointDef());
+            }
+        }
+        for (int i = 0; i < 4; ++i) {
+            i % 2 == 0 ? wide.Step(1.0f / 60.0f, 4) : wide.Step(1.0f / 60.0f, 8, 3);
+            SnapshotError error{};
+            const std::unique_ptr<World> loaded = LoadWorld(SaveWorld(wide), &error);
+            ASSERT_NE(loaded, nullptr) << GetName(error);
+            ASSERT_EQ(inspect::GetStateHash(*loaded), inspect::GetStateHash(wide));
+        }
+    }
+    EXPECT_GT(made, 50);
+}
+
 TEST_F(ExtremeNumbers, MaterialsMixToFiniteOnes) {
     EXPECT_TRUE(std::isfinite(MixFriction(largest, largest)));
     EXPECT_EQ(MixFriction(0.25f, 1.0f), 0.5f);

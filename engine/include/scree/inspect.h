@@ -84,8 +84,8 @@ SCREE_API KernelSet GetKernels(const World& world);
 
 /// 64 bits over all that steps and calls read: bodies, fixtures with shapes and boxes, contacts with impulses, joints,
 /// settings, the orders of lists and which numbers are free. Equal hashes mean equal futures. Not in it: what changes
-/// no result (workers, features, which broad phase with tight boxes), user data, listeners and filters. −0 counts as 0.
-/// O(size of the world).
+/// no result (workers, features, which broad phase with tight boxes), user data, listeners and filters. −0 and NaN
+/// count as 0. O(size of the world).
 SCREE_API uint64_t GetStateHash(const World& world);
 
 }  // namespace scree::inspect

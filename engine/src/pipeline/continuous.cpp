@@ -220,10 +220,11 @@ private:
         return body == bodyA || PlaceOf(bodyA) < 0;
     }
 
-    /// What was asleep when the step began stands still and has no velocity of its start.
-    [[nodiscard]] bool WasSolved(BodyIndex body) const {
+    /// Null for what stands still, or was asleep when the step began.
+    [[nodiscard]] const Velocity* StartVelocityOf(BodyIndex body) const {
         const Velocity& v = m_bodies.velocity[body];
-        return m_settings.startVelocity->Has(body) && (v.v.x != 0.0f || v.v.y != 0.0f || v.w != 0.0f);
+        const bool moves = v.v.x != 0.0f || v.v.y != 0.0f || v.w != 0.0f;
+        return moves ? m_settings.startVelocities->Find(body) : nullptr;
     }
 
     /// Moves jointed bodies to the event, with the velocities that they have there.
@@ -232,8 +233,9 @@ private:
             const float begin = m_s.alpha[body];
             if (m_s.firstPair[body] < 0) m_s.touched.push_back(body);
             Advance(body, alpha);
-            if (begin >= 1.0f || !HasSolvedJoint(body) || !WasSolved(body)) continue;
-            const Velocity& from = (*m_settings.startVelocity)[body];
+            const Velocity* const start = StartVelocityOf(body);
+            if (begin >= 1.0f || !HasSolvedJoint(body) || start == nullptr) continue;
+            const Velocity& from = *start;
             Velocity& v = m_bodies.velocity[body];
             const float share = (alpha - begin) / (1.0f - begin);
             v.v = from.v + share * (v.v - from.v);

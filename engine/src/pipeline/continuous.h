@@ -48,8 +48,7 @@ struct ContinuousSettings {
     /// Soft step: solves and moves jointed bodies for the rest of a step. One limb that is stopped alone tears its
     /// joints.
     FunctionRef<void(const JointedRest&)> solveRest{};
-    /// Velocities of jointed bodies where the motion of the step began, by body.
-    const Column<BodyIndex, Velocity>* startVelocity = nullptr;
+    const StartVelocities* startVelocities = nullptr;
 };
 
 /// After a step that the solver has done, or begun to do, with these settings. `substeps` are those that it took,

@@ -76,6 +76,7 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
     SolveReport report{.substeps = settings.substeps};
     if (settings.substeps > 0) {
         scratch.anglesHaveRests = true;
+        scratch.startVelocities.Forget();
         SolveGroups(settings, fixtures, lists, events, tables, scratch, report);
         SleepIslands(settings, lists.active, lists.islands, tables.bodies);
     } else {

@@ -156,7 +156,7 @@ public:
         m_s.delta.resize(ToSize(m_bodies.slots.Size()));
         m_s.soft.clear();
         m_s.jointed.clear();
-        if (HasJoints()) EnsureRows(m_s.startVelocity, m_bodies.velocity.size());
+        if (HasJoints()) m_s.startVelocities.Reserve(m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
         m_s.before.resize(m_s.jointed.size());
@@ -236,7 +236,7 @@ private:
             m_s.soft.push_back(MakeSoftBody<forces>(m_settings, m_bodies, body));
             if (!HasJoints() || m_bodies.info[body].jointCount == 0) continue;
             m_s.soft.back().jointed = true;
-            m_s.startVelocity[body] = m_bodies.velocity[body];
+            m_s.startVelocities.Note(body, m_bodies.velocity[body]);
             m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
         }
     }

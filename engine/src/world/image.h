@@ -47,7 +47,11 @@ private:
     template <typename T>
     void Write(const T& value) {
         if constexpr (isNumber<T>) {
-            const auto* bytes = reinterpret_cast<const std::byte*>(&value);
+            T known = value;
+            if constexpr (std::is_floating_point_v<T>) {
+                if (std::isnan(value)) known = T(0);  // what a step takes an impulse for that is none
+            }
+            const auto* bytes = reinterpret_cast<const std::byte*>(&known);
             m_bytes.insert(m_bytes.end(), bytes, bytes + sizeof(T));
         } else if constexpr (std::is_array_v<T>) {
             for (const auto& element : value) Write(element);

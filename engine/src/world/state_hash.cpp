@@ -50,7 +50,7 @@ private:
         if constexpr (std::is_same_v<T, float>) {
             constexpr uint32_t minusZero = 0x80000000u;
             const auto bits = std::bit_cast<uint32_t>(value);
-            AddWord(bits == minusZero ? 0 : bits);
+            AddWord(bits == minusZero || value != value ? 0 : bits);
         } else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>) {
             AddWord(static_cast<uint64_t>(value));
         } else if constexpr (std::is_array_v<T>) {

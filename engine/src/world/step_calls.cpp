@@ -71,7 +71,9 @@ ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, co
                   s.solverScratch);
     };
     if (settings.substeps > 0 && s.joints.slots.Count() > 0) {
-        own.startVelocity = &s.solverScratch.startVelocity;
+        // A step that goes on knows no more than the image of a world that it was loaded from.
+        if (s.continuousScratch.resuming) s.solverScratch.startVelocities.Forget();
+        own.startVelocities = &s.solverScratch.startVelocities;
         own.solveRest = solveRest;
     }
     return SolveContinuous(own, events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},

@@ -14,6 +14,7 @@
 #include "constraints/joint_tree.h"
 #include "constraints/rolling_rows.h"
 #include "pipeline/parts/locked_bodies.h"
+#include "pipeline/parts/start_velocities.h"
 #include "scree/accuracy.h"
 #include "scree/features.h"
 #include "scree/world_callbacks.h"
@@ -73,19 +74,19 @@ struct SolverScratch {
     JointConstraints joints;
     Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
-    Column<BodyIndex, Velocity> startVelocity;  ///< per body, of jointed ones: where the motion of the soft step began
-    std::vector<int> jointed;                   ///< rows of `soft`
-    std::vector<Twist> before;                  ///< of these: velocity before a pass over the contacts
-    IslandTable rest;                           ///< jointed bodies that go on after a time of impact
+    StartVelocities startVelocities;
+    std::vector<int> jointed;           ///< rows of `soft`
+    std::vector<Twist> before;          ///< of these: velocity before a pass over the contacts
+    IslandTable rest;                   ///< jointed bodies that go on after a time of impact
     IslandTable wide;                   ///< islands that are solved together, joined; `islands` keeps their own ranges
     std::vector<uint8_t> islandSolved;  ///< per island of `wide`: positions are within tolerance
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(contacts.velocity, contacts.position, delta, soft, startVelocity, jointed, before, islandSolved,
-                       impulses) +
-               rest.GetMemoryBytes() + tree.GetMemoryBytes() + restTree.GetMemoryBytes() + blocks.GetMemoryBytes() +
-               joints.GetMemoryBytes() + wide.GetMemoryBytes() + rolling.GetMemoryBytes() + locked.GetMemoryBytes();
+        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, before, islandSolved, impulses) +
+               rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
+               restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() + wide.GetMemoryBytes() +
+               rolling.GetMemoryBytes() + locked.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
@@ -96,7 +97,7 @@ struct SolverScratch {
         joints = {};
         delta = {};
         soft = {};
-        startVelocity = {};
+        startVelocities = {};
         jointed = {};
         before = {};
         rest = {};
