@@ -28,8 +28,10 @@ const figures = {
     };
   },
 
-  axis(title, logarithmic) {
+  /** `most`: what is higher is seen by zooming out, or on a logarithmic axis. */
+  axis(title, logarithmic, most) {
     return {
+      ...(most > 0 && !logarithmic ? {max: most} : {}),
       type: logarithmic ? 'logarithmic' : 'linear',
       beginAtZero: !logarithmic,
       title: {display: true, text: title},
@@ -45,7 +47,7 @@ const figures = {
         animation: false,
         aspectRatio: 1.55,
         interaction: {mode: 'nearest', intersect: false},
-        scales: {x: figures.axis(plot.x, plot.logarithmic), y: figures.axis(plot.y, plot.logarithmic)},
+        scales: {x: figures.axis(plot.x, plot.logarithmic), y: figures.axis(plot.y, plot.logarithmic, plot.most)},
         plugins: {
           legend: {labels: {usePointStyle: true, filter: (item) => item.text !== ''}},
           tooltip: {
@@ -162,7 +164,7 @@ const figures = {
       const label = () => { button.textContent = chart.options.scales.y.type === 'linear' ? 'Logarithmic' : 'Linear'; };
       button.addEventListener('click', () => {
         const isLog = chart.options.scales.y.type === 'linear';
-        chart.options.scales = {x: figures.axis(plot.x, isLog), y: figures.axis(plot.y, isLog)};
+        chart.options.scales = {x: figures.axis(plot.x, isLog), y: figures.axis(plot.y, isLog, plot.most)};
         chart.update();
         label();
       });
