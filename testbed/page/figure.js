@@ -28,6 +28,14 @@ const figures = {
     };
   },
 
+  /** What stands above the scale, as text. */
+  highPoints(plot) {
+    if (!(plot.most > 0)) return '';
+    const high = plot.curves.flatMap((curve) => curve.points.filter(([, y]) => y > plot.most)
+      .map(([x, y]) => `${curve.title} ${figures.show(y)} at ${plot.x} ${figures.show(x)}`));
+    return high.length > 0 ? `above: ${high.join(', ')}` : '';
+  },
+
   /** `most`: what is higher is seen by zooming out, or on a logarithmic axis. */
   axis(title, logarithmic, most) {
     return {
@@ -49,6 +57,7 @@ const figures = {
         interaction: {mode: 'nearest', intersect: false},
         scales: {x: figures.axis(plot.x, plot.logarithmic), y: figures.axis(plot.y, plot.logarithmic, plot.most)},
         plugins: {
+          title: {display: figures.highPoints(plot) !== '', text: figures.highPoints(plot), padding: 4, font: {weight: 'normal'}},
           legend: {labels: {usePointStyle: true, filter: (item) => item.text !== ''}},
           tooltip: {
             callbacks: {

@@ -54,10 +54,10 @@ TEST(Sequences, OverlapMovesAllItsPictures) {
 TEST(Sequences, StepsShareCameraAndScales) {
     const ScratchFolder folder;
     const auto read = [&](const std::string& step, const std::string& name) {
-        return nlohmann::json::parse(folder.Read("out/add-pair-400/step-00" + step + "/" + name + ".json"));
+        return nlohmann::json::parse(folder.Read("out/add-pair/step-00" + step + "/" + name + ".json"));
     };
     const std::vector<std::string> steps{"02", "14", "26"};
-    const std::string common = "add-pair-400 --size 40 --steps 2:26:12 --style heat --image 320x200";
+    const std::string common = "add-pair --size 50 --steps 2:26:12 --style heat --image 320x200";
     ASSERT_EQ(folder.Run("overlap " + common).exitCode, 0);
     int largest = 0;
     std::set<int> maxima;
@@ -79,10 +79,9 @@ TEST(Sequences, StepsShareCameraAndScales) {
         EXPECT_EQ(read(step, "render-scree")["camera"], read("26", "render-box2d")["camera"]) << step;
     }
     // The worst steps are known late, and are a sequence all the same.
-    ASSERT_EQ(
-        folder.Run("overlap add-pair-400 --size 40 --steps 2:26 --worst 3 --worst-by overlap --image 320x200 -o w")
-            .exitCode,
-        0);
+    ASSERT_EQ(folder.Run("overlap add-pair --size 50 --steps 2:26 --worst 3 --worst-by overlap --image 320x200 -o w")
+                  .exitCode,
+              0);
     std::set<std::string> cameras;
     for (const std::string& file : FilesBelow(folder.GetPath())) {
         if (!file.starts_with("w/") || !file.ends_with("scree.json")) continue;
