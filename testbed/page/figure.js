@@ -28,8 +28,18 @@ const figures = {
     };
   },
 
-  axis(title, logarithmic) {
+  /** What stands above the scale, as text. */
+  highPoints(plot) {
+    if (!(plot.most > 0)) return '';
+    const high = plot.curves.flatMap((curve) => curve.points.filter(([, y]) => y > plot.most)
+      .map(([x, y]) => `${curve.title} ${figures.show(y)} at ${plot.x} ${figures.show(x)}`));
+    return high.length > 0 ? `above: ${high.join(', ')}` : '';
+  },
+
+  /** `most`: what is higher is seen by zooming out, or on a logarithmic axis. */
+  axis(title, logarithmic, most) {
     return {
+      ...(most > 0 && !logarithmic ? {max: most} : {}),
       type: logarithmic ? 'logarithmic' : 'linear',
       beginAtZero: !logarithmic,
       title: {display: true, text: title},
@@ -45,8 +55,9 @@ const figures = {
         animation: false,
         aspectRatio: 1.55,
         interaction: {mode: 'nearest', intersect: false},
-        scales: {x: figures.axis(plot.x, plot.logarithmic), y: figures.axis(plot.y, plot.logarithmic)},
+        scales: {x: figures.axis(plot.x, plot.logarithmic), y: figures.axis(plot.y, plot.logarithmic, plot.most)},
         plugins: {
+          title: {display: figures.highPoints(plot) !== '', text: figures.highPoints(plot), padding: 4, font: {weight: 'normal'}},
           legend: {labels: {usePointStyle: true, filter: (item) => item.text !== ''}},
           tooltip: {
             callbacks: {
@@ -162,7 +173,7 @@ const figures = {
       const label = () => { button.textContent = chart.options.scales.y.type === 'linear' ? 'Logarithmic' : 'Linear'; };
       button.addEventListener('click', () => {
         const isLog = chart.options.scales.y.type === 'linear';
-        chart.options.scales = {x: figures.axis(plot.x, isLog), y: figures.axis(plot.y, isLog)};
+        chart.options.scales = {x: figures.axis(plot.x, isLog), y: figures.axis(plot.y, isLog, plot.most)};
         chart.update();
         label();
       });

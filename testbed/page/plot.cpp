@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -31,6 +32,8 @@ std::string Quote(std::string_view text) {
     }
     return quoted + "'";
 }
+
+constexpr double aboveMost = 0.2;  // of plot.most: room for what is higher
 
 std::string MakeFrame(const Plot& plot, std::string_view terminal, const fs::path& picture) {
     constexpr std::string_view legends[] = {"top left opaque box width 1", "top right opaque box width 1",
@@ -56,7 +59,7 @@ std::string MakeAxes(const Plot& plot) {
             for (const PlotPoint& point : curve.points) last = std::max(last, point.x);
         }
         const double room = std::exchange(beside, 0.0) * std::max(last, 1.0);
-        script = "set yrange [0:*]\n";
+        script = plot.most > 0 ? fmt::format("set yrange [0:{}]\n", plot.most * (1 + aboveMost)) : "set yrange [0:*]\n";
         script += room > 0 ? fmt::format("set xrange [{}:{}]\n", -room, last + room) : "set xrange [0:*]\n";
     }
     const auto offset = [](double share) { return share > 0 ? fmt::format("graph {}", share) : std::string("0"); };
@@ -81,6 +84,29 @@ std::string DrawCurve(const PlotCurve& curve, std::size_t i, double pointSize) {
                               curve.look.color);
     }
     return clause;
+}
+
+/// Triangles and numbers of what is above plot.most, one below the other, and their clauses behind `curves`.
+std::string WriteHighPoints(const Plot& plot, std::string& curves) {
+    std::string script;
+    if (plot.most <= 0) return script;
+    int count = 0;
+    for (std::size_t i = 0; i < plot.curves.size(); ++i) {
+        const PlotCurve& curve = plot.curves[i];
+        std::string list;
+        for (const PlotPoint& point : curve.points) {
+            if (point.y <= plot.most) continue;
+            const double y = plot.most * (1 + aboveMost * (1 - 0.3 * (count++ % 3 + 0.6)));
+            list += fmt::format("{} {} \"{} {}: {:.1f}\"\n", point.x, y, plot.xLabel, point.x, point.y);
+        }
+        if (list.empty()) continue;
+        script += fmt::format("$high{} << END\n{}END\n", i, list);
+        curves += fmt::format(
+            ", $high{0} using 1:2 with points linecolor '{1}' pointtype 9 pointsize 1.5 notitle"
+            ", $high{0} using 1:2:3 with labels left offset 1,0 textcolor '{1}' notitle",
+            i, curve.look.color);
+    }
+    return script;
 }
 
 std::string ListPoints(const PlotCurve& curve) {
@@ -119,7 +145,22 @@ std::string MakePlotScript(const Plot& plot, std::string_view terminal, const fs
         // Hollow and larger than any curve's own points, so that these are seen inside it.
         curves += ", $least with points linecolor '#000000' pointtype 8 pointsize 2.4 title 'stopped: at least this'";
     }
-    return script + curves + "\n";
+    return script + WriteHighPoints(plot, curves) + curves + "\n";
+}
+
+void SpareFirstStep(Plot& plot) {
+    constexpr double farAbove = 1.25;
+    double first = 0, rest = 0, begin = std::numeric_limits<double>::infinity();
+    for (const PlotCurve& curve : plot.curves) {
+        for (const PlotPoint& point : curve.points) begin = std::min(begin, point.x);
+    }
+    for (const PlotCurve& curve : plot.curves) {
+        for (const PlotPoint& point : curve.points) {
+            double& largest = point.x == begin ? first : rest;
+            largest = std::max(largest, point.y);
+        }
+    }
+    plot.most = rest > 0 && first > farAbove * rest ? rest : 0;
 }
 
 void DrawPlot(const Plot& plot, std::string_view terminal, const fs::path& picture) {
@@ -144,7 +185,11 @@ std::string MakePlotData(const Plot& plot) {
         if (!least.empty()) object["least"] = std::move(least);
         curves.push_back(std::move(object));
     }
-    return ordered_json{{"x", plot.xLabel}, {"y", plot.yLabel}, {"logarithmic", plot.logarithmic}, {"curves", curves}}
+    return ordered_json{{"x", plot.xLabel},
+                        {"y", plot.yLabel},
+                        {"logarithmic", plot.logarithmic},
+                        {"most", plot.most},
+                        {"curves", curves}}
         .dump();
 }
 

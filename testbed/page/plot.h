@@ -49,8 +49,12 @@ struct Plot {
     bool powersOfTen = false;  ///< what y counts in
     bool small = false;        ///< for many beside each other
     PlotLegend legend = PlotLegend::topLeft;
+    double most = 0;  ///< higher points stand above the others with their numbers, out of scale; 0: none
     double roomAbove = 0.08, roomBelow = 0, roomBeside = 0;  ///< free, as shares of what the points take
 };
+
+/// Of curves over steps: where the first step, which builds everything, is by far the highest, sets `most` to the rest.
+void SpareFirstStep(Plot& plot);
 
 /// The gnuplot program that draws a plot by a terminal, "svg" or "pngcairo".
 [[nodiscard]] std::string MakePlotScript(const Plot& plot, std::string_view terminal,

@@ -61,23 +61,29 @@ Camera MakeCamera(const CameraRequest& request, int width, int height) {
     return {request.x, request.y, width / request.across, width, height, 0, 0};
 }
 
-std::vector<Box> CollectFitBoxes(std::span<const Snapshot* const> snapshots) {
-    std::vector<Box> boxes, still;
+void AddStep(FitArea& area, std::span<const Snapshot* const> snapshots) {
+    area.still.clear();
     for (const Snapshot* snapshot : snapshots) {
         for (const FixtureState& fixture : snapshot->fixtures) {
             if (!IsFinite(fixture.tight)) continue;
-            const BodyState& body = snapshot->bodies[static_cast<size_t>(fixture.body)];
-            (body.type == scenes::BodyType::isStatic ? still : boxes).push_back(fixture.tight);
+            if (snapshot->bodies[static_cast<size_t>(fixture.body)].type == scenes::BodyType::isStatic) {
+                area.still.push_back(fixture.tight);
+            } else {
+                area.moving = area.moving ? Join(*area.moving, fixture.tight) : fixture.tight;
+            }
         }
     }
-    if (boxes.empty()) return still;
-    Box around = boxes.front();
-    for (const Box& box : boxes) around = Join(around, box);
+}
+
+std::vector<Box> GetFitBoxes(const FitArea& area) {
+    if (!area.moving) return area.still;
+    Box around = *area.moving;
     const float margin = surroundings * std::max(around.upper.x - around.lower.x, around.upper.y - around.lower.y);
     around.lower = {around.lower.x - margin, around.lower.y - margin};
     around.upper = {around.upper.x + margin, around.upper.y + margin};
-    for (const Box& box : still) {
-        if (const std::optional<Box> near = Intersect(box, around)) boxes.push_back(*near);
+    std::vector<Box> boxes{*area.moving};
+    for (const Box& box : area.still) {
+        if (const std::optional<Box> common = Intersect(box, around)) boxes.push_back(*common);
     }
     return boxes;
 }

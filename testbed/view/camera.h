@@ -48,9 +48,16 @@ struct Margins {
 
 [[nodiscard]] Camera MakeCamera(const CameraRequest& request, int width, int height);
 
-/// What pictures of these snapshots are fitted to: the boxes of all fixtures whose bodies can move, and of static ones
-/// the parts near them, so that a long ground does not make all else small. All fixtures where nothing can move.
-[[nodiscard]] std::vector<Box> CollectFitBoxes(std::span<const Snapshot* const> snapshots);
+/// What pictures are fitted to.
+struct FitArea {
+    std::optional<Box> moving;  ///< around all fixtures whose bodies can move, of all steps that were added
+    std::vector<Box> still;     ///< fixtures of static bodies, of the last step
+};
+/// The snapshots of one step.
+void AddStep(FitArea& area, std::span<const Snapshot* const> snapshots);
+/// Around what moves, and of what is static the parts near it, so that a long ground does not make all else small. All
+/// that is static where nothing can move.
+[[nodiscard]] std::vector<Box> GetFitBoxes(const FitArea& area);
 
 /// Shows all boxes, centred between the margins, as large as possible. No or non-finite boxes: 10 m across the origin.
 [[nodiscard]] Camera FitCamera(std::span<const Box> boxes, int width, int height, const Margins& margins);

@@ -81,7 +81,7 @@ void ContactSheet::Add(const Image& image, const std::string& label) {
 Image ContactSheet::Make() const {
     if (m_cells.empty()) throw std::logic_error("a sheet without pictures");
     const ThemeColors& colors = GetTheme(m_theme);
-    const int scale = GetLabelScale(m_width), labelHeight = GetStripHeight(1, scale);
+    const int scale = GetLabelScale(2 * m_thumbnailWidth), labelHeight = GetStripHeight(1, scale);
     const int cellHeight = m_cells[0].image.height + labelHeight + gap;
     const int rows = (static_cast<int>(m_cells.size()) + m_columns - 1) / m_columns;
     Image sheet(m_width, gap + rows * cellHeight, colors.strip);

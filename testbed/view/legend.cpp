@@ -53,10 +53,11 @@ std::string DescribePartitions(const Snapshot& snapshot) {
 
 }  // namespace
 
-std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme) {
+std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme,
+                                    const std::optional<Peaks>& given) {
     const ThemeColors& colors = GetTheme(theme);
     const std::vector<Color> cycle(colors.cycle.begin(), colors.cycle.end());
-    const Peaks peaks = FindPeaks(snapshot);
+    const Peaks peaks = given.value_or(FindPeaks(snapshot));
     std::vector<LegendEntry> entries;
     for (const LayerInfo& info : layerTable) {
         if (!layers.Has(info.layer)) continue;

@@ -18,7 +18,9 @@ struct LegendEntry {
     std::string text;             ///< fits its cell of the grid
 };
 
-[[nodiscard]] std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme);
+/// Scales are those of `given`, or of the snapshot.
+[[nodiscard]] std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme,
+                                                  const std::optional<Peaks>& given = std::nullopt);
 
 /// Pixels for the text of an entry with so many swatches, at scale 1.
 [[nodiscard]] int GetLegendTextRoom(int swatches);

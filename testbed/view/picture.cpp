@@ -56,19 +56,6 @@ void AddScaleBar(Image& image, const Camera& camera, int stripHeight, const Pict
     DrawScaleBar(image, camera.pixelsPerMetre, image.height - stripHeight, GetLabelScale(options.width), options.theme);
 }
 
-DifferenceStats MeasureDifference(const CountImage& first, const CountImage& second) {
-    DifferenceStats stats;
-    int64_t sum = 0;
-    for (size_t i = 0; i < first.counts.size(); ++i) {
-        const int64_t value = static_cast<int64_t>(first.counts[i]) - static_cast<int64_t>(second.counts[i]);
-        stats.min = std::min(stats.min, value);
-        stats.max = std::max(stats.max, value);
-        sum += value;
-    }
-    if (!first.counts.empty()) stats.mean = static_cast<double>(sum) / static_cast<double>(first.counts.size());
-    return stats;
-}
-
 }  // namespace
 
 void CheckOptions(const PictureOptions& options) {
@@ -93,6 +80,19 @@ void CheckOptions(const PictureOptions& options) {
                       options.height, factor, maxSamples));
 }
 
+DifferenceStats MeasureDifference(const CountImage& first, const CountImage& second) {
+    DifferenceStats stats;
+    int64_t sum = 0;
+    for (size_t i = 0; i < first.counts.size(); ++i) {
+        const int64_t value = static_cast<int64_t>(first.counts[i]) - static_cast<int64_t>(second.counts[i]);
+        stats.min = std::min(stats.min, value);
+        stats.max = std::max(stats.max, value);
+        sum += value;
+    }
+    if (!first.counts.empty()) stats.mean = static_cast<double>(sum) / static_cast<double>(first.counts.size());
+    return stats;
+}
+
 OverlapStats MeasureCounts(const CountImage& counts, int nodesDrawn) {
     OverlapStats stats;
     stats.nodesDrawn = nodesDrawn;
@@ -112,9 +112,15 @@ OverlapStats MeasureCounts(const CountImage& counts, int nodesDrawn) {
     return stats;
 }
 
-Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options) {
+Camera ChooseCamera(const FitArea& area, const PictureOptions& options) {
     if (options.camera) return MakeCamera(*options.camera, options.width, options.height);
-    return FitCamera(CollectFitBoxes(snapshots), options.width, options.height, GetPictureMargins(options));
+    return FitCamera(GetFitBoxes(area), options.width, options.height, GetPictureMargins(options));
+}
+
+Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options) {
+    FitArea area;
+    AddStep(area, snapshots);
+    return ChooseCamera(area, options);
 }
 
 OverlapCount CountOverlap(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options) {
@@ -137,7 +143,8 @@ struct PictureMaker::Implementation {
                    Image& picture) {
         const Timer timer(times.layers);
         const DrawList list = BuildDrawList(
-            snapshot, camera, {options.layers, options.nodes, options.supersampling, options.theme, isOverCounts});
+            snapshot, camera,
+            {options.layers, options.nodes, options.supersampling, options.theme, isOverCounts, options.peaks});
         renderer->DrawOver(list, picture);
         for (const TextItem& text : list.texts) DrawText(picture, text.x, text.y, text.text, text.scale, text.color);
     }
@@ -257,7 +264,8 @@ Image PictureMaker::MakeRender(const PaneInput& input, const PictureOptions& opt
     if (options.labels) {
         const std::string note = input.note.empty() ? "" : "   " + input.note;
         DrawHeader(image, MakeTitle(*snapshot), MakeEngineText(*snapshot) + note, options.theme);
-        if (options.legend) DrawLegend(image, MakeLegend(*snapshot, options.layers, options.theme), options.theme);
+        if (options.legend)
+            DrawLegend(image, MakeLegend(*snapshot, options.layers, options.theme, options.peaks), options.theme);
         AddScaleBar(image, chosen, options.legend ? GetLegendHeight(options.layers, image.width) : 0, options);
     }
     return image;

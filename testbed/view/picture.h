@@ -24,6 +24,7 @@
 #include "testbed/view/camera.h"
 #include "testbed/view/layers.h"
 #include "testbed/view/nodes.h"
+#include "testbed/view/scene_layers.h"
 
 namespace testbed {
 
@@ -36,6 +37,7 @@ struct PictureOptions {
     std::optional<int64_t> differenceMax;  ///< where the colours of differences end; none: the largest of each picture
     double querySize = 0;                  ///< every node grows by half of it on each side, m, ≥ 0
     std::optional<CameraRequest> camera;   ///< none: fit
+    std::optional<Peaks> peaks;            ///< what lines and arrows are in proportion to; none: those of each picture
     Layers layers = Layers::Bodies();      ///< drawn over the counts
     Theme theme = Theme::dark;
     int supersampling = 2;  ///< samples along a pixel's edge for the layers: 1, 2 or 4
@@ -62,9 +64,9 @@ struct OverlapCount {
     OverlapStats stats;
 };
 
-/// The camera of a picture of these snapshots: `options.camera`, else fitted to CollectFitBoxes, with room for the
-/// labels.
+/// The camera of a picture of these snapshots, or of an area: `options.camera`, else fitted, with room for the labels.
 [[nodiscard]] Camera ChooseCamera(std::span<const Snapshot* const> snapshots, const PictureOptions& options);
+[[nodiscard]] Camera ChooseCamera(const FitArea& area, const PictureOptions& options);
 
 /// Counts on the CPU, no GL: O(nodes + pixels). The same counts as PictureMaker's.
 [[nodiscard]] OverlapCount CountOverlap(const Snapshot& snapshot, const Camera& camera, const PictureOptions& options);
@@ -86,6 +88,8 @@ struct DifferenceStats {
     int64_t min = 0, max = 0;
     double mean = 0;
 };
+/// first − second, pixel by pixel; both of one size.
+[[nodiscard]] DifferenceStats MeasureDifference(const CountImage& first, const CountImage& second);
 
 /// One pane minus the baseline's: blue negative, red positive.
 struct OverlapDifference {

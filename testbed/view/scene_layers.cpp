@@ -296,7 +296,7 @@ void SceneDrawer::DrawTurn(Point center, double share) {
 }
 
 void SceneDrawer::DrawVelocities() {
-    const Peaks peaks = FindPeaks(m_snapshot);
+    const Peaks peaks = m_sceneLook.peaks.value_or(FindPeaks(m_snapshot));
     for (const BodyState& body : m_snapshot.bodies) {
         if (body.type == BodyType::isStatic) continue;
         const Point from = ToPixel(body.position);
@@ -319,7 +319,7 @@ void SceneDrawer::DrawVelocities() {
 }
 
 void SceneDrawer::DrawContacts(Layer layer) {
-    const double largestImpulse = FindPeaks(m_snapshot).impulse;
+    const double largestImpulse = m_sceneLook.peaks.value_or(FindPeaks(m_snapshot)).impulse;
     for (const ContactState& contact : m_snapshot.contacts) {
         for (int i = 0; i < contact.pointCount; ++i) {
             const Point point = ToPixel(contact.points[i]);
@@ -405,6 +405,10 @@ Peaks FindPeaks(const Snapshot& snapshot) {
         peaks.turn = std::max(peaks.turn, std::abs(double{body.angularVelocity}));
     }
     return peaks;
+}
+
+Peaks JoinPeaks(const Peaks& a, const Peaks& b) {
+    return {std::max(a.impulse, b.impulse), std::max(a.speed, b.speed), std::max(a.turn, b.turn)};
 }
 
 DrawList BuildDrawList(const Snapshot& snapshot, const Camera& camera, const SceneLook& look) {

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <optional>
+
 #include "testbed/engines/snapshot.h"
 #include "testbed/picture/draw_list.h"
 #include "testbed/picture/theme.h"
@@ -14,15 +16,6 @@
 
 namespace testbed {
 
-/// What to draw and in which colours.
-struct SceneLook {
-    Layers layers = Layers::Bodies();
-    NodeSelection nodes;    ///< those that the layer bvh outlines
-    int supersampling = 2;  ///< 1, 2 or 4
-    Theme theme = Theme::dark;
-    bool isOverCounts = false;  ///< bodies half as opaque, so that the counts under them are read
-};
-
 /// The largest values of a snapshot, which lines of impulses and arrows of velocities are drawn in proportion to.
 struct Peaks {
     double impulse = 0;  ///< N·s
@@ -30,6 +23,18 @@ struct Peaks {
     double turn = 0;     ///< rad/s
 };
 [[nodiscard]] Peaks FindPeaks(const Snapshot& snapshot);
+/// The larger of each.
+[[nodiscard]] Peaks JoinPeaks(const Peaks& a, const Peaks& b);
+
+/// What to draw and in which colours.
+struct SceneLook {
+    Layers layers = Layers::Bodies();
+    NodeSelection nodes;    ///< those that the layer bvh outlines
+    int supersampling = 2;  ///< 1, 2 or 4
+    Theme theme = Theme::dark;
+    bool isOverCounts = false;     ///< bodies half as opaque, so that the counts under them are read
+    std::optional<Peaks> peaks{};  ///< none: those of the snapshot
+};
 
 [[nodiscard]] DrawList BuildDrawList(const Snapshot& snapshot, const Camera& camera, const SceneLook& look);
 

@@ -9,8 +9,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "testbed/engines/provenance.h"
+#include "testbed/page/stacked_bars.h"
 
 namespace testbed {
 namespace {
@@ -134,6 +138,42 @@ PageTable MakeTargetsTable(std::span<const TargetResult> targets) {
     return table;
 }
 
+/// What the time of each scene's largest size went into, a figure a scene: each has its own axis.
+PageFigures MakeStageFigures(std::span<const BenchRow> rows) {
+    PageFigures figures;
+    std::vector<std::pair<std::string, int>> scenes;  // with the largest size
+    for (const BenchRow& row : rows) {
+        const auto found = std::ranges::find(scenes, row.scene, &std::pair<std::string, int>::first);
+        if (found == scenes.end()) {
+            scenes.emplace_back(row.scene, row.size);
+        } else {
+            found->second = std::max(found->second, row.size);
+        }
+    }
+    for (const auto& [scene, size] : scenes) {
+        StackedBars bars{.unit = "ms",
+                         .parts = {"broad phase", "narrow phase", "islands", "solver", "continuous", "rest"},
+                         .bars = {}};
+        for (const BenchRow& row : rows) {
+            if (row.scene != scene || row.size != size) continue;
+            const StageTotals& s = row.stages;
+            const double stages = s.broadPhase + s.narrowPhase + s.islands + s.solver + s.continuous;
+            std::string label = row.GetName();
+            if (row.GetName() == row.engine && !row.solver.empty()) label += " " + row.solver;
+            if (row.threads > 1) label += fmt::format(", {} threads", row.threads);
+            if (row.continuous) label += ", continuous";
+            bars.bars.push_back(
+                {label,
+                 {s.broadPhase, s.narrowPhase, s.islands, s.solver, s.continuous, std::max(row.totalMs - stages, 0.0)},
+                 !row.complete});
+        }
+        figures.figures.push_back({.title = fmt::format("{}, size {}: stages of all steps", scene, size),
+                                   .svg = DrawStackedBars(bars),
+                                   .alternative = fmt::format("Bars of the stages of {}, stacked", scene)});
+    }
+    return figures;
+}
+
 PageTiles MakeTiles(std::span<const BenchRow> rows) {
     double sum = 0;
     int count = 0, faster = 0;
@@ -179,6 +219,12 @@ Page MakeBenchPage(const BenchReport& report) {
     for (const auto& [name, value] : ListFacts(report.made)) page.facts.push_back({name, value});
     if (!report.targets.empty()) {
         page.sections.push_back({.title = "Targets", .blocks = {MakeTargetsTable(report.targets)}});
+    }
+    if (!report.rows.empty()) {
+        page.sections.push_back(
+            {.title = "Stages",
+             .intro = "What the time went into. Rest is what no stage has: calls, events, sleeping.",
+             .blocks = {MakeStageFigures(report.rows)}});
     }
     if (!report.plots.empty()) {
         PageFigures figures;

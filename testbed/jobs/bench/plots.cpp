@@ -107,6 +107,7 @@ Plot MakeStepsPlot(std::span<const BenchRow> rows, std::span<const TimingSeries>
             curve.points.push_back({static_cast<double>(record.step), record.times.broadPhase});
         }
     }
+    SpareFirstStep(plot);
     return plot;
 }
 

@@ -94,18 +94,27 @@ void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<
 void RunScene(PictureSession& session, const OverlapArguments& arguments, const SceneJob& job) {
     const Panes panes = MakePanes(arguments.run, job.input);
     const int runTo = job.input.motion == nullptr ? plotSteps : std::min(plotSteps, job.input.steps);
-    Progress progress(job.input.name,
-                      std::max(runTo, job.selection.range.last) + workPerPicture * job.selection.Count());
+    const bool isSequence = job.selection.worst == 0 && job.selection.Count() > 1;
+    const double work = job.selection.range.last + workPerPicture * job.selection.Count();
+    Progress progress(job.input.name, std::max(runTo - job.selection.range.last, 0) + (isSequence ? 3 * work : work));
     session.Begin(job.selection.Count());
     session.origin.poses = FindPoses(arguments.run, job.input);
+    const auto share = [&](const StepVisits& steps) { session.Share(steps, panes.baseline); };
+    if (isSequence) {
+        share([&](const auto& visit) {
+            SideBySide preview(job.input.Start(), panes);
+            ShowSteps(preview, job.selection, 1, progress, visit);
+        });
+    }
     SideBySide engines(job.input.Start(), panes);
     RunSummary summary{job.input.name, job.input.size, {}, {}, panes.baseline};
-    ShowSteps(engines, job.selection, runTo, progress, [&](std::span<const Snapshot> snapshots) {
+    const auto show = [&](std::span<const Snapshot> snapshots) {
         session.Make([&] {
             const std::vector<MetricsRow> rows = SaveOverlap(session, snapshots, panes.baseline);
             summary.rows.insert(summary.rows.end(), rows.begin(), rows.end());
         });
-    });
+    };
+    ShowSteps(engines, job.selection, runTo, progress, show, share);
     session.Finish();
     summary.timing = engines.GetTiming();
     SaveMetrics(session.output, job.input.name, {summary.scene, job.input.size, session.origin.command}, summary.rows);

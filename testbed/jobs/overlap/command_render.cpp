@@ -60,10 +60,21 @@ int RunRender(const RenderArguments& arguments, const Request& request) {
 
     session.Begin(job.selection.Count());
     session.origin.poses = FindPoses(arguments.run, job.input);
-    Progress progress(job.input.name, job.selection.range.last + workPerPicture * job.selection.Count());
+    const bool isSequence = job.selection.worst == 0 && job.selection.Count() > 1;
+    const double work = job.selection.range.last + workPerPicture * job.selection.Count();
+    Progress progress(job.input.name, isSequence ? 2 * work : work);
+    const auto share = [&](const StepVisits& steps) { session.Share(steps, std::nullopt); };
+    if (isSequence) {
+        share([&](const auto& visit) {
+            SideBySide preview(job.input.Start(), panes);
+            ShowSteps(preview, job.selection, 1, progress, visit);
+        });
+    }
     SideBySide engines(job.input.Start(), panes, {.sweptBoxes = options.layers.Has(Layer::swept)});
-    ShowSteps(engines, job.selection, 1, progress,
-              [&](std::span<const Snapshot> snapshots) { session.Make([&] { SaveRender(session, snapshots); }); });
+    const auto show = [&](std::span<const Snapshot> snapshots) {
+        session.Make([&] { SaveRender(session, snapshots); });
+    };
+    ShowSteps(engines, job.selection, 1, progress, show, share);
     session.Finish();
     progress.Finish(session.Describe(engines.GetStep(), job.selection.Count()));
     fmt::print("{}", FormatFiles(session.output.GetFiles()));

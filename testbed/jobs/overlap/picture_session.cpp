@@ -13,7 +13,6 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/base/stopwatch.h"
-#include "testbed/jobs/overlap/show_steps.h"
 #include "testbed/picture/png.h"
 
 namespace testbed {
@@ -28,7 +27,38 @@ void PictureSession::Begin(int steps) {
     pictures = 0;
     pictureTime = 0;
     sharedCamera.reset();
+    options = asked;
     sequences.Begin(steps);
+}
+
+void PictureSession::Share(const StepVisits& steps, std::optional<std::size_t> baseline) {
+    FitArea area;
+    Peaks peaks;
+    steps([&](std::span<const Snapshot> snapshots) {
+        std::vector<const Snapshot*> pointers;
+        for (const Snapshot& snapshot : snapshots) {
+            pointers.push_back(&snapshot);
+            peaks = JoinPeaks(peaks, FindPeaks(snapshot));
+        }
+        AddStep(area, pointers);
+    });
+    const Camera camera = testbed::ChooseCamera(area, options);
+    sharedCamera = camera;
+    options.peaks = peaks;
+    if (!baseline) return;
+    uint32_t largest = 1;
+    int64_t difference = 1;
+    steps([&](std::span<const Snapshot> snapshots) {
+        std::vector<OverlapCount> counts;
+        for (const Snapshot& snapshot : snapshots) counts.push_back(CountOverlap(snapshot, camera, options));
+        for (const OverlapCount& count : counts) {
+            largest = std::max(largest, count.stats.max);
+            const DifferenceStats stats = MeasureDifference(count.counts, counts[*baseline].counts);
+            difference = std::max({difference, stats.max, -stats.min});
+        }
+    });
+    if (!options.scaleMax) options.scaleMax = largest;
+    options.differenceMax = difference;
 }
 
 void PictureSession::Make(const std::function<void()>& make) {
@@ -39,9 +69,7 @@ void PictureSession::Make(const std::function<void()>& make) {
 
 Camera PictureSession::ChooseCamera(std::span<const Snapshot* const> snapshots) {
     if (sharedCamera) return *sharedCamera;
-    const Camera camera = testbed::ChooseCamera(snapshots, options);
-    if (sequences.GetOptions().IsUsed()) sharedCamera = camera;
-    return camera;
+    return testbed::ChooseCamera(snapshots, options);
 }
 
 void PictureSession::Save(const std::string& name, Image image, const PictureRecord& record) {
@@ -79,13 +107,9 @@ PictureSession MakePictureSession(const SessionRequest& request, const ContextOp
     PictureMaker maker(backend, contextOptions);
     PictureOrigin origin{request.command, "", GetBackendName(maker.GetBackend()), maker.GetRendererName(),
                          maker.GetVersion()};
-    return {std::move(output),
-            std::move(maker),
-            request.options,
-            std::move(origin),
-            PictureSequences(sequence),
-            std::nullopt,
-            std::make_unique<WriteQueue>(waitingPictures)};
+    return {
+        std::move(output), std::move(maker),           request.options, request.options,
+        std::move(origin), PictureSequences(sequence), std::nullopt,    std::make_unique<WriteQueue>(waitingPictures)};
 }
 
 }  // namespace testbed

@@ -17,6 +17,7 @@
 #include "testbed/base/write_queue.h"
 #include "testbed/gl/context.h"
 #include "testbed/jobs/overlap/sequences.h"
+#include "testbed/jobs/overlap/show_steps.h"
 #include "testbed/jobs/overlap/sidecar.h"
 #include "testbed/options/options.h"
 #include "testbed/view/picture.h"
@@ -26,10 +27,11 @@ namespace testbed {
 struct PictureSession {
     OutputFolder output;
     PictureMaker maker;
-    PictureOptions options;
+    PictureOptions asked;    ///< for
+    PictureOptions options;  ///< with what the pictures of a sequence share
     PictureOrigin origin;
     PictureSequences sequences;
-    std::optional<Camera> sharedCamera;  ///< of all pictures of a sequence, from its first step on
+    std::optional<Camera> sharedCamera;  ///< of all pictures of a sequence
     /// Encodes and writes while the next picture is made. Its jobs hold this session's address: last, so that it ends
     /// first, and no session is moved once it has saved anything.
     std::unique_ptr<WriteQueue> queue;
@@ -38,9 +40,12 @@ struct PictureSession {
 
     /// Before the first picture of a scene of which `steps` are shown.
     void Begin(int steps);
+    /// Chooses one camera and one of each scale for all steps of a sequence. With counts the steps are visited twice;
+    /// their differences are those from the pane `baseline`.
+    void Share(const StepVisits& steps, std::optional<std::size_t> baseline);
     /// Does `make`, which makes and saves pictures, and takes its time.
     void Make(const std::function<void()>& make);
-    /// A fit of these snapshots; of a sequence the fit of its first step.
+    /// A fit of these snapshots; of a sequence that of all its steps.
     [[nodiscard]] Camera ChooseCamera(std::span<const Snapshot* const> snapshots);
     /// <scene>/step-<NNNN>/<name>.png and .json beside it, or a frame of <scene>/<name>.apng or .mp4. Written in the
     /// background: an error is thrown by a later call, at the latest by Finish.

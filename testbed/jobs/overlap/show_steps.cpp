@@ -112,7 +112,8 @@ std::filesystem::path StepFolder(const Snapshot& snapshot) {
 }
 
 void ShowSteps(SideBySide& engines, const StepSelection& selection, int runTo, Progress& progress,
-               const std::function<void(std::span<const Snapshot>)>& show) {
+               const std::function<void(std::span<const Snapshot>)>& show,
+               const std::function<void(const StepVisits&)>& prepare) {
     std::vector<Candidate> kept;
     const int last = std::max(selection.range.last, runTo);
     while (engines.GetStep() < last) {
@@ -129,6 +130,11 @@ void ShowSteps(SideBySide& engines, const StepSelection& selection, int runTo, P
     std::sort(kept.begin(), kept.end(), [](const Candidate& a, const Candidate& b) {
         return a.snapshots.front().step < b.snapshots.front().step;
     });
+    if (prepare && kept.size() > 1) {
+        prepare([&kept](const auto& visit) {
+            for (const Candidate& candidate : kept) visit(candidate.snapshots);
+        });
+    }
     for (const Candidate& candidate : kept) {
         show(candidate.snapshots);
         progress.Advance(workPerPicture);

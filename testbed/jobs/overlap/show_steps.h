@@ -57,9 +57,14 @@ struct SceneJob {
 /// The work of showing one step, in units of one step of all engines: what a progress bar should expect.
 inline constexpr double workPerPicture = 5;
 
+/// Gives the snapshots of every selected step to `visit`, in the order of the steps.
+using StepVisits = std::function<void(const std::function<void(std::span<const Snapshot>)>& visit)>;
+
 /// Steps until the last selected step and at least `runTo`, and calls `show` with one snapshot per engine for every
-/// selected step, in the order of the steps. Advances `progress` by 1 per step and workPerPicture per call.
+/// selected step, in the order of the steps. Advances `progress` by 1 per step and workPerPicture per call. The worst
+/// steps are known at the end: `prepare`, if any, sees all of them before they are shown.
 void ShowSteps(SideBySide& engines, const StepSelection& selection, int runTo, Progress& progress,
-               const std::function<void(std::span<const Snapshot>)>& show);
+               const std::function<void(std::span<const Snapshot>)>& show,
+               const std::function<void(const StepVisits&)>& prepare = {});
 
 }  // namespace testbed

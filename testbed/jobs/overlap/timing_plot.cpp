@@ -43,6 +43,7 @@ Plot MakeTimingPlot(std::span<const TimingSeries> series, const std::string& tit
         }
         plot.curves.push_back(std::move(curve));
     }
+    SpareFirstStep(plot);
     return plot;
 }
 

@@ -225,7 +225,9 @@ void ArrangePanes(Viewer& viewer, const PixelBox& area) {
     if (viewer.mustFit) {
         std::vector<const Snapshot*> snapshots;
         for (const EnginePane& pane : viewer.panes) snapshots.push_back(&pane.snapshot);
-        const std::vector<Box> boxes = CollectFitBoxes(snapshots);
+        FitArea fitArea;
+        AddStep(fitArea, snapshots);
+        const std::vector<Box> boxes = GetFitBoxes(fitArea);
         const auto fit = [&](bool isBeside) {
             return FitCamera(boxes, widthOf(isBeside), heightOf(isBeside),
                              {fitMargin, fitMargin + titleHeight, fitMargin, fitMargin});

@@ -62,6 +62,13 @@ Snapshot MakeBoxes(const std::vector<std::pair<Box, scenes::BodyType>>& boxes) {
     return snapshot;
 }
 
+std::vector<Box> FitBoxesOf(const Snapshot& snapshot) {
+    const Snapshot* const pointer = &snapshot;
+    FitArea area;
+    AddStep(area, std::span(&pointer, 1));
+    return GetFitBoxes(area);
+}
+
 TEST(Camera, FitLooksAtWhatMoves) {
     using scenes::BodyType;
     EXPECT_TRUE(rc::check("ground", [] {
@@ -71,8 +78,7 @@ TEST(Camera, FitLooksAtWhatMoves) {
         const Box pile{{x, y}, {x + 10, y + 6}};
         const Snapshot snapshot =
             MakeBoxes({{{{-half, -1}, {half, 0}}, BodyType::isStatic}, {pile, BodyType::dynamic}});
-        const Snapshot* const pointer = &snapshot;
-        const Camera camera = FitCamera(CollectFitBoxes(std::span(&pointer, 1)), 640, 400, {});
+        const Camera camera = FitCamera(FitBoxesOf(snapshot), 640, 400, {});
         RC_ASSERT(camera.ToPixelX(pile.lower.x) >= -pixelTolerance &&
                   camera.ToPixelX(pile.upper.x) <= 640 + pixelTolerance);
         RC_ASSERT(camera.ToPixelY(pile.upper.y) >= -pixelTolerance &&
@@ -81,8 +87,7 @@ TEST(Camera, FitLooksAtWhatMoves) {
     }));
     // What stands still alone is shown whole.
     const Snapshot still = MakeBoxes({{{{-200, -1}, {200, 0}}, BodyType::isStatic}});
-    const Snapshot* const pointer = &still;
-    EXPECT_NEAR(FitCamera(CollectFitBoxes(std::span(&pointer, 1)), 800, 400, {}).pixelsPerMetre, 2, 1e-6);
+    EXPECT_NEAR(FitCamera(FitBoxesOf(still), 800, 400, {}).pixelsPerMetre, 2, 1e-6);
 }
 
 TEST(Camera, NothingToFitIsAViewOfTheOrigin) {

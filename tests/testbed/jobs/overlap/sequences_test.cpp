@@ -6,11 +6,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "testbed/base/errors.h"
 #include "testbed/base/process.h"
@@ -28,8 +30,8 @@ TEST(Sequences, ApngStandsForTheStepsPictures) {
     ASSERT_EQ(folder.Run("render tiles --steps 2:10:4 --animate apng --contact-sheet" + look).exitCode, 0);
     EXPECT_EQ(FilesBelow(folder.GetPath()),
               (std::set<std::string>{"out/tiles/render-scree.apng", "out/tiles/render-scree-sheet.png"}));
-    // A reader of still pictures shows the first frame: the picture of step 2.
-    ASSERT_EQ(folder.Run("render tiles --step 2 -o still" + look).exitCode, 0);
+    // A reader of still pictures shows the first frame: the picture of step 2 among those of the same steps.
+    ASSERT_EQ(folder.Run("render tiles --steps 2:10:4 -o still" + look).exitCode, 0);
     const Image first = ReadPng(folder.GetPath() / "out/tiles/render-scree.apng");
     EXPECT_TRUE(first.pixels == ReadPng(folder.GetPath() / "still/tiles/step-0002/render-scree.png").pixels);
     const std::string bytes = folder.Read("out/tiles/render-scree.apng");
@@ -47,6 +49,45 @@ TEST(Sequences, OverlapMovesAllItsPictures) {
               (std::set<std::string>{base + "scree.apng", base + "box2d.apng", base + "compare.apng",
                                      base + "difference.apng", base + "metrics.csv", base + "metrics.json",
                                      base + "timing.csv", base + "timing.png"}));
+}
+
+TEST(Sequences, StepsShareCameraAndScales) {
+    const ScratchFolder folder;
+    const auto read = [&](const std::string& step, const std::string& name) {
+        return nlohmann::json::parse(folder.Read("out/add-pair/step-00" + step + "/" + name + ".json"));
+    };
+    const std::vector<std::string> steps{"02", "14", "26"};
+    const std::string common = "add-pair --size 50 --steps 2:26:12 --style heat --image 320x200";
+    ASSERT_EQ(folder.Run("overlap " + common).exitCode, 0);
+    int largest = 0;
+    std::set<int> maxima;
+    for (const std::string& step : steps) {
+        for (const char* pane : {"scree", "box2d", "compare", "difference"}) {
+            EXPECT_EQ(read(step, pane)["camera"], read("02", "scree")["camera"]) << step << " " << pane;
+            EXPECT_EQ(read(step, pane)["scale_max"], read("02", "scree")["scale_max"]) << step << " " << pane;
+        }
+        for (const char* pane : {"scree", "box2d"}) {
+            const int max = read(step, pane)["engines"][0]["overlap_max"];
+            largest = std::max(largest, max);
+            maxima.insert(max);
+        }
+    }
+    EXPECT_EQ(read("02", "scree")["scale_max"], largest);
+    EXPECT_GT(maxima.size(), 1u) << "each step alone would have had its own scale";
+    ASSERT_EQ(folder.Run("render " + common + " --layers bodies,velocities").exitCode, 0);
+    for (const std::string& step : steps) {
+        EXPECT_EQ(read(step, "render-scree")["camera"], read("26", "render-box2d")["camera"]) << step;
+    }
+    // The worst steps are known late, and are a sequence all the same.
+    ASSERT_EQ(folder.Run("overlap add-pair --size 50 --steps 2:26 --worst 3 --worst-by overlap --image 320x200 -o w")
+                  .exitCode,
+              0);
+    std::set<std::string> cameras;
+    for (const std::string& file : FilesBelow(folder.GetPath())) {
+        if (!file.starts_with("w/") || !file.ends_with("scree.json")) continue;
+        cameras.insert(nlohmann::json::parse(folder.Read(file))["camera"].dump());
+    }
+    EXPECT_EQ(cameras.size(), 1u);
 }
 
 TEST(Sequences, AContactSheetAddsToThePictures) {

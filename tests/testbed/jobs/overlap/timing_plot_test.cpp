@@ -44,6 +44,20 @@ TEST(TimingPlot, DrawsAPictureAndLeavesNothingElse) {
     EXPECT_GT(count(0xcc, 0, 0), 50) << "three squares in our red";
 }
 
+TEST(TimingPlot, TheFirstStepDoesNotFlattenTheRest) {
+    const std::vector<TimingSeries> steep = {MakeSeries("scree", {15, 2, 1}), MakeSeries("box2d", {52, 23, 20})};
+    const Plot plot = MakeTimingPlot(steep, "t");
+    EXPECT_EQ(plot.most, 23);
+    const std::string script = MakePlotScript(plot, "svg", "p.svg");
+    EXPECT_NE(script.find("\"step 1: 52.0\""), std::string::npos) << script;
+    EXPECT_EQ(script.find("step 1: 15"), std::string::npos) << "it is within the scale";
+    const std::vector<TimingSeries> even = {MakeSeries("scree", {15, 2, 1}), MakeSeries("box2d", {20, 23, 20})};
+    EXPECT_EQ(MakeTimingPlot(even, "t").most, 0);
+    const ScratchFolder folder;
+    DrawPlot(plot, "pngcairo", folder.GetPath() / "p.png");
+    EXPECT_EQ(ReadPng(folder.GetPath() / "p.png").width, 1100);
+}
+
 TEST(TimingPlot, NamesBox2dsRetestOnlyWhenBox2dIsThere) {
     const std::vector<TimingSeries> ours = {MakeSeries("scree", {1})}, theirs = {MakeSeries("box2d", {1})};
     EXPECT_EQ(MakeTimingPlot(ours, "t").note, "");
