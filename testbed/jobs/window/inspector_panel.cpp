@@ -78,6 +78,7 @@ void DrawParts(Viewer& viewer, Items& items, const char* title, const std::vecto
     const bool isOpen = ImGui::CollapsingHeader(heading.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
     MarkItem(items, fmt::format("inspect.{}", title));
     if (!isOpen) return;
+    ImGui::PushID(title);
     for (size_t i = 0; i < parts.size(); ++i) {
         const InspectedPart& part = parts[i];
         ImGui::PushID(static_cast<int>(i));
@@ -96,6 +97,7 @@ void DrawParts(Viewer& viewer, Items& items, const char* title, const std::vecto
         }
         ImGui::PopID();
     }
+    ImGui::PopID();
 }
 
 void DrawPick(Viewer& viewer, Items& items) {

@@ -202,9 +202,9 @@ TEST(View, PansAndZooms) {
     const ScratchFolder folder;
     ASSERT_EQ(RunScript(folder, R"(0 key p
 1 dump start.json
-2 move world scree -2 6
+2 move world scree -2 3
 3 press right
-4 move world scree -1 6
+4 move world scree -1 3
 6 release right
 7 dump panned.json
 8 scroll 3

@@ -254,6 +254,11 @@ TEST_F(ViewTime, TheInspectorTellsAllOfABodyAndItsFieldsAreEdits) {
 66 move item inspect.follow
 67 click
 70 dump follows.json
+71 move item inspect.joints.0
+72 click
+76 move item inspect.joints.0.go
+77 click
+80 dump other.json
 )");
     ASSERT_EQ(result.exitCode, 0) << result.output;
     const json picked = State("picked.json");
@@ -274,6 +279,7 @@ TEST_F(ViewTime, TheInspectorTellsAllOfABodyAndItsFieldsAreEdits) {
         EXPECT_EQ(State("static.json")["engines"][pane]["inspected"]["values"]["type"], "static");
     }
     EXPECT_NE(State("refused.json")["message"].get<std::string>().find("density: give 0 to"), std::string::npos);
+    EXPECT_EQ(State("other.json")["picked_body"], 9) << "to which it is joined";
     const json follows = State("follows.json");
     EXPECT_TRUE(follows["follows"]);
     EXPECT_NEAR(follows["camera"][1].get<double>(), follows["engines"][0]["picked"]["position"][1].get<double>(), 1e-4);
