@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "scenes/scene.h"
 #include "testbed/engines/run_spec.h"
+#include "testbed/engines/run_values.h"
 #include "testbed/engines/snapshot.h"
 
 namespace testbed {
@@ -65,9 +67,22 @@ public:
     EngineRun& operator=(const EngineRun&) = delete;
 };
 
+/// A run at one moment, to the bit. Only the run that made it reads it.
+class RunImage {
+public:
+    virtual ~RunImage() = default;
+    [[nodiscard]] virtual std::size_t GetBytes() const = 0;
+
+    RunImage() = default;
+    RunImage(const RunImage&) = delete;
+    RunImage& operator=(const RunImage&) = delete;
+};
+
 /// A run that takes what a user does with the mouse and the keyboard.
 class InteractiveRun : public EngineRun {
 public:
+    /// What indices of bodies mean: the scene with all that was shot into it.
+    [[nodiscard]] virtual const scenes::Scene& GetScene() const = 0;
     /// How it runs, with what the scene decides filled in.
     [[nodiscard]] virtual const RunSpec& GetSpec() const = 0;
     /// From the next step on. Throws std::invalid_argument, and changes nothing then, for a value outside its range and
@@ -82,6 +97,23 @@ public:
     /// Adds a small heavy circle that nothing lets through; returns its body index. It takes the index of the scene's
     /// next spawn, and those that are still to come move up.
     virtual int ShootBullet(Vec2 position, Vec2 velocity) = 0;
+    /// Changes a body; its mass follows. Throws std::invalid_argument, and changes nothing then, for illegal values and
+    /// for an engine that has no edits here.
+    virtual void Edit(int body, const BodyEdit& edit) = 0;
+
+    /// What the engine itself says of an object, by its index in a capture; empty: it does not tell.
+    [[nodiscard]] virtual RunValues ValuesOfBody(int) const { return {}; }
+    [[nodiscard]] virtual RunValues ValuesOfFixture(int) const { return {}; }
+    [[nodiscard]] virtual RunValues ValuesOfJoint(int) const { return {}; }
+
+    /// Everything as it is now; null: the engine has no images.
+    [[nodiscard]] virtual std::shared_ptr<const RunImage> Save() const { return nullptr; }
+    /// Back to an image of this run. What follows is what followed then, if the same is done.
+    virtual void Restore(const RunImage&) {}
+    /// The world as it is now, with the spawns that are still to come. Throws std::invalid_argument for an engine that
+    /// no capture header records.
+    [[nodiscard]] virtual scenes::Scene MakeScene() const = 0;
+
     /// Writes all steps from now on as a track, with contacts, in place of one that was written before. Throws
     /// std::invalid_argument for an engine that no capture header records.
     virtual void Record(const std::string& path) = 0;

@@ -15,8 +15,10 @@
 #include "testbed/engines/box2d_joint.h"
 #include "testbed/engines/box2d_shape.h"
 #include "testbed/engines/capture_box2d.h"
+#include "testbed/engines/inspect_objects.h"
 #include "testbed/engines/scene_run.h"
 #include "testbed/engines/track_output.h"
+#include "testbed/engines/world_scene.h"
 
 namespace testbed {
 namespace {
@@ -71,6 +73,20 @@ int ProxyOf(b2Fixture* fixture) { return static_cast<int>(fixture->GetUserData()
 /// Box2D flags static bodies that an island touched as awake, which means nothing.
 bool IsSimulated(const b2Body& body) { return body.GetType() != b2_staticBody && body.IsAwake(); }
 
+/// Classes of joints, for inspect_objects.h.
+struct Box2dJointTypes {
+    using Revolute = b2RevoluteJoint;
+    using Distance = b2DistanceJoint;
+    using Friction = b2FrictionJoint;
+    using Gear = b2GearJoint;
+    using Motor = b2MotorJoint;
+    using Mouse = b2MouseJoint;
+    using Prismatic = b2PrismaticJoint;
+    using Pulley = b2PulleyJoint;
+    using Weld = b2WeldJoint;
+    using Wheel = b2WheelJoint;
+};
+
 class Box2dRun final : public SceneRun {
 public:
     Box2dRun(const scenes::Scene& scene, const RunSpec& spec, const RunNeeds& needs) : SceneRun(scene, spec, needs) {
@@ -91,6 +107,17 @@ public:
     void Record(const std::string& path) override { m_track.Begin(*m_world, path, GetSpec()); }
     void EndRecord() override { m_track.End(); }
 
+    [[nodiscard]] RunValues ValuesOfBody(int body) const override {
+        return testbed::ValuesOfBody(*m_bodies[static_cast<size_t>(body)]);
+    }
+    [[nodiscard]] RunValues ValuesOfFixture(int fixture) const override {
+        return testbed::ValuesOfFixture(*m_proxies[static_cast<size_t>(fixture)].fixture);
+    }
+    [[nodiscard]] RunValues ValuesOfJoint(int joint) const override {
+        const auto index = static_cast<size_t>(joint);
+        return testbed::ValuesOfJoint<Box2dJointTypes>(*m_joints[index], GetScene().joints[index].type,
+                                                       1.0f / GetTimeStep());
+    }
     [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
     [[nodiscard]] StepCounts CountStep() override;
 
@@ -104,6 +131,10 @@ protected:
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToB2(target)); }
     void DestroyDrag() override;
     void RecordStep() override { m_track.Step(GetTimeStep()); }
+    void EditBody(int body, const BodyEdit& edit) override {
+        ApplyEdit(*m_bodies[static_cast<size_t>(body)], edit, [](Vec2 v) { return ToB2(v); });
+    }
+    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene(*m_world); }
 
 private:
     /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
@@ -220,8 +251,10 @@ void Box2dRun::CreateDrag(int body, Vec2 localPoint) {
 }
 
 void Box2dRun::DestroyDrag() {
-    m_world->DestroyJoint(m_drag);
+    // Its ground goes with it, so that a saved scene has no body that nobody made.
+    m_world->DestroyBody(m_dragGround);
     m_drag = nullptr;
+    m_dragGround = nullptr;
 }
 
 void Box2dRun::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {

@@ -12,14 +12,24 @@
 #include <utility>
 
 #include "scenes/outline.h"
+#include "scree/distance_joint.h"
+#include "scree/friction_joint.h"
+#include "scree/gear_joint.h"
 #include "scree/inspect.h"
+#include "scree/motor_joint.h"
 #include "scree/mouse_joint.h"
+#include "scree/prismatic_joint.h"
+#include "scree/pulley_joint.h"
+#include "scree/revolute_joint.h"
 #include "scree/snapshot.h"
+#include "scree/weld_joint.h"
+#include "scree/wheel_joint.h"
 #include "scree/world.h"
 #include "testbed/base/stopwatch.h"
 #include "testbed/capture/scree_capture.h"
 #include "testbed/engines/capture_scree.h"
 #include "testbed/engines/feature_facts.h"
+#include "testbed/engines/inspect_objects.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/scene_run.h"
 #include "testbed/engines/scree_joint.h"
@@ -27,6 +37,7 @@
 #include "testbed/engines/scree_shape.h"
 #include "testbed/engines/scree_step.h"
 #include "testbed/engines/track_output.h"
+#include "testbed/engines/world_scene.h"
 
 namespace testbed {
 namespace {
@@ -44,6 +55,20 @@ constexpr int outlineDirections = 96;
 int BodyIndexOf(const scree::Body* body) {
     return static_cast<int>(const_cast<scree::Body*>(body)->GetUserData().pointer);
 }
+
+/// Classes of joints, for inspect_objects.h.
+struct ScreeJointTypes {
+    using Revolute = scree::RevoluteJoint;
+    using Distance = scree::DistanceJoint;
+    using Friction = scree::FrictionJoint;
+    using Gear = scree::GearJoint;
+    using Motor = scree::MotorJoint;
+    using Mouse = scree::MouseJoint;
+    using Prismatic = scree::PrismaticJoint;
+    using Pulley = scree::PulleyJoint;
+    using Weld = scree::WeldJoint;
+    using Wheel = scree::WheelJoint;
+};
 
 class ScreeRun final : public SceneRun {
 public:
@@ -79,6 +104,20 @@ public:
     void Record(const std::string& path) override { m_track.Begin(*m_world, path, GetSpec()); }
     void EndRecord() override { m_track.End(); }
 
+    [[nodiscard]] RunValues ValuesOfBody(int body) const override {
+        return testbed::ValuesOfBody(*m_bodies[static_cast<size_t>(body)]);
+    }
+    [[nodiscard]] RunValues ValuesOfFixture(int fixture) const override {
+        return testbed::ValuesOfFixture(*m_proxies[static_cast<size_t>(fixture)].fixture);
+    }
+    [[nodiscard]] RunValues ValuesOfJoint(int joint) const override {
+        const auto index = static_cast<size_t>(joint);
+        return testbed::ValuesOfJoint<ScreeJointTypes>(*m_joints[index], GetScene().joints[index].type,
+                                                       1.0f / GetTimeStep());
+    }
+    [[nodiscard]] std::shared_ptr<const RunImage> Save() const override;
+    void Restore(const RunImage& image) override;
+
     [[nodiscard]] const scree::World& GetWorld() const { return *m_world; }
     [[nodiscard]] int GetContactCount() const override { return m_world->GetContactCount(); }
     [[nodiscard]] StepCounts CountStep() override {
@@ -96,8 +135,29 @@ protected:
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToScree(target)); }
     void DestroyDrag() override;
     void RecordStep() override { m_track.Step(GetTimeStep()); }
+    void EditBody(int body, const BodyEdit& edit) override {
+        ApplyEdit(*m_bodies[static_cast<size_t>(body)], edit, [](Vec2 v) { return ToScree(v); });
+    }
+    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene(*m_world); }
 
 private:
+    /// Handles by the indices of the scene. The lists of an image may be longer than those now, where it lies ahead.
+    struct Lists {
+        ScreeBodies bodies;
+        std::vector<ScreeProxy> proxies;
+        std::vector<int> proxyOf;
+        ScreeJoints joints;
+    };
+    struct Image final : RunImage {
+        WorldImage bytes;
+        State state;
+        std::shared_ptr<const Lists> lists;
+        scree::Body* dragGround = nullptr;
+        scree::MouseJoint* drag = nullptr;
+
+        [[nodiscard]] std::size_t GetBytes() const override { return sizeof *this + bytes.size(); }
+    };
+
     /// Those of a saved world that cannot change any more are as wanted.
     void CheckSettings() const;
     /// Bodies, fixtures and joints of a saved world, in the order of its scene.
@@ -107,11 +167,12 @@ private:
 
     Conveyor m_conveyor;
     std::unique_ptr<scree::World> m_world;
-    ScreeBodies m_bodies;                 ///< by body index
-    std::vector<ScreeProxy> m_proxies;    ///< by index into Snapshot::fixtures
-    std::vector<int> m_proxyOf;           ///< Fixture::GetIndex → index into Snapshot::fixtures
-    ScreeJoints m_joints;                 ///< by joint index
-    scree::Body* m_dragGround = nullptr;  ///< carries the spring that drags
+    ScreeBodies m_bodies;                          ///< by body index
+    std::vector<ScreeProxy> m_proxies;             ///< by index into Snapshot::fixtures
+    std::vector<int> m_proxyOf;                    ///< Fixture::GetIndex → index into Snapshot::fixtures
+    ScreeJoints m_joints;                          ///< by joint index
+    mutable std::shared_ptr<const Lists> m_lists;  ///< a copy of these four for images; null: they have changed
+    scree::Body* m_dragGround = nullptr;           ///< carries the spring that drags
     scree::MouseJoint* m_drag = nullptr;
     TrackOutput<scree_capture::Track, scree::World> m_track;  ///< ends before the world
 };
@@ -162,6 +223,7 @@ void ScreeRun::AddOutline(ScreeProxy& proxy) const {
 }
 
 void ScreeRun::CreateBody(const scenes::Body&) {
+    m_lists.reset();
     const auto index = static_cast<int>(m_bodies.size());
     m_bodies.push_back(CreateScreeBody(*m_world, GetScene(), index, [&](scree::Fixture* fixture, int scene, int child) {
         ScreeProxy proxy{fixture, scene, child};
@@ -171,6 +233,7 @@ void ScreeRun::CreateBody(const scenes::Body&) {
 }
 
 void ScreeRun::CreateJoint(const scenes::Joint& joint) {
+    m_lists.reset();
     m_joints.push_back(CreateScreeJoint(*m_world, joint, m_bodies, m_joints));
 }
 
@@ -208,8 +271,40 @@ void ScreeRun::CreateDrag(int body, Vec2 localPoint) {
 }
 
 void ScreeRun::DestroyDrag() {
-    m_world->DestroyJoint(m_drag);
+    // Its ground goes with it, so that a saved scene has no body that nobody made.
+    m_world->DestroyBody(m_dragGround);
     m_drag = nullptr;
+    m_dragGround = nullptr;
+}
+
+std::shared_ptr<const RunImage> ScreeRun::Save() const {
+    auto image = std::make_shared<Image>();
+    image->bytes = scree::SaveWorld(*m_world);
+    image->state = KeepState();
+    if (m_lists == nullptr) m_lists = std::make_shared<const Lists>(Lists{m_bodies, m_proxies, m_proxyOf, m_joints});
+    image->lists = m_lists;
+    image->dragGround = m_dragGround;
+    image->drag = m_drag;
+    return image;
+}
+
+void ScreeRun::Restore(const RunImage& kept) {
+    const auto& image = static_cast<const Image&>(kept);
+    if (const scree::SnapshotError error = scree::RestoreWorld(*m_world, image.bytes);
+        error != scree::SnapshotError::ok) {
+        throw std::runtime_error(std::string("an image of the run cannot be restored: ") + scree::GetName(error));
+    }
+    // Objects that are in the image have the handles that they had.
+    if (m_lists != image.lists) {
+        m_bodies = image.lists->bodies;
+        m_proxies = image.lists->proxies;
+        m_proxyOf = image.lists->proxyOf;
+        m_joints = image.lists->joints;
+    }
+    m_lists = image.lists;
+    m_dragGround = image.dragGround;
+    m_drag = image.drag;
+    PutState(image.state);
 }
 
 void ScreeRun::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {

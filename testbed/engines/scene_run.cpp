@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -83,6 +84,70 @@ void SceneRun::Record(const std::string&) {
     throw std::invalid_argument(m_spec.engine + " cannot be recorded here: scree and box2d can");
 }
 
+void SceneRun::EditBody(int, const BodyEdit&) {
+    throw std::invalid_argument(m_spec.engine + " has no edits of bodies here: scree and box2d have");
+}
+
+void SceneRun::Edit(int body, const BodyEdit& edit) {
+    if (body < 0 || body >= m_bodyCount) throw std::invalid_argument("there is no body " + std::to_string(body));
+    if (const std::string problem = FindProblem(edit); !problem.empty()) throw std::invalid_argument(problem);
+    EditBody(body, edit);
+    if (!edit.type) return;
+    m_scene.bodies[static_cast<size_t>(body)].type = *edit.type;
+    m_keptScene.reset();
+}
+
+SceneRun::State SceneRun::KeepState() const {
+    if (m_keptScene == nullptr) m_keptScene = std::make_shared<const scenes::Scene>(m_scene);
+    return {m_keptScene, m_spec, m_times, m_step, m_bodyCount, m_spawnCount, m_newFixtures, m_isDragging};
+}
+
+void SceneRun::PutState(const State& state) {
+    if (m_keptScene != state.scene) m_scene = *state.scene;
+    m_keptScene = state.scene;
+    m_spec = state.spec;
+    m_times = state.times;
+    m_step = state.step;
+    m_bodyCount = state.bodyCount;
+    m_spawnCount = state.spawnCount;
+    m_newFixtures = state.newFixtures;
+    m_isDragging = state.isDragging;
+}
+
+scenes::Scene SceneRun::DescribeWorld() const {
+    throw std::invalid_argument(m_spec.engine + " cannot be saved as a scene here: scree and box2d can");
+}
+
+scenes::Scene SceneRun::MakeScene() const {
+    scenes::Scene made = DescribeWorld();
+    made.name = m_scene.name;
+    made.size = m_scene.size;
+    made.steps = std::max(1, m_scene.steps - m_step);
+    made.showStep = made.steps;
+    made.gravity = *m_spec.gravity;
+    made.timeStep = GetTimeStep();
+    made.user = m_scene.user;
+    if (const auto* si = std::get_if<SequentialImpulses>(&m_spec.solver); si != nullptr && si->iterations) {
+        made.velocityIterations = si->iterations->velocity;
+        made.positionIterations = si->iterations->position;
+    }
+    for (size_t i = m_spawnCount; i < m_scene.spawns.size(); ++i) {
+        const scenes::Spawn& spawn = m_scene.spawns[i];
+        scenes::Body body = m_scene.bodies[static_cast<size_t>(spawn.body)];
+        const std::span<const scenes::Fixture> fixtures = m_scene.FixturesOf(spawn.body);
+        body.firstFixture = static_cast<int>(made.fixtures.size());
+        for (scenes::Fixture fixture : fixtures) {
+            const std::span<const Vec2> chain = m_scene.ChainVerticesOf(fixture.shape);
+            fixture.shape.firstChainVertex = static_cast<int>(made.chainVertices.size());
+            made.chainVertices.insert(made.chainVertices.end(), chain.begin(), chain.end());
+            made.fixtures.push_back(fixture);
+        }
+        made.spawns.push_back({std::max(1, spawn.afterStep - m_step), static_cast<int>(made.bodies.size())});
+        made.bodies.push_back(body);
+    }
+    return made;
+}
+
 void SceneRun::Apply(const RunSpec& spec) {
     RunSpec resolved = CheckedSpec(spec, m_scene);
     for (const SettingKey& key : GetSettingKeys()) {
@@ -113,6 +178,7 @@ void SceneRun::EndDrag() {
 }
 
 int SceneRun::ShootBullet(Vec2 position, Vec2 velocity) {
+    m_keptScene.reset();
     scenes::Fixture fixture;
     fixture.shape.type = scenes::ShapeType::circle;
     fixture.shape.radius = bulletRadius;

@@ -21,12 +21,15 @@ public:
     [[nodiscard]] int64_t GetPeakBytes() const final { return m_heap.GetPeakBytes(); }
     void Capture(Snapshot& snapshot, const CaptureParts& parts) final;
 
+    [[nodiscard]] const scenes::Scene& GetScene() const final { return m_scene; }
     [[nodiscard]] const RunSpec& GetSpec() const final { return m_spec; }
     void Apply(const RunSpec& spec) final;
     void BeginDrag(int body, Vec2 localPoint) final;
     void MoveDrag(Vec2 target) final;
     void EndDrag() final;
     int ShootBullet(Vec2 position, Vec2 velocity) final;
+    void Edit(int body, const BodyEdit& edit) final;
+    [[nodiscard]] scenes::Scene MakeScene() const final;
     void Record(const std::string& path) override;
     void EndRecord() override {}
 
@@ -36,7 +39,6 @@ protected:
     void Load();
     /// Instead of Load, where the world is there already.
     void SetLoaded() { m_bodyCount = m_scene.InitialBodyCount(); }
-    [[nodiscard]] const scenes::Scene& GetScene() const { return m_scene; }
     [[nodiscard]] float GetTimeStep() const { return static_cast<float>(*m_spec.timeStep); }
     /// Whether any surface of the scene moves what touches it.
     [[nodiscard]] bool HasConveyor() const;
@@ -67,6 +69,23 @@ protected:
     virtual void MoveDragTo(Vec2 target) = 0;
     virtual void DestroyDrag() = 0;
 
+    /// A legal edit of a body that exists.
+    virtual void EditBody(int body, const BodyEdit& edit);
+    /// The world without what is not made yet.
+    [[nodiscard]] virtual scenes::Scene DescribeWorld() const;
+
+    /// What of an image is not the world's: see Save.
+    struct State {
+        std::shared_ptr<const scenes::Scene> scene;
+        RunSpec spec;
+        StepTimes times;
+        int step = 0, bodyCount = 0;
+        std::size_t spawnCount = 0;
+        bool newFixtures = false, isDragging = false;
+    };
+    [[nodiscard]] State KeepState() const;
+    void PutState(const State& state);
+
     static constexpr float dragHertz = 5.0f;         ///< of the spring that pulls a body
     static constexpr float dragDampingRatio = 0.7f;  ///< of the spring
     static constexpr float dragAcceleration = 1000;  ///< largest force over the body's mass, m/s²
@@ -88,6 +107,7 @@ private:
     RunSpec m_spec;
     bool m_isDragging = false;
     bool m_keepBoxes;
+    mutable std::shared_ptr<const scenes::Scene> m_keptScene;  ///< a copy of m_scene for images; null: it has changed
     std::vector<Box> m_boxesBefore;  ///< by index into Snapshot::fixtures, before the last step
 };
 

@@ -59,7 +59,8 @@ const FileKindInfo& GetInfo(FileKind kind) { return *std::ranges::find(kinds, ki
 
 std::optional<FileKind> KindOfEnding(std::string_view path) {
     for (const FileKindInfo& info : kinds) {
-        if (path.size() > info.ending.size() && path.ends_with(info.ending)) return info.kind;
+        if (path == info.ending) return std::nullopt;  // not the shorter ending of a name either
+        if (path.ends_with(info.ending)) return info.kind;
     }
     return std::nullopt;
 }

@@ -39,6 +39,7 @@ public:
         }
         m_lasting.EndStep(frame, found);
     }
+    void AddOngoing(std::vector<Moment>& found) const override { m_lasting.AddOngoing(found); }
     void Finish(std::vector<Moment>& found) override { m_lasting.Finish(found); }
 
 private:
@@ -78,6 +79,7 @@ public:
         }
         m_lasting.EndStep(frame, found);
     }
+    void AddOngoing(std::vector<Moment>& found) const override { m_lasting.AddOngoing(found); }
     void Finish(std::vector<Moment>& found) override { m_lasting.Finish(found); }
 
 private:
@@ -106,6 +108,7 @@ public:
         }
         m_lasting.EndStep(frame, found);
     }
+    void AddOngoing(std::vector<Moment>& found) const override { m_lasting.AddOngoing(found); }
     void Finish(std::vector<Moment>& found) override { m_lasting.Finish(found); }
 
 private:
@@ -161,6 +164,7 @@ public:
         }
         m_lasting.EndStep(frame, found);
     }
+    void AddOngoing(std::vector<Moment>& found) const override { m_lasting.AddOngoing(found); }
     void Finish(std::vector<Moment>& found) override { m_lasting.Finish(found); }
 
 private:
@@ -227,8 +231,11 @@ public:
         }
         Close(frame, found);
     }
-    void Finish(std::vector<Moment>& found) override {
+    void AddOngoing(std::vector<Moment>& found) const override {
         for (const auto& [body, moment] : m_open) found.push_back(moment);
+    }
+    void Finish(std::vector<Moment>& found) override {
+        AddOngoing(found);
         m_open.clear();
     }
 
@@ -291,8 +298,11 @@ public:
             stay.lastTime = frame.time;
         }
     }
-    void Finish(std::vector<Moment>& found) override {
+    void AddOngoing(std::vector<Moment>& found) const override {
         for (const auto& [body, stay] : m_open) Add(body, stay, found);
+    }
+    void Finish(std::vector<Moment>& found) override {
+        AddOngoing(found);
         m_open.clear();
     }
 

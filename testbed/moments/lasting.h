@@ -43,6 +43,9 @@ public:
             return true;
         });
     }
+    void AddOngoing(std::vector<Moment>& found) const {
+        for (const auto& [bodies, run] : m_open) Add(bodies, run, found);
+    }
     void Finish(std::vector<Moment>& found) {
         for (const auto& [bodies, run] : m_open) Add(bodies, run, found);
         m_open.clear();

@@ -33,6 +33,16 @@ void Watch::Show(Snapshot&& now, double timeStep) {
     m_hasBefore = true;
 }
 
+std::vector<Moment> Watch::TakeNew() {
+    std::vector<Moment> begun(m_found.begin() + static_cast<std::ptrdiff_t>(m_toldCount), m_found.end());
+    m_toldCount = m_found.size();
+    for (const auto& condition : m_conditions) condition->AddOngoing(begun);
+    std::erase_if(begun, [&](const Moment& one) {
+        return !m_told.insert({one.condition, one.step, one.bodies}).second;
+    });
+    return begun;
+}
+
 std::vector<Moment> Watch::Finish() {
     for (const auto& condition : m_conditions) condition->Finish(m_found);
     std::ranges::stable_sort(m_found, {}, &Moment::step);

@@ -6,9 +6,12 @@
 
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <set>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "scenes/scene.h"
@@ -44,6 +47,8 @@ public:
     virtual ~Condition() = default;
     /// Steps come in order. Adds what is certain by now; what goes on is added when it is over.
     virtual void Look(const Frame& frame, std::vector<Moment>& found) = 0;
+    /// What goes on in the step that was looked at last: what Finish would add after it, as long as it lasts.
+    virtual void AddOngoing(std::vector<Moment>&) const {}
     /// After the last step.
     virtual void Finish(std::vector<Moment>& found) = 0;
 
@@ -60,6 +65,8 @@ public:
     Watch(const scenes::Scene& scene, Conditions conditions);
     /// `timeStep` is that of the step that led here; the first frame is the start and takes none.
     void Show(Snapshot&& now, double timeStep);
+    /// What began since the last call, also what goes on, each once: for whoever stops there.
+    [[nodiscard]] std::vector<Moment> TakeNew();
     /// All moments by step; after it nothing more is shown.
     [[nodiscard]] std::vector<Moment> Finish();
 
@@ -67,6 +74,8 @@ private:
     const scenes::Scene& m_scene;
     Conditions m_conditions;
     std::vector<Moment> m_found;
+    std::size_t m_toldCount = 0;                                      ///< of m_found, by TakeNew
+    std::set<std::tuple<std::string, int, std::vector<int>>> m_told;  ///< condition, step and bodies
     Snapshot m_now, m_before;
     std::vector<int> m_placeNow, m_placeBefore;
     bool m_hasBefore = false;

@@ -24,6 +24,7 @@ constexpr std::array<std::pair<std::string_view, double StepTimes::*>, 4> stages
     {"continuous collision", &StepTimes::continuous},
 }};
 constexpr std::size_t culprits = 3;
+constexpr std::size_t leastSteps = 30;  // for a median that means something while a run goes on
 
 double MedianOf(std::vector<double> values) {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -47,10 +48,17 @@ public:
         }
         m_typical += 0.05 * (std::min(frame.now.times.step, 4.0 * m_typical + 1e-3) - m_typical);
     }
-    void Finish(std::vector<Moment>& found) override {
+    /// The last step alone, against the median so far.
+    void AddOngoing(std::vector<Moment>& found) const override {
+        if (m_steps.size() >= leastSteps) AddFrom(m_steps.size() - 1, found);
+    }
+    void Finish(std::vector<Moment>& found) override { AddFrom(0, found); }
+
+private:
+    void AddFrom(std::size_t first, std::vector<Moment>& found) const {
         if (m_steps.empty()) return;
         const double median = MedianOf(Collect(&StepTimes::step));
-        for (std::size_t i = 0; i < m_steps.size(); ++i) {
+        for (std::size_t i = first; i < m_steps.size(); ++i) {
             const Step& step = m_steps[i];
             if (!(step.times.step > m_factor * median)) continue;
             std::string_view stage;
@@ -68,7 +76,6 @@ public:
         }
     }
 
-private:
     struct Step {
         int step = 0, contacts = 0;
         double time = 0;

@@ -23,6 +23,7 @@ public:
         if (m_expression.Holds(frame)) m_lasting.Note(frame, m_expression.GetBodies(), 0.0);
         m_lasting.EndStep(frame, found);
     }
+    void AddOngoing(std::vector<Moment>& found) const override { m_lasting.AddOngoing(found); }
     void Finish(std::vector<Moment>& found) override { m_lasting.Finish(found); }
 
 private:

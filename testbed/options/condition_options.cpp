@@ -77,10 +77,10 @@ struct Asked : AskedConditions {
 };
 
 /// Expressions, numbered where there are several.
-void AddExpressions(const std::vector<std::string>& texts, const Session& session, Asked& asked) {
+void AddExpressions(const std::vector<std::string>& texts, const WatchedFacts& facts, Asked& asked) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
         try {
-            Expression expression(texts[i], session.GetNames());
+            Expression expression(texts[i], facts.names);
             asked.needsContacts = asked.needsContacts || expression.NeedsContacts();
             const std::string name = texts.size() == 1 ? "when" : fmt::format("when-{}", i + 1);
             asked.Add(name, MakeWhenCondition(name, std::move(expression)));
@@ -90,14 +90,14 @@ void AddExpressions(const std::vector<std::string>& texts, const Session& sessio
     }
 }
 
-void CheckHas(const Session& session, const Asked& asked, const std::string& input) {
+void CheckHas(const WatchedFacts& facts, const Asked& asked, const std::string& input) {
     constexpr const char* cure = "record it with scree_capture::Options::{} = true, or give --from K to run an engine";
-    if (asked.needsContacts && !session.HasContacts()) {
+    if (asked.needsContacts && !facts.hasContacts) {
         throw UsageError(
             fmt::format("{} was recorded without contacts, which --overlap, --pile-on and contacts in --when need; {}",
                         input, fmt::format(fmt::runtime(cure), "contacts")));
     }
-    if (asked.needsTimes && !session.HasTimes()) {
+    if (asked.needsTimes && !facts.hasTimes) {
         throw UsageError(fmt::format("{} was recorded without times, which --spike needs; {}", input,
                                      fmt::format(fmt::runtime(cure), "stages")));
     }
@@ -107,6 +107,16 @@ void CheckHas(const Session& session, const Asked& asked, const std::string& inp
 
 AskedConditions MakeConditions(const ConditionArguments& a, const SessionArguments& opened, const SceneInput& input,
                                const Session& session) {
+    return MakeConditions(a, opened, input, {session.GetNames(), session.HasContacts(), session.HasTimes()});
+}
+
+bool IsAnyAsked(const ConditionArguments& a) {
+    return a.tunnel || a.overlap || a.speed || a.spin || a.nonFinite || !a.escape.empty() || a.spike || a.jointGap ||
+           a.jitter || a.awake || a.pileOn || !a.diverge.empty() || !a.when.empty();
+}
+
+AskedConditions MakeConditions(const ConditionArguments& a, const SessionArguments& opened, const SceneInput& input,
+                               const WatchedFacts& facts) {
     Asked asked;
     asked.needsContacts = a.overlap || a.pileOn;
     asked.needsTimes = a.spike.has_value();
@@ -126,17 +136,16 @@ AskedConditions MakeConditions(const ConditionArguments& a, const SessionArgumen
                       return other->After(step);
                   }));
     }
-    AddExpressions(a.when, session, asked);
+    AddExpressions(a.when, facts, asked);
     if (asked.names.empty()) {
         asked.Add("tunnel", MakeTunnelCondition());
         asked.Add("non-finite", MakeNonFiniteCondition());
     }
-    CheckHas(session, asked, opened.input);
+    CheckHas(facts, asked, opened.input);
     return std::move(static_cast<AskedConditions&>(asked));
 }
 
-void AddConditionOptions(CLI::App& app, ConditionArguments& a) {
-    const char* group = "Conditions (tunnel and non-finite if none is given)";
+void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string& group) {
     const auto number = [&](const char* name, std::optional<double>& value, const char* what, const char* type) {
         app.add_option(name, value, what)->type_name(type)->check(CLI::NonNegativeNumber)->group(group);
     };

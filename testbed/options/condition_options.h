@@ -24,16 +24,27 @@ struct ConditionArguments {
     std::vector<std::string> when;
     double longer = 0, distance = 0;
 };
-void AddConditionOptions(CLI::App& app, ConditionArguments& arguments);
+/// `group`: the heading above them.
+void AddConditionOptions(CLI::App& app, ConditionArguments& arguments,
+                         const std::string& group = "Conditions (tunnel and non-finite if none is given)");
 
 /// Conditions with the names by which they are asked for.
 struct AskedConditions {
     std::vector<std::string> names;
     Conditions conditions;
 };
+/// What conditions know of that at which they look.
+struct WatchedFacts {
+    const std::vector<std::string>& names;  ///< of bodies, by index
+    bool hasContacts = true, hasTimes = true;
+};
 /// Those that were asked for; tunnel and non-finite if none was. Throws UsageError for what cannot be meant, and for a
 /// motion that was recorded without what they look at.
 [[nodiscard]] AskedConditions MakeConditions(const ConditionArguments& arguments, const SessionArguments& opened,
+                                             const SceneInput& input, const WatchedFacts& facts);
+[[nodiscard]] AskedConditions MakeConditions(const ConditionArguments& arguments, const SessionArguments& opened,
                                              const SceneInput& input, const Session& session);
+/// Whether any was asked for.
+[[nodiscard]] bool IsAnyAsked(const ConditionArguments& arguments);
 
 }  // namespace testbed

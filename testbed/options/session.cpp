@@ -41,6 +41,10 @@ std::vector<std::string> NamesIn(const TrackFile& track) {
 
 }  // namespace
 
+std::vector<std::string> NamesIn(const RunStart& start) {
+    return start.motion != nullptr ? NamesIn(*start.motion) : NamesIn(start.scene);
+}
+
 Session::Session(const SceneInput& input, const RunSpec& spec, int steps, bool follows)
     : m_start(input.Start()),
       m_lastStep(steps),
@@ -48,14 +52,14 @@ Session::Session(const SceneInput& input, const RunSpec& spec, int steps, bool f
       m_follows(follows && m_start.motion != nullptr) {
     if (IsMotion()) {
         m_run = m_follows ? MakeFollower(m_start, spec) : MakeTrackRun(m_start.motion, m_start.step);
-        m_names = NamesIn(*m_start.motion);
+        m_names = NamesIn(m_start);
         m_lastStep = m_start.motion->GetLastStep();
         return;
     }
     std::unique_ptr<InteractiveRun> run = MakeRun(m_start, spec);
     m_timeStep = testbed::GetTimeStep(run->GetSpec());
     m_run = std::move(run);
-    m_names = NamesIn(m_start.scene);
+    m_names = NamesIn(m_start);
 }
 
 bool Session::Step() {

@@ -52,6 +52,9 @@ private:
     bool m_follows;
 };
 
+/// By index of a body, as files keep them; nothing for one without.
+[[nodiscard]] std::vector<std::string> NamesIn(const RunStart& start);
+
 /// A session as typed.
 struct SessionArguments {
     std::string input;

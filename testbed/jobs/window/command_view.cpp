@@ -18,10 +18,12 @@
 #include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/base/stopwatch.h"
+#include "testbed/engines/saved_world.h"
 #include "testbed/jobs/window/commands.h"
 #include "testbed/jobs/window/frame.h"
 #include "testbed/jobs/window/script.h"
 #include "testbed/jobs/window/window.h"
+#include "testbed/options/condition_options.h"
 #include "testbed/options/options.h"
 #include "testbed/picture/png.h"
 
@@ -46,6 +48,8 @@ struct ViewArguments {
     int stepsBefore = 0;
     std::optional<int> frames;
     std::string script, screenshot, dumpState;
+    int memory = 256;
+    ConditionArguments conditions;
     bool isOffscreen = false;
     std::string backend = "auto";
 };
@@ -91,8 +95,17 @@ private:
 
 Viewer MakeViewer(const ViewArguments& arguments) {
     Viewer viewer;
-    viewer.choices =
-        MakeChoices(ParsePanes(arguments.settings.engines, GetTypedSettings(arguments.settings), comparisonBase));
+    const SceneInput scene = ChooseScene(arguments.scene, arguments.size, arguments.input);
+    // A saved world goes on with the settings that it has.
+    const std::string_view base = scene.world != nullptr ? std::string_view(scene.world->settings) : comparisonBase;
+    viewer.choices = MakeChoices(ParsePanes(arguments.settings.engines, GetTypedSettings(arguments.settings), base));
+    viewer.memoryLimit = static_cast<size_t>(arguments.memory) << 20;
+    viewer.conditions = arguments.conditions;
+    if (!arguments.conditions.when.empty()) viewer.whenText = arguments.conditions.when.front();
+    viewer.session.input = arguments.scene;
+    viewer.session.size = arguments.size;
+    viewer.session.reading = arguments.input;
+    viewer.session.settings = arguments.settings;
     viewer.isPaused = arguments.isPaused;
     viewer.showTimes = !arguments.noTimes;
     viewer.look.layers = ParseLayers(arguments.layers);
@@ -101,8 +114,8 @@ Viewer MakeViewer(const ViewArguments& arguments) {
     viewer.look.style = ParseStyle(arguments.style);
     viewer.look.theme = ParseTheme(arguments.theme);
     viewer.camera = ParseCamera(arguments.camera);
-    LoadScene(viewer, ChooseScene(arguments.scene, arguments.size, arguments.input));
-    for (int i = 0; i < arguments.stepsBefore; ++i) StepAll(viewer);
+    LoadScene(viewer, scene);
+    for (int i = 0; i < arguments.stepsBefore && !viewer.mustStop; ++i) StepAll(viewer);
     return viewer;
 }
 
@@ -178,6 +191,7 @@ int RunView(const ViewArguments& arguments, const Request& request) {
 
 void AddOptions(CLI::App& app, ViewArguments& arguments) {
     app.add_option("SCENE", arguments.scene, DescribeSceneArgument("A scene"))->capture_default_str();
+    arguments.input.poses.clear();  // a motion is played as it was recorded
     AddInputOptions(app, arguments.input);
     app.add_option("--size", arguments.size, "Size of a scene that `scree list` shows; its default if not given");
     AddEnginesOption(app, arguments.settings, "");
@@ -210,6 +224,10 @@ void AddOptions(CLI::App& app, ViewArguments& arguments) {
     app.add_option("--screenshot", arguments.screenshot, "Write the last frame as PNG")->type_name("FILE");
     app.add_option("--dump-state", arguments.dumpState, "Write what the window shows at the end as JSON")
         ->type_name("FILE");
+    app.add_option("--memory", arguments.memory, "Most that is kept to go back in time, all panes together, MB")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    AddConditionOptions(app, arguments.conditions, "Break conditions, which pause where they find something");
     app.add_flag("--offscreen", arguments.isOffscreen, "Draw the same pictures without a window or a display");
     app.add_option("--backend", arguments.backend, "With --offscreen: auto (OSMesa, else EGL), osmesa or egl")
         ->check(CLI::IsMember({"auto", "osmesa", "egl"}))

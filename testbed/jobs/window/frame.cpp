@@ -12,6 +12,7 @@
 
 #include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
+#include "testbed/jobs/window/inspector.h"
 #include "testbed/jobs/window/panels.h"
 #include "testbed/jobs/window/scene_view.h"
 #include "testbed/jobs/window/window_colors.h"
@@ -25,6 +26,18 @@ using nlohmann::ordered_json;
 ordered_json ToJson(Vec2 v) { return {v.x, v.y}; }
 ordered_json ToJson(const Box& box) { return {box.lower.x, box.lower.y, box.upper.x, box.upper.y}; }
 
+ordered_json ToJson(const RunValues& values) {
+    ordered_json json = ordered_json::object();
+    for (const RunValue& value : values) json[value.name] = value.value;
+    return json;
+}
+
+ordered_json ToJson(const std::vector<InspectedPart>& parts) {
+    ordered_json json = ordered_json::array();
+    for (const InspectedPart& part : parts) json.push_back({{"title", part.title}, {"values", ToJson(part.values)}});
+    return json;
+}
+
 ordered_json DescribePane(const Viewer& viewer, const EnginePane& pane) {
     const Snapshot& s = pane.snapshot;
     ordered_json json{{"engine", s.engine},
@@ -37,8 +50,16 @@ ordered_json DescribePane(const Viewer& viewer, const EnginePane& pane) {
                       {"nodes", s.nodes.size()},
                       {"state_hash", FormatHash(s.stateHash)},
                       {"area", {pane.area.x0, pane.area.y0, pane.area.x1, pane.area.y1}}};
-    if (viewer.pickedBody >= 0 && viewer.pickedBody < static_cast<int>(s.bodies.size())) {
-        const BodyState& body = s.bodies[static_cast<size_t>(viewer.pickedBody)];
+    json["exact"] = pane.run->IsExact();
+    json["memory"] = pane.run->GetBytes();
+    if (const int place = FindBody(s, viewer.pickedBody); place >= 0) {
+        const BodyState& body = s.bodies[static_cast<size_t>(place)];
+        const Inspection inspection = Inspect(viewer, pane);
+        json["inspected"] = {{"title", inspection.title},
+                             {"values", ToJson(inspection.values)},
+                             {"shapes", ToJson(inspection.shapes)},
+                             {"contacts", ToJson(inspection.contacts)},
+                             {"joints", ToJson(inspection.joints)}};
         json["picked"] = {
             {"position", ToJson(body.position)}, {"velocity", ToJson(body.linearVelocity)}, {"awake", body.awake}};
     }
@@ -57,6 +78,29 @@ ordered_json DescribePane(const Viewer& viewer, const EnginePane& pane) {
     return json;
 }
 
+/// The picked body in the middle of the panes.
+void Follow(Viewer& viewer) {
+    if (!viewer.follows) return;
+    const Snapshot& snapshot = viewer.panes[std::min(viewer.inspectedPane, viewer.panes.size() - 1)].snapshot;
+    const int place = FindBody(snapshot, viewer.pickedBody);
+    if (place < 0) return;
+    viewer.cameraX = double{snapshot.bodies[static_cast<size_t>(place)].position.x};
+    viewer.cameraY = double{snapshot.bodies[static_cast<size_t>(place)].position.y};
+}
+
+ordered_json DescribeTime(const Viewer& viewer) {
+    ordered_json moments = ordered_json::array();
+    for (const BreakMoment& one : viewer.moments) {
+        moments.push_back({{"pane", viewer.panes[one.pane].name},
+                           {"condition", one.moment.condition},
+                           {"step", one.moment.step},
+                           {"bodies", one.moment.bodies}});
+    }
+    return {
+        {"step", GetStep(viewer)},           {"first_step", GetFirstStep(viewer)}, {"last_step", GetLastStep(viewer)},
+        {"backwards", viewer.playsBackward}, {"memory_limit", viewer.memoryLimit}, {"moments", moments}};
+}
+
 }  // namespace
 
 void DrawFrame(Viewer& viewer, Gui& gui, Items& items, WindowRenderer& renderer, const FrameInput& input) {
@@ -65,10 +109,15 @@ void DrawFrame(Viewer& viewer, Gui& gui, Items& items, WindowRenderer& renderer,
     const auto arrange = [&] { ArrangePanes(viewer, GetSceneArea(viewer, input.width, input.height)); };
     arrange();
     HandleInput(viewer);
-    if (!viewer.isPaused) StepAll(viewer);
+    Advance(viewer);
+    StopIfFound(viewer);
+    Follow(viewer);
     arrange();  // a key may have changed panes or panels
     UpdateFindings(viewer);
     DrawPanels(viewer, items, input.width, input.height);
+    StopIfFound(viewer);  // a panel may have stepped
+    Follow(viewer);
+    UpdateFindings(viewer);
     arrange();  // and so may a panel
     const std::vector<DrawList> lists = BuildPaneLists(viewer);
     DrawOverlay(viewer, lists);
@@ -119,6 +168,8 @@ std::string WriteState(const Viewer& viewer) {
                       {"search", viewer.search},
                       {"bullets", viewer.bulletCount},
                       {"picked_body", viewer.pickedBody},
+                      {"follows", viewer.follows},
+                      {"time", DescribeTime(viewer)},
                       {"dragging", viewer.drag.has_value()},
                       {"message", viewer.message}};
     if (viewer.query) json["query"] = {{"point", ToJson(*viewer.query)}, {"size", viewer.querySize}};

@@ -116,10 +116,11 @@ void WriteNode(const EnginePane& pane) {
 
 void WriteBody(const Viewer& viewer) {
     for (const EnginePane& pane : viewer.panes) {
-        if (viewer.pickedBody >= static_cast<int>(pane.snapshot.bodies.size())) continue;
-        const BodyState& body = pane.snapshot.bodies[static_cast<size_t>(viewer.pickedBody)];
-        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetPaneColor(viewer, pane.choice)),
-                           "body %d  x %.2f  y %.2f%s", viewer.pickedBody, static_cast<double>(body.position.x),
+        const int place = FindBody(pane.snapshot, viewer.pickedBody);
+        if (place < 0) continue;
+        const BodyState& body = pane.snapshot.bodies[static_cast<size_t>(place)];
+        ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(GetPaneColor(viewer, pane.choice)), "%s  x %.2f  y %.2f%s",
+                           NameOfBody(viewer, viewer.pickedBody).c_str(), static_cast<double>(body.position.x),
                            static_cast<double>(body.position.y), body.awake ? "" : "  asleep");
     }
 }

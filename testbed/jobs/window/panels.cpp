@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "scree/broad_phase_kind.h"
 #include "testbed/engines/engine_list.h"
@@ -19,7 +20,8 @@ namespace testbed {
 
 namespace {
 
-constexpr int barHeight = 34, leftWidth = 236, rightWidth = 268, bottomHeight = 156, solverHeight = 320;  // pixels
+constexpr int barHeight = 34, leftWidth = 236, rightWidth = 312, bottomHeight = 156, timeHeight = 108,
+              solverHeight = 320;  // pixels
 
 constexpr ImGuiWindowFlags panelFlags = ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                                         ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings |
@@ -48,7 +50,10 @@ bool Button(Items& items, const char* label, const char* name) {
 }
 
 void DrawBar(Viewer& viewer, Items& items) {
-    if (Button(items, viewer.isPaused ? "Play P" : "Pause P", "pause")) viewer.isPaused = !viewer.isPaused;
+    if (Button(items, viewer.isPaused ? "Play P" : "Pause P", "pause")) {
+        viewer.isPaused = !viewer.isPaused;
+        viewer.playsBackward = false;
+    }
     ImGui::SameLine();
     if (Button(items, "Step O", "step")) {
         viewer.isPaused = true;
@@ -251,11 +256,43 @@ void DrawLook(Viewer& viewer, Items& items) {
     viewer.querySize = std::clamp(viewer.querySize, 0.0f, 10000.0f);
 }
 
+/// The panel on the right: how the scenes look, or the picked body.
+void DrawSide(Viewer& viewer, Items& items) {
+    if (!ImGui::BeginTabBar("side")) return;
+    const bool mustTurn = std::exchange(viewer.mustTurnPage, false);
+    const auto flags = [&](bool isInspector) {
+        return mustTurn && viewer.showsInspector == isInspector ? ImGuiTabItemFlags_SetSelected
+                                                                : ImGuiTabItemFlags_None;
+    };
+    const bool isView = ImGui::BeginTabItem("View", nullptr, flags(false));
+    MarkItem(items, "side.view");
+    if (isView) {
+        if (!mustTurn) viewer.showsInspector = false;
+        DrawLayerSwitches(viewer, items);
+        ImGui::Separator();
+        DrawNodeSelection(viewer, items);
+        ImGui::Separator();
+        DrawLook(viewer, items);
+        ImGui::Separator();
+        DrawFindings(viewer);
+        ImGui::EndTabItem();
+    }
+    const bool isInspector = ImGui::BeginTabItem("Inspect I", nullptr, flags(true));
+    MarkItem(items, "side.inspect");
+    if (isInspector) {
+        if (!mustTurn) viewer.showsInspector = true;
+        DrawInspector(viewer, items);
+        ImGui::EndTabItem();
+    }
+    ImGui::EndTabBar();
+}
+
 }  // namespace
 
 PixelBox GetSceneArea(const Viewer& viewer, int width, int height) {
     if (!viewer.look.panels) return {0, 0, width, height};
-    const int x1 = std::max(leftWidth + 1, width - rightWidth), y1 = std::max(barHeight + 1, height - bottomHeight);
+    const int x1 = std::max(leftWidth + 1, width - rightWidth),
+              y1 = std::max(barHeight + 1, height - bottomHeight - timeHeight);
     return {leftWidth, barHeight, x1, y1};
 }
 
@@ -272,17 +309,17 @@ void DrawPanels(Viewer& viewer, Items& items, int width, int height) {
     ImGui::End();
     if (BeginPanel("Solver", {0, solverTop, leftWidth, height})) DrawSolver(viewer, items);
     ImGui::End();
-    if (BeginPanel("View", {scene.x1, barHeight, width, height})) {
-        DrawLayerSwitches(viewer, items);
-        ImGui::Separator();
-        DrawNodeSelection(viewer, items);
-        ImGui::Separator();
-        DrawLook(viewer, items);
-        ImGui::Separator();
-        DrawFindings(viewer);
+    if (BeginPanel("##side", {scene.x1, barHeight, width, height}, ImGuiWindowFlags_NoTitleBar)) {
+        DrawSide(viewer, items);
     }
     ImGui::End();
-    if (BeginPanel("Times", {leftWidth, scene.y1, scene.x1, height})) DrawTimesPanel(viewer);
+    const int timesTop = std::min(scene.y1 + timeHeight, height - 1);
+    if (BeginPanel("##time-bar", {leftWidth, scene.y1, scene.x1, timesTop},
+                   ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoScrollbar)) {
+        DrawTimeBar(viewer, items);
+    }
+    ImGui::End();
+    if (BeginPanel("Times", {leftWidth, timesTop, scene.x1, height})) DrawTimesPanel(viewer);
     ImGui::End();
 }
 

@@ -19,6 +19,10 @@ void DrawPanels(Viewer& viewer, Items& items, int width, int height);
 
 /// The scenes by theme with a search over their names, and the size; for DrawPanels.
 void DrawScenesPanel(Viewer& viewer, Items& items);
+/// Steps on and back, the memory for it, break conditions and what is saved; for DrawPanels.
+void DrawTimeBar(Viewer& viewer, Items& items);
+/// All that is known of the picked body, with fields for what can be changed; for DrawPanels.
+void DrawInspector(Viewer& viewer, Items& items);
 /// Times of the last steps by stage, all engines in each plot; for DrawPanels.
 void DrawTimesPanel(const Viewer& viewer);
 /// What the pointer found: body, node, query; for DrawPanels.

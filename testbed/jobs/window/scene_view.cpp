@@ -64,7 +64,23 @@ void Shoot(Viewer& viewer) {
 
 void HandleKeys(Viewer& viewer) {
     const auto isPressed = [](int code) { return ImGui::IsKeyPressed(code, false); };
-    if (isPressed('P')) viewer.isPaused = !viewer.isPaused;
+    const auto isHeld = [](int code) { return ImGui::IsKeyPressed(code, true); };
+    if (isPressed('P')) {
+        viewer.isPaused = !viewer.isPaused;
+        viewer.playsBackward = false;
+    }
+    if (isPressed('J')) PlayBackward(viewer, viewer.isPaused || !viewer.playsBackward);
+    if (isHeld(key::left)) GoToStep(viewer, GetStep(viewer) - 1);
+    if (isHeld(key::right)) {
+        viewer.isPaused = true;
+        StepAll(viewer);
+    }
+    if (isPressed(key::home)) GoToStep(viewer, GetFirstStep(viewer));
+    if (isPressed(key::end)) GoToStep(viewer, GetLastStep(viewer));
+    if (isPressed('I')) {
+        viewer.showsInspector = !viewer.showsInspector;
+        viewer.mustTurnPage = true;
+    }
     if (isPressed('O')) {
         viewer.isPaused = true;
         StepAll(viewer);
@@ -82,18 +98,31 @@ void HandleKeys(Viewer& viewer) {
     }
 }
 
+/// Picks the body at a pixel; drags it as well, if asked.
+void GrabBody(Viewer& viewer, const EnginePane& pane, float x, float y, bool drags) {
+    const Vec2 point = PointAt(viewer, pane, x, y);
+    const int place = FindBodyAt(pane.snapshot, point);
+    if (place < 0) return;
+    viewer.pickedBody = pane.snapshot.bodies[static_cast<size_t>(place)].index;
+    if (drags) BeginDrag(viewer, pane, place, point);
+}
+
 void BeginPress(Viewer& viewer, EnginePane& pane, int button) {
     const ImVec2 at = ImGui::GetIO().MousePos;
     viewer.press = Press{static_cast<size_t>(&pane - viewer.panes.data()), at.x, at.y, button, false};
     if (button != 0) return;
-    const Vec2 point = PointAt(viewer, pane, at.x, at.y);
-    if (const int body = FindBodyAt(pane.snapshot, point); body >= 0) BeginDrag(viewer, pane, body, point);
+    GrabBody(viewer, pane, at.x, at.y, GetStep(viewer) == GetLastStep(viewer));
 }
 
 void ContinuePress(Viewer& viewer) {
     const ImGuiIO& io = ImGui::GetIO();
     Press& press = *viewer.press;
+    const bool hadMoved = press.hasMoved;
     press.hasMoved |= std::hypot(io.MousePos.x - press.x, io.MousePos.y - press.y) >= clickDistance;
+    // In the past a press alone changes nothing: what came later would be forgotten for a look at a body.
+    if (press.hasMoved && !hadMoved && press.button == 0 && !viewer.drag) {
+        GrabBody(viewer, viewer.panes[press.pane], press.x, press.y, true);
+    }
     if (viewer.drag) {
         MoveDrag(viewer, PointAt(viewer, viewer.panes[press.pane], io.MousePos.x, io.MousePos.y));
     } else if (press.hasMoved) {
@@ -204,9 +233,9 @@ void PaneOverlay::DrawHovered() {
 
 void PaneOverlay::DrawDrag() {
     if (!m_viewer.drag) return;
-    const auto body = static_cast<size_t>(m_viewer.drag->body);
-    if (body >= m_pane.snapshot.bodies.size()) return;
-    const ImVec2 from = ToPixel(ToWorld(m_pane.snapshot.bodies[body], m_viewer.drag->localPoint));
+    const int place = FindBody(m_pane.snapshot, m_viewer.drag->body);
+    if (place < 0) return;
+    const ImVec2 from = ToPixel(ToWorld(m_pane.snapshot.bodies[static_cast<size_t>(place)], m_viewer.drag->localPoint));
     const ImVec2 to = ToPixel(m_viewer.drag->target);
     m_list.AddLine(from, to, m_colors.drag, 2);
     m_list.AddCircleFilled(from, 4, m_colors.drag);
@@ -215,8 +244,12 @@ void PaneOverlay::DrawDrag() {
 void PaneOverlay::DrawTitle() {
     const Snapshot& s = m_pane.snapshot;
     std::string title = fmt::format("{}  {}", m_pane.name, s.broadPhase);
-    const std::string numbers =
-        fmt::format("{} bodies  {} contacts  {} nodes", s.bodies.size(), s.contactCount, s.nodes.size());
+    std::string numbers = fmt::format("{} bodies  {} contacts", s.bodies.size(), s.contactCount);
+    if (m_pane.run->IsExact()) {
+        numbers += fmt::format("  {} nodes", s.nodes.size());
+    } else {
+        title += fmt::format("  kept frame of step {}", s.step);
+    }
     const auto x = static_cast<float>(m_pane.area.x0), y = static_cast<float>(m_pane.area.y0);
     const float width = ImGui::CalcTextSize((title + "   " + numbers).c_str()).x + 16;
     m_list.AddRectFilled({x, y}, {x + width, y + 20}, m_colors.titleStrip);

@@ -22,39 +22,56 @@ constexpr int titleHeight = 20;                    // pixels at the top of a pan
 constexpr int fitMargin = 16;                      // pixels around a fitted scene
 constexpr double minScale = 1e-3, maxScale = 1e5;  // pixels per metre
 
-void Capture(Viewer& viewer, EnginePane& pane) {
-    pane.run->Capture(pane.snapshot, {.pairs = false});
-    pane.snapshot.pane = pane.name;
-    if (!viewer.showTimes) pane.snapshot.times = {};
-}
-
-/// New runs at step 0; the viewer changes only when all of them could be made.
-void MakePanes(Viewer& viewer, const scenes::Scene& scene, std::vector<PaneChoice> choices) {
+/// New runs at their first step; the viewer changes only when all of them could be made.
+void MakePanes(Viewer& viewer, const SceneInput& scene, std::vector<PaneChoice> choices) {
     std::vector<EnginePane> panes;
-    for (size_t i = 0; i < choices.size(); ++i) {
+    const auto start = std::make_shared<const RunStart>(scene.Start());
+    if (start->motion != nullptr) {
+        EnginePane& pane = panes.emplace_back();
+        pane.name = "as recorded";
+        pane.run = std::make_unique<RunHistory>(start->motion, start->step);
+    }
+    const auto count = std::ranges::count_if(choices, &PaneChoice::isOn);
+    const size_t limit = viewer.memoryLimit / static_cast<size_t>(std::max<std::ptrdiff_t>(count, 1));
+    for (size_t i = 0; i < choices.size() && start->motion == nullptr; ++i) {
         if (!choices[i].isOn) continue;
         EnginePane& pane = panes.emplace_back();
         pane.name = choices[i].pane.name;
         pane.choice = i;
-        pane.run = MakeRun(scene, choices[i].now);
+        pane.run =
+            std::make_unique<RunHistory>([start, spec = choices[i].now] { return MakeRun(*start, spec); }, limit);
     }
     for (EnginePane& pane : panes) Capture(viewer, pane);
     viewer.panes = std::move(panes);
     viewer.choices = std::move(choices);
+    viewer.scene = scene;
+    viewer.names = NamesIn(*start);
     viewer.press.reset();
     viewer.drag.reset();
     viewer.query.reset();
     viewer.pickedBody = -1;
     viewer.bulletCount = 0;
+    viewer.follows = false;
+    viewer.moments.clear();
+    for (size_t i = 0; i < viewer.panes.size(); ++i) RenewWatch(viewer, i);
 }
 
 void Rebuild(Viewer& viewer, std::vector<PaneChoice> choices) {
-    MakePanes(viewer, viewer.scene.Build(), std::move(choices));
+    const SceneInput scene = viewer.scene;
+    MakePanes(viewer, scene, std::move(choices));
 }
 
 bool IsEdited(const Viewer& viewer, size_t choice) { return !viewer.edited || *viewer.edited == choice; }
 
 }  // namespace
+
+void Capture(Viewer& viewer, EnginePane& pane) {
+    pane.run->Capture(pane.snapshot, {.pairs = false});
+    pane.snapshot.pane = pane.name;
+    pane.hoveredNode = -1;  // of nodes that are no more
+    pane.trace.reset();
+    if (!viewer.showTimes) pane.snapshot.times = {};
+}
 
 std::vector<PaneChoice> MakeChoices(const std::vector<Pane>& panes) {
     std::vector<PaneChoice> choices;
@@ -67,6 +84,15 @@ std::vector<PaneChoice> MakeChoices(const std::vector<Pane>& panes) {
     return choices;
 }
 
+namespace {
+
+void StopAtNoExpression(Viewer& viewer) {
+    viewer.conditions.when.clear();
+    viewer.whenText.clear();
+}
+
+}  // namespace
+
 void LoadScene(Viewer& viewer, const SceneInput& scene) {
     std::vector<PaneChoice> choices = viewer.choices;
     for (PaneChoice& choice : choices) {
@@ -75,8 +101,9 @@ void LoadScene(Viewer& viewer, const SceneInput& scene) {
         spec.broadPhase = choice.now.broadPhase;
         choice.now = std::move(spec);
     }
-    MakePanes(viewer, scene.Build(), std::move(choices));
-    viewer.scene = scene;
+    // Conditions of one scene name bodies that another one does not have.
+    if (scene.name != viewer.scene.name && !viewer.panes.empty()) StopAtNoExpression(viewer);
+    MakePanes(viewer, scene, std::move(choices));
     const auto* si = std::get_if<SequentialImpulses>(&GetShownSpec(viewer).solver);
     viewer.iterations = si != nullptr ? *si->iterations : Iterations{};
     viewer.mustFit = true;
@@ -130,7 +157,10 @@ void ChangeSettings(Viewer& viewer, const std::function<void(RunSpec&)>& change)
             throw std::invalid_argument(problem);
         }
     }
-    for (EnginePane& pane : viewer.panes) pane.run->Apply(choices[pane.choice].now);
+    for (size_t i = 0; i < viewer.panes.size(); ++i) {
+        const RunSpec& spec = choices[viewer.panes[i].choice].now;
+        DoInPane(viewer, i, false, [&](RunHistory& run) { run.Apply(spec); });
+    }
     viewer.choices = std::move(choices);
 }
 
@@ -153,25 +183,42 @@ void StepAll(Viewer& viewer) {
     // In turn first, so that noise of the machine hits all alike.
     for (size_t i = 0; i < viewer.panes.size(); ++i) {
         EnginePane& pane = viewer.panes[isOdd ? viewer.panes.size() - 1 - i : i];
-        pane.run->Step();
+        if (!pane.run->Step()) continue;
         if (pane.history.size() == historyLength) pane.history.erase(pane.history.begin());
         pane.history.push_back(viewer.showTimes ? pane.run->GetTimes() : StepTimes{});
     }
-    for (EnginePane& pane : viewer.panes) Capture(viewer, pane);
+    for (size_t i = 0; i < viewer.panes.size(); ++i) {
+        Capture(viewer, viewer.panes[i]);
+        if (viewer.panes[i].run->GetStep() > viewer.panes[i].watched) ShowToWatch(viewer, i);
+    }
 }
 
-void BeginDrag(Viewer& viewer, const EnginePane& pane, int body, Vec2 point) {
-    const Vec2 localPoint = ToLocal(pane.snapshot.bodies[static_cast<size_t>(body)], point);
-    for (EnginePane& other : viewer.panes) {
-        other.run->BeginDrag(body, localPoint);
-        other.run->MoveDrag(point);
+void DoInPane(Viewer& viewer, size_t index, bool renews, const std::function<void(RunHistory&)>& action) {
+    EnginePane& pane = viewer.panes[index];
+    const bool isPast = pane.run->GetStep() < pane.run->GetLastStep() && !pane.run->IsMotion();
+    action(*pane.run);
+    if (!isPast && !renews) return;
+    Capture(viewer, pane);
+    RenewWatch(viewer, index);
+}
+
+void BeginDrag(Viewer& viewer, const EnginePane& pane, int place, Vec2 point) {
+    const BodyState& body = pane.snapshot.bodies[static_cast<size_t>(place)];
+    const int index = body.index;
+    viewer.pickedBody = index;
+    if (pane.run->IsMotion()) return;
+    const Vec2 localPoint = ToLocal(body, point);
+    for (size_t i = 0; i < viewer.panes.size(); ++i) {
+        DoInPane(viewer, i, false, [&](RunHistory& run) {
+            run.BeginDrag(index, localPoint);
+            run.MoveDrag(point);
+        });
     }
-    viewer.drag = Drag{body, localPoint, point};
-    viewer.pickedBody = body;
+    viewer.drag = Drag{index, localPoint, point};
 }
 
 void MoveDrag(Viewer& viewer, Vec2 target) {
-    if (!viewer.drag) return;
+    if (!viewer.drag || viewer.drag->target == target) return;
     viewer.drag->target = target;
     for (EnginePane& pane : viewer.panes) pane.run->MoveDrag(target);
 }
@@ -182,9 +229,8 @@ void EndDrag(Viewer& viewer) {
 }
 
 void ShootBullet(Viewer& viewer, Vec2 from, Vec2 velocity) {
-    for (EnginePane& pane : viewer.panes) {
-        pane.run->ShootBullet(from, velocity);
-        Capture(viewer, pane);
+    for (size_t i = 0; i < viewer.panes.size(); ++i) {
+        DoInPane(viewer, i, true, [&](RunHistory& run) { run.ShootBullet(from, velocity); });
     }
     ++viewer.bulletCount;
     viewer.message = "bullet shot";

@@ -16,6 +16,9 @@
 
 #include "testbed/engines/engine_run.h"
 #include "testbed/engines/panes.h"
+#include "testbed/engines/run_history.h"
+#include "testbed/moments/moment.h"
+#include "testbed/options/condition_options.h"
 #include "testbed/options/scene_input.h"
 #include "testbed/picture/image.h"
 #include "testbed/picture/palette.h"
@@ -40,10 +43,12 @@ struct PaneChoice {
 struct EnginePane {
     std::string name;
     size_t choice = 0;  ///< index into Viewer::choices
-    std::unique_ptr<InteractiveRun> run;
+    std::unique_ptr<RunHistory> run;
     Snapshot snapshot;
     std::vector<StepTimes> history;  ///< of the last steps, the newest last
     PixelBox area{};                 ///< of the window's picture
+    std::unique_ptr<Watch> watch{};  ///< break conditions, if there are any
+    int watched = 0;                 ///< the last step that they saw
 
     int hoveredNode = -1;             ///< under the pointer
     std::optional<QueryTrace> trace;  ///< of the traced query, on the tree as it is now
@@ -79,6 +84,12 @@ struct Press {
     bool hasMoved = false;  ///< too far to be a click
 };
 
+/// Something that a break condition found.
+struct BreakMoment {
+    size_t pane = 0;
+    Moment moment{};
+};
+
 /// These panes turned on, and the engines that none of them runs turned off.
 [[nodiscard]] std::vector<PaneChoice> MakeChoices(const std::vector<Pane>& panes);
 
@@ -90,6 +101,18 @@ struct Viewer {
     Iterations iterations;         ///< last seen, for when sequential impulses are turned on again
 
     bool isPaused = false;
+    bool playsBackward = false;              ///< where it is not paused
+    size_t memoryLimit = size_t{256} << 20;  ///< bytes that all panes together keep to go back
+    SessionArguments session;                ///< for conditions that run another engine
+    ConditionArguments conditions;           ///< that stop it
+    std::vector<BreakMoment> moments;        ///< that were found
+    bool mustStop = false;                   ///< one of them just now
+    std::vector<std::string> names;          ///< of bodies by index, as their file has them
+    std::string whenText, pickText;          ///< that are being typed
+    bool follows = false;                    ///< the picked body stays in the middle
+    bool showsInspector = false;             ///< instead of layers, nodes and colours
+    bool mustTurnPage = false;               ///< of these two, to the one that is asked for
+    size_t inspectedPane = 0;
     int bulletCount = 0;
     ViewerLook look;
     std::optional<CameraRequest> camera;  ///< instead of the next fit
@@ -101,7 +124,7 @@ struct Viewer {
     std::optional<Drag> drag;
     std::optional<Vec2> query;  ///< centre of the traced query
     float querySize = 0;        ///< its edges, m
-    int pickedBody = -1;        ///< the body that was last pressed
+    int pickedBody = -1;        ///< index in the scene of the body that was last pressed
 
     std::string search;     ///< over the scenes' names
     std::string message;    ///< of the last thing that happened
@@ -130,8 +153,46 @@ void SetIterations(Viewer& viewer, Iterations iterations);
 /// Of the edited panes whose engine has soft steps; 0: sequential impulses.
 void SetSubsteps(Viewer& viewer, int substeps);
 
-/// One step in every pane, and what they look like after it.
+/// One step in every pane, and what they look like after it. Break conditions look at it and may stop the window.
 void StepAll(Viewer& viewer);
+/// What a pane looks like now.
+void Capture(Viewer& viewer, EnginePane& pane);
+
+// In time (viewer_time.cpp).
+/// Place of a body in a snapshot by its index in the scene; −1: it is not there.
+[[nodiscard]] int FindBody(const Snapshot& snapshot, int index);
+/// "hero (1)", or "body 1" without a name.
+[[nodiscard]] std::string NameOfBody(const Viewer& viewer, int body);
+/// "scree: step 25: when: hero (1): body("hero").y < 0 holds"
+[[nodiscard]] std::string DescribeMoment(const Viewer& viewer, const BreakMoment& one);
+/// By name or index. What is none becomes the message.
+void PickBody(Viewer& viewer, std::string_view text);
+[[nodiscard]] int GetStep(const Viewer& viewer);
+[[nodiscard]] int GetFirstStep(const Viewer& viewer);
+[[nodiscard]] int GetLastStep(const Viewer& viewer);
+/// All panes to a step between these, without pausing; a drag ends.
+void ComeToStep(Viewer& viewer, int step);
+/// The same, and pauses.
+void GoToStep(Viewer& viewer, int step);
+void PlayBackward(Viewer& viewer, bool isOn);
+/// The next step of what is played, if it is not paused.
+void Advance(Viewer& viewer);
+/// Pauses at a moment that was found since the last call, where it began.
+void StopIfFound(Viewer& viewer);
+/// Shows the break conditions of a pane its step, if they have not seen it.
+void ShowToWatch(Viewer& viewer, size_t pane);
+/// Break conditions of a pane begin anew from its step on. Throws UsageError for what cannot be meant.
+void RenewWatch(Viewer& viewer, size_t pane);
+/// Stops when an expression holds, and at nothing else; empty: at nothing. Throws UsageError.
+void StopWhen(Viewer& viewer, const std::string& text);
+/// Something that a user does in one pane. In the past it forgets the future, and conditions look anew.
+void DoInPane(Viewer& viewer, size_t pane, bool renews, const std::function<void(RunHistory&)>& action);
+/// Of the picked body, in every pane whose engine can. Throws std::invalid_argument if none does.
+void EditBody(Viewer& viewer, const BodyEdit& edit);
+/// <scene>-<step>.scene.json in the current folder. Throws FileError.
+void SaveScene(Viewer& viewer);
+/// <scene>-<pane>.track for each pane: all steps with all that was done.
+void SaveTracks(Viewer& viewer);
 
 void BeginDrag(Viewer& viewer, const EnginePane& pane, int body, Vec2 point);
 void MoveDrag(Viewer& viewer, Vec2 target);

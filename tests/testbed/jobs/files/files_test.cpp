@@ -234,7 +234,6 @@ TEST_F(Files, WhatCannotBeMeantIsRefusedInALine) {
         std::string says;
     } cases[] = {
         {"bench heap.track", exitUsage, "`scree convert heap.track OUT.scene.json --from K`"},
-        {"view heap.track", exitUsage, "--from K says at which of its steps engines start"},
         {"requires heap.recording", exitUsage, "--from K"},
         {"metrics heap.track --poses own", exitUsage, "--from K"},
         {"metrics heap.track --poses trak", exitUsage, "did you mean 'track'"},
