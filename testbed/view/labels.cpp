@@ -93,9 +93,10 @@ int FitHeader(const std::string& left, const std::string& right, int width) {
 }
 
 /// A strip along the upper edge. Text that is too long even when small is cut, the right one first.
-void DrawHeaderAt(Image& image, const std::string& left, const std::string& right, int textScale, Theme theme) {
+void DrawHeaderAt(Image& image, const std::string& left, const std::string& right, int scale, int textScale,
+                  Theme theme) {
     const ThemeColors& colors = GetTheme(theme);
-    const int scale = GetLabelScale(image.width), height = GetStripHeight(1, scale);
+    const int height = GetStripHeight(1, scale);
     const int room = image.width - 2 * edge * scale, y = (height - capHeight * textScale) / 2;
     BlendRect(image, {0, 0, image.width, height}, colors.strip);
     const std::string first = CutText(left, textScale, room);
@@ -166,7 +167,7 @@ ColorBar MakeCountBar(const PixelBox& box, uint32_t scaleMax, const PictureOptio
 }
 
 void DrawHeader(Image& image, const std::string& left, const std::string& right, Theme theme) {
-    DrawHeaderAt(image, left, right, FitHeader(left, right, image.width), theme);
+    DrawHeaderAt(image, left, right, GetLabelScale(image.width), FitHeader(left, right, image.width), theme);
 }
 
 void DrawPaneLabels(std::span<const PaneInput> inputs, std::span<OverlapPane> panes, uint32_t scaleMax,
@@ -183,7 +184,7 @@ void DrawPaneLabels(std::span<const PaneInput> inputs, std::span<OverlapPane> pa
     for (size_t i = 0; i < panes.size(); ++i) {
         Image& image = panes[i].image;
         const Snapshot& snapshot = *inputs[i].snapshot;
-        DrawHeaderAt(image, MakeTitle(snapshot), MakeEngineText(snapshot), headerScale, options.theme);
+        DrawHeaderAt(image, MakeTitle(snapshot), MakeEngineText(snapshot), scale, headerScale, options.theme);
         const int top = FillFooter(image, footerLines, scale, GetTheme(options.theme));
         ColorBar bar = MakeCountBar(GetFooterBar(image, top, scale), scaleMax, options);
         AddMean(bar, panes[i].count.stats.mean, "", scaleMax, options);
@@ -220,6 +221,11 @@ void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, int64_t en
 
 int GetFooterHeight(int width) { return GetStripHeight(footerLines, GetLabelScale(width)); }
 
+int GetCompareScale(int paneWidth) {
+    constexpr int leastWidth = 900;  // of captions at scale 2
+    return paneWidth >= leastWidth ? 2 : 1;
+}
+
 int GetCompareColumns(std::size_t panes) {
     return panes <= 3 ? static_cast<int>(panes) : static_cast<int>(std::ceil(std::sqrt(static_cast<double>(panes))));
 }
@@ -227,7 +233,7 @@ int GetCompareColumns(std::size_t panes) {
 Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane> panes,
                   std::span<const Image> pictures, uint32_t scaleMax, const PictureOptions& options) {
     const ThemeColors& colors = GetTheme(options.theme);
-    const int scale = GetLabelScale(options.width);
+    const int scale = GetCompareScale(pictures[0].width);
     const int titleHeight = options.labels ? GetStripHeight(1, scale) : 0;
     const int captionHeight = options.labels ? GetStripHeight(2, scale) : 0;
     const int barHeight = options.labels ? GetStripHeight(3, scale) : 0;  // means, colours, ticks
@@ -257,7 +263,7 @@ Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane
     const std::string what = options.querySize > 0
                                  ? fmt::format("tree nodes that a query of {} m visits", options.querySize)
                                  : "tree nodes over each pixel";
-    DrawHeader(image, MakeTitle(*inputs[0].snapshot), what, options.theme);
+    DrawHeaderAt(image, MakeTitle(*inputs[0].snapshot), what, scale, scale, options.theme);
     const int barTop = titleHeight + rows * rowHeight + lineHeight * scale;
     ColorBar bar = MakeCountBar(
         {4 * edge * scale, barTop + 4 * scale, options.width - 4 * edge * scale, barTop + lineHeight * scale}, scaleMax,

@@ -49,6 +49,9 @@ void DrawDifferenceFooter(Image& image, const DifferenceStats& stats, int64_t en
 /// Panes beside each other in a row of a comparison: all up to three, then as many as rows.
 [[nodiscard]] int GetCompareColumns(std::size_t panes);
 
+/// Scale of all letters of a comparison, by the width of one pane alone: all frames of an animation are of one size.
+[[nodiscard]] int GetCompareScale(int paneWidth);
+
 /// Puts pane pictures of one size beside each other under a title, with captions and the common colour bar.
 [[nodiscard]] Image MakeCompare(std::span<const PaneInput> inputs, std::span<const OverlapPane> panes,
                                 std::span<const Image> pictures, uint32_t scaleMax, const PictureOptions& options);

@@ -177,7 +177,8 @@ void PictureMaker::Implementation::AddCompare(std::span<const PaneInput> inputs,
     for (const PaneInput& input : inputs) {
         const CountImage counts = Count(*input.snapshot, camera, options);
         pictures.push_back(ColorPane(*input.snapshot, counts, palette, camera, options));
-        AddScaleBar(pictures.back(), camera, 0, options);
+        if (!options.labels) continue;
+        DrawScaleBar(pictures.back(), camera.pixelsPerMetre, paneHeight, GetCompareScale(paneWidth), options.theme);
     }
     const Timer timer(times.colours);
     result.compare = MakeCompare(inputs, result.panes, pictures, result.scaleMax, options);

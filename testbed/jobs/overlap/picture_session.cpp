@@ -34,17 +34,19 @@ void PictureSession::Begin(int steps) {
 void PictureSession::Share(const StepVisits& steps, std::optional<std::size_t> baseline) {
     FitArea area;
     Peaks peaks;
-    steps([&](std::span<const Snapshot> snapshots) {
+    const bool hasArrows = options.layers.Has(Layer::velocities) || options.layers.Has(Layer::impulses);
+    const auto measure = [&](std::span<const Snapshot> snapshots) {
         std::vector<const Snapshot*> pointers;
         for (const Snapshot& snapshot : snapshots) {
             pointers.push_back(&snapshot);
             peaks = JoinPeaks(peaks, FindPeaks(snapshot));
         }
         AddStep(area, pointers);
-    });
+    };
+    if (!options.camera || hasArrows) steps(measure);
     const Camera camera = testbed::ChooseCamera(area, options);
     sharedCamera = camera;
-    options.peaks = peaks;
+    if (hasArrows) options.peaks = peaks;
     if (!baseline) return;
     uint32_t largest = 1;
     int64_t difference = 1;

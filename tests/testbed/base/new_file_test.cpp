@@ -161,7 +161,7 @@ ProcessEnd StopWhileItWrites(const ScratchFolder& folder, int signal) {
     const MemoryFile words;
     const std::string output = (folder.GetPath() / "out").string();
     EXPECT_FALSE(process.Start({SCREE_PROGRAM, "render", "tiles", "--size", "30", "--steps", "1:4000", "--animate",
-                                "apng", "--image", "640x400", "--backend", "cpu", "-o", output},
+                                "apng", "--image", "640x400", "--backend", "cpu", "--camera", "0,20,80", "-o", output},
                                {.output = words.Get(), .errors = words.Get()}));
     for (int tries = 0; tries < 1000; ++tries) {
         if (fs::exists(output) && !FilesBelow(output).empty()) break;

@@ -67,7 +67,7 @@ TEST(Sequences, StepsShareCameraAndScales) {
             EXPECT_EQ(read(step, pane)["scale_max"], read("02", "scree")["scale_max"]) << step << " " << pane;
         }
         for (const char* pane : {"scree", "box2d"}) {
-            const int max = read(step, pane)["engines"][0]["overlap_max"];
+            const int max = read(step, pane)["engines"][0]["metrics"]["overlap_max"];
             largest = std::max(largest, max);
             maxima.insert(max);
         }
