@@ -632,6 +632,7 @@ TEST(RubeFile, DamagedFilesEndInAnErrorOrInASceneThatIsGood) {
         }
     }
     EXPECT_GT(refused, count / 3);
+    RecordMutations(count, refused);
 }
 
 TEST(RubeFile, AreToldFromScenesByTheirKeys) {
