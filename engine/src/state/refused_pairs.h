@@ -21,8 +21,9 @@ class RefusedPairs {
 public:
     /// The larger index is in the high half.
     static uint64_t KeyOf(FixtureIndex fixture1, FixtureIndex fixture2) {
-        const auto [low, high] = std::minmax(ProxyOf(fixture1), ProxyOf(fixture2));
-        return static_cast<uint64_t>(high) << 32 | low;
+        // std::minmax would give references, here to what is gone at the end of the line.
+        const uint32_t proxy1 = ProxyOf(fixture1), proxy2 = ProxyOf(fixture2);
+        return static_cast<uint64_t>(std::max(proxy1, proxy2)) << 32 | std::min(proxy1, proxy2);
     }
     static FixtureIndex LowOf(uint64_t key) { return FixtureOf(static_cast<uint32_t>(key)); }
     static FixtureIndex HighOf(uint64_t key) { return FixtureOf(static_cast<uint32_t>(key >> 32)); }
