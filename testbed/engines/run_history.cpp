@@ -134,14 +134,18 @@ const scenes::Scene& RunHistory::GetScene() const { return IsMotion() ? m_motion
 
 std::unique_ptr<InteractiveRun> RunHistory::Remake(int step) const {
     std::unique_ptr<InteractiveRun> run = m_make();
-    std::size_t next = 0;
-    while (run->GetStep() < step) {
-        for (; next < m_actions.size() && m_actions[next].afterStep <= run->GetStep(); ++next) {
-            Perform(*run, m_actions[next]);
-        }
-        run->Step();
-    }
+    Play(*run, step);
     return run;
+}
+
+void RunHistory::Play(InteractiveRun& run, int step) const {
+    std::size_t next = 0;
+    while (run.GetStep() < step) {
+        for (; next < m_actions.size() && m_actions[next].afterStep <= run.GetStep(); ++next) {
+            Perform(run, m_actions[next]);
+        }
+        run.Step();
+    }
 }
 
 void RunHistory::Branch() {
@@ -229,13 +233,7 @@ void RunHistory::WriteTrack(const std::string& path) const {
     file.Write("");  // tells at once if it cannot be written
     std::unique_ptr<InteractiveRun> run = m_make();
     run->Record(file.GetPlace().string());
-    std::size_t next = 0;
-    while (run->GetStep() < m_lastStep) {
-        for (; next < m_actions.size() && m_actions[next].afterStep <= run->GetStep(); ++next) {
-            Perform(*run, m_actions[next]);
-        }
-        run->Step();
-    }
+    Play(*run, m_lastStep);
     run->EndRecord();
     file.Finish();
 }

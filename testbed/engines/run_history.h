@@ -131,6 +131,8 @@ private:
     void KeepImage();
     void ApplyDue();
     [[nodiscard]] std::unique_ptr<InteractiveRun> Remake(int step) const;
+    /// Steps a run from its beginning to a step, with all that was done before that.
+    void Play(InteractiveRun& run, int step) const;
     [[nodiscard]] bool IsAtEnd() const { return m_step == m_lastStep; }
 
     Make m_make;

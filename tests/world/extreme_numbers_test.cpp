@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <random>
+#include <string>
 
 #include "tests/world/fixtures.h"
 
@@ -204,7 +205,9 @@ TEST_F(ExtremeNumbers, AWorldWithAnchorsBeyondAllPlacesIsSavedAndLoaded) {
 
 /// Impulses of joints that pull beyond all numbers may be none: the image holds 0 for them, as the next step does.
 TEST(ExtremeJoints, OfAnyNumbersAreSavedAndLoaded) {
-    std::mt19937 random(std::random_device{}());
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
     const auto below = [&](int end) { return static_cast<int>(random() % static_cast<unsigned>(end)); };
     const auto number = [&] {
         const int kind = below(6);

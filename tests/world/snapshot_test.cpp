@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstring>
 #include <random>
+#include <string>
 
 #include "fixtures.h"
 #include "scene_world.h"
@@ -289,7 +290,9 @@ TEST(Snapshot, AfterAShiftThatMakesBoxesTouchALoadedWorldGoesOnAlike) {
 /// Bodies on joints that slept, and are woken on the way by what hits them, do not remember how they began an earlier
 /// step.
 TEST(Snapshot, WhatAnEventWakesGoesOnAlike) {
-    std::mt19937 random(std::random_device{}());
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
     const auto between = [&](float low, float high) { return std::uniform_real_distribution(low, high)(random); };
     for (int round = 0; round < 300; ++round) {
         World world({0.0f, -10.0f});

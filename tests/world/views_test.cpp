@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <random>
+#include <string>
 #include <vector>
 
 #include "scree/inspect.h"
@@ -68,7 +69,9 @@ int ExpectContacts(const World& world) {
 }
 
 TEST(Views, SayWhatAccessorsSay) {
-    std::mt19937 random(std::random_device{}());
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
     const auto between = [&](float a, float b) { return std::uniform_real_distribution<float>(a, b)(random); };
     int contacts = 0;
     for (const float far : {0.0f, 30000.0f}) {

@@ -65,7 +65,7 @@ struct BodyView {
     Vec2 position, linearVelocity;
     float angle, angularVelocity;
 };
-/// All bodies in the order of World::GetBodyList. O(bodies), a tenth of what their accessors take.
+/// All bodies in the order of World::GetBodyList. O(bodies).
 SCREE_API void GetBodies(const World& world, std::vector<BodyView>& bodies);
 
 /// A touching contact in the same way.

@@ -20,14 +20,14 @@ public:
     /// Ticks since the construction or the last Lap.
     float Lap() {
         const uint64_t now = ReadTicks();
-        const uint64_t lap = now > m_lap ? now - m_lap : 0;  // another core's count may lag behind
+        const float lap = TicksBetween(m_lap, now);
         m_lap = now;
-        return static_cast<float>(lap);
+        return lap;
     }
     /// Turns laps into milliseconds. Returns the milliseconds since the construction.
     template <typename... Laps>
     float Stop(Laps&... laps) {
-        const float total = static_cast<float>(ReadTicks() - m_firstTick);
+        const float total = TicksBetween(m_firstTick, ReadTicks());
         const float ms = std::chrono::duration<float, std::milli>(Clock::now() - m_start).count();
         const float perTick = total > 0.0f ? ms / total : 0.0f;
         ((laps *= perTick), ...);
@@ -37,6 +37,8 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    /// Another core's count may lag behind.
+    static float TicksBetween(uint64_t from, uint64_t to) { return to > from ? static_cast<float>(to - from) : 0.0f; }
     static uint64_t ReadTicks() {
 #ifdef SCREE_HAS_TICKS
         return CountTicks();
