@@ -134,7 +134,7 @@ protected:
     void EditBody(int body, const BodyEdit& edit) override {
         ApplyEdit(*m_bodies[static_cast<size_t>(body)], edit, [](Vec2 v) { return ToB2(v); });
     }
-    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene(*m_world); }
+    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene<scree_capture::Api>(*m_world); }
 
 private:
     /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.

@@ -138,7 +138,7 @@ protected:
     void EditBody(int body, const BodyEdit& edit) override {
         ApplyEdit(*m_bodies[static_cast<size_t>(body)], edit, [](Vec2 v) { return ToScree(v); });
     }
-    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene(*m_world); }
+    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene<scree_capture::Api>(*m_world); }
 
 private:
     /// Handles by the indices of the scene. The lists of an image may be longer than those now, where it lies ahead.

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A world of an engine as a scene, by the header that programs capture it with; included behind that header.
+// A world of an engine as a scene. Api is scree_capture::Api of the header that programs capture the engine with.
 
 #pragma once
 
@@ -10,11 +10,11 @@
 
 namespace testbed {
 
-template <typename World>
-scenes::Scene DescribeAsScene(World& world, const scree_capture::Options& options = {}) {
+template <typename Api>
+scenes::Scene DescribeAsScene(typename Api::World& world, const scree_capture::Options& options = {}) {
     scree_capture::detail::JsonWriter text;
     scree_capture::detail::Numbers bodies, joints;
-    (void)scree_capture::detail::WriteWorld<scree_capture::Api>(text, world, options, bodies, joints);
+    (void)scree_capture::detail::WriteWorld<Api>(text, world, options, bodies, joints);
     return ReadScene(text.GetText(), "the world");
 }
 
