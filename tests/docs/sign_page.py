@@ -1,10 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
-"""sign_page.py FILE: ends a page that a script has written with the digest that shows changes by hand.
-
-The digest is that of testbed/page/markdown.cpp: FNV-1a of 64 bits over all bytes before its line.
-"""
+#
+# sign_page.py FILE: ends a page that a script has written with the digest that shows changes by hand.
+# The digest is that of testbed/page/markdown.cpp: FNV-1a of 64 bits over all bytes before its line.
 
 import pathlib
 import sys
@@ -19,6 +18,6 @@ def sign(text):
 
 
 if len(sys.argv) != 2:
-    sys.exit(__doc__)
+    sys.exit("usage: sign_page.py FILE")
 page = pathlib.Path(sys.argv[1])
 page.write_text(sign(page.read_text()))
