@@ -243,24 +243,26 @@ private:
                     bodies - 1);
         }
         Require(joint.bodyA != joint.bodyB, place + ".bodyB", "give another body than bodyA");
+        using scenes::Joint;
+        static constexpr auto amounts = {&Joint::maxMotorTorque, &Joint::maxMotorForce, &Joint::maxForce,
+                                         &Joint::maxTorque,      &Joint::stiffness,     &Joint::damping};
         ForEachField<scenes::Joint>([&](const auto& field) {
             const auto& value = joint.*field.member;
             using Value = std::remove_cvref_t<decltype(value)>;
             if constexpr (std::is_same_v<Value, Vec2>) {
                 Require(IsNear(value), place + "." + std::string(field.name), "give numbers of at most 1e18");
             } else if constexpr (std::is_same_v<Value, float>) {
-                Require(IsNear(value) || &value == &joint.maxLength, place + "." + std::string(field.name),
-                        "give a number of at most 1e18");
+                const std::string at = place + "." + std::string(field.name);
+                // Programs give the largest number for a motor without a limit.
+                for (const float Joint::*amount : amounts) {
+                    if (field.member != amount) continue;
+                    Require(value >= 0.0f && std::isfinite(value), at, "give a finite number of at least 0, not {}",
+                            value);
+                    return;
+                }
+                Require(IsNear(value) || field.member == &Joint::maxLength, at, "give a number of at most 1e18");
             }
         });
-        for (const auto& [key, value] : {std::pair{".maxMotorTorque", joint.maxMotorTorque},
-                                         {".maxMotorForce", joint.maxMotorForce},
-                                         {".maxForce", joint.maxForce},
-                                         {".maxTorque", joint.maxTorque},
-                                         {".stiffness", joint.stiffness},
-                                         {".damping", joint.damping}}) {
-            RequireAmount(value, place + key);
-        }
         if (joint.type == JointType::gear) return CheckGear(joint, index, place);
         Require(joint.lowerAngle <= joint.upperAngle, place + ".lowerAngle", "give at most upperAngle");
         Require(joint.lowerTranslation <= joint.upperTranslation, place + ".lowerTranslation",

@@ -75,11 +75,19 @@ std::vector<Pane> ChoosePanes(const BenchArguments& arguments) {
                                                           !arguments.threads.empty() ? arguments.threads
                                                           : arguments.targets        ? "1,2"
                                                                                      : "1");
+    // A preset sets everything: those typed first come before the choice, other settings after it.
+    const std::vector<TypedSetting> typed = GetTypedSettings(arguments.settings);
+    const auto put = [&](const std::string& solver, const std::string& count) {
+        std::vector<TypedSetting> all = typed;
+        const auto place = std::ranges::find_if_not(
+            all, [](const TypedSetting& setting) { return setting.setting.starts_with("preset="); });
+        all.insert(place, {{solver, "--solver", true}, {count, "--threads", true}});
+        return all;
+    };
     std::vector<std::vector<Pane>> choices;
     for (const std::string& solver : solvers) {
         for (const std::string& count : threads) {
-            const std::string base = fmt::format("{} {} {}", comparisonBase, solver, count);
-            choices.push_back(ParsePanes(arguments.settings.engines, GetTypedSettings(arguments.settings), base));
+            choices.push_back(ParsePanes(arguments.settings.engines, put(solver, count), comparisonBase));
         }
     }
     std::vector<Pane> panes;

@@ -11,6 +11,7 @@
 #include <rapidcheck.h>
 #include <algorithm>
 #include <bit>
+#include <cfloat>
 #include <chrono>
 #include <cstdint>
 #include <fstream>
@@ -233,6 +234,24 @@ TEST(SceneFile, ErrorsNameThePlaceAndTheCure) {
         const std::string start = "some/world.scene.json: " + std::string(one.place) + (one.place.empty() ? "" : ": ");
         EXPECT_TRUE(error.starts_with(start)) << "wanted " << start << " …\n   got " << error;
         EXPECT_NE(error.find(one.says), std::string::npos) << error << "\n does not say " << one.says;
+    }
+}
+
+/// Programs give the largest number for what has no limit.
+TEST(SceneFile, AmountsOfJointsMayBeTheLargestNumber) {
+    for (const char* key : {"maxMotorTorque", "maxMotorForce", "maxForce", "maxTorque", "stiffness", "damping"}) {
+        const std::string name = key;
+        const std::string type = name == "maxMotorTorque"                    ? "revolute"
+                                 : name == "maxMotorForce"                   ? "prismatic"
+                                 : name == "maxForce" || name == "maxTorque" ? "friction"
+                                                                             : "weld";
+        nlohmann::ordered_json json = SampleJson();
+        json["joints"] = {{{"type", type}, {"bodyA", 0}, {"bodyB", 1}, {name, FLT_MAX}}};
+        EXPECT_EQ(ErrorOf(json.dump()), "") << name;
+        json["joints"][0][name] = -1;
+        EXPECT_NE(ErrorOf(json.dump()).find("joints[0]." + name + ": give a finite number of at least 0"),
+                  std::string::npos)
+            << ErrorOf(json.dump());
     }
 }
 

@@ -136,6 +136,22 @@ TEST(BenchPlan, TheSuiteIsTheDefaultAndSizesAreChecked) {
     }
 }
 
+TEST(BenchPlan, APresetLeavesTheChosenSolverAndThreads) {
+    BenchArguments arguments;
+    arguments.scenes = {"n2"};
+    arguments.settings.engines = "scree";
+    arguments.solver = "soft@6";
+    arguments.threads = "2";
+    arguments.settings.sets = {"preset=own", "sleeping=off"};
+    const BenchPlan plan = MakeBenchPlan(arguments);
+    ASSERT_EQ(plan.cases.front().panes.size(), 1u);
+    const RunSpec& spec = plan.cases.front().panes.front().spec;
+    EXPECT_EQ(spec.solver, Solver(SoftStep{6}));
+    EXPECT_EQ(spec.threads, 2);
+    EXPECT_TRUE(spec.continuous) << "of the preset";
+    EXPECT_FALSE(spec.sleeping);
+}
+
 TEST(BenchCommand, WritesWhatItPrints) {
     const ScratchFolder folder;
     const ProgramResult result =
