@@ -38,7 +38,8 @@ JointTree::~JointTree() = default;
 void JointTree::Build(const JointTreeInput& input) {
     m->Build(input.bodies, input.joints, input.list, double{input.substepScale});
 }
-bool JointTree::IsEmpty() const { return m->IsEmpty(); }
+bool JointTree::IsEmpty() const { return m->trees.IsEmpty() && m->joints.empty(); }
+JointNet& JointTree::GetNets() { return m->nets; }
 std::span<const JointIndex> JointTree::GetOthers() const { return m->others; }
 std::span<const JointIndex> JointTree::GetBounded() const { return m->bounded; }
 size_t JointTree::GetMemoryBytes() const { return m->GetMemoryBytes(); }

@@ -18,6 +18,7 @@
 #include <memory>
 #include <span>
 
+#include "constraints/joint_net.h"
 #include "constraints/joint_phases.h"
 
 namespace scree {
@@ -41,10 +42,9 @@ public:
     /// Finds the trees among the joints. O(bodies + joints).
     void Build(const JointTreeInput& input);
     [[nodiscard]] bool IsEmpty() const;
-    /// Joints of the list that belong to no tree, in its order: of types without exact rows, in loops, or on a body
-    /// with very many joints.
+    /// Joints of the list of types without exact rows, in its order.
     [[nodiscard]] std::span<const JointIndex> GetOthers() const;
-    /// Joints of trees that have limits, motors or springs besides.
+    /// Those of the rest that have limits, motors or springs besides.
     [[nodiscard]] std::span<const JointIndex> GetBounded() const;
 
     /// Where bodies stand within the step.
@@ -58,6 +58,8 @@ public:
     void SolveBeforeMove(const Poses& poses, float h, Column<BodyIndex, Velocity>& velocity);
     /// Removes all speed along the joints; after Factorize at the new poses.
     void SolveAfterMove(Column<BodyIndex, Velocity>& velocity);
+    /// Joints that are so much coupled that they are solved in turn; of them only Build and Store are here.
+    [[nodiscard]] JointNet& GetNets();
     /// Writes the impulses of the last two solves, times `scale`, into the joints.
     void Store(float scale, JointTable& joints) const;
     /// After a step of `dt` seconds: raises BodyDemand::pullRate to √(T/(m·l)) of a pull T of a joint at a link of mass

@@ -202,6 +202,10 @@ void ApplyImpulses(JointForest& forest) {
 
 }  // namespace
 
+void InvertRows(double (&m)[maxTreeRows][maxTreeRows], int count, const double (&scale)[maxTreeRows]) {
+    WithCount(count, [&](auto n) { Invert(m, n, scale); });
+}
+
 void FactorizeForest(JointForest& forest) {
     FillMatrix(forest);
     Eliminate(forest);

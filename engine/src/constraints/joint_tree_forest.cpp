@@ -14,10 +14,11 @@ namespace scree {
 
 namespace {
 
-/// A body with more joints than this would couple all of them with each other; the rest are left to rows.
-constexpr size_t mostJointsOfBody = 12;
-/// A joint that is coupled with more is left to rows: nets would take time with the square of it.
-constexpr size_t mostCoupled = 64;
+/// Products of blocks that the elimination of a part may take, per joint. Rings, ladders and trusses take up to 7,
+/// however long they are. Nets take more the wider they are, 4.6 times as many joints by 15 times as much.
+constexpr size_t mostWork = 12;
+/// A body with more joints in loops would couple all of them with each other: a net.
+constexpr size_t mostJointsOfBody = 24;
 
 }  // namespace
 
@@ -27,6 +28,8 @@ size_t JointForest::GetMemoryBytes() const {
                    m_candidates.capacity() * sizeof(Candidate) + m_shapes.capacity() * sizeof(TreeShape) +
                    m_links.capacity() * sizeof(TreeEdge) + m_rowOf.capacity() * sizeof(int) +
                    (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
+    bytes += nets.GetMemoryBytes() + m_parts.capacity() * sizeof(Part) +
+             m_members.capacity() * sizeof(JointNet::Member) + m_memberShapes.capacity() * sizeof(TreeShape);
     for (const auto* lists : {&m_near, &m_ofBody, &m_waiting}) {
         for (const std::vector<int>& list : *lists) bytes += list.capacity() * sizeof(int);
     }
@@ -63,7 +66,7 @@ void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTab
         const JointInfo& info = jointTable.info[joint];
         const bool movesA = moves(info.bodyA), movesB = moves(info.bodyB);
         if (!movesA && !movesB) continue;
-        m_candidates.push_back({joint, -1, -1, isBounded, false, -1});
+        m_candidates.push_back({joint, -1, -1, isBounded, false, -1, -1});
         m_shapes.push_back(shape);
         m_keys.push_back({joint, info.bodyA, info.bodyB, shape.kind, movesA, movesB});
     }
@@ -89,9 +92,33 @@ void JointForest::CollectBodies(const BodyTable& bodyTable) {
     m_rowOf.resize(ToSize(bodyTable.slots.Size()), -1);
     bodies.clear();
     for (size_t i = 0; i < m_candidates.size(); ++i) {
-        if (m_links[i].isTree) continue;
+        if (m_links[i].isTree || m_isNet[i] != 0) continue;
         m_candidates[i].a = RowOf(bodyTable, m_keys[i].bodyA);
         m_candidates[i].b = RowOf(bodyTable, m_keys[i].bodyB);
+    }
+}
+
+int JointForest::FindPart(int row) {
+    while (m_parts[ToSize(row)].parent != row) {
+        int& parent = m_parts[ToSize(row)].parent;
+        parent = m_parts[ToSize(parent)].parent;
+        row = parent;
+    }
+    return row;
+}
+
+void JointForest::FindParts() {
+    m_parts.clear();
+    for (size_t row = 0; row < bodies.size(); ++row) m_parts.push_back({.parent = static_cast<int>(row)});
+    for (size_t i = 0; i < m_candidates.size(); ++i) {
+        const Candidate& c = m_candidates[i];
+        if (!m_links[i].isTree && Moves(c.a) && Moves(c.b)) m_parts[ToSize(FindPart(c.a))].parent = FindPart(c.b);
+    }
+    for (size_t i = 0; i < m_candidates.size(); ++i) {
+        Candidate& c = m_candidates[i];
+        if (m_links[i].isTree) continue;
+        c.part = FindPart(Moves(c.a) ? c.a : c.b);
+        ++m_parts[ToSize(c.part)].candidates;
     }
 }
 
@@ -105,9 +132,10 @@ void JointForest::Couple() {
         m_near[i].clear();
         c.used = !m_links[i].isTree;
         if (!c.used) continue;
-        for (const int row : {c.a, c.b})
-            c.used = c.used && (!Moves(row) || m_ofBody[ToSize(row)].size() < mostJointsOfBody);
-        if (!c.used) continue;
+        for (const int row : {c.a, c.b}) {
+            if (Moves(row) && m_ofBody[ToSize(row)].size() >= mostJointsOfBody) m_parts[ToSize(c.part)].isNet = true;
+        }
+        if (IsNet(c)) continue;
         for (const int row : {c.a, c.b}) {
             if (!Moves(row)) continue;
             for (const int other : m_ofBody[ToSize(row)]) {
@@ -138,29 +166,26 @@ int JointForest::TakeLeast() {
             const int candidate = list.back();
             list.pop_back();
             const Candidate& c = m_candidates[ToSize(candidate)];
-            if (c.used && c.place < 0 && m_near[ToSize(candidate)].size() == count) return candidate;
+            if (c.place < 0 && !IsNet(c) && m_near[ToSize(candidate)].size() == count) return candidate;
         }
     }
     return -1;
 }
 
-/// Those it is coupled with are coupled with each other from now on; one with too many is left to rows instead.
+/// Those it is coupled with are coupled with each other from now on.
 void JointForest::Eliminate(int candidate) {
     Candidate& c = m_candidates[ToSize(candidate)];
     const std::vector<int>& near = m_near[ToSize(candidate)];
-    c.used = near.size() <= mostCoupled;
-    if (c.used) {
-        c.place = static_cast<int>(m_order.size());
-        m_order.push_back(candidate);
-    }
+    Part& part = m_parts[ToSize(c.part)];
+    part.work += near.size() * (near.size() + 1) / 2;
+    part.isNet = part.work > mostWork * part.candidates;
+    if (part.isNet) return;
+    c.place = 0;
+    m_order.push_back(candidate);
     for (const int other : near) {
         std::vector<int>& list = m_near[ToSize(other)];
         m_merged.clear();
-        if (c.used) {
-            std::set_union(list.begin(), list.end(), near.begin(), near.end(), std::back_inserter(m_merged));
-        } else {
-            m_merged = list;
-        }
+        std::set_union(list.begin(), list.end(), near.begin(), near.end(), std::back_inserter(m_merged));
         std::erase_if(m_merged, [&](int i) { return i == candidate || i == other; });
         list.assign(m_merged.begin(), m_merged.end());
         Enqueue(other);
@@ -176,13 +201,27 @@ void JointForest::Order() {
     for (int next = TakeLeast(); next >= 0; next = TakeLeast()) Eliminate(next);
 }
 
+/// Parts that turned out to be nets on the way.
+void JointForest::LeaveOutNets() {
+    std::erase_if(m_order, [&](int candidate) { return IsNet(m_candidates[ToSize(candidate)]); });
+    for (size_t place = 0; place < m_order.size(); ++place)
+        m_candidates[ToSize(m_order[place])].place = static_cast<int>(place);
+
+    m_members.clear();
+    for (size_t i = 0; i < m_candidates.size(); ++i) {
+        if (!IsNet(m_candidates[i])) continue;
+        m_isNet[i] = 1;
+        const Key& key = m_keys[i];
+        m_members.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB});
+    }
+}
+
 void JointForest::MakeLinks() {
     joints.clear(), links.clear();
     for (const int candidate : m_order) {
         const Candidate& c = m_candidates[ToSize(candidate)];
         std::vector<int>& near = m_near[ToSize(candidate)];
         for (int& other : near) other = m_candidates[ToSize(other)].place;
-        std::erase_if(near, [](int place) { return place < 0; });  // left to rows later on
         std::sort(near.begin(), near.end());
         TreeJoint& joint = joints.emplace_back();
         joint.joint = c.joint;
@@ -197,6 +236,11 @@ void JointForest::MakeLinks() {
 /// What may change from step to step under the same order.
 void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale) {
     trees.Refresh(bodyTable, jointTable, m_shapes, recentScale);
+    m_memberShapes.clear();
+    for (size_t i = 0; i < m_candidates.size(); ++i) {
+        if (m_isNet[i] != 0) m_memberShapes.push_back(m_shapes[i]);
+    }
+    nets.Take(bodyTable, jointTable, m_members, m_memberShapes, recentScale);
     for (size_t i = 0; i < joints.size(); ++i) {
         TreeJoint& joint = joints[i];
         joint.shape = m_shapes[ToSize(m_order[i])];
@@ -209,24 +253,26 @@ void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable
                         double recentScale) {
     Collect(bodyTable, jointTable, list);
     const bool isKnown = IsKnown();
-    if (!isKnown) PlanTrees();
+    if (!isKnown) {
+        PlanTrees();
+        m_isNet.assign(m_candidates.size(), 0);
+    }
     CollectBodies(bodyTable);
     if (!isKnown) {
+        FindParts();
         Couple();
         Order();
+        LeaveOutNets();
+        CollectBodies(bodyTable);
         MakeLinks();
-        m_isUsed.clear();
-        for (size_t i = 0; i < m_candidates.size(); ++i)
-            m_isUsed.push_back(m_links[i].isTree || m_candidates[i].used ? 1 : 0);
     }
     Refresh(bodyTable, jointTable, recentScale);
     others.clear(), bounded.clear();
     size_t next = 0;
     for (const JointIndex joint : list) {
         const bool isCandidate = next < m_candidates.size() && m_candidates[next].joint == joint;
-        const bool isUsed = isCandidate && m_isUsed[next] != 0;
-        if (!isUsed) others.push_back(joint);
-        if (isUsed && m_candidates[next].bounded) bounded.push_back(joint);
+        if (!isCandidate) others.push_back(joint);
+        if (isCandidate && m_candidates[next].bounded) bounded.push_back(joint);
         next += isCandidate ? 1 : 0;
     }
 }

@@ -3,6 +3,7 @@
 //
 // The joints that a direct solve takes over. Trees go to the batches; of loops, and what hangs on them, the order in
 // which they are eliminated, which are coupled with which later ones, and the numbers that factors and motion work on.
+// Nets, whose elimination would cost too much, go to soft rows.
 
 #pragma once
 
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "constraints/joint_batches.h"
+#include "constraints/joint_net.h"
 #include "constraints/joint_tree_rows.h"
 
 namespace scree {
@@ -45,23 +47,24 @@ struct TreeJoint {
 class JointForest {
 public:
     JointBatches trees;
+    JointNet nets;
     std::vector<TreeBody> bodies;     ///< of `joints`
     std::vector<TreeJoint> joints;    ///< not of trees, in the order of elimination
     std::vector<TreeLink> links;      ///< of each joint, [linkBegin, linkEnd)
-    std::vector<JointIndex> others;   ///< joints of the list that are left to rows
-    std::vector<JointIndex> bounded;  ///< joints held directly that have limits, motors or springs besides
+    std::vector<JointIndex> others;   ///< joints of the list that are no candidates
+    std::vector<JointIndex> bounded;  ///< joints held here that have limits, motors or springs besides
 
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. `recentScale`
     /// makes impulses of a sub-step of the stored ones. O(bodies + joints) for trees.
     void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
                double recentScale);
-    [[nodiscard]] bool IsEmpty() const { return trees.IsEmpty() && joints.empty(); }
     [[nodiscard]] size_t GetMemoryBytes() const;
 
     /// Calls visit(const TreeResult&) for each joint.
     template <typename Visit>
     void ForEachResult(Visit&& visit) const {
         trees.ForEachResult(visit);
+        nets.ForEachResult(visit);
         const auto side = [&](int row) {
             const TreeBody& b = bodies[ToSize(row)];
             return TreeResult::Side{b.body, b.invMass, b.invI};
@@ -76,6 +79,14 @@ private:
         int a, b;  ///< rows of its bodies; not of trees
         bool bounded, used;
         int place;  ///< in the order of elimination
+        int part;   ///< what it is connected with, by a row of it; not of trees
+    };
+    /// Bodies that joints connect, statics not counted. One per row; those count that stand for the others.
+    struct Part {
+        int parent;  ///< union-find
+        size_t candidates = 0;
+        size_t work = 0;  ///< of its elimination so far: products of blocks
+        bool isNet = false;
     };
     /// What an order depends on.
     struct Key {
@@ -92,8 +103,12 @@ private:
     bool IsKnown();
     void PlanTrees();
     void CollectBodies(const BodyTable& bodyTable);
+    int FindPart(int row);
+    void FindParts();
+    [[nodiscard]] bool IsNet(const Candidate& c) const { return c.part >= 0 && m_parts[ToSize(c.part)].isNet; }
     void Couple();
     void Order();
+    void LeaveOutNets();
     void Enqueue(int candidate);
     int TakeLeast();
     void Eliminate(int candidate);
@@ -108,9 +123,12 @@ private:
     std::vector<std::vector<int>> m_near;     ///< per candidate: those it is coupled with, rising
     std::vector<std::vector<int>> m_ofBody;   ///< per row: its candidates
     std::vector<std::vector<int>> m_waiting;  ///< candidates by how many they are coupled with; some out of date
+    std::vector<Part> m_parts;                ///< per row
+    std::vector<uint8_t> m_isNet;             ///< per candidate
+    std::vector<JointNet::Member> m_members;  ///< those that are
+    std::vector<TreeShape> m_memberShapes;    ///< of these
     std::vector<int> m_order;                 ///< candidates as they are eliminated
     std::vector<int> m_merged;                ///< scratch of Eliminate
-    std::vector<uint8_t> m_isUsed;            ///< per candidate: held directly, in a tree or not
 };
 
 }  // namespace scree

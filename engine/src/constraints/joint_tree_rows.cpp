@@ -62,6 +62,28 @@ void LoadImpulse(JointIndex joint, const JointTable& joints, double scale, doubl
     });
 }
 
+void RecallImpulse(JointIndex joint, const TreeShape& shape, const JointTable& joints, float scale,
+                   float (&impulse)[maxTreeRows]) {
+    for (float& i : impulse) i = 0.0f;
+    const JointInfo& info = joints.info[joint];
+    JointTable::WithStore(joints, info.type, [&](const auto& store) {
+        const auto& row = store.rows[info.row];
+        if constexpr (requires { row.impulse.x; }) {
+            impulse[0] = scale * row.impulse.x, impulse[1] = scale * row.impulse.y;
+        } else if constexpr (requires { row.impulse; }) {
+            impulse[0] = scale * row.impulse;
+        }
+        if constexpr (requires { row.turnImpulse; }) {
+            if (shape.kind == TreeKind::pointAndAngle) impulse[2] = scale * row.turnImpulse;
+        }
+    });
+    for (const float i : impulse) {
+        if (std::isfinite(i)) continue;
+        for (float& all : impulse) all = 0.0f;
+        return;
+    }
+}
+
 void ForgetExactImpulse(JointIndex joint, JointTable& joints) {
     const JointInfo& info = joints.info[joint];
     JointTable::WithStore(joints, info.type, [&](auto& store) {

@@ -71,6 +71,9 @@ void StoreImpulse(const TreeShape& shape, const TreeRows& rows, const float (&im
                   JointTable& joints);
 /// Impulses that the joint's table keeps of a joint at a point, times `scale`; 0 for other rows.
 void LoadImpulse(JointIndex joint, const JointTable& joints, double scale, double (&impulse)[maxTreeRows]);
+/// Those of all rows of any joint: what StoreImpulse wrote last.
+void RecallImpulse(JointIndex joint, const TreeShape& shape, const JointTable& joints, float scale,
+                   float (&impulse)[maxTreeRows]);
 /// Sets the impulses of the exact rows to 0, so that warm starting leaves them out.
 void ForgetExactImpulse(JointIndex joint, JointTable& joints);
 

@@ -175,7 +175,9 @@ public:
                   .hasContacts = !m_s.blocks.IsEmpty(),
                   .bounces = m_s.blocks.Bounces(),
                   .hasRows = hasRows,
-                  .hasTrees = !m_tree.IsEmpty()};
+                  .hasTrees = !m_tree.IsEmpty(),
+                  .hasNets = !m_tree.GetNets().IsEmpty()};
+        if (m_plan.hasNets) GatherNetted();
     }
 
     void Substep(int index) {
@@ -225,6 +227,7 @@ private:
         bool bounces = false;   ///< some contact may
         bool hasRows = false;   ///< joints that are solved row by row
         bool hasTrees = false;  ///< joints that are solved directly
+        bool hasNets = false;   ///< joints of nets
     };
 
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
@@ -310,6 +313,10 @@ private:
     }
     void SolveRows() {
         if (m_rowsAct) SolveJointVelocities(JointWork(1.0f));
+        if (!m_plan.hasNets) return;
+        KickNetted();
+        m_tree.GetNets().SolveBeforeMove(m_bodies, m_s.delta, m_h, m_bodies.velocity);
+        StopLocked();
     }
     /// Without warm starting nothing is known of the contacts in the first sub-step: piles would sag before their
     /// impulses have grown.
@@ -326,6 +333,7 @@ private:
     }
     /// Velocities with which the trees' joints are closed after the move.
     void AimTrees() {
+        if (m_plan.hasNets) HoldNettedBack();
         if (m_plan.hasTrees) m_tree.SolveBeforeMove(Poses(), m_h, m_bodies.velocity);
         StopLocked();
     }
@@ -357,6 +365,10 @@ private:
         m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
+        if (m_plan.hasNets) {
+            m_tree.GetNets().SolveAfterMove(m_bodies, m_s.delta, m_bodies.velocity);
+            StopLocked();
+        }
         if (!m_rowsAct) return;
         SolveJointVelocities(JointWork(1.0f));
         if (m_plan.hasTrees) m_tree.SolveAfterMove(m_bodies.velocity);
@@ -393,6 +405,36 @@ private:
             v.v = soft.gained.v, v.w = soft.gained.w;
             soft.gained = {};
         });
+    }
+
+    // Nets and contacts see what the whole sub-step brings to bodies of nets, as contacts do of bodies without joints.
+    // They move by the velocity between the halves nevertheless.
+
+    void GatherNetted() {
+        m_s.netted.clear();
+        for (const int i : m_s.jointed) {
+            if (m_tree.GetNets().Holds(m_s.soft[ToSize(i)].body)) m_s.netted.push_back({i, {}});
+        }
+    }
+    void KickNetted() {
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            for (NettedBody& netted : m_s.netted) {
+                SoftBody& soft = m_s.soft[ToSize(netted.soft)];
+                const Twist unaided = soft.unaided;
+                Velocity& v = VelocityOf(soft);
+                netted.ahead = {-v.v, -v.w};
+                Kick<forces>(soft, v);
+                netted.ahead.v += v.v, netted.ahead.w += v.w;
+                soft.unaided = unaided;
+            }
+        });
+    }
+    void HoldNettedBack() {
+        m_tree.GetNets().HalveExpected(m_h, m_s.delta);
+        for (const NettedBody& netted : m_s.netted) {
+            Velocity& v = VelocityOf(m_s.soft[ToSize(netted.soft)]);
+            v.v -= netted.ahead.v, v.w -= netted.ahead.w;
+        }
     }
 
     void StopLocked() { m_s.locked.Stop(m_bodies.velocity); }

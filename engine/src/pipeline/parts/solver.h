@@ -62,6 +62,12 @@ struct alignas(64) SoftBody {
 };
 static_assert(sizeof(SoftBody) == 64);
 
+/// A body of a net.
+struct NettedBody {
+    int soft;     ///< row of `SolverScratch::soft`
+    Twist ahead;  ///< what the second half of a sub-step brings to it, before joints and contacts
+};
+
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
     bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
@@ -76,6 +82,7 @@ struct SolverScratch {
     std::vector<SoftBody> soft;
     StartVelocities startVelocities;
     std::vector<int> jointed;           ///< rows of `soft`
+    std::vector<NettedBody> netted;
     std::vector<Twist> before;          ///< of these: velocity before a pass over the contacts
     IslandTable rest;                   ///< jointed bodies that go on after a time of impact
     IslandTable wide;                   ///< islands that are solved together, joined; `islands` keeps their own ranges
@@ -83,7 +90,7 @@ struct SolverScratch {
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, before, islandSolved, impulses) +
+        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, netted, before, islandSolved, impulses) +
                rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
                restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() + wide.GetMemoryBytes() +
                rolling.GetMemoryBytes() + locked.GetMemoryBytes();
@@ -99,6 +106,7 @@ struct SolverScratch {
         soft = {};
         startVelocities = {};
         jointed = {};
+        netted = {};
         before = {};
         rest = {};
         wide = {};

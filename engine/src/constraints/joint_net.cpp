@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Soft rows of joints, one joint after the other.
+
+#include "constraints/joint_net.h"
+
+#include "constraints/joint_tree_factors.h"
+
+namespace scree {
+
+namespace {
+
+Vec2 Gap(const TreeStart& a, Vec2 armA, const TreeStart& b, Vec2 armB) {
+    return {static_cast<float>(b.x - a.x + (double{armB.x} - double{armA.x})),
+            static_cast<float>(b.y - a.y + (double{armB.y} - double{armA.y}))};
+}
+Vec2 Anchor(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
+
+TreePose PoseOf(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, BodyIndex body) {
+    const TreeStart start = StartOf(bodies, delta, body);
+    TreePose pose;
+    pose.x = start.x, pose.y = start.y, pose.angle = start.angle;
+    const Rot& q = bodies.transform[body].q;
+    Turn(double{q.c}, double{q.s}, start.turn, pose);
+    return pose;
+}
+
+}  // namespace
+
+size_t JointNet::GetMemoryBytes() const {
+    return m_movers.capacity() * sizeof(Mover) + m_points.capacity() * sizeof(Point) +
+           m_kept.capacity() * sizeof(KeptShape) + m_blocks.capacity() * sizeof(Block) +
+           m_rowOf.capacity() * sizeof(int);
+}
+
+int JointNet::AddMover(const BodyTable& bodies, BodyIndex body, bool moves) {
+    int& row = m_rowOf[body];
+    if (row >= 0) return row;
+    row = static_cast<int>(m_movers.size());
+    const MassRow& mass = bodies.mass[body];
+    Mover& mover = m_movers.emplace_back();
+    mover.body = body;
+    mover.invMass = moves ? mass.invMass : 0.0f, mover.invI = moves ? mass.invI : 0.0f;
+    return row;
+}
+
+void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span<const Member> members,
+                    std::span<const TreeShape> shapes, double recentScale) {
+    for (const Mover& mover : m_movers) m_rowOf[mover.body] = -1;
+    m_movers.clear(), m_points.clear(), m_kept.clear(), m_blocks.clear();
+    m_isFirst = true;
+    if (members.empty()) return;
+    m_rowOf.resize(ToSize(bodies.slots.Size()), -1);
+    for (size_t i = 0; i < members.size(); ++i) {
+        const Member& member = members[i];
+        const int a = AddMover(bodies, member.bodyA, member.movesA), b = AddMover(bodies, member.bodyB, member.movesB);
+        float impulse[maxTreeRows];
+        RecallImpulse(member.joint, shapes[i], joints, static_cast<float>(recentScale), impulse);
+        if (shapes[i].kind != TreeKind::point) {
+            Block& block = m_blocks.emplace_back();
+            block.a = a, block.b = b, block.joint = member.joint, block.shape = shapes[i];
+            for (int k = 0; k < maxTreeRows; ++k) block.impulse[k] = impulse[k], block.total[k] = 0.0f;
+            continue;
+        }
+        const TreeShape& shape = shapes[i];
+        Point& point = m_points.emplace_back();
+        point.a = a, point.b = b;
+        point.startA = Mul(bodies.transform[member.bodyA].q, Anchor(shape.ax, shape.ay));
+        point.startB = Mul(bodies.transform[member.bodyB].q, Anchor(shape.bx, shape.by));
+        point.impulse = {impulse[0], impulse[1]};
+        point.total = {0.0f, 0.0f};
+        m_kept.push_back({member.joint, shape});
+    }
+}
+
+void JointNet::Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
+                    const Column<BodyIndex, Velocity>& velocity) {
+    for (Mover& mover : m_movers) {
+        const Velocity& v = velocity[mover.body];
+        mover.v = v.v, mover.w = v.w;
+        const bool isStatic = bodies.type[mover.body] == staticBody;
+        const Velocity motion = isStatic ? Velocity{} : delta[mover.body];
+        mover.turn = Rot(motion.w);
+        mover.moved = motion.v;
+    }
+    if (!m_isFirst) return;
+    m_isFirst = false;
+    for (Point& point : m_points) {
+        point.startGap = Gap(StartOf(bodies, delta, m_movers[ToSize(point.a)].body), point.startA,
+                             StartOf(bodies, delta, m_movers[ToSize(point.b)].body), point.startB);
+    }
+}
+void JointNet::Store(Column<BodyIndex, Velocity>& velocity) const {
+    for (const Mover& mover : m_movers) {
+        if (mover.invMass == 0.0f && mover.invI == 0.0f) continue;
+        Velocity& v = velocity[mover.body];
+        v.v = mover.v, v.w = mover.w;
+    }
+}
+
+void JointNet::Prepare(Point& point) const {
+    const Mover& a = m_movers[ToSize(point.a)];
+    const Mover& b = m_movers[ToSize(point.b)];
+    point.armA = Mul(a.turn, point.startA), point.armB = Mul(b.turn, point.startB);
+    point.gap = point.startGap + (b.moved - a.moved) + ((point.armB - point.startB) - (point.armA - point.startA));
+    const float mass = a.invMass + b.invMass;
+    const float xx = mass + a.invI * point.armA.y * point.armA.y + b.invI * point.armB.y * point.armB.y;
+    const float yy = mass + a.invI * point.armA.x * point.armA.x + b.invI * point.armB.x * point.armB.x;
+    const float xy = -a.invI * point.armA.x * point.armA.y - b.invI * point.armB.x * point.armB.y;
+    const float determinant = xx * yy - xy * xy;
+    const float inverse = determinant > 1e-9f * xx * yy ? 1.0f / determinant : 0.0f;
+    point.xx = inverse * yy, point.yy = inverse * xx, point.xy = -inverse * xy;
+}
+
+void JointNet::Prepare(Block& block, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta) const {
+    const Mover& a = m_movers[ToSize(block.a)];
+    const Mover& b = m_movers[ToSize(block.b)];
+    MakeRows<true>(block.shape, PoseOf(bodies, delta, a.body), PoseOf(bodies, delta, b.body), block.rows);
+    block.rows.count = RowCount(block.shape.kind);
+    double mobility[maxTreeRows][maxTreeRows] = {}, scale[maxTreeRows] = {};
+    const auto product = [](const double(&i)[3], const double(&j)[3], const Mover& mover) {
+        return double{mover.invMass} * (i[0] * j[0] + i[1] * j[1]) + double{mover.invI} * i[2] * j[2];
+    };
+    for (int i = 0; i < block.rows.count; ++i) {
+        for (int j = 0; j < block.rows.count; ++j) {
+            mobility[i][j] =
+                product(block.rows.a[i], block.rows.a[j], a) + product(block.rows.b[i], block.rows.b[j], b);
+        }
+        scale[i] = mobility[i][i];
+    }
+    InvertRows(mobility, block.rows.count, scale);
+    for (int i = 0; i < maxTreeRows; ++i) {
+        for (int j = 0; j < maxTreeRows; ++j) block.inverse[i][j] = static_cast<float>(mobility[i][j]);
+    }
+}
+
+void JointNet::PrepareAll(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta) {
+    for (Point& point : m_points) Prepare(point);
+    for (Block& block : m_blocks) Prepare(block, bodies, delta);
+}
+
+inline void JointNet::Push(const Point& point, Vec2 impulse) {
+    Mover& a = m_movers[ToSize(point.a)];
+    Mover& b = m_movers[ToSize(point.b)];
+    a.v -= a.invMass * impulse;
+    a.w -= a.invI * Cross(point.armA, impulse);
+    b.v += b.invMass * impulse;
+    b.w += b.invI * Cross(point.armB, impulse);
+}
+void JointNet::Push(const Block& block, const float (&impulse)[maxTreeRows]) {
+    Mover& a = m_movers[ToSize(block.a)];
+    Mover& b = m_movers[ToSize(block.b)];
+    for (int i = 0; i < block.rows.count; ++i) {
+        const double(&rowA)[3] = block.rows.a[i];
+        const double(&rowB)[3] = block.rows.b[i];
+        a.v += a.invMass * impulse[i] * Anchor(rowA[0], rowA[1]);
+        a.w += a.invI * impulse[i] * static_cast<float>(rowA[2]);
+        b.v += b.invMass * impulse[i] * Anchor(rowB[0], rowB[1]);
+        b.w += b.invI * impulse[i] * static_cast<float>(rowB[2]);
+    }
+}
+
+inline void JointNet::Solve(Point& point, const Softness& soft) {
+    const Mover& a = m_movers[ToSize(point.a)];
+    const Mover& b = m_movers[ToSize(point.b)];
+    const Vec2 speed =
+        (b.v + Cross(b.w, point.armB)) - (a.v + Cross(a.w, point.armA)) + soft.biasRate * point.gap;
+    const Vec2 closing{point.xx * speed.x + point.xy * speed.y, point.xy * speed.x + point.yy * speed.y};
+    const Vec2 impulse = -soft.massScale * closing - soft.impulseScale * point.impulse;
+    Push(point, impulse);
+    point.impulse += impulse;
+}
+void JointNet::Solve(Block& block, const Softness& soft) {
+    const Mover& a = m_movers[ToSize(block.a)];
+    const Mover& b = m_movers[ToSize(block.b)];
+    const int count = block.rows.count;
+    float speed[maxTreeRows] = {}, impulse[maxTreeRows] = {};
+    for (int i = 0; i < count; ++i) {
+        const double(&rowA)[3] = block.rows.a[i];
+        const double(&rowB)[3] = block.rows.b[i];
+        speed[i] = soft.biasRate * static_cast<float>(block.rows.error[i]) + Dot(Anchor(rowA[0], rowA[1]), a.v) +
+                   static_cast<float>(rowA[2]) * a.w + Dot(Anchor(rowB[0], rowB[1]), b.v) +
+                   static_cast<float>(rowB[2]) * b.w;
+    }
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j < count; ++j) impulse[i] -= soft.massScale * block.inverse[i][j] * speed[j];
+        impulse[i] -= soft.impulseScale * block.impulse[i];
+    }
+    Push(block, impulse);
+    for (int i = 0; i < count; ++i) block.impulse[i] += impulse[i];
+}
+
+void JointNet::SolveBeforeMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, float h,
+                               Column<BodyIndex, Velocity>& velocity) {
+    constexpr float turns = 0.25f;  // of a spring in a sub-step
+    constexpr float dampingRatio = 2.0f;
+    constexpr float turn = 2.0f * pi * turns, damping = 2.0f * dampingRatio + turn;
+    constexpr float impulseScale = 1.0f / (1.0f + turn * damping);
+    const Softness soft{turn / (damping * h), 1.0f - impulseScale, impulseScale};
+    Load(delta, bodies, velocity);
+    PrepareAll(bodies, delta);
+    for (Mover& mover : m_movers) mover.warmV = mover.v, mover.warmW = mover.w;
+    for (const Point& point : m_points) Push(point, point.impulse);
+    for (const Block& block : m_blocks) Push(block, block.impulse);
+    for (Mover& mover : m_movers) mover.warmV = mover.v - mover.warmV, mover.warmW = mover.w - mover.warmW;
+    for (Point& point : m_points) Solve(point, soft);
+    for (Block& block : m_blocks) Solve(block, soft);
+    Store(velocity);
+}
+
+void JointNet::HalveExpected(float h, Column<BodyIndex, Velocity>& delta) const {
+    for (const Mover& mover : m_movers) {
+        if (mover.invMass == 0.0f && mover.invI == 0.0f) continue;
+        delta[mover.body].v -= (0.5f * h) * mover.warmV;
+        delta[mover.body].w -= (0.5f * h) * mover.warmW;
+    }
+}
+
+void JointNet::SolveAfterMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
+                              Column<BodyIndex, Velocity>& velocity) {
+    constexpr Softness rigid{0.0f, 1.0f, 0.0f};
+    Load(delta, bodies, velocity);
+    PrepareAll(bodies, delta);
+    for (Point& point : m_points) {
+        Solve(point, rigid);
+        point.total += point.impulse;
+    }
+    for (Block& block : m_blocks) {
+        Solve(block, rigid);
+        for (int i = 0; i < maxTreeRows; ++i) block.total[i] += block.impulse[i];
+    }
+    Store(velocity);
+}
+
+}  // namespace scree
