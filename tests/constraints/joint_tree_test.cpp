@@ -327,6 +327,52 @@ TEST(JointTree, TakesTreesAndLoopsAlike) {
     EXPECT_TRUE(tree.GetOthers().empty());
 }
 
+/// Pins of columns × rows bodies in a row each; every body is pinned to the next in its row and in its column.
+std::vector<JointIndex> PinGrid(World& world, int columns, int rows) {
+    std::vector<Body*> bodies;
+    std::vector<JointIndex> pins;
+    for (int i = 0; i < columns * rows; ++i) {
+        const int column = i / rows, row = i % rows;
+        bodies.push_back(AddBody(world, dynamicBody, {static_cast<float>(column), static_cast<float>(row)}));
+        AddBox(bodies.back(), 0.3f, 0.3f);
+        const auto pin = [&](int other) {
+            const RevoluteJointDef def =
+                Pin(bodies[ToSize(other)], bodies.back(),
+                    0.5f * (bodies[ToSize(other)]->GetPosition() + bodies.back()->GetPosition()));
+            pins.push_back(IndexOf(*world.CreateJoint(&def)));
+        };
+        if (row > 0) pin(i - 1);
+        if (column > 0) pin(i - rows);
+    }
+    return pins;
+}
+
+TEST(JointTree, LeavesWideNetsToTheirRowsAndHoldsNarrowStructures) {
+    const struct {
+        int columns, rows;
+        bool isNet;
+    } cases[] = {{2, 2, false}, {200, 2, false}, {60, 3, false}, {4, 4, false},
+                 {8, 8, true},  {30, 30, true},  {100, 9, true}};
+    for (const auto& one : cases) {
+        SCOPED_TRACE(std::to_string(one.columns) + " x " + std::to_string(one.rows));
+        World world({0.0f, 0.0f});
+        std::vector<JointIndex> pins = PinGrid(world, one.columns, one.rows);
+        // Beside another structure, the same.
+        const std::vector<JointIndex> ladder = PinGrid(world, 10, 2);
+        const WorldState& s = world.GetState();
+        JointTree tree;
+        tree.Build({s.bodies, s.joints, pins, 0.0f});
+        EXPECT_EQ(!tree.GetNets().IsEmpty(), one.isNet);
+        EXPECT_EQ(tree.IsEmpty(), one.isNet);
+        EXPECT_TRUE(tree.GetOthers().empty());
+        pins.insert(pins.end(), ladder.begin(), ladder.end());
+        tree.Build({s.bodies, s.joints, pins, 0.0f});
+        EXPECT_EQ(!tree.GetNets().IsEmpty(), one.isNet);
+        EXPECT_FALSE(tree.IsEmpty()) << "the ladder";
+        EXPECT_TRUE(tree.GetOthers().empty());
+    }
+}
+
 /// The most that bodies move along pins at their anchors, m/s.
 float WorstSpeed(const World& world) {
     float worst = 0.0f;

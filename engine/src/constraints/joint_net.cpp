@@ -17,6 +17,16 @@ Vec2 Gap(const TreeStart& a, Vec2 armA, const TreeStart& b, Vec2 armB) {
 }
 Vec2 Anchor(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
+/// Few bodies turn far in a step.
+Rot TurnOf(float angle) {
+    if (Abs(angle) > 0.25f) return Rot(angle);
+    const float square = angle * angle;
+    Rot turn;
+    turn.s = angle * (1.0f - square / 6.0f * (1.0f - square / 20.0f * (1.0f - square / 42.0f)));
+    turn.c = 1.0f - square / 2.0f * (1.0f - square / 12.0f * (1.0f - square / 30.0f));
+    return turn;
+}
+
 TreePose PoseOf(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, BodyIndex body) {
     const TreeStart start = StartOf(bodies, delta, body);
     TreePose pose;
@@ -81,7 +91,7 @@ void JointNet::Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& b
         mover.v = v.v, mover.w = v.w;
         const bool isStatic = bodies.type[mover.body] == staticBody;
         const Velocity motion = isStatic ? Velocity{} : delta[mover.body];
-        mover.turn = Rot(motion.w);
+        mover.turn = TurnOf(motion.w);
         mover.moved = motion.v;
     }
     if (!m_isFirst) return;
@@ -99,10 +109,15 @@ void JointNet::Store(Column<BodyIndex, Velocity>& velocity) const {
     }
 }
 
-void JointNet::Prepare(Point& point) const {
+inline void JointNet::TurnArms(Point& point) const {
+    point.armA = Mul(m_movers[ToSize(point.a)].turn, point.startA);
+    point.armB = Mul(m_movers[ToSize(point.b)].turn, point.startB);
+}
+
+inline void JointNet::Prepare(Point& point) const {
     const Mover& a = m_movers[ToSize(point.a)];
     const Mover& b = m_movers[ToSize(point.b)];
-    point.armA = Mul(a.turn, point.startA), point.armB = Mul(b.turn, point.startB);
+    TurnArms(point);
     point.gap = point.startGap + (b.moved - a.moved) + ((point.armB - point.startB) - (point.armA - point.startA));
     const float mass = a.invMass + b.invMass;
     const float xx = mass + a.invI * point.armA.y * point.armA.y + b.invI * point.armB.y * point.armB.y;
@@ -135,11 +150,6 @@ void JointNet::Prepare(Block& block, const BodyTable& bodies, const Column<BodyI
     }
 }
 
-void JointNet::PrepareAll(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta) {
-    for (Point& point : m_points) Prepare(point);
-    for (Block& block : m_blocks) Prepare(block, bodies, delta);
-}
-
 inline void JointNet::Push(const Point& point, Vec2 impulse) {
     Mover& a = m_movers[ToSize(point.a)];
     Mover& b = m_movers[ToSize(point.b)];
@@ -164,8 +174,7 @@ void JointNet::Push(const Block& block, const float (&impulse)[maxTreeRows]) {
 inline void JointNet::Solve(Point& point, const Softness& soft) {
     const Mover& a = m_movers[ToSize(point.a)];
     const Mover& b = m_movers[ToSize(point.b)];
-    const Vec2 speed =
-        (b.v + Cross(b.w, point.armB)) - (a.v + Cross(a.w, point.armA)) + soft.biasRate * point.gap;
+    const Vec2 speed = (b.v + Cross(b.w, point.armB)) - (a.v + Cross(a.w, point.armA)) + soft.biasRate * point.gap;
     const Vec2 closing{point.xx * speed.x + point.xy * speed.y, point.xy * speed.x + point.yy * speed.y};
     const Vec2 impulse = -soft.massScale * closing - soft.impulseScale * point.impulse;
     Push(point, impulse);
@@ -199,34 +208,30 @@ void JointNet::SolveBeforeMove(const BodyTable& bodies, const Column<BodyIndex, 
     constexpr float impulseScale = 1.0f / (1.0f + turn * damping);
     const Softness soft{turn / (damping * h), 1.0f - impulseScale, impulseScale};
     Load(delta, bodies, velocity);
-    PrepareAll(bodies, delta);
-    for (Mover& mover : m_movers) mover.warmV = mover.v, mover.warmW = mover.w;
-    for (const Point& point : m_points) Push(point, point.impulse);
-    for (const Block& block : m_blocks) Push(block, block.impulse);
-    for (Mover& mover : m_movers) mover.warmV = mover.v - mover.warmV, mover.warmW = mover.w - mover.warmW;
+    for (Point& point : m_points) {
+        Prepare(point);
+        Push(point, point.impulse);
+    }
+    for (Block& block : m_blocks) {
+        Prepare(block, bodies, delta);
+        Push(block, block.impulse);
+    }
     for (Point& point : m_points) Solve(point, soft);
     for (Block& block : m_blocks) Solve(block, soft);
     Store(velocity);
-}
-
-void JointNet::HalveExpected(float h, Column<BodyIndex, Velocity>& delta) const {
-    for (const Mover& mover : m_movers) {
-        if (mover.invMass == 0.0f && mover.invI == 0.0f) continue;
-        delta[mover.body].v -= (0.5f * h) * mover.warmV;
-        delta[mover.body].w -= (0.5f * h) * mover.warmW;
-    }
 }
 
 void JointNet::SolveAfterMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
                               Column<BodyIndex, Velocity>& velocity) {
     constexpr Softness rigid{0.0f, 1.0f, 0.0f};
     Load(delta, bodies, velocity);
-    PrepareAll(bodies, delta);
     for (Point& point : m_points) {
+        TurnArms(point);  // the mobility changes little in a sub-step
         Solve(point, rigid);
         point.total += point.impulse;
     }
     for (Block& block : m_blocks) {
+        Prepare(block, bodies, delta);
         Solve(block, rigid);
         for (int i = 0; i < maxTreeRows; ++i) block.total[i] += block.impulse[i];
     }

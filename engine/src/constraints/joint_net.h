@@ -34,9 +34,6 @@ public:
     /// At the present poses. Velocities are those that all forces of a sub-step of `h` seconds lead to.
     void SolveBeforeMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, float h,
                          Column<BodyIndex, Velocity>& velocity);
-    /// Forces and the impulses known before act during the whole move, which is to see half of them: takes that half of
-    /// the impulses back from the motion.
-    void HalveExpected(float h, Column<BodyIndex, Velocity>& delta) const;
     void SolveAfterMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
                         Column<BodyIndex, Velocity>& velocity);
 
@@ -69,8 +66,6 @@ private:
         float w;
         Rot turn;    ///< since the start of the step
         Vec2 moved;  ///< since then, m
-        Vec2 warmV;  ///< change by the impulses known before
-        float warmW;
     };
     /// Two anchors together.
     struct Point {
@@ -105,9 +100,9 @@ private:
     void Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
               const Column<BodyIndex, Velocity>& velocity);
     void Store(Column<BodyIndex, Velocity>& velocity) const;
+    void TurnArms(Point& point) const;
     void Prepare(Point& point) const;
     void Prepare(Block& block, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta) const;
-    void PrepareAll(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta);
     void Push(const Point& point, Vec2 impulse);
     void Push(const Block& block, const float (&impulse)[maxTreeRows]);
     void Solve(Point& point, const Softness& soft);

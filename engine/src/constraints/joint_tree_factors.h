@@ -17,8 +17,8 @@ inline constexpr double jointCompliance = 1e-5;
 /// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
 inline constexpr double leastPivot = 1e-9;
 
-/// Replaces the first `count` rows of a symmetric matrix by its inverse. Rows whose pivot is only rounding beside `scale`
-/// get zeros: they repeat others.
+/// Replaces the first `count` rows of a symmetric matrix by its inverse. Rows whose pivot is only rounding beside
+/// `scale` get zeros: they repeat others.
 void InvertRows(double (&m)[maxTreeRows][maxTreeRows], int count, const double (&scale)[maxTreeRows]);
 /// From the rows of all joints at the present poses: their pivots' inverses and the blocks of L.
 void FactorizeForest(JointForest& forest);

@@ -407,8 +407,9 @@ private:
         });
     }
 
-    // Nets and contacts see what the whole sub-step brings to bodies of nets, as contacts do of bodies without joints.
-    // They move by the velocity between the halves nevertheless.
+    // Bodies of nets get all forces of a sub-step before their joints are solved, and move by what comes of it. With
+    // the velocity between the halves they would move by half of impulses that joints solved in turn do not know yet:
+    // unequal masses would feed on that.
 
     void GatherNetted() {
         m_s.netted.clear();
@@ -430,10 +431,12 @@ private:
         });
     }
     void HoldNettedBack() {
-        m_tree.GetNets().HalveExpected(m_h, m_s.delta);
         for (const NettedBody& netted : m_s.netted) {
-            Velocity& v = VelocityOf(m_s.soft[ToSize(netted.soft)]);
-            v.v -= netted.ahead.v, v.w -= netted.ahead.w;
+            const SoftBody& soft = m_s.soft[ToSize(netted.soft)];
+            Velocity& v = VelocityOf(soft);
+            v.v -= netted.ahead.v, v.w -= netted.ahead.w;  // DriftAll brings it
+            m_s.delta[soft.body].v += m_h * netted.ahead.v;
+            m_s.delta[soft.body].w += m_h * netted.ahead.w;
         }
     }
 

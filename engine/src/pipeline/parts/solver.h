@@ -81,7 +81,7 @@ struct SolverScratch {
     Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
     StartVelocities startVelocities;
-    std::vector<int> jointed;           ///< rows of `soft`
+    std::vector<int> jointed;  ///< rows of `soft`
     std::vector<NettedBody> netted;
     std::vector<Twist> before;          ///< of these: velocity before a pass over the contacts
     IslandTable rest;                   ///< jointed bodies that go on after a time of impact
@@ -90,7 +90,8 @@ struct SolverScratch {
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, netted, before, islandSolved, impulses) +
+        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, netted, before, islandSolved,
+                       impulses) +
                rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
                restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() + wide.GetMemoryBytes() +
                rolling.GetMemoryBytes() + locked.GetMemoryBytes();
