@@ -112,6 +112,7 @@ struct KernelTask {
     SoftConstants soft;
     bool sumImpulses;          ///< keep totalNormal and totalTangent
     bool friction;             ///< false: no contact has friction, and all tangent impulses are 0
+    float leastBounce = 0.0f;  ///< of bounce: contacts whose restitution is no larger take no part
     float largestPush = 0.2f;  ///< of pushApart in one pass: maxLinearCorrection, m
 };
 

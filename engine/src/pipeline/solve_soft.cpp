@@ -19,6 +19,8 @@
 
 #include "pipeline/solve_soft.h"
 
+#include <array>
+
 #include "base/two_sum.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/report_impulses.h"
@@ -138,6 +140,26 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
         return counts;
     });
 }
+
+/// A ball hands on (1 + e)/2 of its speed to the next one in a row, and what a contact would do in a pass beyond the
+/// usual rows is e of that. It takes part in a pass while that is 1 % of the first blow. By pass: the largest e that is
+/// out.
+constexpr std::array<float, 32> MakeLeastBounces() {
+    constexpr double share = 0.01;
+    std::array<float, 32> least{};
+    for (size_t pass = 1; pass < least.size(); ++pass) {
+        double low = 0.0, high = 1.0;
+        for (int i = 0; i < 40; ++i) {
+            const double e = 0.5 * (low + high);
+            double handed = e;
+            for (size_t k = 0; k < pass; ++k) handed *= 0.5 * (1.0 + e);
+            (handed > share ? high : low) = e;
+        }
+        least[pass] = static_cast<float>(low);
+    }
+    return least;
+}
+constexpr std::array<float, 32> leastBounces = MakeLeastBounces();
 
 /// All islands together; the methods are the phases in order.
 class SoftSolver {
@@ -285,9 +307,9 @@ private:
     /// Contacts bounce one after the other, as in a row of balls each hands on what it got, until none is left (Smith,
     /// Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on Simultaneous Impact", SIGGRAPH 2012).
     void Bounce() {
-        constexpr int mostPasses = 32;
         if (!m_plan.bounces) return;
-        for (int pass = 0; pass < mostPasses; ++pass) {
+        for (const float least : leastBounces) {
+            m_task.leastBounce = least;
             if (!RunBounce(Pool(), m_task, m_kernels)) return;
         }
     }
