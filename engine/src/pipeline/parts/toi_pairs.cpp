@@ -205,8 +205,8 @@ bool ToiPairs::AreFewToMeet(bool somethingMoves) const {
     return true;
 }
 
-/// Lists the kinematic fixtures with boxes that cover their motion, and the listed dynamic fixtures whose own boxes then
-/// overlap one of these: one pass over the bodies instead of a tree of all their swept boxes.
+/// Lists the kinematic fixtures with boxes that cover their motion, and the listed dynamic fixtures whose own boxes
+/// then overlap one of these: one pass over the bodies instead of a tree of all their swept boxes.
 void ToiPairs::GatherTargets() {
     m_s.sweptBoxes.clear();
     m_s.hitters.clear();
