@@ -117,9 +117,9 @@ public:
     Edits(unsigned seed, BroadPhaseKind kind, int substeps)
         : m_random(seed), m_substeps(substeps), m_still(12, 3, kind) {
         for (int i = 0; i < 3; ++i) AddStatic();
-        Body* lift = AddBody(m_still.world, kinematicBody, {4.0f, 6.0f});
-        AddBox(lift, 1.0f, 0.2f);
-        lift->SetLinearVelocity({0.0f, -0.2f});
+        m_lift = AddBody(m_still.world, kinematicBody, {4.0f, 6.0f});
+        AddBox(m_lift, 1.0f, 0.2f);
+        m_lift->SetLinearVelocity({0.0f, -0.2f});
     }
 
     /// Some edits, the same for the same seed.
@@ -141,7 +141,17 @@ public:
         m_still.world.SetContactFilter(&m_filter);
     }
     [[nodiscard]] int GetFilterCalls() const { return m_filter.calls; }
+    /// Kinematic bodies on their ways through the stacks.
+    void AddLifts(int count) {
+        for (int i = 0; i < count; ++i) {
+            Body* lift = AddBody(m_still.world, kinematicBody, Place() + Vec2{0.0f, 4.0f});
+            AddBox(lift, 0.3f, 0.1f);
+            lift->SetLinearVelocity({Random(-0.1f, 0.1f), Random(-1.0f, 0.1f)});
+        }
+    }
+    void StopLift() { Check(m_lift->SetLinearVelocity(vec2Zero)); }
     StepReport Step() { return m_still.Step(m_substeps); }
+    StepReport Step(int substeps) { return m_still.Step(substeps); }
     World& GetWorld() { return m_still.world; }
 
     /// Contacts are those of a search that compares everything with everything; one that has just ended may wait for
@@ -294,6 +304,7 @@ private:
     PickyFilter m_filter;
     bool m_filters = false;
     Still m_still;
+    Body* m_lift;  ///< until an edit destroys it
 };
 
 /// Whether bodies rest changes no bit, and every pair is found.
@@ -324,6 +335,63 @@ TEST(Resting, AWorldAtRestGoesOnLikeOneThatLooksAtEverything) {
         }
     }
     EXPECT_GE(restingSteps, 500) << "the worlds hardly rest";
+}
+
+/// A step in which nothing is awake passes its stages over, whatever solver the last one had. Neither that nor what
+/// kinematic bodies find among sleepers changes a bit.
+TEST(Resting, AStepWithNothingAwakeGoesOnLikeOneThatLooksAtEverything) {
+    int stillSteps = 0, liftedSteps = 0;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+        const int lifts = seed % 3 == 0 ? 40 : seed % 3 == 1 ? 5 : 0;
+        Edits rests(seed, BroadPhaseKind::automatic, 4), looks(seed, BroadPhaseKind::automatic, 4);
+        rests.AddLifts(lifts), looks.AddLifts(lifts);
+        if (lifts == 0) rests.StopLift(), looks.StopLift();
+        std::mt19937 random(seed);
+        int substeps = 4;
+        for (int step = 0; step < 300; ++step) {
+            const bool isCalm = lifts > 0 ? step < 100 : random() % 64 != 0 && step % 150 < 130;
+            if (!isCalm) rests.Prepare(), looks.Prepare();
+            looks.LookAtEverything();
+            if (random() % 16 == 0) substeps = random() % 3 == 0 ? 0 : random() % 2 == 0 ? 4 : 7;
+            if (random() % 32 == 0) (void)rests.GetWorld().Step(0.0f, 4), (void)looks.GetWorld().Step(0.0f, 4);
+            looks.LookAtEverything();
+            const StepReport own = rests.Step(substeps), other = looks.Step(substeps);
+            ASSERT_EQ(inspect::GetStateHash(rests.GetWorld()), inspect::GetStateHash(looks.GetWorld()))
+                << "seed " << seed << ", step " << step;
+            ASSERT_EQ(own.touchingCount, other.touchingCount);
+            ASSERT_EQ(own.contactCount, other.contactCount);
+            ASSERT_EQ(own.awakeBodyCount, other.awakeBodyCount);
+            ASSERT_EQ(own.continuousEventCount, other.continuousEventCount);
+            ASSERT_EQ(own.substeps, other.substeps);
+            ASSERT_NO_FATAL_FAILURE(rests.ComparePairs()) << "seed " << seed << ", step " << step;
+            stillSteps += own.awakeBodyCount == 0 && inspect::GetListedCount(rests.GetWorld()) == 0 ? 1 : 0;
+            liftedSteps += own.awakeBodyCount == lifts + 1 ? 1 : 0;
+        }
+    }
+    EXPECT_GE(stillSteps, 50) << "the worlds hardly rest";
+    EXPECT_GE(liftedSteps, 50) << "lifts hardly move alone";
+}
+
+/// An edit of a sleeper lets nobody wake or be looked at.
+TEST(Resting, ASleeperThatIsMovedStaysAsleep) {
+    for (const int movers : {1, 30}) {
+        Still still(40);
+        std::vector<Body*> moved;
+        for (int i = 0; i < movers; ++i) {
+            moved.push_back(AddBody(still.world, kinematicBody, {2.0f * static_cast<float>(i), 20.0f}));
+            AddBox(moved.back(), 0.5f, 0.1f);
+        }
+        ASSERT_TRUE(still.Settle(4));
+        for (int step = 0; step < 40; ++step) {
+            for (Body* body : moved) {
+                EXPECT_EQ(body->SetTransform(body->GetPosition() + Vec2{0.1f, 0.0f}, 0.0f), ErrorCode::ok);
+            }
+            const StepReport report = still.Step(4);
+            EXPECT_EQ(report.awakeBodyCount, 0);
+            EXPECT_EQ(inspect::GetListedCount(still.world), 0);
+            EXPECT_EQ(inspect::GetActiveContactCount(still.world), 0);
+        }
+    }
 }
 
 /// What rests is not saved: a restored world looks at everything, and goes on in the same way.

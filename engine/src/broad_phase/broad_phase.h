@@ -111,6 +111,13 @@ public:
     /// cheaper than to leave them out.
     virtual void QueryStatic(const AABB& box, Visitor visit) { Query(box, visit); }
 
+    /// Query for what rests, likewise: visits all movers that rest, and anything else too if that is cheaper than to
+    /// leave it out.
+    virtual void QueryResting(const AABB& box, Visitor visit) {
+        PrepareQueries();
+        Query(box, visit);
+    }
+
     /// The stored box (tight, or fattened in `fat-tree`).
     [[nodiscard]] virtual AABB GetBox(uint32_t fixture) const = 0;
     [[nodiscard]] virtual int GetProxyCount() const = 0;

@@ -165,6 +165,12 @@ void TreeBroadPhase::QueryStatic(const AABB& box, Visitor visit) {
     m_staticIndex.Query(box, m_stats.boxTests, [&](ItemId id) { return visit(id.fixture); });
 }
 
+void TreeBroadPhase::QueryResting(const AABB& box, Visitor visit) {
+    if (!m_trees.IsRestingApart()) return BroadPhase::QueryResting(box, visit);
+    if (m_trees.IsRestingStale()) BuildResting();
+    m_trees.QueryResting(box, m_stats.boxTests, visit);
+}
+
 void TreeBroadPhase::GetNodes(std::vector<BvhNode>& nodes) {
     m_trees.RefuseEdits();
     PrepareQueries();

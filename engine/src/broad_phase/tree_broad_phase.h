@@ -37,6 +37,7 @@ public:
     uint64_t Query(const AABB& box, Visitor visit) const override;
     uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override;
     void QueryStatic(const AABB& box, Visitor visit) override;
+    void QueryResting(const AABB& box, Visitor visit) override;
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return m_store.Box(m_store.Find(fixture)); }
     [[nodiscard]] int GetProxyCount() const override { return static_cast<int>(m_store.Size()); }

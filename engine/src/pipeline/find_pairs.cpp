@@ -14,7 +14,7 @@ namespace scree {
 
 namespace {
 
-/// Edited fixtures that are queried one by one; more, for their share of the listed bodies, join one search.
+/// Edited fixtures that are queried one by one; more, for their share of the bodies, join one search if nothing rests.
 constexpr size_t fewEdits = 8, listedPerEdit = 32;
 
 MatchTables ForMatching(PairTables t) { return {t.pool, t.bodies, t.fixtures, t.joints, t.contacts}; }
@@ -43,19 +43,26 @@ void QueryEdited(const EditedProxies& edited, PairTables t, std::vector<Pair>& p
 }  // namespace
 
 void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairTables t) {
-    const size_t most = fewEdits + t.bodies.Listed().size() / listedPerEdit;
     std::vector<Pair>& pairs = t.editedPairs;
     pairs.clear();
     if (!edited.AreAll() && edited.Fixtures().empty()) return t.contacts.Compact();
-    const bool isFew = !edited.AreAll() && edited.Fixtures().size() <= most;
-    if (!isFew) {
+    const bool areAllListed = t.bodies.AreAllListed();
+    const size_t most = fewEdits + ToSize(t.bodies.listedRows.Count()) / listedPerEdit;
+    // A search among listed bodies tells nothing of edited ones that rest.
+    const bool searches = edited.AreAll() || (areAllListed && edited.Fixtures().size() > most);
+    if (searches) {
         RouseProxies(t.bodies, t.fixtures, t.broadPhase);
         t.broadPhase.FindPairs(pairs);
     }
-    const bool reachesAll = !isFew && t.bodies.AreAllListed();
+    const bool reachesAll = searches && areAllListed;
     if (!reachesAll) QueryEdited(edited, t, pairs);
-    const Searched searched{.all = reachesAll, .listed = !isFew, .edited = &edited.Rows()};
-    MatchContacts(pairs, searched, FreshOrder::oldestFirst, events, ForMatching(t));
+    const bool nothingBegins = pairs.empty() && events.filter == nullptr;
+    if (nothingBegins && t.contacts.active.IsEmpty()) {  // nor ends: contacts of what was edited are active
+        t.contacts.Compact();
+    } else {
+        const Searched searched{.all = reachesAll, .listed = searches, .edited = &edited.Rows()};
+        MatchContacts(pairs, searched, FreshOrder::oldestFirst, events, ForMatching(t));
+    }
     edited.Clear();
 }
 

@@ -7,8 +7,8 @@
 
 namespace scree {
 
-void EventLog::BeginStep() {
-    m_inStep = true;
+void EventLog::Renew() {
+    m_hasEvents = !m_laterEnded.empty() || !m_laterLeft.empty();
     m_begun.clear(), m_entered.clear(), m_hits.clear(), m_joints.clear(), m_moved.clear();
     m_ended.swap(m_laterEnded), m_laterEnded.clear();
     m_left.swap(m_laterLeft), m_laterLeft.clear();
@@ -16,6 +16,7 @@ void EventLog::BeginStep() {
 
 void EventLog::NoteChange(const ContactPair& pair, bool isSensor, bool begins) {
     if (!Wants(pair, Report::contacts)) return;
+    m_hasEvents = true;
     const FixtureId a = IdOf(pair.fixtureA), b = IdOf(pair.fixtureB);
     if (!isSensor) {
         (begins ? m_begun : m_inStep ? m_ended : m_laterEnded).push_back({a, b});
@@ -26,6 +27,7 @@ void EventLog::NoteChange(const ContactPair& pair, bool isSensor, bool begins) {
 }
 
 void EventLog::NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float speed) {
+    m_hasEvents = true;
     m_hits.push_back({IdOf(pair.fixtureA), IdOf(pair.fixtureB), point, normal, speed});
 }
 
@@ -40,6 +42,7 @@ void EventLog::NoteAwake(const BodyTable& bodies) {
 void EventLog::NoteMoves(const BodyTable& bodies) {
     if (!reportsMoves) return;
     const auto note = [&](BodyIndex body, bool fellAsleep) {
+        m_hasEvents = true;
         m_moved.push_back({{ToInt(body), bodies.slots.GetGeneration(body)}, fellAsleep});
     };
     for (const BodyIndex body : bodies.Listed()) {

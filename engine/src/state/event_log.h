@@ -23,7 +23,10 @@ public:
     float hitSpeed = 1.0f;      ///< m/s
     bool reportsMoves = false;  ///< which bodies were simulated
 
-    void BeginStep();
+    void BeginStep() {
+        m_inStep = true;
+        if (m_hasEvents) Renew();
+    }
     void EndStep() { m_inStep = false; }
     /// Whether a fixture of the pair reports this.
     [[nodiscard]] bool Wants(const ContactPair& pair, uint8_t report) const {
@@ -34,6 +37,7 @@ public:
     /// `normal` from A to B.
     void NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float speed);
     void NoteJoint(JointId joint, float force, float torque, bool broke) {
+        m_hasEvents = true;
         m_joints.push_back({joint, force, torque, broke});
     }
     /// The bodies that the step is going to simulate.
@@ -52,14 +56,18 @@ private:
         return {ToInt(fixture), m_fixtures.slots.GetGeneration(fixture)};
     }
 
+    /// The arrays of a new step.
+    void Renew();
+
     const FixtureTable& m_fixtures;
+    bool m_inStep = false;
+    bool m_hasEvents = false;  ///< some array may not be empty
     std::vector<ContactEvent> m_begun, m_ended, m_laterEnded;
     std::vector<SensorEvent> m_entered, m_left, m_laterLeft;
     std::vector<HitEvent> m_hits;
     std::vector<JointEvent> m_joints;
     std::vector<MoveEvent> m_moved;
     std::vector<BodyIndex> m_awake;
-    bool m_inStep = false;
 };
 
 }  // namespace scree

@@ -22,10 +22,10 @@ void DestroyIf(WorldState& s, BodyIndex body, Predicate involves) {
     DestroyContactsOfBodyIf(body, involves, s.Events(), s.bodies, s.contacts);
 }
 
-/// The coming step looks at the body and at its contacts.
+/// The coming step looks at the contacts of the body, and at the body if that is awake.
 void Stir(WorldState& s, BodyIndex body) {
     s.isEdited = true;
-    if (s.bodies.type[body] != staticBody) s.bodies.List(body);
+    if (s.bodies.Has(body, BodyFlag::awake)) s.bodies.List(body);
     s.contacts.RouseOf(body);
 }
 

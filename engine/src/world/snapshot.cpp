@@ -177,6 +177,7 @@ void MoveState(WorldState& from, WorldState& s) {
     s.substepGroups = {};
     s.solverScratch.Trim();
     s.solverScratch.anglesHaveRests = true;
+    s.idleSubsteps = WorldState::notIdle;
     NearStatics& near = from.continuousScratch.nearStatics;
     near = s.continuousScratch.nearStatics;  // remembers whether it may be used
     near.Trim();

@@ -6,11 +6,13 @@
 #include "world/step.h"
 
 #include "base/clock.h"
+#include "base/compiler.h"
 #include "base/float_mode.h"
 #include "pipeline/parts/rouse.h"
 #include "state/limits.h"
 #include "world/guard.h"
 #include "world/joints/joint_definitions.h"
+#include "world/still_step.h"
 
 namespace scree {
 
@@ -28,10 +30,12 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
              StepResults& r) {
     s.log.NoteAwake(s.bodies);
     if (!s.continuousScratch.resuming) {
+        s.idleSubsteps = WorldState::notIdle;
         GatherLists(settings, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
         r.profile.islands = watch.Lap();
         r.solved =
             Solve(settings, s.fixtures, s.Lists(), events, {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
+        if (r.solved.awakeCount == 0) s.idleSubsteps = settings.substeps;
         r.profile.solver = watch.Lap();
     }
     if (NeedsContinuous(s)) r.continuous = RunContinuous(s, settings, events, r.solved.substeps);
@@ -44,6 +48,18 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
     BreakStrainedJoints(s);
+}
+
+/// The stages of a step with something to do. Apart, so that a step without them passes by their code.
+SCREE_NOINLINE void RunStages(WorldState& s, const StepRequest& request, const ContactEvents& events, Stopwatch& watch,
+               StepResults& r) {
+    const PoolRegion region(*s.pool, HasWorkToShare(s));
+    r.touchingCount =
+        UpdateManifolds(events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
+    r.profile.narrowPhase = watch.Lap();
+    PrepareKernels(s);  // listeners of contacts have had their say
+    if (request.dt < shortestStep) return;
+    Advance(s, MakeSettings(s, request), events, watch, r);
 }
 
 }  // namespace
@@ -62,12 +78,11 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     r.profile.broadPhase = watch.Lap();
     s.contacts.keepsSteady = request.substeps > 0;
     s.contacts.steadyReach = 10.0f * linearSlop * s.def.lengthScale;
-    const PoolRegion region(*s.pool, HasWorkToShare(s));
-    r.touchingCount =
-        UpdateManifolds(events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
-    r.profile.narrowPhase = watch.Lap();
-    PrepareKernels(s);  // listeners of contacts have had their say
-    if (request.dt >= shortestStep) Advance(s, MakeSettings(s, request), events, watch, r);
+    if (IsStill(s, request)) {
+        StandStill(s, request, r);
+    } else {
+        RunStages(s, request, events, watch, r);
+    }
     s.log.EndStep();
     s.broadPhase->PrepareQueries();
     if (s.autoClearForces) s.world->ClearForces();

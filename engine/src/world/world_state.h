@@ -35,6 +35,8 @@ inline FixtureIndex IndexOf(const Fixture& fixture) { return FixtureIndex{fixtur
 inline JointIndex IndexOf(const Joint& joint) { return JointIndex{joint.GetIndex()}; }
 
 struct WorldState {
+    static constexpr int notIdle = -1;
+
     World* world = nullptr;
     WorldDef def;
     BodyTable bodies;
@@ -76,6 +78,7 @@ struct WorldState {
     mutable std::atomic<int> locks{0};
     bool autoClearForces = true;
     float lastInverseDt = 0.0f;
+    int idleSubsteps = notIdle;  ///< of the last step if it had nothing to solve: its lists and scratch are empty
     StepReport report;
     TOIStats distanceWork;  ///< of the last step
     bool measureErrors = false;

@@ -64,11 +64,15 @@ bool HasRow(const Column<FixtureIndex, uint8_t>* rows, FixtureIndex row) {
     return rows != nullptr && rows->Has(row) && (*rows)[row] != 0;
 }
 
+/// One of the bodies is.
+bool IsListed(const BodyTable& bodies, const ContactPair& pair) {
+    return bodies.isListed[pair.bodyA] != 0 || bodies.isListed[pair.bodyB] != 0;
+}
+
 bool IsSearched(const Searched& searched, const BodyTable& bodies, const ContactPair& pair) {
     if (searched.all) return true;
     if (HasRow(searched.edited, pair.fixtureA) || HasRow(searched.edited, pair.fixtureB)) return true;
-    const auto isListed = [&](BodyIndex body) { return bodies.isListed[body] != 0; };
-    return searched.listed && (isListed(pair.bodyA) || isListed(pair.bodyB));
+    return searched.listed && IsListed(bodies, pair);
 }
 
 }  // namespace
@@ -97,7 +101,9 @@ void MatchContacts(std::span<const Pair> pairs, const Searched& searched, FreshO
     for (const uint64_t key : fresh) {
         const FixtureIndex a = RefusedPairs::LowOf(key), b = RefusedPairs::HighOf(key);
         if (asks && !AskAbout(a, b, key, events, t)) continue;
-        if (IsNone(MakeContact(a, b, events, t.fixtures, t.contacts)) && asks) t.contacts.freshRefusals.push_back(key);
+        const ContactIndex made = MakeContact(a, b, events, t.fixtures, t.contacts);
+        if (IsNone(made) && asks) t.contacts.freshRefusals.push_back(key);
+        if (IsSome(made) && !IsListed(t.bodies, t.contacts.pair[made])) t.contacts.mayRest = true;
     }
     t.contacts.refused.Add(t.contacts.freshRefusals);
     t.contacts.freshRefusals.clear();

@@ -68,7 +68,7 @@ void ToiPairs::FindAll() {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
         m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
     }
-    m_fewToMeet = m_dynamicTargets && AreFewToMeet();
+    m_fewToMeet = m_dynamicTargets && AreFewToMeet(somethingMoves);
     if (m_fewToMeet) {
         GatherTargets();
     } else if (m_dynamicTargets) {
@@ -77,10 +77,13 @@ void ToiPairs::FindAll() {
     Screen();
     const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale};
     m_timesFollow = true;
+    size_t hitter = 0;
     for (size_t i = 0; i < m_s.lookers.size(); ++i) {
         const BodyIndex body = m_s.lookers[i];
         if (m_s.screened[i] == ScreenedBody::passes) continue;
-        if (!IsDynamic(body)) {
+        if (!IsDynamic(body) && m_fewToMeet) {
+            CollectHits(body, hitter);
+        } else if (!IsDynamic(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
         } else {
             CollectFirst(body, nearby);
@@ -183,10 +186,12 @@ void ToiPairs::SweepBoxes() {
     m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
 }
 
-/// No bullets, few kinematic fixtures, and boxes in the broad phase that are those of the start of the step.
-bool ToiPairs::AreFewToMeet() const {
+/// No bullets, few kinematic fixtures for what is dynamic and moves, and boxes in the broad phase that are those of the
+/// start of the step.
+bool ToiPairs::AreFewToMeet(bool somethingMoves) const {
     constexpr int most = 24;
     if (m_s.resuming || m_bodies.IsFar()) return false;
+    if (!somethingMoves) return true;
     int fixtures = 0;
     for (const BodyIndex body : m_s.lookers) {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
@@ -200,21 +205,26 @@ bool ToiPairs::AreFewToMeet() const {
     return true;
 }
 
-/// Gives the kinematic bodies boxes that cover their motion, and lists the dynamic fixtures whose own boxes then
-/// overlap one of these: one pass over the bodies instead of a tree of all their swept boxes.
+/// Lists the kinematic fixtures with boxes that cover their motion, and the listed dynamic fixtures whose own boxes
+/// then overlap one of these: one pass over the bodies instead of a tree of all their swept boxes.
 void ToiPairs::GatherTargets() {
     m_s.sweptBoxes.clear();
     m_s.hitters.clear();
+    m_hittersAreSwept = false;
     for (const BodyIndex body : m_s.lookers) {
         if (IsDynamic(body) || !m_bodies.Has(body, BodyFlag::enabled)) continue;
+        const bool moves = m_bodies.IsActive(body);
         for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
-            m_s.hitters.push_back(SweptBox(body, f));
-            if (m_bodies.IsActive(body)) m_t.broadPhase.Update(ProxyOf(f), m_s.hitters.back(), vec2Zero);
+            m_s.hitters.push_back({SweptBox(body, f), f, moves});
         }
     }
+    const auto isNear = [this](const AABB& box) {
+        return std::ranges::any_of(m_s.hitters, [&](const ToiHitter& hitter) { return TestOverlap(box, hitter.box); });
+    };
     const float slop = linearSlop * m_lengthScale;  // boxes of what fell asleep may lag behind
     for (const BodyIndex body : m_bodies.Listed()) {
-        if (!IsDynamic(body) || !m_bodies.IsActive(body)) continue;
+        if (!IsDynamic(body) || !m_bodies.Has(body, BodyFlag::enabled)) continue;
+        const bool isActive = m_bodies.IsActive(body);
         const Position& from = m_bodies.startPosition[body];
         const Position& to = m_bodies.position[body];
         const float turn = Abs(to.a - from.a);
@@ -223,6 +233,10 @@ void ToiPairs::GatherTargets() {
             // No point leaves its box at the start by more than the centre goes and a turn about it takes it, nor does
             // SweptBox widen it by more.
             AABB box = m_t.broadPhase.GetBox(ProxyOf(f));
+            if (!isActive) {
+                if (isNear(box)) m_s.sweptBoxes.push_back({box, vec2Zero, ProxyOf(f)});
+                continue;
+            }
             float most = way;
             if (turn > 0.0f) {
                 const Vec2 low = from.c - box.lowerBound, high = box.upperBound - from.c;
@@ -231,11 +245,46 @@ void ToiPairs::GatherTargets() {
                 most += (Min(turn, 2.0f) + bulge) * (corner.Length() + slop);
             }
             box = {box.lowerBound - Vec2{most, most}, box.upperBound + Vec2{most, most}};
-            const auto isNear = [&box](const AABB& hitter) { return TestOverlap(box, hitter); };
-            if (std::ranges::none_of(m_s.hitters, isNear)) continue;
-            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, ProxyOf(f)});
+            if (isNear(box)) m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, ProxyOf(f)});
         }
     }
+}
+
+/// Gives the broad phase the boxes of the hitters: from the first event on dynamic bodies ask for them.
+void ToiPairs::SweepHitters() {
+    if (m_hittersAreSwept) return;
+    m_hittersAreSwept = true;
+    for (const ToiHitter& hitter : m_s.hitters) {
+        if (hitter.moves) m_t.broadPhase.Update(ProxyOf(hitter.fixture), hitter.box, vec2Zero);
+    }
+}
+
+/// Makes the pairs of a kinematic body with everything dynamic on its way. `next`: its first hitter; afterwards that of
+/// the next body.
+void ToiPairs::CollectHits(BodyIndex body, size_t& next) {
+    m_s.candidates.clear();
+    for (; next < m_s.hitters.size() && m_t.fixtures.body[m_s.hitters[next].fixture] == body; ++next) {
+        const ToiHitter& hitter = m_s.hitters[next];
+        if (m_t.fixtures.isSensor[hitter.fixture] || !m_t.fixtures.info[hitter.fixture].inBroadPhase) continue;
+        FindTargets(hitter);
+    }
+    if (!m_s.candidates.empty()) AddCandidates(body);
+}
+
+/// Dynamic fixtures that rest are found by the broad phase; those of listed bodies that are near were gathered.
+void ToiPairs::FindTargets(const ToiHitter& hitter) {
+    m_s.found.clear();
+    const auto visit = [&](uint32_t other) {
+        const BodyIndex body = m_t.fixtures.body[FixtureOf(other)];
+        if (IsDynamic(body) && m_bodies.isListed[body] == 0) m_s.found.push_back(FixtureOf(other));
+        return true;
+    };
+    m_t.broadPhase.QueryResting(hitter.box, visit);
+    for (const BoxUpdate& target : m_s.sweptBoxes) {
+        if (TestOverlap(hitter.box, target.box)) m_s.found.push_back(FixtureOf(target.fixture));
+    }
+    std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
+    for (const FixtureIndex other : m_s.found) m_s.candidates.push_back({hitter.fixture, other});
 }
 
 void ToiPairs::SweepBoxesOf(BodyIndex body) {
@@ -334,16 +383,6 @@ void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDyn
     if (withDynamic) {
         m_t.broadPhase.PrepareQueries();  // boxes were swept
         m_t.broadPhase.Query(box, visit);
-        if (m_fewToMeet && !IsDynamic(body)) {
-            // The boxes of what moves were not: those that are near are listed.
-            std::erase_if(m_s.found, [this](FixtureIndex other) {
-                const BodyIndex otherBody = m_t.fixtures.body[other];
-                return IsDynamic(otherBody) && m_bodies.IsActive(otherBody);
-            });
-            for (const BoxUpdate& target : m_s.sweptBoxes) {
-                if (TestOverlap(box, target.box)) m_s.found.push_back(FixtureOf(target.fixture));
-            }
-        }
     } else {
         m_t.broadPhase.QueryStatic(box, visit);
     }
@@ -533,6 +572,7 @@ void ToiPairs::Complete(BodyIndex body) {
 void ToiPairs::Refresh(BodyIndex body) {
     UpdateTimes(body);
     if (!Moves(body)) return;
+    SweepHitters();
     if (m_dynamicTargets) SweepBoxesOf(body);
     Collect(body, m_dynamicTargets);
 }

@@ -62,6 +62,13 @@ struct ToiCandidate {
     Bounded bounded = Bounded::notYet;
 };
 
+/// A kinematic fixture that dynamic ones may meet.
+struct ToiHitter {
+    AABB box;  ///< covers its way
+    FixtureIndex fixture;
+    bool moves;  ///< its body is active
+};
+
 /// What the first look at a body says.
 enum class ScreenedBody : uint8_t { passes, isToCollect };
 
@@ -82,7 +89,7 @@ struct ToiScratch {
     std::vector<ToiCandidate> candidates;     ///< of one body
     std::vector<ScreenedBody> screened;       ///< by place among the lookers
     std::vector<BoxUpdate> sweptBoxes;        ///< when someone can hit moving bodies
-    std::vector<AABB> hitters;                ///< swept boxes of kinematic fixtures, while they are few
+    std::vector<ToiHitter> hitters;           ///< kinematic fixtures, while they are few
     Column<BodyIndex, uint8_t> isPassedOver;  ///< per body: 1 if it has no pairs because it meets nothing static
     Column<int, float> times;                 ///< per pair
     Column<FixtureIndex, int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -158,8 +165,11 @@ private:
     void Audit(const ToiPair& pair) const;
     void FindTimes();
     void SweepBoxes();
-    [[nodiscard]] bool AreFewToMeet() const;
+    [[nodiscard]] bool AreFewToMeet(bool somethingMoves) const;
     void GatherTargets();
+    void SweepHitters();
+    void CollectHits(BodyIndex body, size_t& next);
+    void FindTargets(const ToiHitter& hitter);
     void SweepBoxesOf(BodyIndex body);
     [[nodiscard]] AABB SweptBox(BodyIndex body, FixtureIndex fixture) const;
     void CollectFirst(BodyIndex body, const NearStatics::Tables& tables);
@@ -187,6 +197,7 @@ private:
     bool m_timesFollow = false;     ///< of all pairs, once they are there
     bool m_dynamicTargets = false;  ///< some body can hit dynamic ones: a bullet or a kinematic body
     bool m_fewToMeet = false;       ///< these are few and kinematic: sweptBoxes holds what is near them
+    bool m_hittersAreSwept = true;  ///< the broad phase has the boxes of the hitters
 };
 
 }  // namespace scree

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A step without stages.
+
+#include "world/still_step.h"
+
+#include <algorithm>
+
+#include "pipeline/parts/rouse.h"
+#include "state/limits.h"
+
+namespace scree {
+
+bool IsStill(const WorldState& s, const StepRequest& request) {
+    if (s.idleSubsteps != request.substeps || request.dt < shortestStep) return false;
+    if (!s.contacts.active.IsEmpty() || s.continuousScratch.resuming) return false;
+    const std::span<const BodyIndex> listed = s.bodies.Listed();
+    if (listed.empty()) return true;
+    return !s.contacts.mustMatch && std::ranges::none_of(listed, [&](BodyIndex b) { return s.bodies.IsActive(b); });
+}
+
+void StandStill(WorldState& s, const StepRequest& request, StepResults& results) {
+    results.touchingCount = s.contacts.RestingTouchingCount();
+    PrepareKernels(s);
+    RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
+    if (!s.bodies.risenProxies.empty()) {
+        std::erase_if(s.bodies.risenProxies, [&](BodyIndex b) { return s.bodies.isListed[b] == 0; });
+    }
+    s.lastInverseDt = 1.0f / request.dt;
+}
+
+}  // namespace scree
