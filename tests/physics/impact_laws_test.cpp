@@ -6,7 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
 
+#include "scree/scree.h"
 #include "tests/physics/lab.h"
 
 namespace scree::test {
@@ -182,6 +186,52 @@ TEST(ImpactLaws, NothingPassesAStaticWall) {
         return count;
     });
     Judge({"shots through a static wall, of 44", 0.0, 0.0}, crossed);
+}
+
+/// A ball hits a row of balls that touch. However many passes the bounces take: momentum stays, energy does not rise,
+/// all balls part, and two of them follow the closed form.
+TEST(ImpactLaws, ARowOfBallsHandsABlowOn) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    for (int round = 0; round < 24; ++round) {
+        const int balls = 2 + static_cast<int>(random() % 8u);
+        const float e = 0.05f * static_cast<float>(1 + random() % 20u);
+        const float blow = 5.0f + static_cast<float>(random() % 30u);
+        World world({0.0f, 0.0f});
+        std::vector<Body*> row;
+        for (int i = 0; i < balls; ++i) {
+            BodyDef def;
+            def.type = dynamicBody;
+            def.position = {static_cast<float>(i) - (i == 0 ? 0.02f : 0.0f), 0.0f};
+            if (i == 0) def.linearVelocity = {blow, 0.0f};
+            Body* ball = world.CreateBody(&def);
+            CircleShape circle;
+            circle.m_radius = 0.5f;
+            FixtureDef fixture;
+            fixture.shape = &circle;
+            fixture.density = 1.0f;
+            fixture.friction = 0.0f;
+            fixture.restitution = e;
+            ball->CreateFixture(&fixture);
+            row.push_back(ball);
+        }
+        for (int i = 0; i < 4; ++i) world.Step(1.0f / 60.0f, 4);
+        SCOPED_TRACE(std::to_string(balls) + " balls, e = " + std::to_string(e) + ", blow " + std::to_string(blow));
+        double momentum = 0.0, energy = 0.0, before = -1e9;
+        for (const Body* ball : row) {
+            const double v = double{ball->GetLinearVelocity().x};
+            momentum += v, energy += v * v;
+            EXPECT_GT(v, before - 0.02 * double{blow});
+            before = v;
+        }
+        EXPECT_NEAR(momentum, double{blow}, 1e-3 * double{blow});
+        EXPECT_LT(energy, 1.001 * double{blow} * double{blow});
+        EXPECT_GT(energy, 0.99 * double{blow} * double{blow} / balls);
+        if (balls > 2) continue;
+        EXPECT_NEAR(double{row[0]->GetLinearVelocity().x}, 0.5 * (1.0 - double{e}) * double{blow}, 0.01 * double{blow});
+        EXPECT_NEAR(double{row[1]->GetLinearVelocity().x}, 0.5 * (1.0 + double{e}) * double{blow}, 0.01 * double{blow});
+    }
 }
 
 }  // namespace

@@ -26,7 +26,9 @@ void ExpectBodies(const World& world) {
         EXPECT_EQ(view.generation, world.GetId(b).generation);
         const Fixture* newest = b->GetFixtureList();
         EXPECT_EQ(view.newestFixture.index, newest == nullptr ? -1 : world.GetId(newest).index);
-        if (newest != nullptr) EXPECT_EQ(view.newestFixture.generation, world.GetId(newest).generation);
+        if (newest != nullptr) {
+            EXPECT_EQ(view.newestFixture.generation, world.GetId(newest).generation);
+        }
         EXPECT_EQ(view.type, b->GetType());
         EXPECT_EQ(view.isAwake, b->IsAwake());
         EXPECT_TRUE(view.position == b->GetPosition());

@@ -40,8 +40,8 @@ TreePose PoseOf(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delt
 
 size_t JointNet::GetMemoryBytes() const {
     return m_movers.capacity() * sizeof(Mover) + m_points.capacity() * sizeof(Point) +
-           m_kept.capacity() * sizeof(KeptShape) + m_blocks.capacity() * sizeof(Block) +
-           m_rowOf.capacity() * sizeof(int);
+           m_kept.capacity() * sizeof(KeptShape) + m_rods.capacity() * sizeof(Rod) +
+           m_blocks.capacity() * sizeof(Block) + m_rowOf.capacity() * sizeof(int);
 }
 
 int JointNet::AddMover(const BodyTable& bodies, BodyIndex body, bool moves) {
@@ -58,7 +58,7 @@ int JointNet::AddMover(const BodyTable& bodies, BodyIndex body, bool moves) {
 void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span<const Member> members,
                     std::span<const TreeShape> shapes, double recentScale) {
     for (const Mover& mover : m_movers) m_rowOf[mover.body] = -1;
-    m_movers.clear(), m_points.clear(), m_kept.clear(), m_blocks.clear();
+    m_movers.clear(), m_points.clear(), m_kept.clear(), m_rods.clear(), m_blocks.clear();
     m_isFirst = true;
     if (members.empty()) return;
     m_rowOf.resize(ToSize(bodies.slots.Size()), -1);
@@ -67,20 +67,40 @@ void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span
         const int a = AddMover(bodies, member.bodyA, member.movesA), b = AddMover(bodies, member.bodyB, member.movesB);
         float impulse[maxTreeRows];
         RecallImpulse(member.joint, shapes[i], joints, static_cast<float>(recentScale), impulse);
-        if (shapes[i].kind != TreeKind::point) {
-            Block& block = m_blocks.emplace_back();
-            block.a = a, block.b = b, block.joint = member.joint, block.shape = shapes[i];
-            for (int k = 0; k < maxTreeRows; ++k) block.impulse[k] = impulse[k], block.total[k] = 0.0f;
-            continue;
-        }
         const TreeShape& shape = shapes[i];
-        Point& point = m_points.emplace_back();
-        point.a = a, point.b = b;
-        point.startA = Mul(bodies.transform[member.bodyA].q, Anchor(shape.ax, shape.ay));
-        point.startB = Mul(bodies.transform[member.bodyB].q, Anchor(shape.bx, shape.by));
-        point.impulse = {impulse[0], impulse[1]};
-        point.total = {0.0f, 0.0f};
-        m_kept.push_back({member.joint, shape});
+        const Vec2 startA = Mul(bodies.transform[member.bodyA].q, Anchor(shape.ax, shape.ay));
+        const Vec2 startB = Mul(bodies.transform[member.bodyB].q, Anchor(shape.bx, shape.by));
+        switch (shape.kind) {
+            case TreeKind::point:
+            case TreeKind::pointAndAngle: {
+                Point& point = m_points.emplace_back();
+                point.a = a, point.b = b, point.startA = startA, point.startB = startB;
+                point.impulse = {impulse[0], impulse[1]};
+                point.total = {0.0f, 0.0f};
+                const float mobility = m_movers[ToSize(a)].invI + m_movers[ToSize(b)].invI;
+                const bool turns = shape.kind == TreeKind::point || mobility <= 0.0f;
+                point.turnMass = turns ? 0.0f : 1.0f / mobility;
+                point.turnImpulse = turns ? 0.0f : impulse[2];
+                point.startTurn = point.turnError = point.turnTotal = 0.0f;
+                m_kept.push_back({member.joint, shape});
+                break;
+            }
+            case TreeKind::rod: {
+                Rod& rod = m_rods.emplace_back();
+                rod.a = a, rod.b = b, rod.startA = startA, rod.startB = startB;
+                rod.impulse = impulse[0], rod.total = 0.0f;
+                rod.axis = {0.0f, 0.0f};
+                rod.joint = member.joint, rod.shape = shape;
+                break;
+            }
+            case TreeKind::slide:
+            case TreeKind::line: {
+                Block& block = m_blocks.emplace_back();
+                block.a = a, block.b = b, block.joint = member.joint, block.shape = shape;
+                for (int k = 0; k < maxTreeRows; ++k) block.impulse[k] = impulse[k], block.total[k] = 0.0f;
+                break;
+            }
+        }
     }
 }
 
@@ -91,15 +111,21 @@ void JointNet::Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& b
         mover.v = v.v, mover.w = v.w;
         const bool isStatic = bodies.type[mover.body] == staticBody;
         const Velocity motion = isStatic ? Velocity{} : delta[mover.body];
+        mover.angle = motion.w;
         mover.turn = TurnOf(motion.w);
         mover.moved = motion.v;
     }
     if (!m_isFirst) return;
     m_isFirst = false;
-    for (Point& point : m_points) {
-        point.startGap = Gap(StartOf(bodies, delta, m_movers[ToSize(point.a)].body), point.startA,
-                             StartOf(bodies, delta, m_movers[ToSize(point.b)].body), point.startB);
+    const auto startOf = [&](int row) { return StartOf(bodies, delta, m_movers[ToSize(row)].body); };
+    for (size_t i = 0; i < m_points.size(); ++i) {
+        Point& point = m_points[i];
+        const TreeStart startA = startOf(point.a), startB = startOf(point.b);
+        point.startGap = Gap(startA, point.startA, startB, point.startB);
+        if (point.turnMass > 0.0f)
+            point.startTurn = static_cast<float>(startB.angle - startA.angle - m_kept[i].shape.reference);
     }
+    for (Rod& rod : m_rods) rod.startGap = Gap(startOf(rod.a), rod.startA, startOf(rod.b), rod.startB);
 }
 void JointNet::Store(Column<BodyIndex, Velocity>& velocity) const {
     for (const Mover& mover : m_movers) {
@@ -119,6 +145,7 @@ inline void JointNet::Prepare(Point& point) const {
     const Mover& b = m_movers[ToSize(point.b)];
     TurnArms(point);
     point.gap = point.startGap + (b.moved - a.moved) + ((point.armB - point.startB) - (point.armA - point.startA));
+    point.turnError = point.startTurn + (b.angle - a.angle);
     const float mass = a.invMass + b.invMass;
     const float xx = mass + a.invI * point.armA.y * point.armA.y + b.invI * point.armB.y * point.armB.y;
     const float yy = mass + a.invI * point.armA.x * point.armA.x + b.invI * point.armB.x * point.armB.x;
@@ -126,6 +153,25 @@ inline void JointNet::Prepare(Point& point) const {
     const float determinant = xx * yy - xy * xy;
     const float inverse = determinant > 1e-9f * xx * yy ? 1.0f / determinant : 0.0f;
     point.xx = inverse * yy, point.yy = inverse * xx, point.xy = -inverse * xy;
+}
+
+inline void JointNet::TurnAxis(Rod& rod) const {
+    const Mover& a = m_movers[ToSize(rod.a)];
+    const Mover& b = m_movers[ToSize(rod.b)];
+    rod.armA = Mul(a.turn, rod.startA), rod.armB = Mul(b.turn, rod.startB);
+    const Vec2 gap = rod.startGap + (b.moved - a.moved) + ((rod.armB - rod.startB) - (rod.armA - rod.startA));
+    const float length = gap.Length();
+    rod.axis = length > static_cast<float>(rod.shape.shortest) ? (1.0f / length) * gap : vec2Zero;
+    rod.error = length - static_cast<float>(rod.shape.reference);
+}
+
+inline void JointNet::Prepare(Rod& rod) const {
+    const Mover& a = m_movers[ToSize(rod.a)];
+    const Mover& b = m_movers[ToSize(rod.b)];
+    TurnAxis(rod);
+    const float onA = Cross(rod.armA, rod.axis), onB = Cross(rod.armB, rod.axis);
+    const float mobility = (a.invMass + b.invMass) * Dot(rod.axis, rod.axis) + a.invI * onA * onA + b.invI * onB * onB;
+    rod.mass = mobility > 0.0f ? 1.0f / mobility : 0.0f;
 }
 
 void JointNet::Prepare(Block& block, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta) const {
@@ -158,6 +204,18 @@ inline void JointNet::Push(const Point& point, Vec2 impulse) {
     b.v += b.invMass * impulse;
     b.w += b.invI * Cross(point.armB, impulse);
 }
+inline void JointNet::Push(const Point& point, float turnImpulse) {
+    m_movers[ToSize(point.a)].w -= m_movers[ToSize(point.a)].invI * turnImpulse;
+    m_movers[ToSize(point.b)].w += m_movers[ToSize(point.b)].invI * turnImpulse;
+}
+inline void JointNet::Push(const Rod& rod, float impulse) {
+    Mover& a = m_movers[ToSize(rod.a)];
+    Mover& b = m_movers[ToSize(rod.b)];
+    a.v -= (a.invMass * impulse) * rod.axis;
+    a.w -= a.invI * impulse * Cross(rod.armA, rod.axis);
+    b.v += (b.invMass * impulse) * rod.axis;
+    b.w += b.invI * impulse * Cross(rod.armB, rod.axis);
+}
 void JointNet::Push(const Block& block, const float (&impulse)[maxTreeRows]) {
     Mover& a = m_movers[ToSize(block.a)];
     Mover& b = m_movers[ToSize(block.b)];
@@ -174,11 +232,26 @@ void JointNet::Push(const Block& block, const float (&impulse)[maxTreeRows]) {
 inline void JointNet::Solve(Point& point, const Softness& soft) {
     const Mover& a = m_movers[ToSize(point.a)];
     const Mover& b = m_movers[ToSize(point.b)];
+    if (point.turnMass > 0.0f) {
+        const float turnSpeed = b.w - a.w + soft.biasRate * point.turnError;
+        const float turnImpulse = -soft.massScale * point.turnMass * turnSpeed - soft.impulseScale * point.turnImpulse;
+        Push(point, turnImpulse);
+        point.turnImpulse += turnImpulse;
+    }
     const Vec2 speed = (b.v + Cross(b.w, point.armB)) - (a.v + Cross(a.w, point.armA)) + soft.biasRate * point.gap;
     const Vec2 closing{point.xx * speed.x + point.xy * speed.y, point.xy * speed.x + point.yy * speed.y};
     const Vec2 impulse = -soft.massScale * closing - soft.impulseScale * point.impulse;
     Push(point, impulse);
     point.impulse += impulse;
+}
+inline void JointNet::Solve(Rod& rod, const Softness& soft) {
+    const Mover& a = m_movers[ToSize(rod.a)];
+    const Mover& b = m_movers[ToSize(rod.b)];
+    const float speed =
+        Dot(rod.axis, (b.v + Cross(b.w, rod.armB)) - (a.v + Cross(a.w, rod.armA))) + soft.biasRate * rod.error;
+    const float impulse = -soft.massScale * rod.mass * speed - soft.impulseScale * rod.impulse;
+    Push(rod, impulse);
+    rod.impulse += impulse;
 }
 void JointNet::Solve(Block& block, const Softness& soft) {
     const Mover& a = m_movers[ToSize(block.a)];
@@ -211,12 +284,18 @@ void JointNet::SolveBeforeMove(const BodyTable& bodies, const Column<BodyIndex, 
     for (Point& point : m_points) {
         Prepare(point);
         Push(point, point.impulse);
+        if (point.turnMass > 0.0f) Push(point, point.turnImpulse);
+    }
+    for (Rod& rod : m_rods) {
+        Prepare(rod);
+        Push(rod, rod.impulse);
     }
     for (Block& block : m_blocks) {
         Prepare(block, bodies, delta);
         Push(block, block.impulse);
     }
     for (Point& point : m_points) Solve(point, soft);
+    for (Rod& rod : m_rods) Solve(rod, soft);
     for (Block& block : m_blocks) Solve(block, soft);
     Store(velocity);
 }
@@ -229,6 +308,12 @@ void JointNet::SolveAfterMove(const BodyTable& bodies, const Column<BodyIndex, V
         TurnArms(point);  // the mobility changes little in a sub-step
         Solve(point, rigid);
         point.total += point.impulse;
+        point.turnTotal += point.turnImpulse;
+    }
+    for (Rod& rod : m_rods) {
+        TurnAxis(rod);
+        Solve(rod, rigid);
+        rod.total += rod.impulse;
     }
     for (Block& block : m_blocks) {
         Prepare(block, bodies, delta);
