@@ -6,6 +6,7 @@
 #include "state/bodies.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "base/two_sum.h"
 
@@ -60,6 +61,8 @@ BodyIndex BodyTable::Add(WorldState* state, const BodyDef& def) {
     const bool isStatic = def.type == staticBody;
     velocity[index] = {isStatic ? vec2Zero : def.linearVelocity, isStatic ? 0.0f : def.angularVelocity, 0.0f};
     mass[index] = {0.0f, 0.0f, vec2Zero};
+    position[index] = {vec2Zero, 0.0f, 0.0f};
+    transform[index].SetIdentity();
     Place(index, def.position, def.positionRest, def.angle);
     ClearForce(index);
     motion[index] = {def.linearDamping, def.angularDamping, def.gravityScale, 0.0f};
@@ -173,7 +176,10 @@ Vec2 BodyTable::GetOriginRest(BodyIndex body) const {
 
 void BodyTable::Place(BodyIndex body, Vec2 p, Vec2 originRest, float a) {
     Transform& xf = transform[body];
-    xf.Set(p, a);
+    const Position& before = position[body];
+    const bool turns = std::bit_cast<uint32_t>(before.a) != std::bit_cast<uint32_t>(a) || before.aRest != 0.0f;
+    xf.p = p;
+    if (turns) xf.q.Set(a);
     position[body] = {p, a, 0.0f};
     if (IsFar()) {
         rest[body].end = originRest + Mul(xf.q, mass[body].localCenter);

@@ -134,6 +134,8 @@ struct ContactTable {
     [[nodiscard]] bool HasResting(BodyIndex body) const {
         return m_restingFirst.Has(body) && m_restingFirst[body] >= 0;
     }
+    /// False if the body has no contacts, without looking for any.
+    [[nodiscard]] bool MayHave(BodyIndex body) const { return !active.IsEmpty() || HasResting(body); }
     /// Clears the flag `marked` of all rows, or of those that do not rest and for whose pair the predicate holds.
     void ClearMarks();
     template <typename Predicate>

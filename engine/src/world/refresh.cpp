@@ -48,8 +48,10 @@ Motion MotionOf(BodyType type) {
 
 void ForgetGeometry(WorldState& s, BodyIndex body) {
     NearStatics& near = s.continuousScratch.nearStatics;
-    s.bodies.type[body] == staticBody ? near.ForgetAll() : near.Forget(body);
-    if (s.contacts.steady.empty()) return;
+    const BodyType type = s.bodies.type[body];
+    if (type == staticBody) near.ForgetAll();
+    if (type == dynamicBody) near.Forget(body);  // of kinematic bodies nothing is known
+    if (s.contacts.steady.empty() || !s.contacts.MayHave(body)) return;
     for (const ContactIndex contact : s.contacts.OfBody(body)) s.contacts.ForgetSteady(contact);
 }
 

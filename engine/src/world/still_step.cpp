@@ -23,7 +23,9 @@ bool IsStill(const WorldState& s, const StepRequest& request) {
 void StandStill(WorldState& s, const StepRequest& request, StepResults& results) {
     results.touchingCount = s.contacts.RestingTouchingCount();
     PrepareKernels(s);
-    RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
+    if (s.bodies.fellAsleep > 0 || s.contacts.mayRest || !s.bodies.risen.empty()) {
+        RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
+    }
     if (!s.bodies.risenProxies.empty()) {
         std::erase_if(s.bodies.risenProxies, [&](BodyIndex b) { return s.bodies.isListed[b] == 0; });
     }
