@@ -55,7 +55,9 @@ void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairT
     const bool reachesAll = !isFew && t.bodies.AreAllListed();
     if (!reachesAll) QueryEdited(edited, t, pairs);
     const Searched searched{.all = reachesAll, .listed = !isFew, .edited = &edited.Rows()};
+    t.contacts.addsFresh = true;
     MatchContacts(pairs, searched, FreshOrder::oldestFirst, events, ForMatching(t));
+    t.contacts.addsFresh = false;
     edited.Clear();
 }
 
