@@ -249,10 +249,11 @@ private:
 
     /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts.
     [[nodiscard]] int CountPasses() const {
-        constexpr int visitsToContact = 16, visitsToStep = 1 << 14;  // of blocks
         constexpr int leastPasses = 2, leastInCrowd = 8, mostPasses = 128;
+        constexpr int visitsToStep = 1 << 14;  // of blocks
         const int blocks = m_task.GetBlockCount();
-        const int wanted = visitsToContact * m_s.blocks.GetInitialOverlapCount() / blocks;
+        const float share = static_cast<float>(m_s.blocks.GetInitialOverlapCount()) / static_cast<float>(blocks);
+        const int wanted = static_cast<int>(4.0f * share * share);
         return std::clamp(wanted, leastPasses, std::clamp(visitsToStep / blocks, leastInCrowd, mostPasses));
     }
     /// Overlap in which bodies were made is not the doing of any speed, and pushing it apart is to leave none: only
