@@ -96,7 +96,7 @@ TEST(IslandSubsteps, AHardIslandDoesNotMakeTheEasyOnesDear) {
         EXPECT_NEAR(static_cast<double>(both.bodySubsteps), apart, 0.005 * apart);
         EXPECT_LE(both.overlap, tight.overlap);
         EXPECT_LE(both.jointGap, tight.jointGap);
-        EXPECT_LT(2 * both.bodySubsteps, both.wholeWorldSubsteps);
+        EXPECT_LT(3 * both.bodySubsteps, 2 * both.wholeWorldSubsteps);  // a column settles on eight, piles on four
     }
 }
 

@@ -72,6 +72,37 @@ TEST(Restore, AWorldGoesOnFromAnImageAsItDidBefore) {
     }
 }
 
+/// What is left of the overlap in which bodies were made is part of an image, and of the hash.
+TEST(Restore, BodiesPartFromAnImageAsTheyDidBefore) {
+    for (const int workers : {1, 2, 3, 8}) {
+        World world(Vec2{0.0f, -10.0f});
+        world.SetWorkers(workers);
+        std::mt19937 random(31);
+        PolygonShape shape;
+        shape.SetAsBox(0.5f, 0.4f);
+        for (int i = 0; i < 400; ++i) {
+            BodyDef def;
+            def.type = dynamicBody;
+            def.position = {0.8f * static_cast<float>(i % 20) + 0.001f * static_cast<float>(random() % 100),
+                            0.7f * static_cast<float>(i / 20)};
+            world.CreateBody(&def)->CreateFixture(&shape, 1.0f);
+        }
+        const auto step = [&] { world.Step(1.0f / 60.0f, 4); };
+        step(), step();
+        const std::vector<std::byte> image = SaveWorld(world);
+        const uint64_t saved = inspect::GetStateHash(world);
+        for (int i = 0; i < 20; ++i) step();
+        const uint64_t after = inspect::GetStateHash(world);
+        ASSERT_EQ(RestoreWorld(world, image), SnapshotError::ok);
+        EXPECT_EQ(inspect::GetStateHash(world), saved);
+        for (int i = 0; i < 20; ++i) step();
+        EXPECT_EQ(inspect::GetStateHash(world), after) << workers;
+        static uint64_t ofOneWorker = 0;
+        if (workers == 1) ofOneWorker = after;
+        EXPECT_EQ(after, ofOneWorker) << workers;
+    }
+}
+
 struct Counter : ContactListener {
     void BeginContact(Contact*) override { ++begun; }
     int begun = 0;

@@ -29,6 +29,7 @@ struct alignas(32) ContactBlock {
     Row normalMass[2], tangentMass;        ///< effective, kg
     Row coupling;                          ///< speed of one point by a unit of impulse at the other, 1/kg
     Row separation[2];                     ///< at the start of the step, + the overlap to leave, m
+    Row initialOverlap[2];                 ///< soft step: initial overlap that separation leaves out, m
     Row normalImpulse[2], tangentImpulse;  ///< accumulated, N·s
     Row friction, tangentSpeed;
     Row restitution, restitutionThreshold;  ///< the latter in m/s
@@ -43,22 +44,23 @@ struct alignas(32) ContactBlock {
 inline constexpr int manifoldFloats = 15, manifoldPointFloats = 5, manifoldNormalAt = 10;
 
 // A steady contact (state/contacts.h) as floats: turns of A and B, way between the centres; normal, whether it is kept,
-// reach; arms of both points; separations, whether its sides are swapped, and one unused.
-inline constexpr int steadyFloats = 16;
+// reach; arms of both points; separations, whether its sides are swapped, and the overlap that it began with.
+inline constexpr int steadyFloats = 16, steadyInitialAt = 15;
 
 /// Where filling finds what it needs: columns of the tables of bodies and contacts, rows of floats.
 struct FillSource {
-    const float* transform;   ///< by body: x, y, sine, cosine of the origin
-    const float* position;    ///< by body: x, y of the centre of mass, and two more
-    const float* velocity;    ///< by body: x, y, angular, and one more
-    const float* mass;        ///< by body: inverse mass, inverse inertia, and two more
-    const float* manifold;    ///< by contact: Manifold
-    const float* material;    ///< by contact: friction, restitution, restitution threshold, tangent speed
-    float impulseScale;       ///< of warm starting
-    float slop;               ///< overlap to leave, m
-    bool restitution;         ///< some contact may bounce
-    bool onMoverSurface;      ///< where friction with the unmovable acts (BlockInput)
-    float* steady = nullptr;  ///< by contact: SteadyContact; null: every contact is as its manifold says
+    const float* transform;     ///< by body: x, y, sine, cosine of the origin
+    const float* position;      ///< by body: x, y of the centre of mass, and two more
+    const float* velocity;      ///< by body: x, y, angular, and one more
+    const float* mass;          ///< by body: inverse mass, inverse inertia, and two more
+    const float* manifold;      ///< by contact: Manifold
+    const float* material;      ///< by contact: friction, restitution, restitution threshold, tangent speed
+    float impulseScale;         ///< of warm starting
+    float slop;                 ///< overlap to leave, m
+    bool restitution;           ///< some contact may bounce
+    bool onMoverSurface;        ///< where friction with the unmovable acts (BlockInput)
+    float* steady = nullptr;    ///< by contact: SteadyContact; null: every contact is as its manifold says
+    float leastInitial = 0.0f;  ///< smaller initial overlap is left to springs, m
 };
 
 /// What filling is told of the contacts of one block; its bodies and slots are set.
@@ -114,13 +116,21 @@ struct KernelTask {
     bool friction;             ///< false: no contact has friction, and all tangent impulses are 0
     float leastBounce = 0.0f;  ///< of bounce: contacts whose restitution is no larger take no part
     float largestPush = 0.2f;  ///< of pushApart in one pass: maxLinearCorrection, m
+
+    [[nodiscard]] int32_t GetBlockCount() const { return rangeCount > 0 ? ranges[rangeCount - 1].end : 0; }
+};
+
+/// What filling has found among the contacts of a block.
+struct FillFindings {
+    bool bounces = false;     ///< some contact may
+    int initialOverlaps = 0;  ///< contacts with some
 };
 
 /// The kernels for one instruction set. All sets give the same bits.
 struct ContactKernels {
     const char* name;
-    /// Everything but bodies and slots, of a block of this kind; true if one of its contacts may bounce.
-    bool (*fill)(const FillSource& source, const FillLanes& lanes, BlockKind kind, ContactBlock& block);
+    /// Everything but bodies and slots, of a block of this kind.
+    FillFindings (*fill)(const FillSource& source, const FillLanes& lanes, BlockKind kind, ContactBlock& block);
     void (*warmStart)(const KernelTask& task);
     /// Sequential impulses: one iteration on velocities.
     void (*solveRigid)(const KernelTask& task);
@@ -132,6 +142,11 @@ struct ContactKernels {
     /// Soft step, at the start of a sub-step: contacts that are met in it leave with their share of the speed at which
     /// they close, with friction up to that of the blow. One pass; true if there are any.
     bool (*bounce)(const KernelTask& task);
+    /// Soft step, before the first sub-step: one pass that moves `delta` by a share of the overlaps that contacts began
+    /// with, each by no more than `most`, m, and by no more than the gap where there is one. Returns how much was
+    /// lacking at the worst point, m. Then what is left of these overlaps; below `least` nothing is.
+    float (*part)(const KernelTask& task, float share, float most);
+    void (*endParting)(const KernelTask& task, float share, float most, float least);
 };
 
 /// The best set this processor has.

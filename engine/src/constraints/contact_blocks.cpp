@@ -50,7 +50,8 @@ FillSource SourceOf(const BlockInput& input) {
             input.atOutlines ? 0.0f : linearSlop * input.lengthScale,
             input.restitution,
             input.onMoverSurface,
-            input.steady != nullptr ? &input.steady->data()->turnA : nullptr};
+            input.steady != nullptr ? &input.steady->data()->turnA : nullptr,
+            linearSlop * input.lengthScale};
 }
 
 /// Where the bodies of a block are, far from the origin.
@@ -235,10 +236,15 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
     if (lanes.isFar) PlaceLanes(input.bodies, block, lanes);
 }
 
-/// Fills blocks [begin, end); true if a contact of them bounces.
-bool ContactBlocks::FillRange(const BlockInput& input, size_t begin, size_t end) {
-    if (begin == end) return false;  // there may be no contact at all, and no table to point to
-    bool bounces = false;
+FillFindings& operator|=(FillFindings& all, FillFindings more) {
+    all.bounces |= more.bounces, all.initialOverlaps += more.initialOverlaps;
+    return all;
+}
+
+/// Fills blocks [begin, end).
+FillFindings ContactBlocks::FillRange(const BlockInput& input, size_t begin, size_t end) {
+    FillFindings found;
+    if (begin == end) return found;  // there may be no contact at all, and no table to point to
     FillLanes lanes{};
     const FillSource source = SourceOf(input);
     auto range = std::upper_bound(m_ranges.begin(), m_ranges.end(), static_cast<int32_t>(begin),
@@ -247,18 +253,19 @@ bool ContactBlocks::FillRange(const BlockInput& input, size_t begin, size_t end)
         if (static_cast<int32_t>(k) == range->end) ++range;
         FetchAhead(input, k);
         NameLanes(input, k, lanes);
-        bounces |= input.kernels.fill(source, lanes, range->kind, m_blocks[k]);
+        found |= input.kernels.fill(source, lanes, range->kind, m_blocks[k]);
     }
-    return bounces;
+    return found;
 }
 
 void ContactBlocks::Fill(const BlockInput& input) {
     constexpr int leastBlocksToFill = 16;
-    bool bounces[maxWorkers] = {};
+    FillFindings found[maxWorkers];
     input.pool.For(static_cast<int>(m_blocks.size()), leastBlocksToFill, [&](int begin, int end, int worker) {
-        bounces[worker] |= FillRange(input, ToSize(begin), ToSize(end));
+        found[worker] |= FillRange(input, ToSize(begin), ToSize(end));
     });
-    m_bounces = std::find(std::begin(bounces), std::end(bounces), true) != std::end(bounces);
+    m_findings = {};
+    for (const FillFindings& one : found) m_findings |= one;
 }
 
 void ContactBlocks::Build(const BlockInput& input) {
@@ -300,6 +307,28 @@ void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impuls
             out.normalImpulses[p] = (summed ? block.totalNormal : block.normalImpulse)[p][l];
             out.tangentImpulses[p] = tangent;
         }
+    }
+}
+
+void ContactBlocks::LeaveJointed(const BodyTable& bodies, Column<ContactIndex, SteadyContact>& steady) {
+    for (size_t i = 0; i < m_sided.size(); ++i) {
+        ContactBlock& block = m_blocks[ToSize(m_lane[i] / blockLanes)];
+        const int l = m_lane[i] % blockLanes;
+        if (block.initialOverlap[0][l] == 0.0f && block.initialOverlap[1][l] == 0.0f) continue;
+        if (bodies.info[m_sided[i].a].jointCount == 0 && bodies.info[m_sided[i].b].jointCount == 0) continue;
+        for (int p = 0; p < 2; ++p) {
+            block.separation[p][l] -= block.initialOverlap[p][l];
+            block.initialOverlap[p][l] = 0.0f;
+        }
+        steady[m_sided[i].contact].initialOverlap = 0.0f;
+    }
+}
+
+void ContactBlocks::StoreInitialOverlaps(Column<ContactIndex, SteadyContact>& steady) const {
+    for (size_t i = 0; i < m_sided.size(); ++i) {
+        const ContactBlock& block = m_blocks[ToSize(m_lane[i] / blockLanes)];
+        const int l = m_lane[i] % blockLanes;
+        steady[m_sided[i].contact].initialOverlap = Max(block.initialOverlap[0][l], block.initialOverlap[1][l]);
     }
 }
 

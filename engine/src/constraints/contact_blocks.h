@@ -62,7 +62,13 @@ public:
 
     [[nodiscard]] KernelTask Task(Column<BodyIndex, Velocity>& velocity, Column<BodyIndex, Velocity>& delta);
     [[nodiscard]] bool IsEmpty() const { return m_ranges.empty(); }
-    [[nodiscard]] bool Bounces() const { return m_bounces; }
+    [[nodiscard]] bool Bounces() const { return m_findings.bounces; }
+    /// Contacts with initial overlap (SteadyContact).
+    [[nodiscard]] int GetInitialOverlapCount() const { return m_findings.initialOverlaps; }
+    /// That of bodies with joints is left to springs: moving them would tear their joints.
+    void LeaveJointed(const BodyTable& bodies, Column<ContactIndex, SteadyContact>& steady);
+    /// Writes what is left of the overlaps that contacts began with.
+    void StoreInitialOverlaps(Column<ContactIndex, SteadyContact>& steady) const;
     [[nodiscard]] int GetColourCount() const { return m_colourCount; }
     /// Colour of each contact of the list.
     [[nodiscard]] std::span<const int> GetColours() const { return m_colours; }
@@ -93,7 +99,7 @@ private:
     void MakeRanges();
     void Fill(const BlockInput& input);
     void NameLanes(const BlockInput& input, size_t block, FillLanes& lanes);
-    bool FillRange(const BlockInput& input, size_t begin, size_t end);
+    FillFindings FillRange(const BlockInput& input, size_t begin, size_t end);
     void FetchAhead(const BlockInput& input, size_t block) const;
     /// By position in the list.
     [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }
@@ -111,7 +117,7 @@ private:
     std::vector<ContactIndex> m_contact;  ///< the same: contact, 0 to spare
     int m_moverColourCount = 0;           ///< colours below it have two movers a contact, the others one
     int m_colourCount = 0;
-    bool m_bounces = false;
+    FillFindings m_findings;
 };
 
 }  // namespace scree

@@ -61,7 +61,9 @@ void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairT
         t.contacts.Compact();
     } else {
         const Searched searched{.all = reachesAll, .listed = searches, .edited = &edited.Rows()};
+        t.contacts.addsFresh = true;
         MatchContacts(pairs, searched, FreshOrder::oldestFirst, events, ForMatching(t));
+        t.contacts.addsFresh = false;
     }
     edited.Clear();
 }

@@ -39,6 +39,15 @@ float TakeWanted(const GroupInput& in, BodyDemand& demand) {
     return wanted;
 }
 
+/// Springs grow stiffer with the number of sub-steps. What they would then push apart at once, and throw a column by,
+/// is left to the pass that leaves no speed (SteadyContact).
+void NoteStiffer(ContactIndex contact, int last, int now, ContactTable& contacts) {
+    if (last == 0 || now <= last || !contacts.steady.Has(contact)) return;
+    float& initial = contacts.steady[contact].initialOverlap;
+    const float rate = static_cast<float>(last) / static_cast<float>(now);
+    if (initial == 0.0f && contacts.steady[contact].isKept != 0.0f) initial = rate * rate - 1.0f;
+}
+
 /// Any group may come to hold nearly all; groups change places and sizes from step to step, and are not to allocate.
 void MakeRoom(IslandTable& lists, const IslandTable& all) {
     lists.bodies.reserve(std::bit_ceil(all.bodies.size()));
@@ -79,10 +88,12 @@ SubstepGroup& SubstepGroups::Find(int substeps) {
 
 void GroupBySubsteps(const GroupInput& in, BodyTable& bodies, SubstepGroups& groups) {
     EnsureRows(bodies.demand, bodies.info.size());
+    EnsureRows(groups.Last(), bodies.info.size());
     groups.Clear();
     for (const Island& island : in.islands.islands) {
         float wanted = 0.0f;
         for (const BodyIndex body : Bodies(in.islands, island)) {
+            groups.Last()[body] = bodies.demand[body].substeps;
             wanted = Max(wanted, TakeWanted(in, bodies.demand[body]));
         }
         const int substeps = RoundUpSubsteps(wanted, in.tolerance);
@@ -105,7 +116,9 @@ void GroupBySubsteps(const GroupInput& in, BodyTable& bodies, SubstepGroups& gro
     for (const BodyIndex body : in.active.bodies) listsOf(body).bodies.push_back(body);
     for (const ContactIndex contact : in.active.contacts) {
         const ContactPair& pair = in.contacts.pair[contact];
-        listsOf(moverOf(pair.bodyA, pair.bodyB)).contacts.push_back(contact);
+        const BodyIndex mover = moverOf(pair.bodyA, pair.bodyB);
+        listsOf(mover).contacts.push_back(contact);
+        NoteStiffer(contact, groups.Last()[mover], bodies.demand[mover].substeps, in.contacts);
     }
     for (const JointIndex joint : in.active.joints) {
         const JointInfo& info = in.joints.info[joint];

@@ -28,8 +28,10 @@ public:
     [[nodiscard]] std::span<SubstepGroup> Get() { return {m_groups.data(), m_count}; }
     [[nodiscard]] std::span<const SubstepGroup> Get() const { return {m_groups.data(), m_count}; }
     void Clear() { m_count = 0; }
+    /// Per body: its number in the last such step; scratch.
+    Column<BodyIndex, int>& Last() { return m_last; }
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = BytesOf(m_groups);
+        size_t bytes = BytesOf(m_groups, m_last);
         for (const SubstepGroup& group : m_groups) bytes += group.lists.GetMemoryBytes();
         return bytes;
     }
@@ -41,12 +43,13 @@ public:
 private:
     std::vector<SubstepGroup> m_groups;
     size_t m_count = 0;
+    Column<BodyIndex, int> m_last;
 };
 
 struct GroupInput {
     const IslandTable& islands;  ///< of the step
     const IslandTable& active;   ///< the same bodies, contacts and joints, in the order in which to solve them
-    const ContactTable& contacts;
+    ContactTable& contacts;      ///< where springs get stiffer, overlap is marked to be pushed apart without speed
     const JointTable& joints;
     const Tolerance& tolerance;
     float slop;  ///< overlap that the solver means to leave, m

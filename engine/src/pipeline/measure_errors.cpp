@@ -66,7 +66,8 @@ StepErrors Measure(const MeasuredTables& t, float slop, float dt, Note&& note) {
         if (!IsAnyActive(t.bodies, pair.bodyA, pair.bodyB)) continue;
         const float overlap = Told(MeasureContact(t, contact, slop, dt, errors.residual));
         errors.overlap = Max(errors.overlap, overlap);
-        note(pair.bodyA, pair.bodyB, overlap, &BodyDemand::overlap);
+        const float initial = t.contacts.steady.Has(contact) ? t.contacts.steady[contact].initialOverlap : 0.0f;
+        note(pair.bodyA, pair.bodyB, overlap - Max(initial, 0.0f), &BodyDemand::overlap);
     }
     for (JointIndex joint = t.joints.listHead; IsSome(joint); joint = t.joints.info[joint].listNext) {
         const JointInfo& info = t.joints.info[joint];

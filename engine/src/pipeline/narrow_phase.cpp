@@ -202,7 +202,7 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
         uint8_t& flags = t.contacts.flags[contact];
         const uint8_t known = ahead ? scratch.findings[contact] : NarrowPhaseScratch::nothing;
         if (isQuick && StaysAsItWas(flags, known)) {
-            flags |= ContactFlag::enabled;
+            flags = static_cast<uint8_t>((flags | ContactFlag::enabled) & ~ContactFlag::fresh);
             touchingCount += (flags & ContactFlag::touching) != 0 ? 1 : 0;
             continue;
         }

@@ -19,6 +19,7 @@
 
 #include "pipeline/solve_soft.h"
 
+#include <algorithm>
 #include <array>
 
 #include "base/two_sum.h"
@@ -192,6 +193,10 @@ public:
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
         m_task.sumImpulses = report || m_s.blocks.Bounces();
+        if (m_s.blocks.GetInitialOverlapCount() > 0) {
+            if (HasJoints()) m_s.blocks.LeaveJointed(m_bodies, m_tables.contacts.steady);
+            if (!m_tables.isRest) PushInitialApart();
+        }
         const bool hasRows = !m_tree.GetOthers().empty() || !m_tree.GetBounded().empty();
         m_plan = {.warmStarts = m_settings.impulseScale > 0.0f,
                   .hasContacts = !m_s.blocks.IsEmpty(),
@@ -263,6 +268,49 @@ private:
             m_s.soft.back().jointed = true;
             m_s.startVelocities.Note(body, m_bodies.velocity[body]);
             m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
+        }
+    }
+
+    /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts.
+    [[nodiscard]] int CountPasses() const {
+        constexpr int leastPasses = 2, leastInCrowd = 8, mostPasses = 128;
+        constexpr int visitsToStep = 1 << 14;  // of blocks
+        const int blocks = m_task.GetBlockCount();
+        const float share = static_cast<float>(m_s.blocks.GetInitialOverlapCount()) / static_cast<float>(blocks);
+        const int wanted = static_cast<int>(4.0f * share * share);
+        return std::clamp(wanted, leastPasses, std::clamp(visitsToStep / blocks, leastInCrowd, mostPasses));
+    }
+    /// Overlap in which bodies were made is not the doing of any speed, and pushing it apart is to leave none: only
+    /// positions move, before the first sub-step, and springs do not see it. So a squeezed pile rises without being
+    /// thrown, alike with any number of sub-steps. With few passes it would rise from its ends, tilt and spread; in
+    /// large worlds that is the lesser evil.
+    void PushInitialApart() {
+        constexpr float rate = 48.0f, largestShare = 0.8f;  // of what is left, 1/s and in a step
+        constexpr float fasterThanSprings = 30.0f;
+        constexpr float enough = 0.05f;               // of what was lacking at first
+        constexpr float passed = 0.02f, done = 0.1f;  // slops
+        const float share = Min(rate * m_settings.dt, largestShare);
+        const float most = fasterThanSprings * m_settings.contactPushSpeed * m_settings.dt;
+        const int passes = CountPasses();
+        float allowed = passed * m_settings.Slop();
+        for (int i = 0; i < passes; ++i) {
+            const float lacking = RunPart(Pool(), m_task, m_kernels, share, most);
+            if (i == 0) allowed = Max(allowed, enough * lacking);
+            if (lacking <= allowed) break;
+        }
+        m_s.locked.Stop(m_s.delta);
+        RunKernel(Pool(), m_task, [&](const KernelTask& part, int) {
+            m_kernels.endParting(part, share, most, done * m_settings.Slop());
+        });
+        m_s.blocks.StoreInitialOverlaps(m_tables.contacts.steady);
+        // In a crowd bodies are pushed into others that they had no contact with.
+        const bool isCrowd = 2 * m_s.blocks.GetInitialOverlapCount() > blockLanes * m_task.GetBlockCount();
+        m_tables.contacts.addsFresh = m_tables.contacts.addsFresh || isCrowd;
+        // What still parts does not sleep.
+        const float way = SleepSpeed(m_settings) * m_settings.dt;
+        for (const SoftBody& soft : m_s.soft) {
+            const Vec2 moved = m_s.delta[soft.body].v;
+            if (Dot(moved, moved) > way * way) m_bodies.sleepTime[soft.body] = 0.0f;
         }
     }
 

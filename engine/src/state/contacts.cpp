@@ -79,9 +79,11 @@ ContactIndex ContactTable::Add(const ContactPair& newPair) {
         m_free.pop_back();
     }
     flags[index] = ContactFlag::alive | ContactFlag::marked;
+    if (addsFresh) flags[index] |= ContactFlag::fresh;
     pair[index] = newPair;
     manifold[index].pointCount = 0;
     ForgetSteady(index);
+    if (!steady.empty()) steady[index].initialOverlap = 0.0f;
     if (!rolling.empty()) rolling[index] = 0.0f;
     m_adjacency.Set(0);
     mustMatch = true;

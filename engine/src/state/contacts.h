@@ -32,6 +32,7 @@ struct ContactFlag {
     static constexpr uint8_t enabled = 8;    ///< PreSolve may clear it for one step
     static constexpr uint8_t sensor = 16;    ///< one of the fixtures is a sensor
     static constexpr uint8_t refilter = 32;  ///< filters must be asked again
+    static constexpr uint8_t fresh = 64;     ///< bodies may have been put into each other; until the manifold is known
 };
 
 /// Who takes part. A and B are ordered as the collision function of the two shapes wants them.
@@ -57,7 +58,8 @@ struct SteadyContact {
     Vec2 arm[maxManifoldPoints]{};     ///< from A's centre to the point
     float separation[maxManifoldPoints]{};
     float isSwapped = 0.0f;  ///< 1: the solver's side A is the contact's B
-    float unused = 0.0f;
+    /// What is left of the overlap in which the bodies were made or put, m; below 0: minus its share of all overlap.
+    float initialOverlap = 0.0f;
 };
 
 struct ContactTable {
@@ -82,6 +84,7 @@ struct ContactTable {
 
     IndexSet<ContactIndex> active;  ///< living rows that do not rest
     bool mayRest = false;           ///< some of them could, as some body has fallen asleep or contacts were roused
+    bool addsFresh = false;         ///< rows that are added now are
     bool mustMatch =
         true;  ///< pairs must be matched even if no box changes: contacts were added, or the filter changed
 
@@ -111,6 +114,12 @@ struct ContactTable {
     /// The manifold of this contact is another, or its bodies' centres are.
     void ForgetSteady(ContactIndex contact) {
         if (!steady.empty()) steady[contact].isKept = 0.0f;
+    }
+    /// The fresh contact touches: the soft step is to see how deep its bodies are in each other.
+    void AskInitialOverlap(ContactIndex contact) {
+        if (!keepsSteady) return;
+        if (steady.size() < flags.size()) steady.resize(flags.size());
+        steady[contact].initialOverlap = -1.0f;
     }
     [[nodiscard]] int RestingCount() const { return m_count - active.Count(); }
     /// Resting contacts that touch.
@@ -152,13 +161,13 @@ struct ContactTable {
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
-               matched, freshPairs, freshRefusals, refused, active, mayRest, mustMatch, hash, shift, free, isCompact,
-               handles, generation, count, resting, restingFirst, restingTouching, adjacency, first, entries, ofBody,
-               handleRows, generationRows] = t;
+               matched, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, mustMatch, hash, shift, free,
+               isCompact, handles, generation, count, resting, restingFirst, restingTouching, adjacency, first, entries,
+               ofBody, handleRows, generationRows] = t;
         visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
         visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, active,
-                      mayRest, mustMatch, hash, shift, isCompact, handles, generation, count, resting, restingFirst,
-                      restingTouching, adjacency, first, entries, ofBody, handleRows, generationRows);
+                      mayRest, addsFresh, mustMatch, hash, shift, isCompact, handles, generation, count, resting,
+                      restingFirst, restingTouching, adjacency, first, entries, ofBody, handleRows, generationRows);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();

@@ -218,10 +218,16 @@ void Fields(Self& point, Visit& visit) {
 }
 template <Is<SteadyContact> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
-    auto& [turnA, turnB, between, normal, isKept, reach, arm, separation, isSwapped, unused] = row;
-    visit(isKept);
+    auto& [turnA, turnB, between, normal, isKept, reach, arm, separation, isSwapped, initialOverlap] = row;
+    float marks = isKept + (initialOverlap != 0.0f ? 2.0f : 0.0f);
+    visit(marks);
+    if constexpr (!std::is_const_v<Self>) {
+        isKept = marks == 1.0f || marks == 3.0f ? 1.0f : 0.0f;
+        if (marks < 2.0f) initialOverlap = 0.0f;
+    }
+    if (marks >= 2.0f) visit(initialOverlap);
     if (isKept == 0.0f) return;
-    visit(turnA, turnB, between, normal, reach, isSwapped, arm, separation), visit.LeftOut(unused);
+    visit(turnA, turnB, between, normal, reach, isSwapped, arm, separation);
 }
 /// Beyond its points a manifold holds left-overs.
 template <Is<Manifold> Self, typename Visit>

@@ -76,8 +76,11 @@ bool NoteTouching(ContactIndex contact, bool isTouching, bool restartsTimers, Bo
     if (contacts.RestingCount() > 0) contacts.Rouse(contact);
     const uint8_t flags = contacts.flags[contact];
     const bool wasTouching = (flags & ContactFlag::touching) != 0;
-    contacts.flags[contact] = static_cast<uint8_t>((flags & ~ContactFlag::touching) | ContactFlag::enabled |
-                                                   (isTouching ? ContactFlag::touching : 0));
+    constexpr uint8_t noted = ContactFlag::touching | ContactFlag::fresh;
+    contacts.flags[contact] =
+        static_cast<uint8_t>((flags & ~noted) | ContactFlag::enabled | (isTouching ? ContactFlag::touching : 0));
+    const bool asks = (flags & (ContactFlag::fresh | ContactFlag::sensor)) == ContactFlag::fresh;
+    if (isTouching && asks) contacts.AskInitialOverlap(contact);
     if (wasTouching != isTouching && (flags & ContactFlag::sensor) == 0) {
         for (const BodyIndex body : {contacts.pair[contact].bodyA, contacts.pair[contact].bodyB}) {
             if (restartsTimers || !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);

@@ -57,6 +57,17 @@ inline float RunPushApart(TaskPool& pool, const KernelTask& task, const ContactK
     return least;
 }
 
+/// A pass of part.
+inline float RunPart(TaskPool& pool, const KernelTask& task, const ContactKernels& kernels, float share, float most) {
+    float lacking[maxWorkers] = {};
+    RunKernel(pool, task, [&](const KernelTask& part, int worker) {
+        lacking[worker] = Max(lacking[worker], kernels.part(part, share, most));
+    });
+    float largest = 0.0f;
+    for (const float one : lacking) largest = Max(largest, one);
+    return largest;
+}
+
 /// A pass of bounce: true if a contact bounces.
 inline bool RunBounce(TaskPool& pool, const KernelTask& task, const ContactKernels& kernels) {
     bool bounced[maxWorkers] = {};
