@@ -200,7 +200,7 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
     while (goOn()) {
         if (!ahead) Fetch(contact, t);
         uint8_t& flags = t.contacts.flags[contact];
-        const uint8_t known = ahead ? scratch.findings[contact] : NarrowPhaseScratch::nothing;
+        const uint8_t known = ahead ? scratch.findings[contact] : uint8_t{NarrowPhaseScratch::nothing};
         if (isQuick && StaysAsItWas(flags, known)) {
             flags = static_cast<uint8_t>((flags | ContactFlag::enabled) & ~ContactFlag::fresh);
             touchingCount += (flags & ContactFlag::touching) != 0 ? 1 : 0;

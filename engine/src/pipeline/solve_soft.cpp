@@ -142,9 +142,8 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
     });
 }
 
-/// A ball hands on (1 + e)/2 of its speed to the next one in a row, and what a contact would do in a pass beyond the
-/// usual rows is e of that. It takes part in a pass while that is 1 % of the first blow. By pass: the largest e that is
-/// out.
+/// In a row of equal balls each hands on (1 + e)/2 of what it got, and e of that is what a bounce adds to a blow without
+/// one. A contact takes part in a pass while that is 1 % of the first blow. By pass: the largest e that is out.
 constexpr std::array<float, 32> MakeLeastBounces() {
     constexpr double share = 0.01;
     std::array<float, 32> least{};
