@@ -139,12 +139,18 @@ RunSpec ParseSpec(std::string_view engine, std::span<const TypedSetting> common,
 }
 
 std::size_t FindBaseline(std::span<const Pane> panes, std::string_view name) {
+    if (name.empty()) {
+        for (const std::string_view rival : {"box2d", "box2d3"}) {
+            const auto found = std::ranges::find(panes, rival, [](const Pane& pane) { return pane.spec.engine; });
+            if (found != panes.end()) return static_cast<std::size_t>(found - panes.begin());
+        }
+        return 0;
+    }
     std::vector<std::string_view> names;
     for (std::size_t i = 0; i < panes.size(); ++i) {
-        if (name.empty() ? panes[i].spec.engine == "box2d" : panes[i].name == name) return i;
+        if (panes[i].name == name) return i;
         names.push_back(panes[i].name);
     }
-    if (name.empty()) return 0;
     throw UsageError(fmt::format("--baseline: {}", DescribeUnknown("pane", name, names)));
 }
 

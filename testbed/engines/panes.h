@@ -53,7 +53,7 @@ struct TypedSetting {
                                 std::string_view base = {});
 
 /// Index of the pane that the others are compared with: the one of that name, UsageError with the nearest one if there
-/// is none; for an empty name the first of Box2D, else the first.
+/// is none; for an empty name the first of Box2D 2.4, else of Box2D 3, else the first.
 [[nodiscard]] std::size_t FindBaseline(std::span<const Pane> panes, std::string_view name = {});
 
 }  // namespace testbed

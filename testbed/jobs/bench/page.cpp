@@ -20,29 +20,30 @@ namespace testbed {
 namespace {
 
 PageTable MakeTable(std::span<const BenchRow> rows) {
-    PageTable table{.columns = {{.name = "scene"},
-                                {.name = "size", .numeric = true},
-                                {.name = "engine"},
-                                {.name = "solver"},
-                                {.name = "threads", .numeric = true},
-                                {.name = "total", .unit = "ms", .numeric = true},
-                                {.name = "quartiles", .unit = "ms", .hint = "of the repeats' totals"},
-                                {.name = "ratio", .unit = "×", .numeric = true, .hint = "Box2D's total / this one's"},
-                                {.name = "ratio, processor", .unit = "×", .numeric = true},
-                                {.name = "create", .unit = "ms", .numeric = true},
-                                {.name = "median", .unit = "ms", .numeric = true, .group = "one step"},
-                                {.name = "p99", .unit = "ms", .numeric = true, .group = "one step"},
-                                {.name = "max", .unit = "ms", .numeric = true, .group = "one step"},
-                                {.name = "broad phase", .unit = "ms", .numeric = true, .group = "stages"},
-                                {.name = "narrow phase", .unit = "ms", .numeric = true, .group = "stages"},
-                                {.name = "islands", .unit = "ms", .numeric = true, .group = "stages"},
-                                {.name = "solver", .unit = "ms", .numeric = true, .group = "stages"},
-                                {.name = "continuous", .unit = "ms", .numeric = true, .group = "stages"},
-                                {.name = "body and step", .unit = "ns", .numeric = true},
-                                {.name = "contacts", .numeric = true, .hint = "most at the end of a step"},
-                                {.name = "memory", .unit = "MB", .numeric = true, .hint = "heap, most held"},
-                                {.name = "settings"}},
-                    .filter = true};
+    PageTable table{
+        .columns = {{.name = "scene"},
+                    {.name = "size", .numeric = true},
+                    {.name = "engine"},
+                    {.name = "solver"},
+                    {.name = "threads", .numeric = true},
+                    {.name = "total", .unit = "ms", .numeric = true},
+                    {.name = "quartiles", .unit = "ms", .hint = "of the repeats' totals"},
+                    {.name = "ratio", .unit = "×", .numeric = true, .hint = "the baseline's total / this one's"},
+                    {.name = "ratio, processor", .unit = "×", .numeric = true},
+                    {.name = "create", .unit = "ms", .numeric = true},
+                    {.name = "median", .unit = "ms", .numeric = true, .group = "one step"},
+                    {.name = "p99", .unit = "ms", .numeric = true, .group = "one step"},
+                    {.name = "max", .unit = "ms", .numeric = true, .group = "one step"},
+                    {.name = "broad phase", .unit = "ms", .numeric = true, .group = "stages"},
+                    {.name = "narrow phase", .unit = "ms", .numeric = true, .group = "stages"},
+                    {.name = "islands", .unit = "ms", .numeric = true, .group = "stages"},
+                    {.name = "solver", .unit = "ms", .numeric = true, .group = "stages"},
+                    {.name = "continuous", .unit = "ms", .numeric = true, .group = "stages"},
+                    {.name = "body and step", .unit = "ns", .numeric = true},
+                    {.name = "contacts", .numeric = true, .hint = "most at the end of a step"},
+                    {.name = "memory", .unit = "MB", .numeric = true, .hint = "heap, most held"},
+                    {.name = "settings"}},
+        .filter = true};
     for (const BenchRow& row : rows) {
         const bool isVoid = !row.voidReason.empty();
         PageCell total = PageCell::Number(row.totalMs, 1);
@@ -179,7 +180,9 @@ PageTiles MakeTiles(std::span<const BenchRow> rows) {
     int count = 0, faster = 0;
     const BenchRow* best = nullptr;
     const BenchRow* worst = nullptr;
+    std::string rival;
     for (const BenchRow& row : rows) {
+        if (row.IsBaseline()) rival = row.GetName();
         if (row.IsBaseline() || FairRatio(row) <= 0 || !row.voidReason.empty()) continue;
         sum += std::log(FairRatio(row));
         ++count;
@@ -189,9 +192,11 @@ PageTiles MakeTiles(std::span<const BenchRow> rows) {
     }
     PageTiles tiles;
     if (count == 0) return tiles;
-    tiles.tiles.push_back({"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×",
-                           "processor time of Box2D / ours; wall time where ours has several threads"});
-    tiles.tiles.push_back({"faster than Box2D", fmt::format("{} of {}", faster, count), "", "rows that are not void"});
+    tiles.tiles.push_back(
+        {"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×",
+         fmt::format("processor time of {} over the row's; wall time where that has several threads", rival)});
+    tiles.tiles.push_back(
+        {"faster than " + rival, fmt::format("{} of {}", faster, count), "", "rows that are not void"});
     tiles.tiles.push_back({"largest ratio", fmt::format("{:.2f}", FairRatio(*best)), "×", best->scene});
     tiles.tiles.push_back({"smallest ratio", fmt::format("{:.2f}", FairRatio(*worst)), "×", worst->scene});
     return tiles;

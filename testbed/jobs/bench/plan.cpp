@@ -134,7 +134,7 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->capture_default_str();
     AddEnginesOption(app, arguments.settings, "");
     app.add_option("--baseline", arguments.settings.baseline,
-                   "Name of the pane that the others are compared with; box2d's if not given")
+                   "Name of the pane that the others are compared with; box2d's or else box2d3's if not given")
         ->type_name("NAME");
     AddSetOption(app, arguments.settings, comparisonNote);
     app.add_option("--solver", arguments.solver,

@@ -73,11 +73,10 @@ std::string FormatBenchRows(std::span<const BenchRow> rows) {
 
 std::string FormatBenchNotes() {
     return "Times in ms: create and the stages summed over the run; median, p99 and max of single steps; quartiles of\n"
-           "the repeats' totals. ratio: Box2D's total / ours, for wall time and for processor time (all threads), "
-           "which\n"
-           "other programs do not lengthen. Box2D's solver includes finding islands; its broad phase includes the "
-           "pair\n"
-           "search after new fixtures, not its retest in Collide. Debian's libbox2d has its asserts compiled in.\n"
+           "the repeats' totals. ratio: the baseline's total / this one's, for wall time and for processor time (all\n"
+           "threads), which other programs do not lengthen. Box2D's solver includes finding islands; its broad phase\n"
+           "includes the pair search after new fixtures, not its retest in Collide. Debian's libbox2d has its asserts "
+           "compiled in.\n"
            "void: in the steps that both took, awake body-steps differ by over 2 % or touching contacts by over 20 %.\n"
            "Settings: preset=like-box2d (Box2D's caps of speed, no continuous collision), unless --set says "
            "otherwise.\n";

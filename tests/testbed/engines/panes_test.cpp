@@ -77,6 +77,13 @@ TEST(Panes, TheBaselineIsNamedOrBox2d) {
     const std::vector<Pane> panes = ParsePanes("scree,fine=scree:accuracy=fine,box2d");
     EXPECT_EQ(FindBaseline(panes), 2u);
     EXPECT_EQ(FindBaseline(panes, "fine"), 1u);
+    for (const std::size_t place : {0u, 1u, 2u}) {
+        std::vector<Pane> others = ParsePanes("scree,a=scree:accuracy=fine,b=scree:accuracy=precise");
+        others[place].spec.engine = "box2d3";
+        EXPECT_EQ(FindBaseline(others), place);
+        others.push_back(panes[2]);
+        EXPECT_EQ(FindBaseline(others), 3u) << "2.4 before 3";
+    }
     EXPECT_EQ(FindBaseline(ParsePanes("fine=scree:accuracy=fine,scree")), 0u);
     try {
         (void)FindBaseline(panes, "fien");
