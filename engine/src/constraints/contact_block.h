@@ -126,6 +126,13 @@ struct FillFindings {
     int initialOverlaps = 0;  ///< contacts with some
 };
 
+/// How far overlap in which bodies were made is parted in a step.
+struct Parting {
+    float share, largestShare;  ///< of the overlap; of what is so small or so deep that it parts as fast as it can
+    float atOnce, deep;         ///< m: small is what is below, deep what is above
+    float most;                 ///< m
+};
+
 /// The kernels for one instruction set. All sets give the same bits.
 struct ContactKernels {
     const char* name;
@@ -142,11 +149,11 @@ struct ContactKernels {
     /// Soft step, at the start of a sub-step: contacts that are met in it leave with their share of the speed at which
     /// they close, with friction up to that of the blow. One pass; true if there are any.
     bool (*bounce)(const KernelTask& task);
-    /// Soft step, before the first sub-step: one pass that moves `delta` by a share of the overlaps that contacts began
-    /// with, each by no more than `most`, m, and by no more than the gap where there is one. Returns how much was
-    /// lacking at the worst point, m. Then what is left of these overlaps; below `least` nothing is.
-    float (*part)(const KernelTask& task, float share, float most);
-    void (*endParting)(const KernelTask& task, float share, float most, float least);
+    /// Soft step, before the first sub-step: one pass that moves `delta` apart where contacts began with overlap, by no
+    /// more than the gap where there is one. Returns how much was lacking at the worst point, m. Then what is left of
+    /// these overlaps; below `least` nothing is.
+    float (*part)(const KernelTask& task, const Parting& parting);
+    void (*endParting)(const KernelTask& task, const Parting& parting, float least);
 };
 
 /// The best set this processor has.

@@ -58,10 +58,10 @@ inline float RunPushApart(TaskPool& pool, const KernelTask& task, const ContactK
 }
 
 /// A pass of part.
-inline float RunPart(TaskPool& pool, const KernelTask& task, const ContactKernels& kernels, float share, float most) {
+inline float RunPart(TaskPool& pool, const KernelTask& task, const ContactKernels& kernels, const Parting& parting) {
     float lacking[maxWorkers] = {};
     RunKernel(pool, task, [&](const KernelTask& part, int worker) {
-        lacking[worker] = Max(lacking[worker], kernels.part(part, share, most));
+        lacking[worker] = Max(lacking[worker], kernels.part(part, parting));
     });
     float largest = 0.0f;
     for (const float one : lacking) largest = Max(largest, one);
