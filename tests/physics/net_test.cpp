@@ -8,11 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "scree/inspect.h"
 #include "scree/scree.h"
+#include "scree/snapshot.h"
 
 namespace scree::test {
 namespace {
@@ -155,7 +158,22 @@ TEST(Nets, OfVeryUnequalMassesDoNotExplode) {
     }
 }
 
-/// A net that a listener or an edit touches is replanned: cutting it to pieces leaves each of them held.
+/// What rows start from is in the image: a loaded net goes on as the saved one.
+TEST(Nets, GoOnAlikeAfterLoading) {
+    for (const Knot knot : {Knot::hinge, Knot::weld, Knot::rod}) {
+        Net net({9, 8, knot, 3.0f, 11u});
+        for (int i = 0; i < 40; ++i) net.world.Step(1.0f / 60.0f, 4);
+        const std::unique_ptr<World> loaded = LoadWorld(SaveWorld(net.world));
+        ASSERT_NE(loaded, nullptr);
+        for (int i = 0; i < 40; ++i) {
+            net.world.Step(1.0f / 60.0f, 4);
+            loaded->Step(1.0f / 60.0f, 4);
+            ASSERT_EQ(inspect::GetStateHash(*loaded), inspect::GetStateHash(net.world)) << i;
+        }
+    }
+}
+
+/// Joints that go change the plan: cutting a net to pieces leaves each of them held.
 TEST(Nets, CutToPiecesAreHeldOn) {
     Net net({12, 12, Knot::hinge, 1.0f, 5u});
     std::mt19937 random(5);

@@ -19,7 +19,7 @@
 namespace scree {
 
 /// Grows with every change of the layout; LoadWorld reads its own version only.
-inline constexpr uint32_t snapshotVersion = 9;
+inline constexpr uint32_t snapshotVersion = 10;
 
 /// Why an image was refused.
 enum class SnapshotError : uint8_t {

@@ -15,7 +15,7 @@ namespace scree {
 namespace {
 
 /// Products of blocks that the elimination of a part may take, per joint. Rings, ladders and trusses take up to 7,
-/// however long they are. Nets take more the wider they are, 4.6 times as many joints by 15 times as much.
+/// however long they are; a square net of 5 × 5 bodies takes 11.6, one of 25 × 25 takes 178.
 constexpr size_t mostWork = 12;
 /// A body with more joints in loops would couple all of them with each other: a net.
 constexpr size_t mostJointsOfBody = 24;
