@@ -47,8 +47,8 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
 
 const SceneInfo& FindOrThrow(std::string_view name) {
     if (const SceneInfo* info = Find(name)) return *info;
-    std::string message = "unknown scene '" + std::string(name) + "'; nearest:";
-    std::string_view separator = " ";
+    std::string message = "unknown scene '" + std::string(name) + "'";
+    std::string_view separator = "; nearest: ";
     for (std::string_view near : NearestNames(name)) {
         message.append(separator).append(near);
         separator = ", ";
@@ -93,6 +93,7 @@ std::vector<std::string_view> NearestNames(std::string_view name, int count) {
     std::vector<std::string_view> names;
     for (const auto& [distance, near] : ranked) {
         if (static_cast<int>(names.size()) == count) break;
+        if (distance > std::max<std::size_t>(1, (std::max(name.size(), near.size()) + 1) / 2)) continue;
         names.push_back(near);
     }
     return names;

@@ -45,7 +45,8 @@ struct SceneInfo {
 /// The row of that name, or nullptr.
 [[nodiscard]] const SceneInfo* Find(std::string_view name);
 
-/// At most `count` names by edit distance, nearest first; ties keep the catalogue's order.
+/// At most `count` names by edit distance, nearest first; ties keep the catalogue's order. None where more than half of
+/// the longer name differs.
 [[nodiscard]] std::vector<std::string_view> NearestNames(std::string_view name, int count = 3);
 
 /// Builds a scene at its default size. Throws std::invalid_argument for an unknown name; the message holds the nearest.

@@ -17,6 +17,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/json_lines.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/new_file.h"
 #include "testbed/base/text.h"
 
@@ -47,7 +48,7 @@ struct Merger {
 std::string FindOtherBuild(const Json& own, const Json& before) {
     for (const char* key : {"commit", "compiler", "flags", "versions"}) {
         const Json a = own.value(key, Json()), b = before.value(key, Json());
-        if (a != b) return fmt::format("{} {}, before it {}", key, a.dump(), b.dump());
+        if (a != b) return fmt::format("{} {}, before it {}", key, PrintJson(a), PrintJson(b));
     }
     return "";
 }
@@ -141,7 +142,7 @@ void CaseLines::Add(std::size_t caseNumber, const Json& fields) {
     if (caseNumber != m_last) AppendPending();
     m_last = caseNumber;
     m_cases.insert(caseNumber);
-    m_pending += line.dump() + "\n";
+    m_pending += PrintJson(line) + "\n";
 }
 
 void CaseLines::AppendPending() {

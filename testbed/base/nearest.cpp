@@ -49,12 +49,20 @@ std::string_view NearestName(std::string_view word, std::span<const std::string_
             nearest = name;
         }
     }
-    return nearest;
+    return smallest <= std::max(1, static_cast<int>((std::max(word.size(), nearest.size()) + 1) / 2))
+               ? nearest
+               : std::string_view();
+}
+
+std::string SuggestName(std::string_view word, std::span<const std::string_view> names) {
+    const std::string_view nearest = NearestName(word, names);
+    return nearest.empty() ? std::string() : fmt::format("; did you mean '{}'?", nearest);
 }
 
 std::string DescribeUnknown(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
-    return fmt::format("unknown {} '{}'; did you mean '{}'? Known: {}", what, word, NearestName(word, names),
-                       fmt::join(names, ", "));
+    const std::string suggestion = SuggestName(word, names);
+    return fmt::format("unknown {} '{}'{} {}: {}", what, word, suggestion.empty() ? ";" : suggestion,
+                       suggestion.empty() ? "known" : "Known", fmt::join(names, ", "));
 }
 
 }  // namespace testbed

@@ -22,6 +22,7 @@
 #include "testbed/base/new_file.h"
 #include "testbed/cli/commands.h"
 #include "testbed/engines/provenance.h"
+#include "testbed/engines/run_spec.h"
 #include "testbed/jobs/bench/commands.h"
 #include "testbed/jobs/extremes/commands.h"
 #include "testbed/jobs/files/commands.h"
@@ -49,6 +50,15 @@ const CLI::App& ChosenApp(const CLI::App& app) {
     return chosen.empty() ? app : *chosen.front();
 }
 
+/// An option that is a key of --set, where there is one: "; did you mean '--set KEY=VALUE'?", or nothing.
+std::string SuggestSetting(const std::vector<std::string>& known, const std::string& option) {
+    if (std::ranges::find(known, "--set") == known.end()) return {};
+    for (const SettingKey& key : GetSettingKeys()) {
+        if ("--" + std::string(key.name) == option) return fmt::format("; did you mean '--set {}=VALUE'?", key.name);
+    }
+    return {};
+}
+
 /// What is wrong with words that the parser could not place.
 std::string DescribeExtras(const CLI::App& app) {
     const std::vector<std::string> extras = app.remaining(true);
@@ -61,8 +71,10 @@ std::string DescribeExtras(const CLI::App& app) {
             for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
         }
         const std::vector<std::string_view> views(names.begin(), names.end());
-        return fmt::format("unknown option '{}'; did you mean '{}'? `{} --help` shows all", name,
-                           NearestName(name, views), &chosen == &app ? "scree" : "scree " + chosen.get_name());
+        const std::string suggestion = SuggestSetting(names, name);
+        return fmt::format("unknown option '{}'{} `{} --help` shows all", name,
+                           !suggestion.empty() ? suggestion : SuggestName(name, views),
+                           &chosen == &app ? "scree" : "scree " + chosen.get_name());
     }
     if (&chosen != &app) return fmt::format("scree {}: too many arguments: {}", chosen.get_name(), extras.front());
     std::vector<std::string> names;
@@ -70,6 +82,19 @@ std::string DescribeExtras(const CLI::App& app) {
         names.push_back(command->get_name());
     }
     return DescribeUnknown("command", extras.front(), std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+/// What is wrong with a value that its option could not read.
+std::string DescribeNoNumber(const CLI::App& chosen, const CLI::ConversionError& error) {
+    for (const CLI::Option* option : chosen.get_options()) {
+        if (std::string_view(error.what()) !=
+            fmt::format("Could not convert: {} = {}", option->get_name(), fmt::join(option->results(), ","))) {
+            continue;
+        }
+        return fmt::format("{} {}: that is no {}", option->get_name(), fmt::join(option->results(), " "),
+                           option->get_type_name() == "FLOAT" ? "number" : "whole number, or too large");
+    }
+    return error.what();
 }
 
 /// Whether an option asks for a file on standard output.
@@ -156,6 +181,8 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
                           }});
     } catch (const CLI::ExtrasError&) {
         return Fail(exitUsage, DescribeExtras(app));
+    } catch (const CLI::ConversionError& error) {
+        return Fail(exitUsage, DescribeNoNumber(ChosenApp(app), error));
     } catch (const CLI::ParseError& error) {
         return Fail(exitUsage, error.what());
     }

@@ -15,6 +15,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "testbed/base/json_print.h"
 #include "testbed/engines/box2d_version.h"
 #include "testbed_generated/commit.h"
 #ifdef SCREE_HAS_BOX2D3
@@ -90,7 +91,7 @@ std::vector<std::pair<std::string, std::string>> ListFacts(std::span<const nlohm
     for (const nlohmann::ordered_json& one : provenances) {
         for (const auto& [name, value] : one.items()) {
             if (!value.is_object()) {
-                add(name, value.is_string() ? value.get<std::string>() : value.dump());
+                add(name, value.is_string() ? value.get<std::string>() : PrintJson(value));
                 continue;
             }
             std::string list;

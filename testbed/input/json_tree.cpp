@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 
 namespace testbed {
 
@@ -151,8 +152,6 @@ JsonNode ParseJson(std::string_view text, std::string_view source) {
     throw FileError(fmt::format("{}{}: no valid JSON: {}", source, place, what));
 }
 
-std::string QuoteJson(std::string_view text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
+std::string QuoteJson(std::string_view text) { return PrintJson(nlohmann::json(text)); }
 
 }  // namespace testbed

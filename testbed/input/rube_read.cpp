@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/text.h"
 #include "testbed/input/area.h"
@@ -64,7 +65,7 @@ public:
         ReadJoints(root, top);
         const std::size_t images = root.Find("image") == nullptr ? 0 : root.Find("image")->items.size();
         if (images > 0) Notice(fmt::format("images are left out, {} of them", images), Place{&top, "image"});
-        if (!m_names.empty()) m_scene.user = m_names.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+        if (!m_names.empty()) m_scene.user = PrintJson(m_names);
         if (const std::string fault = DescribeFault(m_scene); !fault.empty()) {
             throw FileError(fmt::format("{}: {}", m_source, ToRubePlace(fault)));
         }

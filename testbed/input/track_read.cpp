@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 #include "testbed/capture/scree_capture_format.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/input/track_data.h"
@@ -313,7 +314,7 @@ scenes::Scene TrackFile::Data::MakeScene(int step) const {
     scene.steps = std::max(last - step, 1);
     scene.showStep = scene.steps;
     if (info.timeStep > 0.0f) scene.timeStep = info.timeStep;
-    scene.user = users.empty() ? "" : users.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    scene.user = users.empty() ? "" : PrintJson(users);
     return scene;
 }
 

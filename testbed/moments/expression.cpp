@@ -394,8 +394,7 @@ private:
         if (known.empty()) {
             Refuse(token.at, token.text, "no body here has a name; give an index without quotes");
         }
-        Refuse(token.at, token.text,
-               fmt::format("no body is called so; did you mean '{}'?", NearestName(token.text, known)));
+        Refuse(token.at, token.text, "no body is called so" + SuggestName(token.text, known));
     }
 
     Scanner m_scanner;

@@ -15,6 +15,7 @@
 #include "testbed/base/text.h"
 #include "testbed/input/file_kind.h"
 #include "testbed/moments/conditions.h"
+#include "testbed/options/options.h"
 
 namespace testbed {
 
@@ -147,13 +148,11 @@ AskedConditions MakeConditions(const ConditionArguments& a, const SessionArgumen
 
 void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string& group) {
     const auto number = [&](const char* name, std::optional<double>& value, const char* what, const char* type) {
-        app.add_option(name, value, what)->type_name(type)->check(CLI::NonNegativeNumber)->group(group);
+        app.add_option(name, value, what)->type_name(type)->check(ZeroOrAbove())->group(group);
     };
     app.add_flag("--tunnel", a.tunnel, "A body that went through a static shape and was not pushed out")->group(group);
     number("--overlap", a.overlap, "Two bodies deeper in each other than this, m", "M");
-    app.add_option("--longer", a.longer, "With --overlap: for longer than this, s")
-        ->check(CLI::NonNegativeNumber)
-        ->group(group);
+    app.add_option("--longer", a.longer, "With --overlap: for longer than this, s")->check(ZeroOrAbove())->group(group);
     number("--speed", a.speed, "A body faster than this, m/s", "V");
     number("--spin", a.spin, "A body that turns faster than this, rad/s", "W");
     app.add_flag("--non-finite", a.nonFinite, "A body whose pose or velocity is no number")->group(group);
@@ -166,7 +165,7 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
     number("--awake", a.awake, "A body that is awake for longer than this and goes nowhere, s", "S");
     app.add_option("--pile-on", a.pileOn, "A body that moves, with more than this many contacts")
         ->type_name("N")
-        ->check(CLI::NonNegativeNumber)
+        ->check(ZeroOrAbove())
         ->group(group);
     app.add_option("--when", a.when,
                    "Steps after which this holds, by names or indices of bodies: 'body(\"player\").y < -5 and not "
@@ -178,7 +177,7 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
         ->type_name("FILE|ENGINE[:KEY=VALUE]")
         ->group(group);
     app.add_option("--distance", a.distance, "With --diverge: a difference is more than this, m; 0: any bit")
-        ->check(CLI::NonNegativeNumber)
+        ->check(ZeroOrAbove())
         ->group(group);
 }
 

@@ -87,6 +87,27 @@ StepRange ParseSteps(std::string_view text, bool countAllowed) {
     return range;
 }
 
+namespace {
+
+CLI::Validator CheckNumber(const char* name, const char* takes, bool (*isLegal)(double)) {
+    return {[takes, isLegal](const std::string& text) {
+                const Parsed<double> number = ParseNumber<double>(text);
+                if (number && isLegal(*number)) return std::string();
+                return fmt::format("{}give {}", BeforeCure(number.problem), takes);
+            },
+            name};
+}
+
+}  // namespace
+
+CLI::Validator AboveZero() {
+    return CheckNumber("POSITIVE", "a number above 0", [](double value) { return value > 0.0; });
+}
+
+CLI::Validator ZeroOrAbove() {
+    return CheckNumber("NONNEGATIVE", "0 or a number above it", [](double value) { return value >= 0.0; });
+}
+
 void AddSetOption(CLI::App& app, SettingArguments& arguments, const std::string& note) {
     app.add_option("--set", arguments.sets,
                    "A setting of how scenes are run, in every engine that has it; repeatable, the last one counts. " +

@@ -52,6 +52,10 @@ struct SettingArguments {
     std::vector<std::string> sets{};    ///< KEY=VALUE of --set
     std::vector<TypedSetting> flags{};  ///< the same of options that have a key of their own
 };
+/// Checks of options: a finite number above 0, or one of 0 or above.
+[[nodiscard]] CLI::Validator AboveZero();
+[[nodiscard]] CLI::Validator ZeroOrAbove();
+
 /// --set, repeatable; `note` says what is special to the command. DescribeSettingKeys stands in its help.
 void AddSetOption(CLI::App& app, SettingArguments& arguments, const std::string& note = "");
 /// --engines.

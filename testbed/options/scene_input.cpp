@@ -39,8 +39,10 @@ const scenes::SceneInfo& FindScene(const std::string& name) {
     if (const scenes::SceneInfo* info = scenes::Find(name)) return *info;
     if (fs::exists(name)) throw UnknownEnding(name);
     const std::vector<std::string_view> nearest = scenes::NearestNames(name, 3);
-    throw UsageError(fmt::format("unknown scene '{}'; did you mean '{}'? `scree list` shows all; files are {}", name,
-                                 fmt::join(nearest, "', '"), DescribeFileKinds()));
+    const std::string suggestion =
+        nearest.empty() ? "" : fmt::format("did you mean '{}'? ", fmt::join(nearest, "', '"));
+    throw UsageError(fmt::format("unknown scene '{}'; {}`scree list` shows all; files are {}", name, suggestion,
+                                 DescribeFileKinds()));
 }
 
 int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size) {

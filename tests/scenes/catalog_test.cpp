@@ -154,8 +154,9 @@ TEST(Catalog, NearestNamesByEditDistance) {
     EXPECT_EQ(scenes::NearestNames("n").front(), "n2");
     for (const SceneInfo& info : scenes::Catalog()) EXPECT_EQ(scenes::NearestNames(info.name).front(), info.name);
     EXPECT_EQ(scenes::NearestNames("tiles", 0).size(), 0u);
-    EXPECT_EQ(scenes::NearestNames("tiles", 1000).size(), scenes::Catalog().size());
-    EXPECT_EQ(scenes::NearestNames("").size(), 3u);
+    EXPECT_LT(scenes::NearestNames("tiles", 1000).size(), scenes::Catalog().size()) << "some are too far off";
+    EXPECT_TRUE(scenes::NearestNames("quartz").empty());
+    EXPECT_TRUE(scenes::NearestNames("").empty());
 }
 
 TEST(Catalog, UnknownNameIsRefusedWithTheNearest) {

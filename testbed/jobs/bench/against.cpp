@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/process.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/statistics.h"
@@ -190,7 +191,7 @@ AgainstResult RunAgainst(const AgainstPlan& plan) {
                     Timings& timing = timings[key].builds[build];
                     timing.ms.push_back(row["ms"][row["threads"] == 1 ? "cpu_ms" : "total_ms"].get<double>());
                     timing.steps = row["steps"].get<int>();
-                    timing.hash = row["state_hash"].dump();
+                    timing.hash = PrintJson(row["state_hash"]);
                     const ordered_json made = row.value("made", ordered_json());
                     if (!made.is_null() && std::ranges::find(result.made, made) == result.made.end()) {
                         result.made.push_back(made);

@@ -118,9 +118,6 @@ BenchEffort MakeEffort(const BenchArguments& arguments) {
     if (arguments.steps < 0 || arguments.steps > maxStep) {
         throw UsageError(fmt::format("--steps {}: legal from 1 to {}", arguments.steps, maxStep));
     }
-    if (!(arguments.timeLimitS >= 0)) {
-        throw UsageError(fmt::format("--time-limit {}: give seconds, 0 for none", arguments.timeLimitS));
-    }
     return {repeats, arguments.steps, arguments.timeLimitS};
 }
 
@@ -156,10 +153,12 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("--at-least", arguments.atLeast,
                    "With --against: exit 1 if a case is surely slower than this share of the other build's speed")
         ->type_name("RATIO")
+        ->check(AboveZero())
         ->needs("--against");
     app.add_option("--steps", arguments.steps, "Steps at most; the scene's own number if not given");
     app.add_option("--time-limit", arguments.timeLimitS,
-                   "Seconds after which a run of one scene in one engine is stopped: its total is then shown with ≥");
+                   "Seconds after which a run of one scene in one engine is stopped: its total is then shown with ≥")
+        ->check(ZeroOrAbove());
     app.add_option("--csv", arguments.csv, "Write all rows to this file")->type_name("FILE");
     app.add_option(
            "--plots", arguments.plots,

@@ -17,6 +17,7 @@
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/json_lines.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
@@ -107,7 +108,7 @@ int RunOneHere(const ExtremesArguments& arguments) {
     nlohmann::ordered_json told;
     told["outcome"] = ToJson(run.outcome);
     told["picture"] = run.picture;
-    fmt::print("{}\n", told.dump());
+    fmt::print("{}\n", PrintJson(told));
     return exitDone;
 }
 
@@ -234,7 +235,7 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
         ->add_option("-g,--only", arguments->filter, "Only the cases whose name or group this regular expression finds")
         ->type_name("REGEX");
     command->add_option("--limit", arguments->limit, "Processor time for a run, s; 10 if not given")
-        ->check(CLI::PositiveNumber);
+        ->check(AboveZero());
     command->add_option("--jobs", arguments->jobs, "Runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();
     command->add_option("--from", arguments->from, "Run nothing: the report of a file that --json wrote, no pictures")
         ->type_name("FILE");

@@ -13,6 +13,7 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
+#include "testbed/base/json_print.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/input/rube_file.h"
 #include "testbed/input/scene_file.h"
@@ -150,7 +151,7 @@ std::string Print(const Json& value) {
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
     if (value.is_string()) return value.get<std::string>();
     if (value.is_number_float()) return fmt::format("{}", value.get<float>());
-    if (!value.is_array()) return value.dump();
+    if (!value.is_array()) return PrintJson(value);
     std::string text;
     for (const Json& item : value) text += (text.empty() ? "" : ", ") + Print(item);
     return text;
@@ -174,7 +175,7 @@ int RunInfo(const InfoArguments& arguments) {
     Json list = Json::array();
     for (const std::string& file : arguments.files) list.push_back(ReadFacts(file, arguments.input));
     if (arguments.json) {
-        fmt::print("{}\n", Json{{"schema", 1}, {"files", list}}.dump(2));
+        fmt::print("{}\n", PrintJson(Json{{"schema", 1}, {"files", list}}, 2));
         return exitDone;
     }
     for (std::size_t i = 0; i < list.size(); ++i) {

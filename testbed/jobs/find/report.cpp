@@ -10,6 +10,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "testbed/base/json_print.h"
 #include "testbed/page/page.h"
 #include "testbed/page/page_markup.h"
 
@@ -51,10 +52,9 @@ std::string WriteFindJson(const FindReport& report, const Session& session) {
         if (std::isfinite(moment.size)) row["size"] = moment.size;
         moments.push_back(std::move(row));
     }
-    return Json{{"schema", 1},           {"input", report.input},           {"command", report.command},
-                {"steps", report.steps}, {"conditions", report.conditions}, {"moments", moments}}
-               .dump(2) +
-           "\n";
+    const Json document{{"schema", 1},           {"input", report.input},           {"command", report.command},
+                        {"steps", report.steps}, {"conditions", report.conditions}, {"moments", moments}};
+    return PrintJson(document, 2) + "\n";
 }
 
 std::string WriteFindJUnit(const FindReport& report, const Session& session) {

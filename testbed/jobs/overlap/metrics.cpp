@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "testbed/base/csv.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/output.h"
 #include "testbed/base/text.h"
 #include "testbed/engines/pair_count.h"
@@ -115,7 +116,7 @@ std::string WriteMetricsJson(const MetricsHeader& header, std::span<const Metric
         ForEachColumn(row, [&object](const char* name, const auto& value) { object[name] = value; });
         document["rows"].push_back(std::move(object));
     }
-    return document.dump(2) + "\n";
+    return PrintJson(document, 2) + "\n";
 }
 
 void SaveMetrics(OutputFolder& output, const std::filesystem::path& folder, const MetricsHeader& header,

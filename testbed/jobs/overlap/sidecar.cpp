@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "testbed/base/json_print.h"
 #include "testbed/base/text.h"
 
 namespace testbed {
@@ -89,7 +90,7 @@ std::string WriteSidecar(const PictureOrigin& origin, const PictureOptions& opti
     }
     document["engines"] = Json::array();
     for (std::size_t i = 0; i < record.snapshots.size(); ++i) document["engines"].push_back(DescribeEngine(record, i));
-    return document.dump(2) + "\n";
+    return PrintJson(document, 2) + "\n";
 }
 
 std::vector<PngText> MakePngText(const PictureOrigin& origin, const PictureRecord& record) {

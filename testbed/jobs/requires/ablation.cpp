@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "testbed/base/csv.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/statistics.h"
 
 namespace testbed {
@@ -273,7 +274,7 @@ std::string MakeAblationJson(std::span<const AblationRow> rows) {
         }
         list.push_back(std::move(entry));
     }
-    return nlohmann::ordered_json{{"schema", 2}, {"rows", list}}.dump(2) + "\n";
+    return PrintJson(nlohmann::ordered_json{{"schema", 2}, {"rows", list}}, 2) + "\n";
 }
 
 PageSection MakeRequirementSection(std::span<const Requirement> requirements) {

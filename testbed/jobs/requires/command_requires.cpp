@@ -15,6 +15,7 @@
 
 #include "testbed/base/csv.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/new_file.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/engines/panes.h"
@@ -32,7 +33,7 @@ namespace {
 
 struct RequiresArguments {
     std::string scene;
-    int size = 0;
+    std::optional<int> size;
     InputArguments input;
     int steps = 0;
     SettingArguments settings;
@@ -79,15 +80,17 @@ constexpr std::pair<const char*, int> ablationScenes[] = {
 
 std::vector<SceneRequest> ChooseScenes(const RequiresArguments& arguments) {
     std::vector<SceneRequest> chosen;
-    const auto add = [&](const std::string& given, int size, const InputArguments& input) {
-        scenes::Scene scene = ChooseScene(given, size > 0 ? std::optional(size) : std::nullopt, input).Build();
+    const auto add = [&](const std::string& given, std::optional<int> size, const InputArguments& input) {
+        scenes::Scene scene = ChooseScene(given, size, input).Build();
         RequirementTask task = MakeTask(arguments, scene);
         chosen.push_back({std::move(scene), std::move(task)});
     };
     if (!arguments.scene.empty()) {
         add(arguments.scene, arguments.size, arguments.input);
     } else {
-        for (const auto& [name, size] : ablationScenes) add(name, size, {});
+        for (const auto& [name, size] : ablationScenes) {
+            add(name, size > 0 ? std::optional(size) : std::nullopt, {});
+        }
     }
     return chosen;
 }
@@ -218,12 +221,18 @@ int RunRequires(const RequiresArguments& arguments, const Request& request) {
     const SceneRequest chosen = ChooseScenes(arguments).front();
     const scenes::Scene& scene = chosen.scene;
     const RequirementTask& task = chosen.task;
+    std::optional<NewFile> header;
+    if (!arguments.header.empty()) {
+        header.emplace(arguments.header);
+        header->Write("");  // what cannot be written is found before the run
+    }
     Progress progress(scene.name, task.repeats);
     const Requirement requirement = MeasureRequirement(scene, task, [&] { progress.Advance(1.0); });
     progress.Finish(fmt::format("{} repeats", task.repeats));
     fmt::print("{}", FormatRequirement(requirement));
-    if (!arguments.header.empty()) {
-        WriteTextFile(arguments.header, MakeFeatureHeader(requirement, DescribeCommand(request.arguments)));
+    if (header) {
+        header->Write(MakeFeatureHeader(requirement, DescribeCommand(request.arguments)));
+        header->Finish();
         fmt::print("{}\n", arguments.header);
     }
     return AreHashesEqual(requirement) ? exitDone : exitDiffers;

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/progress.h"
 #include "testbed/jobs/snapshot/reference_folder.h"
 #include "testbed/jobs/snapshot/report.h"
@@ -67,7 +68,7 @@ std::string PatternOf(const std::string& id) {
 std::string DescribeStructureChange(const Json& expected, const Json& actual) {
     if (!expected.is_object() || !expected.contains("structure") || !actual.contains("structure")) return {};
     const Json change = CompareStructures(expected["structure"], actual["structure"]);
-    return change["equal"].get<bool>() ? std::string() : change.dump();
+    return change["equal"].get<bool>() ? std::string() : PrintJson(change);
 }
 
 void JudgePair(SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture) {

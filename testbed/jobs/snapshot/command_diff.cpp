@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 #include "testbed/jobs/snapshot/commands.h"
 #include "testbed/jobs/snapshot/reference_folder.h"
 #include "testbed/jobs/snapshot/report.h"
@@ -87,7 +88,7 @@ void Judge(SnapshotResult& result, const Reference& first, const Reference& seco
     }
     if (first.sidecar.contains("structure") && second.sidecar.contains("structure")) {
         const auto change = CompareStructures(first.sidecar["structure"], second.sidecar["structure"]);
-        if (!change["equal"].get<bool>()) result.structure = change.dump();
+        if (!change["equal"].get<bool>()) result.structure = PrintJson(change);
     }
     const Image &a = first.image, &b = second.image;
     if (a.width != b.width || a.height != b.height) {

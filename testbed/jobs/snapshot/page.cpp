@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "testbed/base/input.h"
+#include "testbed/base/json_print.h"
 #include "testbed/page/page_markup.h"
 #include "testbed/picture/image.h"
 #include "testbed/picture/palette.h"
@@ -119,10 +120,9 @@ Page MakeSnapshotPage(const fs::path& folder, const SnapshotOrigin& origin, std:
     page.style = snapshot_sources::snapshotCss;
     page.script = snapshot_sources::snapshotJs;
     page.sections.push_back({.blocks = {MakeTiles(results)}});
-    page.sections.push_back(
-        {.blocks = {PageHtml{std::string(snapshot_sources::snapshotHtml) +
-                             "<script type=\"application/json\" id=\"snapshot-data\">" +
-                             ProtectJson(data.dump(-1, ' ', false, Json::error_handler_t::replace)) + "</script>"}}});
+    page.sections.push_back({.blocks = {PageHtml{std::string(snapshot_sources::snapshotHtml) +
+                                                 "<script type=\"application/json\" id=\"snapshot-data\">" +
+                                                 ProtectJson(PrintJson(data)) + "</script>"}}});
     if (!origin.backend.empty()) {
         page.facts.push_back({"renderer", fmt::format("{}: {} {}", origin.backend, origin.renderer, origin.version)});
     }

@@ -11,6 +11,7 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/output.h"
 #include "testbed/picture/png.h"
 
@@ -87,7 +88,7 @@ Reference ReadReference(const fs::path& folder, const std::string& id) {
 std::string FormatSidecar(const Json& sidecar) {
     std::string text;
     for (const auto& [key, value] : sidecar.items()) {
-        text += fmt::format("{}{}: {}", text.empty() ? "{\n" : ",\n", Json(key).dump(), value.dump());
+        text += fmt::format("{}{}: {}", text.empty() ? "{\n" : ",\n", PrintJson(Json(key)), PrintJson(value));
     }
     return text + "\n}\n";
 }

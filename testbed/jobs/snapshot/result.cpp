@@ -4,6 +4,7 @@
 // results.json.
 
 #include "testbed/jobs/snapshot/result.h"
+#include "testbed/base/json_print.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -81,7 +82,7 @@ std::string WriteResults(const SnapshotOrigin& origin, std::span<const SnapshotR
         {"renderer", {{"backend", origin.backend}, {"gl_renderer", origin.renderer}, {"gl_version", origin.version}}},
         {"counts", std::move(counts)},
         {"results", std::move(list)}};
-    return document.dump(1) + "\n";
+    return PrintJson(document, 1) + "\n";
 }
 
 }  // namespace testbed

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 #include "testbed/jobs/timeline/commands.h"
 #include "testbed/jobs/timeline/lane.h"
 #include "testbed/options/condition_options.h"
@@ -129,8 +130,7 @@ int RunTimeline(const TimelineArguments& arguments, const Request& request) {
     page.sections.push_back(
         {.blocks = {PageHtml{std::string(timeline_sources::timelineHtml) +
                              "<script type=\"application/json\" id=\"timeline-data\">" +
-                             ProtectJson(recorded.data.dump(-1, ' ', false, Json::error_handler_t::replace)) +
-                             "</script>\n" + recorded.streams}}});
+                             ProtectJson(PrintJson(recorded.data)) + "</script>\n" + recorded.streams}}});
     page.facts.push_back({"precision",
                           "positions and speeds to 1/65536 of the level's longer side, spins to 1/4096 rad/s, "
                           "impulses and depths to eight bits"});

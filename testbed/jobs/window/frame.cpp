@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "testbed/base/json_print.h"
 #include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/jobs/window/inspector.h"
@@ -175,7 +176,7 @@ std::string WriteState(const Viewer& viewer) {
     if (viewer.query) json["query"] = {{"point", ToJson(*viewer.query)}, {"size", viewer.querySize}};
     json["engines"] = ordered_json::array();
     for (const EnginePane& pane : viewer.panes) json["engines"].push_back(DescribePane(viewer, pane));
-    return json.dump(1) + "\n";
+    return PrintJson(json, 1) + "\n";
 }
 
 }  // namespace testbed

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/json_print.h"
 #include "testbed/base/new_file.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/input/track_file.h"
@@ -214,7 +215,7 @@ void SaveScene(Viewer& viewer) {
         for (size_t i = 0; i < std::min(viewer.names.size(), scene.bodies.size()); ++i) {
             if (!viewer.names[i].empty()) user["bodies"][std::to_string(i)]["name"] = viewer.names[i];
         }
-        if (!user.empty()) scene.user = user.dump();
+        if (!user.empty()) scene.user = PrintJson(user);
     }
     const std::string name = fmt::format("{}-{:04}.scene.json", FileName(viewer.scene.name), pane.run->GetStep());
     WriteTextFile(name, WriteScene(scene));

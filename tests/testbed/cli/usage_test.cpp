@@ -58,7 +58,18 @@ constexpr UsageCase usageCases[] = {
     {"render tiles --contact-sheet --steps 1:500", "first:last:stride"},
     {"overlap tiles --size 0", "from 1 to 2000"},
     {"overlap tiles --size 2001", "from 1 to 2000"},
-    {"overlap tiles --size many", "many"},
+    {"overlap tiles --size many", "--size many: that is no whole number"},
+    {"overlap tiles --size 1e9", "--size 1e9: that is no whole number"},
+    {"overlap tiles --substeps 4", "did you mean '--set substeps=VALUE'?"},
+    {"overlap foo", "unknown scene 'foo'; `scree list` shows all"},
+    {"overlap tiles --style gypsum", "unknown style 'gypsum'; known: "},
+    {"requires pyramid -5", "from 1 to 1500"},
+    {"extremes --limit nan", "above 0"},
+    {"extremes --limit inf", "above 0"},
+    {"bench tiles --time-limit nan", "0 or a number above it"},
+    {"bench tiles --time-limit -1", "0 or a number above it"},
+    {"bench tiles --against . --at-least nan", "above 0"},
+    {"find tiles --speed nan", "0 or a number above it"},
     {"overlap add-pair-400 --size 500", "is 400"},
     {"overlap tiles add-pair-400 --size 100", "'add-pair-400' is 400"},
     {"overlap", "scree list"},
@@ -128,6 +139,13 @@ TEST(Usage, AFolderThatCannotBeWrittenIsFoundBeforeTheRun) {
         EXPECT_NE(result.output.find("-o DIR"), std::string::npos) << result.output;
         EXPECT_EQ(std::count(result.output.begin(), result.output.end(), '\n'), 1) << result.output;
     }
+}
+
+TEST(Usage, AHeaderThatCannotBeWrittenIsFoundBeforeTheRun) {
+    const ScratchFolder folder;
+    const ProgramResult result = folder.Run("requires pyramid --header nowhere/header.h");
+    EXPECT_EQ(result.exitCode, 4) << result.output;
+    EXPECT_EQ(result.output, "scree: cannot write nowhere/header.h: No such file or directory\n");
 }
 
 TEST(Usage, AMissingGnuplotIsFoundBeforeTheRun) {

@@ -134,5 +134,17 @@ TEST(DiffProgram, TellsEqualChangedNewDeletedAndSize) {
     EXPECT_EQ(scratch.Run("diff a nowhere").exitCode, exitIo);
 }
 
+TEST(DiffProgram, TakesNamesThatAreNoUtf8) {
+    const ScratchFolder scratch;
+    Image image(8, 8, Color{9, 9, 9, 255});
+    WritePng(scratch.GetPath() / "name-\xe9.png", image);
+    image.At(7, 7).b = 12;
+    WritePng(scratch.GetPath() / "b.png", image);
+    const ProgramResult result = scratch.Run("diff name-*.png b.png -o d");
+    EXPECT_EQ(result.exitCode, exitDiffers) << result.output;
+    EXPECT_EQ(Json::parse(scratch.Read("d/results.json"))["counts"]["changed"], 1);
+    EXPECT_TRUE(scratch.Has("d/index.html"));
+}
+
 }  // namespace
 }  // namespace testbed
