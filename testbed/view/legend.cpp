@@ -51,10 +51,24 @@ std::string DescribePartitions(const Snapshot& snapshot) {
     return fmt::format("{} {} colours", partitions.colorCount, partitions.fromEngine ? "solver" : "greedy");
 }
 
+LegendEntry DescribeLevels(const NodeSelection& nodes, int height, const std::vector<Color>& cycle) {
+    if (nodes.kind != NodeSelection::Kind::levels) return {cycle, fmt::format("levels 0–{}", height)};
+    const int last = std::min(nodes.lastLevel, height);
+    if (nodes.firstLevel >= last) {
+        return {{cycle[static_cast<std::size_t>(nodes.firstLevel) % cycle.size()]},
+                fmt::format("level {}", nodes.firstLevel)};
+    }
+    std::vector<Color> swatches;
+    for (int level = nodes.firstLevel; level <= last && swatches.size() < cycle.size(); ++level) {
+        swatches.push_back(cycle[static_cast<std::size_t>(level) % cycle.size()]);
+    }
+    return {std::move(swatches), fmt::format("levels {}–{}", nodes.firstLevel, last)};
+}
+
 }  // namespace
 
 std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme,
-                                    const std::optional<Peaks>& given) {
+                                    const std::optional<Peaks>& given, const NodeSelection& nodes) {
     const ThemeColors& colors = GetTheme(theme);
     const std::vector<Color> cycle(colors.cycle.begin(), colors.cycle.end());
     const Peaks peaks = given.value_or(FindPeaks(snapshot));
@@ -75,7 +89,7 @@ std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& laye
                 entries.push_back({cycle, DescribePartitions(snapshot)});
                 break;
             case Layer::bvh:
-                entries.push_back({cycle, fmt::format("levels 0–{}", snapshot.treeHeight)});
+                entries.push_back(DescribeLevels(nodes, snapshot.treeHeight, cycle));
                 break;
             case Layer::fattened:
                 add(colors.fattenedBox, "box in the broad phase");

@@ -18,9 +18,10 @@ struct LegendEntry {
     std::string text;             ///< fits its cell of the grid
 };
 
-/// Scales are those of `given`, or of the snapshot.
+/// Scales are those of `given`, or of the snapshot. `nodes`: those of the tree that are drawn.
 [[nodiscard]] std::vector<LegendEntry> MakeLegend(const Snapshot& snapshot, const Layers& layers, Theme theme,
-                                                  const std::optional<Peaks>& given = std::nullopt);
+                                                  const std::optional<Peaks>& given = std::nullopt,
+                                                  const NodeSelection& nodes = {});
 
 /// Pixels for the text of an entry with so many swatches, at scale 1.
 [[nodiscard]] int GetLegendTextRoom(int swatches);

@@ -266,7 +266,8 @@ Image PictureMaker::MakeRender(const PaneInput& input, const PictureOptions& opt
         const std::string note = input.note.empty() ? "" : "   " + input.note;
         DrawHeader(image, MakeTitle(*snapshot), MakeEngineText(*snapshot) + note, options.theme);
         if (options.legend)
-            DrawLegend(image, MakeLegend(*snapshot, options.layers, options.theme, options.peaks), options.theme);
+            DrawLegend(image, MakeLegend(*snapshot, options.layers, options.theme, options.peaks, options.nodes),
+                       options.theme);
         AddScaleBar(image, chosen, options.legend ? GetLegendHeight(options.layers, image.width) : 0, options);
     }
     return image;

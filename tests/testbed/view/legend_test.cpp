@@ -5,6 +5,7 @@
 
 #include "testbed/view/legend.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,6 +31,22 @@ TEST(Legend, EveryLayerHasAnEntryThatFits) {
         }
     }
     EXPECT_TRUE(MakeLegend(snapshot, Layers(), Theme::dark).empty());
+}
+
+TEST(Legend, NamesTheLevelsThatAreDrawn) {
+    const Snapshot snapshot = MakeSampleSnapshot(8, 4, "scree");
+    const int height = snapshot.treeHeight;
+    ASSERT_GE(height, 2);
+    const std::vector<Color> cycle(GetTheme(Theme::dark).cycle.begin(), GetTheme(Theme::dark).cycle.end());
+    const auto entry = [&](const std::string& nodes) {
+        return MakeLegend(snapshot, ParseLayers("bvh"), Theme::dark, std::nullopt, ParseNodeSelection(nodes)).front();
+    };
+    EXPECT_EQ(entry("level=1").text, "level 1");
+    EXPECT_EQ(entry("level=1").swatches, std::vector<Color>{cycle[1]});
+    EXPECT_EQ(entry("levels=1..2").text, "levels 1–2");
+    EXPECT_EQ(entry("levels=1..2").swatches, (std::vector<Color>{cycle[1], cycle[2]}));
+    EXPECT_EQ(entry("levels=0..900").text, fmt::format("levels 0–{}", height));
+    EXPECT_EQ(entry("all").text, fmt::format("levels 0–{}", height));
 }
 
 TEST(Legend, HeightDependsOnTheLayersAlone) {
