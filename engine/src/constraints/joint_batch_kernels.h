@@ -53,7 +53,7 @@ struct JointBatchTask {
     BodyRow* angle;     ///< angle, that of `next`, turn since the start of the step, –
     BodyRow* start;     ///< cos and sin at the start of the step
     BodyRow* velocity;  ///< x, y, turning
-    BodyRow* mass;      ///< 1/mass, 1/inertia, the same as the solve takes it, –
+    BodyRow* mass;      ///< 1/mass, 1/inertia, the same as the solve takes it, what factorize leaves of the spin
     double* stiffness;  ///< sub-step times what recent pulls turn a body back with; 0 but between reach and factorize
     BodyRow* mobility;  ///< two rows a body: xx, xy, xt, – and yy, yt, tt, –
     BodyRow* shift;     ///< velocity as joints so far want it

@@ -85,7 +85,8 @@ private:
     void PutIntoLanes();
     [[nodiscard]] JointBatchTask Task();
     [[nodiscard]] TreePose PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const;
-    void LoadVelocities(const Column<BodyIndex, Velocity>& velocity);
+    template <typename SpinOf>
+    void LoadVelocities(const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf);
     void StoreVelocities(Column<BodyIndex, Velocity>& velocity) const;
     void MakeJacobians();
     void MeasureRows();

@@ -15,10 +15,12 @@ namespace scree {
 
 namespace {
 
-void LoadVelocities(std::vector<TreeBody>& bodies, const Column<BodyIndex, Velocity>& velocity) {
+/// spinOf(body, spin): with which a solve begins.
+template <typename SpinOf>
+void LoadVelocities(std::vector<TreeBody>& bodies, const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf) {
     for (TreeBody& b : bodies) {
         const Velocity& v = velocity[b.body];
-        b.v[0] = double{v.v.x}, b.v[1] = double{v.v.y}, b.v[2] = double{v.w};
+        b.v[0] = double{v.v.x}, b.v[1] = double{v.v.y}, b.v[2] = spinOf(b, double{v.w});
     }
 }
 void StoreVelocities(const std::vector<TreeBody>& bodies, Column<BodyIndex, Velocity>& velocity) {
@@ -62,8 +64,9 @@ void SteadyPulled(JointForest& forest, double h) {
         for (double& impulse : joint.recent) impulse = 0.0;
     }
     for (TreeBody& b : forest.bodies) {
-        const double inertia = h * b.next.angle / mostSwing;
+        const double inertia = h * b.next.angle / mostSwing, before = b.steadyInvI;
         b.steadyInvI = inertia * b.invI > 1.0 ? 1.0 / inertia : b.invI;
+        b.spinLeft = b.steadyInvI < before ? b.steadyInvI / before : 1.0;
     }
 }
 
@@ -90,11 +93,10 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
     constexpr int iterations = 2;
     const double step = double{h}, inverse = 1.0 / step;
-    LoadVelocities(m->bodies, velocity);
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
-    for (TreeBody& b : m->bodies) {
-        if (b.steadyInvI < b.invI) b.v[2] *= b.steadyInvI / b.invI;
-    }
+    LoadVelocities(m->bodies, velocity, [](const TreeBody& b, double spin) {
+        return b.steadyInvI < b.invI ? spin * (b.steadyInvI / b.invI) : spin;
+    });
     for (int iteration = 0; iteration < iterations; ++iteration) {
         for (TreeBody& b : m->bodies) {
             b.next.x = b.pose.x + step * b.v[0];
@@ -116,7 +118,11 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
 void JointTree::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
     m->trees.SolveAfterMove(velocity);
     if (m->joints.empty()) return;
-    LoadVelocities(m->bodies, velocity);
+    LoadVelocities(m->bodies, velocity, [](TreeBody& b, double spin) {
+        const double taken = TakeSpin(spin, b.v[2], b.spinLeft, b.invI, b.steadyInvI);
+        b.spinLeft = 1.0;
+        return taken;
+    });
     for (TreeJoint& joint : m->joints) {
         const double(&a)[3] = m->bodies[ToSize(joint.a)].v;
         const double(&b)[3] = m->bodies[ToSize(joint.b)].v;

@@ -17,6 +17,14 @@ inline constexpr double jointCompliance = 1e-5;
 /// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
 inline constexpr double leastPivot = 1e-9;
 
+/// The spin with which a solve on velocities begins that takes a body for more inert than it is. Of `last`, what the
+/// solve before ended with, `left` stays, since the inertia has grown. What contacts and forces have brought since then
+/// was made with the body's own inertia: without the last factor it would bring energy.
+inline double TakeSpin(double spin, double last, double left, double invI, double steadyInvI) {
+    if (!(steadyInvI < invI) && left == 1.0) return spin;
+    return left * last + (spin - last) * (steadyInvI / invI);
+}
+
 /// Replaces the first `count` rows of a symmetric matrix by its inverse. Rows whose pivot is only rounding beside
 /// `scale` get zeros: they repeat others.
 void InvertRows(double (&m)[maxTreeRows][maxTreeRows], int count, const double (&scale)[maxTreeRows]);

@@ -21,9 +21,10 @@ struct TreeBody {
     BodyIndex body;
     double invMass, invI;  ///< 0 if joints cannot push it
     double steadyInvI;     ///< of the solve: smaller where a pull would swing the body too far in a sub-step
+    double spinLeft;       ///< share of the spin of the last solve, TakeSpin
     double startCos, startSin;
     TreePose pose, next;  ///< now, and where its velocity leads
-    double v[3];          ///< x, y, turning
+    double v[3];          ///< x, y, turning; of the last solve
 };
 
 /// Coupling of a joint with a later one: first G·M⁻¹·Gᵀ, then the block of L.
