@@ -315,7 +315,17 @@ void JointBatches::MeasureRows() {
     }
 }
 
-void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h) {
+/// True if a pull makes a body count as more inert.
+bool JointBatches::IsSteadied() const {
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        const double stiffness = m_stiffness[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)];
+        if (m_h * stiffness * m_mass[row].v[1] > 1.0) return true;
+    }
+    return false;
+}
+
+void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
+                             bool isLoaded) {
     m_h = h;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         if (IsNone(m_bodies[row])) continue;
@@ -324,10 +334,13 @@ void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Ve
         m_angle[row].v[0] = from.angle, m_angle[row].v[2] = from.turn;
     }
     const JointBatchKernels& kernels = GetJointBatchKernels();
-    const JointBatchTask task = Task();
+    JointBatchTask task = Task();
     kernels.turn(task);
+    std::fill(m_stiffness.begin(), m_stiffness.end(), LaneRow{});
     kernels.reach(task);
     MakeJacobians();
+    m_isForVelocities = isLoaded && IsSteadied();
+    if (m_isForVelocities) task.h = 0.0, task.compliance = loadedCompliance;
     kernels.factorize(task);
 }
 
@@ -359,12 +372,13 @@ void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     // second.
     constexpr double mostLeft = 1e-5;  // rad²
     constexpr int mostIterations = 2;
+    const JointBatchKernels& kernels = GetJointBatchKernels();
+    const JointBatchTask task = Task();
+    if (m_isForVelocities) kernels.factorize(task);
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
     LoadVelocities(velocity, [](double spin, double, const double(&mass)[4]) {
         return mass[2] < mass[1] ? spin * (mass[2] / mass[1]) : spin;
     });
-    const JointBatchKernels& kernels = GetJointBatchKernels();
-    const JointBatchTask task = Task();
     kernels.coast(task);
     for (int iteration = 0; iteration < mostIterations; ++iteration) {
         kernels.measure(task);

@@ -204,6 +204,7 @@ public:
                   .hasTrees = !m_tree.IsEmpty(),
                   .hasNets = !m_tree.GetNets().IsEmpty()};
         if (m_plan.hasNets) GatherNetted();
+        m_plan.isLoaded = m_plan.hasTrees && IsLoaded();
     }
 
     void Substep(int index) {
@@ -254,6 +255,7 @@ private:
         bool hasRows = false;   ///< joints that are solved row by row
         bool hasTrees = false;  ///< joints that are solved directly
         bool hasNets = false;   ///< joints of nets
+        bool isLoaded = false;  ///< a tree may bear a load that is far heavier than its bodies
     };
 
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
@@ -345,6 +347,21 @@ private:
         return {.biasRate = turn / (damping * m_h), .stiffness = 1.0f + 1.0f / (turn * damping)};
     }
 
+    /// Longer sub-steps do not follow what springs back when a taut chain takes a load up.
+    [[nodiscard]] bool IsLoaded() const {
+        constexpr float heavy = 10.0f;       // masses of the body that bears it
+        constexpr float mostTurns = 0.125f;  // of a contact's spring in a sub-step
+        if (m_settings.contactHertz * m_h > 1.001f * mostTurns) return false;
+        const auto bears = [&](BodyIndex body, BodyIndex load) {
+            const float invMass = m_bodies.mass[load].invMass;
+            return m_bodies.info[body].jointCount > 0 && invMass > 0.0f &&
+                   heavy * invMass < m_bodies.mass[body].invMass;
+        };
+        return std::any_of(m_islands.contacts.begin(), m_islands.contacts.end(), [&](ContactIndex contact) {
+            const ContactPair& pair = m_tables.contacts.pair[contact];
+            return bears(pair.bodyA, pair.bodyB) || bears(pair.bodyB, pair.bodyA);
+        });
+    }
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
     /// Impulses of half a sub-step; what may still close, may do so in a whole one.
     [[nodiscard]] JointTask JointWork(float impulseScale) {
@@ -380,7 +397,7 @@ private:
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
-        if (isFirst) m_tree.Factorize(Poses(), m_h);
+        if (isFirst) m_tree.Factorize(Poses(), m_h, m_plan.isLoaded);
         if (m_plan.hasContacts || m_rowsAct) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
@@ -433,7 +450,7 @@ private:
     /// No speed is left along the trees' joints.
     void StopTrees() {
         if (!m_plan.hasTrees) return;
-        m_tree.Factorize(Poses(), m_h);
+        m_tree.Factorize(Poses(), m_h, m_plan.isLoaded);
         m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
