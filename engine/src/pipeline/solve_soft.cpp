@@ -272,11 +272,14 @@ private:
         }
     }
 
-    /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts.
+    /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts. With
+    /// a tolerance whole piles rise where springs grow stiffer, which is rare, and are to rise evenly.
     [[nodiscard]] int CountPasses() const {
         constexpr int leastPasses = 2, leastInCrowd = 8, mostPasses = 128;
         constexpr int visitsToStep = 1 << 14;  // of blocks
+        constexpr int tolerantPasses = 512, tolerantVisits = 1 << 19;
         const int blocks = m_task.GetBlockCount();
+        if (m_settings.tolerance != nullptr) return std::clamp(tolerantVisits / blocks, leastInCrowd, tolerantPasses);
         const float share = static_cast<float>(m_s.blocks.GetInitialOverlapCount()) / static_cast<float>(blocks);
         const int wanted = static_cast<int>(4.0f * share * share);
         return std::clamp(wanted, leastPasses, std::clamp(visitsToStep / blocks, leastInCrowd, mostPasses));
