@@ -16,7 +16,7 @@
 namespace scree::test {
 namespace {
 
-constexpr int pileCount = 40, pileHeight = 3;
+constexpr int pileCount = 40, pileHeight = 3, columnHeight = 45;
 
 void AddColumn(World& world, float x, int count) {
     for (int i = 0; i < count; ++i) {
@@ -47,7 +47,7 @@ struct Parts {
 void Fill(World& world, Hard hard, Parts parts) {
     Body* ground = AddBody(world, staticBody, {0.0f, -0.5f});
     AddBox(ground, 400.0f, 0.5f, 0.0f);
-    if (parts.hard && hard == Hard::column) AddColumn(world, -20.0f, 30);
+    if (parts.hard && hard == Hard::column) AddColumn(world, -20.0f, columnHeight);
     if (parts.hard && hard == Hard::chain) AddLoadedChain(world, {-40.0f, 40.0f});
     if (parts.easy) {
         for (int i = 0; i < pileCount; ++i) AddColumn(world, 3.0f * static_cast<float>(i), pileHeight);
@@ -114,7 +114,7 @@ TEST(IslandSubsteps, BodiesNotedTheSubstepsOfTheirIsland) {
         EXPECT_EQ(bodies.demand[b].substeps, inColumn ? report.substeps : tight.leastSubsteps);
         hard += inColumn ? 1 : 0;
     }
-    EXPECT_EQ(hard, 30);
+    EXPECT_EQ(hard, columnHeight);
     EXPECT_GT(report.substeps, tight.leastSubsteps);
     EXPECT_EQ(sum, report.bodySubsteps);
 }

@@ -53,8 +53,8 @@ struct JointBatchTask {
     BodyRow* angle;     ///< angle, that of `next`, turn since the start of the step, –
     BodyRow* start;     ///< cos and sin at the start of the step
     BodyRow* velocity;  ///< x, y, turning
-    BodyRow* mass;      ///< 1/mass, 1/inertia, the same as the solve takes it, –
-    double* stiffness;  ///< sub-step times what recent pulls turn a body back with; 0 but between reach and factorize
+    BodyRow* mass;      ///< 1/mass, 1/inertia, the same as the solve takes it, what factorize leaves of the spin
+    double* stiffness;  ///< sub-step times what recent pulls turn a body back with; reach adds to it
     BodyRow* mobility;  ///< two rows a body: xx, xy, xt, – and yy, yt, tt, –
     BodyRow* shift;     ///< velocity as joints so far want it
     BodyRow* impulse;   ///< on the body
@@ -76,7 +76,7 @@ struct JointBatchKernels {
     void (*turn)(const JointBatchTask& task);
     /// Arms of points, and what their recent pulls make of the bodies' inertia; forgets these pulls.
     void (*reach)(const JointBatchTask& task);
-    /// Mobilities, inverses and responses.
+    /// Mobilities, inverses and responses; with `h` 0 no pull counts.
     void (*factorize)(const JointBatchTask& task);
     /// Where the velocities lead without impulses.
     void (*coast)(const JointBatchTask& task);

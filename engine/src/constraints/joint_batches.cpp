@@ -210,7 +210,8 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
         const bool moves = bodies.type[body] == dynamicBody;
         const double invMass = moves ? double{bodies.mass[body].invMass} : 0.0;
         const double invI = moves ? double{bodies.mass[body].invI} : 0.0;
-        m_mass[row] = {{invMass, invI, invI, 0.0}};
+        m_mass[row] = {{invMass, invI, invI, 1.0}};
+        m_velocity[row].v[2] = 0.0;
         const Rot& q = bodies.transform[body].q;
         m_start[row] = {{double{q.c}, double{q.s}, 0.0, 0.0}};
     }
@@ -314,7 +315,17 @@ void JointBatches::MeasureRows() {
     }
 }
 
-void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h) {
+/// True if a pull makes a body count as more inert.
+bool JointBatches::IsSteadied() const {
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        const double stiffness = m_stiffness[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)];
+        if (m_h * stiffness * m_mass[row].v[1] > 1.0) return true;
+    }
+    return false;
+}
+
+void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
+                             bool isLoaded) {
     m_h = h;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         if (IsNone(m_bodies[row])) continue;
@@ -323,18 +334,24 @@ void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Ve
         m_angle[row].v[0] = from.angle, m_angle[row].v[2] = from.turn;
     }
     const JointBatchKernels& kernels = GetJointBatchKernels();
-    const JointBatchTask task = Task();
+    JointBatchTask task = Task();
     kernels.turn(task);
+    std::fill(m_stiffness.begin(), m_stiffness.end(), LaneRow{});
     kernels.reach(task);
     MakeJacobians();
+    m_isForVelocities = isLoaded && IsSteadied();
+    if (m_isForVelocities) task.h = 0.0, task.compliance = loadedCompliance;
     kernels.factorize(task);
 }
 
-void JointBatches::LoadVelocities(const Column<BodyIndex, Velocity>& velocity) {
+/// spinOf(spin, last, mass): with which a solve begins, of that of the body and of what the last solve ended with.
+template <typename SpinOf>
+void JointBatches::LoadVelocities(const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf) {
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         if (IsNone(m_bodies[row])) continue;
         const Velocity& v = velocity[m_bodies[row]];
-        m_velocity[row] = {{double{v.v.x}, double{v.v.y}, double{v.w}, 0.0}};
+        const double spin = spinOf(double{v.w}, m_velocity[row].v[2], m_mass[row].v);
+        m_velocity[row] = {{double{v.v.x}, double{v.v.y}, spin, 0.0}};
     }
 }
 
@@ -355,14 +372,13 @@ void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     // second.
     constexpr double mostLeft = 1e-5;  // rad²
     constexpr int mostIterations = 2;
-    LoadVelocities(velocity);
-    // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
-    for (size_t row = 0; row < m_bodies.size(); ++row) {
-        const double(&mass)[4] = m_mass[row].v;
-        if (mass[2] < mass[1]) m_velocity[row].v[2] *= mass[2] / mass[1];
-    }
     const JointBatchKernels& kernels = GetJointBatchKernels();
     const JointBatchTask task = Task();
+    if (m_isForVelocities) kernels.factorize(task);
+    // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
+    LoadVelocities(velocity, [](double spin, double, const double(&mass)[4]) {
+        return mass[2] < mass[1] ? spin * (mass[2] / mass[1]) : spin;
+    });
     kernels.coast(task);
     for (int iteration = 0; iteration < mostIterations; ++iteration) {
         kernels.measure(task);
@@ -374,7 +390,11 @@ void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
 }
 
 void JointBatches::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
-    LoadVelocities(velocity);
+    LoadVelocities(velocity, [](double spin, double last, double(&mass)[4]) {
+        const double taken = TakeSpin(spin, last, mass[3], mass[1], mass[2]);
+        mass[3] = 1.0;
+        return taken;
+    });
     GetJointBatchKernels().stop(Task());
     StoreVelocities(velocity);
 }

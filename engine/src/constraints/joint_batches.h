@@ -40,7 +40,7 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
     // As of JointTree.
-    void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h);
+    void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h, bool isLoaded);
     void SolveBeforeMove(Column<BodyIndex, Velocity>& velocity);
     void SolveAfterMove(Column<BodyIndex, Velocity>& velocity);
 
@@ -85,9 +85,11 @@ private:
     void PutIntoLanes();
     [[nodiscard]] JointBatchTask Task();
     [[nodiscard]] TreePose PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const;
-    void LoadVelocities(const Column<BodyIndex, Velocity>& velocity);
+    template <typename SpinOf>
+    void LoadVelocities(const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf);
     void StoreVelocities(Column<BodyIndex, Velocity>& velocity) const;
     void MakeJacobians();
+    [[nodiscard]] bool IsSteadied() const;
     void MeasureRows();
 
     std::vector<BodyIndex> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
@@ -98,6 +100,7 @@ private:
     std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_aimed, m_mass, m_mobility, m_shift, m_impulse;
     std::vector<LaneRow> m_stiffness;  ///< per row of bodies
     double m_h = 1.0;
+    bool m_isForVelocities = false;  ///< factors are not for aiming
 };
 
 }  // namespace scree

@@ -15,10 +15,12 @@ namespace scree {
 
 namespace {
 
-void LoadVelocities(std::vector<TreeBody>& bodies, const Column<BodyIndex, Velocity>& velocity) {
+/// spinOf(body, spin): with which a solve begins.
+template <typename SpinOf>
+void LoadVelocities(std::vector<TreeBody>& bodies, const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf) {
     for (TreeBody& b : bodies) {
         const Velocity& v = velocity[b.body];
-        b.v[0] = double{v.v.x}, b.v[1] = double{v.v.y}, b.v[2] = double{v.w};
+        b.v[0] = double{v.v.x}, b.v[1] = double{v.v.y}, b.v[2] = spinOf(b, double{v.w});
     }
 }
 void StoreVelocities(const std::vector<TreeBody>& bodies, Column<BodyIndex, Velocity>& velocity) {
@@ -50,27 +52,33 @@ namespace {
 /// not carry once h²·stiffness exceeds four times the inertia. Where it comes near, the solve takes the body for as
 /// inert as is safe (geometric stiffness: Tournier, Nesme, Gilles, Faure, "Stable Constrained Dynamics", 2015; as a
 /// diagonal: Andrews, Teichmann, Kry, "Geometric Stiffness for Real-time Constrained Multibody Dynamics", 2017).
-void SteadyPulled(JointForest& forest, double h) {
-    constexpr double mostSwing = 1.0;  // of h²·stiffness, in inertias
-    for (TreeBody& b : forest.bodies) b.next.angle = 0.0;
+void SumPulls(JointForest& forest) {
+    for (TreeBody& b : forest.bodies) b.pull = 0.0;
     for (TreeJoint& joint : forest.joints) {
         if (joint.shape.kind == TreeKind::point || joint.shape.kind == TreeKind::pointAndAngle) {
             const double x = joint.recent[0], y = joint.recent[1];
-            forest.bodies[ToSize(joint.a)].next.angle += joint.rows.a[1][2] * x - joint.rows.a[0][2] * y;
-            forest.bodies[ToSize(joint.b)].next.angle += joint.rows.b[1][2] * x - joint.rows.b[0][2] * y;
+            forest.bodies[ToSize(joint.a)].pull += joint.rows.a[1][2] * x - joint.rows.a[0][2] * y;
+            forest.bodies[ToSize(joint.b)].pull += joint.rows.b[1][2] * x - joint.rows.b[0][2] * y;
         }
         for (double& impulse : joint.recent) impulse = 0.0;
     }
+}
+bool IsSteadied(const TreeBody& b, double h) { return h * b.pull * b.invI > 1.0; }
+
+/// With velocities that lead to a move of `h` seconds.
+void FactorizeFor(JointForest& forest, double h, double compliance) {
     for (TreeBody& b : forest.bodies) {
-        const double inertia = h * b.next.angle / mostSwing;
-        b.steadyInvI = inertia * b.invI > 1.0 ? 1.0 / inertia : b.invI;
+        const double before = b.steadyInvI;
+        b.steadyInvI = IsSteadied(b, h) ? 1.0 / (h * b.pull) : b.invI;
+        b.spinLeft = b.steadyInvI < before ? b.steadyInvI / before : 1.0;
     }
+    FactorizeForest(forest, compliance);
 }
 
 }  // namespace
 
-void JointTree::Factorize(const Poses& poses, float h) {
-    m->trees.Factorize(poses.bodies, poses.delta, double{h});
+void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
+    m->trees.Factorize(poses.bodies, poses.delta, double{h}, isLoaded);
     if (m->joints.empty()) return;
     for (TreeBody& b : m->bodies) {
         const TreeStart start = StartOf(poses.bodies, poses.delta, b.body);
@@ -80,8 +88,10 @@ void JointTree::Factorize(const Poses& poses, float h) {
     for (TreeJoint& joint : m->joints) {
         MakeRows<true>(joint.shape, m->bodies[ToSize(joint.a)].pose, m->bodies[ToSize(joint.b)].pose, joint.rows);
     }
-    SteadyPulled(*m, double{h});
-    FactorizeForest(*m);
+    SumPulls(*m);
+    const auto isSteadied = [&](const TreeBody& b) { return IsSteadied(b, double{h}); };
+    m->isForVelocities = isLoaded && std::any_of(m->bodies.begin(), m->bodies.end(), isSteadied);
+    m->isForVelocities ? FactorizeFor(*m, 0.0, loadedCompliance) : FactorizeFor(*m, double{h}, jointCompliance);
 }
 
 void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocity>& velocity) {
@@ -90,11 +100,11 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
     constexpr int iterations = 2;
     const double step = double{h}, inverse = 1.0 / step;
-    LoadVelocities(m->bodies, velocity);
+    if (m->isForVelocities) FactorizeFor(*m, step, jointCompliance);
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
-    for (TreeBody& b : m->bodies) {
-        if (b.steadyInvI < b.invI) b.v[2] *= b.steadyInvI / b.invI;
-    }
+    LoadVelocities(m->bodies, velocity, [](const TreeBody& b, double spin) {
+        return b.steadyInvI < b.invI ? spin * (b.steadyInvI / b.invI) : spin;
+    });
     for (int iteration = 0; iteration < iterations; ++iteration) {
         for (TreeBody& b : m->bodies) {
             b.next.x = b.pose.x + step * b.v[0];
@@ -116,7 +126,11 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
 void JointTree::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
     m->trees.SolveAfterMove(velocity);
     if (m->joints.empty()) return;
-    LoadVelocities(m->bodies, velocity);
+    LoadVelocities(m->bodies, velocity, [](TreeBody& b, double spin) {
+        const double taken = TakeSpin(spin, b.v[2], b.spinLeft, b.invI, b.steadyInvI);
+        b.spinLeft = 1.0;
+        return taken;
+    });
     for (TreeJoint& joint : m->joints) {
         const double(&a)[3] = m->bodies[ToSize(joint.a)].v;
         const double(&b)[3] = m->bodies[ToSize(joint.b)].v;

@@ -53,7 +53,8 @@ public:
         const Column<BodyIndex, Velocity>& delta;  ///< per body: motion since then
     };
     /// At the present poses, from which both solves below take their Jacobians. `h` is the length of a sub-step, s.
-    void Factorize(const Poses& poses, float h);
+    /// `isLoaded`: something much heavier than its bodies may lie on a tree.
+    void Factorize(const Poses& poses, float h, bool isLoaded = false);
     /// Changes velocities so that a move of `h` seconds ends with closed joints, to O(h³).
     void SolveBeforeMove(const Poses& poses, float h, Column<BodyIndex, Velocity>& velocity);
     /// Removes all speed along the joints; after Factorize at the new poses.

@@ -57,7 +57,7 @@ void Invert(double (&m)[maxTreeRows][maxTreeRows], std::integral_constant<int, n
     }
 }
 
-void FillMatrix(JointForest& forest) {
+void FillMatrix(JointForest& forest, double compliance) {
     const auto product = [](const double(&i)[3], const double(&j)[3], const TreeBody& b) {
         return b.invMass * (i[0] * j[0] + i[1] * j[1]) + b.steadyInvI * i[2] * j[2];
     };
@@ -70,7 +70,7 @@ void FillMatrix(JointForest& forest) {
                     joint.inverse[i][j] = joint.inverse[j][i] =
                         product(joint.rows.a[i], joint.rows.a[j], a) + product(joint.rows.b[i], joint.rows.b[j], b);
                 }
-                joint.inverse[i][i] *= 1.0 + jointCompliance;
+                joint.inverse[i][i] *= 1.0 + compliance;
             });
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
                 TreeLink& link = forest.links[ToSize(l)];
@@ -206,8 +206,8 @@ void InvertRows(double (&m)[maxTreeRows][maxTreeRows], int count, const double (
     WithCount(count, [&](auto n) { Invert(m, n, scale); });
 }
 
-void FactorizeForest(JointForest& forest) {
-    FillMatrix(forest);
+void FactorizeForest(JointForest& forest, double compliance) {
+    FillMatrix(forest, compliance);
     Eliminate(forest);
 }
 

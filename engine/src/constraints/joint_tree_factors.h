@@ -14,14 +14,26 @@ namespace scree {
 /// which does not show; but rows that repeat others are shared out, and a tight rope with a load on it, which no finite
 /// force holds straight, has a solution.
 inline constexpr double jointCompliance = 1e-5;
+/// The same along velocities of a pulled tree that bears a load. A taut chain holds a load crosswise by what it is
+/// bent, and only if it hardly gives way: else the load takes bodies along, the next aim takes them back, and the load
+/// falls through them.
+inline constexpr double loadedCompliance = 1e-8;
 /// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
 inline constexpr double leastPivot = 1e-9;
+
+/// The spin with which a solve on velocities begins that takes a body for more inert than it is. Of `last`, what the
+/// solve before ended with, `left` stays, since the inertia has grown. What contacts and forces have brought since then
+/// was made with the body's own inertia: without the last factor it would bring energy.
+inline double TakeSpin(double spin, double last, double left, double invI, double steadyInvI) {
+    if (!(steadyInvI < invI) && left == 1.0) return spin;
+    return left * last + (spin - last) * (steadyInvI / invI);
+}
 
 /// Replaces the first `count` rows of a symmetric matrix by its inverse. Rows whose pivot is only rounding beside
 /// `scale` get zeros: they repeat others.
 void InvertRows(double (&m)[maxTreeRows][maxTreeRows], int count, const double (&scale)[maxTreeRows]);
 /// From the rows of all joints at the present poses: their pivots' inverses and the blocks of L.
-void FactorizeForest(JointForest& forest);
+void FactorizeForest(JointForest& forest, double compliance);
 /// Right sides → impulses, which are added to the joints' sums and push the bodies.
 void SolveForest(JointForest& forest);
 

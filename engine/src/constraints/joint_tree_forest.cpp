@@ -45,6 +45,7 @@ int JointForest::RowOf(const BodyTable& table, BodyIndex body) {
     const bool moves = table.type[body] == dynamicBody;
     b.invMass = moves ? double{table.mass[body].invMass} : 0.0;
     b.invI = b.steadyInvI = moves ? double{table.mass[body].invI} : 0.0;
+    b.spinLeft = 1.0;
     const Rot& q = table.transform[body].q;
     b.startCos = double{q.c}, b.startSin = double{q.s};
     return row;

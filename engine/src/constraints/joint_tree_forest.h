@@ -21,9 +21,11 @@ struct TreeBody {
     BodyIndex body;
     double invMass, invI;  ///< 0 if joints cannot push it
     double steadyInvI;     ///< of the solve: smaller where a pull would swing the body too far in a sub-step
+    double spinLeft;       ///< share of the spin of the last solve, TakeSpin
+    double pull;           ///< sub-step times what recent pulls turn it back with
     double startCos, startSin;
     TreePose pose, next;  ///< now, and where its velocity leads
-    double v[3];          ///< x, y, turning
+    double v[3];          ///< x, y, turning; of the last solve
 };
 
 /// Coupling of a joint with a later one: first G·M⁻¹·Gᵀ, then the block of L.
@@ -53,6 +55,7 @@ public:
     std::vector<TreeLink> links;      ///< of each joint, [linkBegin, linkEnd)
     std::vector<JointIndex> others;   ///< joints of the list that are no candidates
     std::vector<JointIndex> bounded;  ///< joints held here that have limits, motors or springs besides
+    bool isForVelocities = false;     ///< the factors of `joints` are not for aiming
 
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. `recentScale`
     /// makes impulses of a sub-step of the stored ones. O(bodies + joints) for trees.

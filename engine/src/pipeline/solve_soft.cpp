@@ -204,6 +204,7 @@ public:
                   .hasTrees = !m_tree.IsEmpty(),
                   .hasNets = !m_tree.GetNets().IsEmpty()};
         if (m_plan.hasNets) GatherNetted();
+        m_plan.isLoaded = m_plan.hasTrees && IsLoaded();
     }
 
     void Substep(int index) {
@@ -254,6 +255,7 @@ private:
         bool hasRows = false;   ///< joints that are solved row by row
         bool hasTrees = false;  ///< joints that are solved directly
         bool hasNets = false;   ///< joints of nets
+        bool isLoaded = false;  ///< a tree may bear a load that is far heavier than its bodies
     };
 
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
@@ -270,7 +272,8 @@ private:
         }
     }
 
-    /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts.
+    /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts. With
+    /// a tolerance whole piles rise where springs grow stiffer, which is rare, and are to rise evenly.
     [[nodiscard]] int CountPasses() const {
         constexpr int leastPasses = 2, leastInCrowd = 8, mostPasses = 128;
         constexpr int visitsToStep = 1 << 14;  // of blocks
@@ -278,6 +281,16 @@ private:
         const float share = static_cast<float>(m_s.blocks.GetInitialOverlapCount()) / static_cast<float>(blocks);
         const int wanted = static_cast<int>(4.0f * share * share);
         return std::clamp(wanted, leastPasses, std::clamp(visitsToStep / blocks, leastInCrowd, mostPasses));
+    }
+    /// With a tolerance whole piles rise where springs grow stiffer. That is rare, and they are to rise evenly. It
+    /// takes them apart by a slop in a step, and neighbours by theirs; bodies in each other lack more.
+    [[nodiscard]] bool IsStiffened(float lacking) const {
+        constexpr float most = 2.5f;  // slops
+        return m_settings.tolerance != nullptr && lacking <= most * m_settings.Slop();
+    }
+    [[nodiscard]] int CountStiffenedPasses() const {
+        constexpr int leastPasses = 8, mostPasses = 512, visits = 1 << 19;
+        return std::clamp(visits / m_task.GetBlockCount(), leastPasses, mostPasses);
     }
     /// Overlap in which bodies were made is not the doing of any speed, and pushing it apart is to leave none: only
     /// positions move, before the first sub-step, and springs do not see it. So a squeezed pile rises without being
@@ -294,11 +307,14 @@ private:
                               .atOnce = m_settings.tolerance != nullptr ? m_settings.Slop() : 0.0f,
                               .deep = deep * m_settings.Slop(),
                               .most = fasterThanSprings * m_settings.contactPushSpeed * m_settings.dt};
-        const int passes = CountPasses();
+        int passes = CountPasses();
         float allowed = passed * m_settings.Slop();
         for (int i = 0; i < passes; ++i) {
             const float lacking = RunPart(Pool(), m_task, m_kernels, parting);
-            if (i == 0) allowed = Max(allowed, enough * lacking);
+            if (i == 0) {
+                allowed = Max(allowed, enough * lacking);
+                if (IsStiffened(lacking)) passes = CountStiffenedPasses();
+            }
             if (lacking <= allowed) break;
         }
         m_s.locked.Stop(m_s.delta);
@@ -345,6 +361,21 @@ private:
         return {.biasRate = turn / (damping * m_h), .stiffness = 1.0f + 1.0f / (turn * damping)};
     }
 
+    /// Longer sub-steps do not follow what springs back when a taut chain takes a load up.
+    [[nodiscard]] bool IsLoaded() const {
+        constexpr float heavy = 10.0f;       // masses of the body that bears it
+        constexpr float mostTurns = 0.125f;  // of a contact's spring in a sub-step
+        if (m_settings.contactHertz * m_h > 1.001f * mostTurns) return false;
+        const auto bears = [&](BodyIndex body, BodyIndex load) {
+            const float invMass = m_bodies.mass[load].invMass;
+            return m_bodies.info[body].jointCount > 0 && invMass > 0.0f &&
+                   heavy * invMass < m_bodies.mass[body].invMass;
+        };
+        return std::any_of(m_islands.contacts.begin(), m_islands.contacts.end(), [&](ContactIndex contact) {
+            const ContactPair& pair = m_tables.contacts.pair[contact];
+            return bears(pair.bodyA, pair.bodyB) || bears(pair.bodyB, pair.bodyA);
+        });
+    }
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
     /// Impulses of half a sub-step; what may still close, may do so in a whole one.
     [[nodiscard]] JointTask JointWork(float impulseScale) {
@@ -380,7 +411,7 @@ private:
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
-        if (isFirst) m_tree.Factorize(Poses(), m_h);
+        if (isFirst) m_tree.Factorize(Poses(), m_h, m_plan.isLoaded);
         if (m_plan.hasContacts || m_rowsAct) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
@@ -433,7 +464,7 @@ private:
     /// No speed is left along the trees' joints.
     void StopTrees() {
         if (!m_plan.hasTrees) return;
-        m_tree.Factorize(Poses(), m_h);
+        m_tree.Factorize(Poses(), m_h, m_plan.isLoaded);
         m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void StopRows() {
