@@ -35,7 +35,7 @@ struct PointBatch {
 
 inline constexpr int rowLimit = 3;
 
-/// Four joints of any kind, of up to three rows each; rows that a joint lacks are zeros.
+/// Four joints of any kind, of `count` rows each.
 struct RowBatch {
     LaneRow rowChild[rowLimit][3], rowParent[rowLimit][3];  ///< Jacobians
     LaneRow inverse[rowLimit][rowLimit];
@@ -43,6 +43,7 @@ struct RowBatch {
     LaneRow right[rowLimit];
     LaneRow total[rowLimit], recent[rowLimit], aim[rowLimit];
     int32_t child[jointLanes], parent[jointLanes];
+    int32_t count;  ///< of rows
 };
 
 struct JointBatchTask {

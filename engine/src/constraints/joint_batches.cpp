@@ -175,15 +175,21 @@ void JointBatches::PutIntoLanes() {
         ++waiting[ToSize(m_places[i].parent)];
         placeOfChild[ToSize(m_places[i].child)] = static_cast<int>(i);
     }
-    LinkQueue points, rows;
-    const auto push = [&](int place) { (m_places[ToSize(place)].isPoint ? points : rows).Push(place); };
+    // Points, and the others by their number of rows.
+    LinkQueue queues[1 + rowLimit];
+    const auto push = [&](int place) {
+        const Place& p = m_places[ToSize(place)];
+        queues[p.isPoint ? 0 : p.rows.count].Push(place);
+    };
+    const auto longest = [&] {
+        return std::ranges::max_element(queues, {}, [](const LinkQueue& queue) { return queue.Size(); });
+    };
     for (size_t i = 0; i < m_places.size(); ++i) {
         if (waiting[ToSize(m_places[i].child)] == 0) push(static_cast<int>(i));
     }
-    while (points.Size() + rows.Size() > 0) {
-        const bool isPoint = points.Size() >= rows.Size();
-        const std::vector<int> taken =
-            (isPoint ? points : rows).TakeFour([&](int place) { return m_places[ToSize(place)].parent; });
+    for (LinkQueue* queue = longest(); queue->Size() > 0; queue = longest()) {
+        const bool isPoint = queue == queues;
+        const std::vector<int> taken = queue->TakeFour([&](int place) { return m_places[ToSize(place)].parent; });
         const auto fill = [&](auto& batches) {
             auto& batch = batches.emplace_back();
             batch = {};
@@ -195,6 +201,7 @@ void JointBatches::PutIntoLanes() {
             return static_cast<int32_t>(batches.size()) - 1;
         };
         m_order.push_back(isPoint ? fill(m_points) : ~fill(m_rows));
+        if (!isPoint) m_rows.back().count = m_places[ToSize(taken.front())].rows.count;
         for (const int place : taken) {
             const int parent = m_places[ToSize(place)].parent;
             if (--waiting[ToSize(parent)] == 0 && placeOfChild[ToSize(parent)] >= 0) push(placeOfChild[ToSize(parent)]);

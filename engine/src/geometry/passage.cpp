@@ -124,6 +124,16 @@ struct Return {
     }
 };
 
+/// Rotation by −`angle`; of small ones by the series, which rounding covers.
+Rot TurnBack(float angle) {
+    if (Abs(angle) > 0.25f) return Rot(-angle);
+    const float square = angle * angle;
+    Rot turn;
+    turn.s = -angle * (1.0f - square * (1.0f / 6.0f) * (1.0f - square * (1.0f / 20.0f)));
+    turn.c = 1.0f - 0.5f * square * (1.0f - square * (1.0f / 12.0f) * (1.0f - square * (1.0f / 30.0f)));
+    return turn;
+}
+
 /// A mover at both ends of its way.
 struct Ends {
     Extents start, end;
@@ -283,10 +293,7 @@ float DepthOfMiddle(const Shape& shape) {
 }
 
 Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
-    DistanceProxy proxy;
-    proxy.Set(&p.mover, 0);
     const Transform local = MulT(p.stillPlace, p.moverPlace);
-    const Vec2 centre = Mul(local, p.centre);
     const Vec2 way = MulT(p.stillPlace.q, p.way);
     const float tolerance = toiTolerance * lengthScale;
     /// With `origin` on the still shape.
@@ -305,7 +312,9 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
         if (BoundDisk(edge, Mul(local, point), way, Abs(p.turn) * reach, near, clearance)) return clearance;
         clearance = {};
     }
-    const Face face = FindFace(p.still, centre);
+    DistanceProxy proxy;
+    proxy.Set(&p.mover, 0);
+    const Face face = FindFace(p.still, Mul(local, p.centre));
     if (proxy.m_count < 1 || (face.normal.x == 0.0f && face.normal.y == 0.0f)) return clearance;
 
     // Along the face and above it instead of x and y.
@@ -314,7 +323,7 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
     const Vec2 shift = local.p - face.origin;
     const Transform toFace{{Dot(face.along, shift), Dot(face.normal, shift)}, Mul(turned, local.q)};
     const Vec2 pivot = Mul(toFace, p.centre);
-    const Return back{{pivot.y, pivot.x}, Dot(face.along, way), Dot(face.normal, way), Rot(-p.turn)};
+    const Return back{{pivot.y, pivot.x}, Dot(face.along, way), Dot(face.normal, way), TurnBack(p.turn)};
     Ends ends;
     MeasureEnds(proxy, toFace, p.centre, back, ends);
     const Extents &start = ends.start, &end = ends.end;
