@@ -151,7 +151,7 @@ TEST(Passage, IsSureOnlyWhereNothingMeets) {
         }
         for (const Watched watched : {Watched::cores, Watched::coresOrMiddle, Watched::middle}) {
             const auto bound = [&](Vec2 way2, float turn2) {
-                return BoundClearance({*m.still.shape, m.placeA, *m.mover.shape, m.placeB, m.centre, way2, Abs(turn2)},
+                return BoundClearance({*m.still.shape, m.placeA, *m.mover.shape, m.placeB, m.centre, way2, turn2},
                                       watched, lengthScale);
             };
             const Clearance clearance = bound(m.sweepB.c - m.sweepB.c0, m.sweepB.a - m.sweepB.a0);
@@ -230,6 +230,34 @@ TEST(Passage, IsSureBesideTheEndsOfSegments) {
             beside, {{0.0f, 0.0f}, Rot(0.0f)}, disk, {{0.0f, disk.m_radius}, Rot(0.0f)}, vec2Zero, way, 0.0f};
         EXPECT_TRUE(BoundClearance(passage, Watched::coresOrMiddle, 1.0f).isSure) << i;
     }
+}
+
+/// A box that rocks and slides on short segments is sure of those beside its corners and of those under it, which its
+/// core overlaps.
+TEST(Passage, IsSureWhereABoxRocksOnShortSegments) {
+    Source random(8);
+    int sure = 0, overlaps = 0, all = 0;
+    for (int i = 0; i < 500; ++i) {
+        PolygonShape box;
+        const Vec2 half{random.Between(0.3f, 0.6f), random.Between(0.2f, 0.4f)};
+        box.SetAsBox(half.x, half.y);
+        const float bend = random.Between(0.02f, 0.1f);
+        const auto ground = [&](float x) { return Vec2{x, -bend * x * x}; };
+        const Vec2 way{random.Between(-0.05f, 0.05f), 0.0f};
+        const float turn = random.Between(-0.02f, 0.02f);
+        const Transform place{{0.5f * way.x, half.y - 0.001f}, Rot(0.5f * turn)};
+        for (float x = -1.0f; x < 1.0f; x += 0.1f) {
+            EdgeShape edge;
+            edge.SetTwoSided(ground(x), ground(x + 0.1f));
+            const Passage passage{edge, {{0.0f, 0.0f}, Rot(0.0f)}, box, place, vec2Zero, way, turn};
+            const bool isSure = BoundClearance(passage, Watched::coresOrMiddle, 1.0f).isSure;
+            ++all;
+            sure += isSure ? 1 : 0;
+            overlaps += isSure && !BoundClearance(passage, Watched::cores, 1.0f).isSure ? 1 : 0;
+        }
+    }
+    EXPECT_GT(sure, all * 9 / 10);
+    EXPECT_GT(overlaps, all / 20);
 }
 
 }  // namespace

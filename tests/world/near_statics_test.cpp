@@ -135,6 +135,39 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
     EXPECT_GT(left, 1000);
 }
 
+/// Among the short segments of a chain a body keeps more of them, and gives the room back when it leaves.
+TEST(NearStatics, KeepTheSegmentsOfAChain) {
+    World world({0.0f, 0.0f});
+    Body* ground = AddBody(world, staticBody, {0.0f, 0.0f});
+    std::vector<Vec2> points;
+    for (int i = 200; i >= -200; --i) points.push_back({0.1f * static_cast<float>(i), 0.0f});
+    ChainShape chain;
+    ASSERT_TRUE(chain.CreateChain(points.data(), static_cast<int>(points.size()), {21.0f, 0.0f}, {-21.0f, 0.0f}));
+    ASSERT_NE(ground->CreateFixture(&chain, 0.0f), nullptr);
+    Body* mover = AddBody(world, dynamicBody, {0.0f, 0.4f});
+    CircleShape circle;
+    circle.m_radius = 0.4f;
+    ASSERT_NE(mover->CreateFixture(&circle, 1.0f), nullptr);
+    WorldState& s = world.GetState();
+    const BodyIndex m = IndexOf(*mover);
+    NearStatics& near = s.continuousScratch.nearStatics;
+    size_t bytes = 0;
+    for (int round = 0; round < 200; ++round) {
+        // On the chain, and far above it.
+        for (const float height : {0.4f, 30.0f}) {
+            ASSERT_EQ(mover->SetTransform({0.05f * static_cast<float>(round % 100), height}, 0.0f), ErrorCode::ok);
+            s.bodies.startPosition[m] = s.bodies.position[m];
+            const auto found = near.Find(m, {s.bodies, s.fixtures, *s.broadPhase, 1.0f});
+            ASSERT_TRUE(found.has_value());
+            EXPECT_TRUE(std::is_sorted(found->begin(), found->end()));
+            EXPECT_EQ(found->empty(), height > 1.0f);
+            EXPECT_TRUE(height > 1.0f || found->size() > 8);
+        }
+        if (round == 10) bytes = near.GetMemoryBytes();
+        EXPECT_TRUE(round <= 10 || near.GetMemoryBytes() == bytes);
+    }
+}
+
 TEST(NearStatics, KnowNothingWhileAProgramHoldsAShape) {
     World world({0.0f, 0.0f});
     AddGround(world);

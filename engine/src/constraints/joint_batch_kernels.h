@@ -35,7 +35,7 @@ struct PointBatch {
 
 inline constexpr int rowLimit = 3;
 
-/// Four joints of any kind, of up to three rows each; rows that a joint lacks are zeros.
+/// Four joints of any kind, of `count` rows each.
 struct RowBatch {
     LaneRow rowChild[rowLimit][3], rowParent[rowLimit][3];  ///< Jacobians
     LaneRow inverse[rowLimit][rowLimit];
@@ -43,6 +43,13 @@ struct RowBatch {
     LaneRow right[rowLimit];
     LaneRow total[rowLimit], recent[rowLimit], aim[rowLimit];
     int32_t child[jointLanes], parent[jointLanes];
+    int32_t count;  ///< of rows
+    // Of joints that hold B's anchor on a line fixed in A.
+    bool isLine;
+    int32_t bodyA[jointLanes], bodyB[jointLanes];  ///< rows of the bodies
+    LaneRow childIsB;                              ///< 1, or 0 where A is
+    LaneRow anchorA[2], anchorB[2], localAxis[2];  ///< in the bodies' frames
+    LaneRow axis[2];                               ///< in world coordinates
 };
 
 struct JointBatchTask {
@@ -76,11 +83,13 @@ struct JointBatchKernels {
     void (*turn)(const JointBatchTask& task);
     /// Arms of points, and what their recent pulls make of the bodies' inertia; forgets these pulls.
     void (*reach)(const JointBatchTask& task);
+    /// Jacobians of joints on lines; forgets their recent impulses.
+    void (*align)(const JointBatchTask& task);
     /// Mobilities, inverses and responses; with `h` 0 no pull counts.
     void (*factorize)(const JointBatchTask& task);
     /// Where the velocities lead without impulses.
     void (*coast)(const JointBatchTask& task);
-    /// Errors of points at `next` → right sides.
+    /// Errors of points and of joints on lines at `next` → right sides.
     void (*measure)(const JointBatchTask& task);
     /// Velocities and impulses with which these errors are closed, by the Jacobians of `pose`, and where they lead.
     /// Returns the most that the new turns may leave of an error, in shares of an arm.

@@ -150,7 +150,8 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
         if (!link.isTree) continue;
         Place& place = m_places.emplace_back();
         place.link = static_cast<int>(i), place.joint = link.joint;
-        place.isPoint = link.kind == TreeKind::point;
+        place.isPoint = link.kind == TreeKind::point, place.isLine = link.kind == TreeKind::line;
+        place.kind = link.kind;
         place.rows.count = RowCount(link.kind);
         // What is fixed is a leaf.
         place.childIsB = a >= 0 && (b < 0 || graph.linkOfChild[ToSize(b)] == place.link);
@@ -175,15 +176,17 @@ void JointBatches::PutIntoLanes() {
         ++waiting[ToSize(m_places[i].parent)];
         placeOfChild[ToSize(m_places[i].child)] = static_cast<int>(i);
     }
-    LinkQueue points, rows;
-    const auto push = [&](int place) { (m_places[ToSize(place)].isPoint ? points : rows).Push(place); };
+    LinkQueue queues[1 + static_cast<size_t>(TreeKind::rod)];  // by kind
+    const auto push = [&](int place) { queues[static_cast<size_t>(m_places[ToSize(place)].kind)].Push(place); };
+    const auto longest = [&] {
+        return std::ranges::max_element(queues, {}, [](const LinkQueue& queue) { return queue.Size(); });
+    };
     for (size_t i = 0; i < m_places.size(); ++i) {
         if (waiting[ToSize(m_places[i].child)] == 0) push(static_cast<int>(i));
     }
-    while (points.Size() + rows.Size() > 0) {
-        const bool isPoint = points.Size() >= rows.Size();
-        const std::vector<int> taken =
-            (isPoint ? points : rows).TakeFour([&](int place) { return m_places[ToSize(place)].parent; });
+    for (LinkQueue* queue = longest(); queue->Size() > 0; queue = longest()) {
+        const bool isPoint = queue == &queues[static_cast<size_t>(TreeKind::point)];
+        const std::vector<int> taken = queue->TakeFour([&](int place) { return m_places[ToSize(place)].parent; });
         const auto fill = [&](auto& batches) {
             auto& batch = batches.emplace_back();
             batch = {};
@@ -195,11 +198,26 @@ void JointBatches::PutIntoLanes() {
             return static_cast<int32_t>(batches.size()) - 1;
         };
         m_order.push_back(isPoint ? fill(m_points) : ~fill(m_rows));
+        if (!isPoint) {
+            m_rows.back().count = m_places[ToSize(taken.front())].rows.count;
+            m_rows.back().isLine = m_places[ToSize(taken.front())].isLine;
+        }
         for (const int place : taken) {
             const int parent = m_places[ToSize(place)].parent;
             if (--waiting[ToSize(parent)] == 0 && placeOfChild[ToSize(parent)] >= 0) push(placeOfChild[ToSize(parent)]);
         }
     }
+}
+
+void JointBatches::SetLine(const Place& place, RowBatch& batch) {
+    const size_t lane = ToSize(place.lane);
+    const TreeShape& s = place.shape;
+    batch.bodyA[lane] = place.childIsB ? place.parent : place.child;
+    batch.bodyB[lane] = place.childIsB ? place.child : place.parent;
+    batch.childIsB.v[lane] = place.childIsB ? 1.0 : 0.0;
+    batch.anchorA[0].v[lane] = s.ax, batch.anchorA[1].v[lane] = s.ay;
+    batch.anchorB[0].v[lane] = s.bx, batch.anchorB[1].v[lane] = s.by;
+    batch.localAxis[0].v[lane] = s.axisX, batch.localAxis[1].v[lane] = s.axisY;
 }
 
 void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
@@ -228,7 +246,9 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
             }
         };
         if (!place.isPoint) {
-            begin(m_rows[ToSize(place.batch)], 1.0, RowCount(place.shape.kind));
+            RowBatch& batch = m_rows[ToSize(place.batch)];
+            begin(batch, 1.0, RowCount(place.shape.kind));
+            if (place.isLine) SetLine(place, batch);
             continue;
         }
         PointBatch& batch = m_points[ToSize(place.batch)];
@@ -276,10 +296,10 @@ TreePose JointBatches::PoseOf(int row, const std::vector<BodyRow>& poses, int an
     return {p[0], p[1], m_angle[ToSize(row)].v[angle], p[2], p[3]};
 }
 
-/// Jacobians of joints that are not points.
+/// Jacobians of joints that are neither points nor on lines.
 void JointBatches::MakeJacobians() {
     for (Place& place : m_places) {
-        if (place.isPoint) continue;
+        if (place.isPoint || place.isLine) continue;
         const TreePose child = PoseOf(place.child, m_pose, 0), parent = PoseOf(place.parent, m_pose, 0);
         MakeRows<true>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, place.rows);
         RowBatch& batch = m_rows[ToSize(place.batch)];
@@ -306,7 +326,7 @@ void JointBatches::MakeJacobians() {
 
 void JointBatches::MeasureRows() {
     for (const Place& place : m_places) {
-        if (place.isPoint) continue;
+        if (place.isPoint || place.isLine) continue;
         const TreePose child = PoseOf(place.child, m_next, 1), parent = PoseOf(place.parent, m_next, 1);
         TreeRows rows;
         MakeRows<false>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, rows);
@@ -338,6 +358,7 @@ void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Ve
     kernels.turn(task);
     std::fill(m_stiffness.begin(), m_stiffness.end(), LaneRow{});
     kernels.reach(task);
+    kernels.align(task);
     MakeJacobians();
     m_isForVelocities = isLoaded && IsSteadied();
     if (m_isForVelocities) task.h = 0.0, task.compliance = loadedCompliance;

@@ -49,6 +49,7 @@ public:
     void ForEachResult(Visit&& visit) const {
         for (const Place& place : m_places) {
             double impulse[maxTreeRows] = {};
+            TreeRows rows = place.rows;
             const auto lane = ToSize(place.lane);
             if (place.isPoint) {
                 const PointBatch& batch = m_points[ToSize(place.batch)];
@@ -57,9 +58,10 @@ public:
             } else {
                 const RowBatch& batch = m_rows[ToSize(place.batch)];
                 for (int i = 0; i < place.rows.count; ++i) impulse[i] = batch.total[i].v[lane];
+                if (place.isLine) rows.axisX = batch.axis[0].v[lane], rows.axisY = batch.axis[1].v[lane];
             }
             const TreeResult::Side child = SideOf(place.child), parent = SideOf(place.parent);
-            visit(TreeResult{place.joint, place.shape, place.rows, impulse, place.childIsB ? parent : child,
+            visit(TreeResult{place.joint, place.shape, rows, impulse, place.childIsB ? parent : child,
                              place.childIsB ? child : parent});
         }
     }
@@ -70,11 +72,12 @@ private:
         int link;
         JointIndex joint;
         int batch, lane;
-        bool isPoint;
+        TreeKind kind;
+        bool isPoint, isLine;
         bool childIsB;
         int child, parent;  ///< rows of bodies
         TreeShape shape;
-        TreeRows rows;  ///< of points only their count
+        TreeRows rows;  ///< of points and lines only their count
     };
 
     int AddRow(BodyIndex body);
@@ -83,6 +86,7 @@ private:
         return {m_bodies[ToSize(row)], mass[0], mass[1]};
     }
     void PutIntoLanes();
+    static void SetLine(const Place& place, RowBatch& batch);
     [[nodiscard]] JointBatchTask Task();
     [[nodiscard]] TreePose PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const;
     template <typename SpinOf>

@@ -26,9 +26,11 @@ const JointPhases& PhasesOf(JointType type) {
 
 }  // namespace
 
-void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints) {
+void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints,
+                        std::span<const JointIndex> bounded) {
     task.scratch.Clear();
     for (const JointIndex joint : joints) PhasesOf(task.joints.info[joint].type).prepare(task, joint);
+    for (const JointIndex joint : bounded) PhasesOf(task.joints.info[joint].type).prepareBounds(task, joint);
 }
 
 void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded) {

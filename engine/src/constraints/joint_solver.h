@@ -17,8 +17,9 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
 /// Applies the impulses that the joints have at present once more.
 void WarmStartJoints(const JointTask& task);
 /// Multiplies the impulses that these joints keep for warm starting by task.step.impulseScale, without pushing
-/// anything.
-void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints);
+/// anything; of `bounded` those of limits, motors and springs.
+void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints,
+                        std::span<const JointIndex> bounded = {});
 /// One iteration each.
 void SolveJointVelocities(const JointTask& task);
 /// True if every joint is within tolerance.

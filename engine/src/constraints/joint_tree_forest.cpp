@@ -67,7 +67,7 @@ void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTab
         const JointInfo& info = jointTable.info[joint];
         const bool movesA = moves(info.bodyA), movesB = moves(info.bodyB);
         if (!movesA && !movesB) continue;
-        m_candidates.push_back({joint, -1, -1, isBounded, false, -1, -1});
+        m_candidates.push_back({joint, -1, -1, isBounded, -1, -1});
         m_shapes.push_back(shape);
         m_keys.push_back({joint, info.bodyA, info.bodyB, shape.kind, movesA, movesB});
     }
@@ -123,7 +123,7 @@ void JointForest::FindParts() {
     }
 }
 
-/// Which candidates are used, and with which others of them each is coupled.
+/// With which others each candidate that belongs to no tree is coupled.
 void JointForest::Couple() {
     for (std::vector<int>& list : m_ofBody) list.clear();
     if (m_ofBody.size() < bodies.size()) m_ofBody.resize(bodies.size());
@@ -131,8 +131,7 @@ void JointForest::Couple() {
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         Candidate& c = m_candidates[i];
         m_near[i].clear();
-        c.used = !m_links[i].isTree;
-        if (!c.used) continue;
+        if (m_links[i].isTree) continue;
         for (const int row : {c.a, c.b}) {
             if (Moves(row) && m_ofBody[ToSize(row)].size() >= mostJointsOfBody) m_parts[ToSize(c.part)].isNet = true;
         }
@@ -197,7 +196,7 @@ void JointForest::Order() {
     m_order.clear();
     for (std::vector<int>& list : m_waiting) list.clear();
     for (size_t i = m_candidates.size(); i-- > 0;) {
-        if (m_candidates[i].used) Enqueue(static_cast<int>(i));
+        if (!m_links[i].isTree) Enqueue(static_cast<int>(i));
     }
     for (int next = TakeLeast(); next >= 0; next = TakeLeast()) Eliminate(next);
 }

@@ -80,7 +80,7 @@ private:
     struct Candidate {
         JointIndex joint;
         int a, b;  ///< rows of its bodies; not of trees
-        bool bounded, used;
+        bool bounded;
         int place;  ///< in the order of elimination
         int part;   ///< what it is connected with, by a row of it; not of trees
     };

@@ -9,16 +9,24 @@
 
 namespace scree {
 
-void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c) {
+namespace {
+
+/// Wheels turn about their centres as a rule: the arm is zero at any angle.
+Arms ArmsOf(const JointPair& p, const PairPosition& pose, const Rot& turnA, const WheelRow& row) {
+    const Vec2 a = Mul(turnA, row.localAnchorA - p.massA.localCenter);
+    const Vec2 local = row.localAnchorB - p.massB.localCenter;
+    const Vec2 b = local == vec2Zero ? vec2Zero : Mul(Rot(pose.b.a), local);
+    return {a, b, pose.b.c + b - pose.a.c - a};
+}
+
+Arms PrepareRange(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     c.pair = MakePair(in);
     const PairPosition pose = PoseOf(c.pair, in.bodies);
     const Rot turnA(pose.a.a);
-    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    const Arms arms = ArmsOf(c.pair, pose, turnA, row);
     row.axis = Mul(turnA, row.localAxisA);
     c.along = MakeSlide(arms, row.axis);
-    c.across = MakeSlide(arms, row.axis.Skew());
     const float alongInverse = InverseMass(c.pair, c.along);
-    c.acrossMass = InverseOrZero(InverseMass(c.pair, c.across));
     c.alongMass = InverseOrZero(alongInverse);
     c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
     c.translation = Dot(row.axis, arms.gap);
@@ -34,11 +42,31 @@ void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     row.springImpulse = Scaled(row.springImpulse, in.step.impulseScale);
     row.motor.impulse = Scaled(row.motor.impulse, in.step.impulseScale);
     ScaleLimit(row.limit, in.step.impulseScale);
+    return arms;
+}
+
+void PrepareAcross(const Arms& arms, const WheelRow& row, WheelConstraint& c) {
+    c.across = MakeSlide(arms, row.axis.Skew());
+    c.acrossMass = InverseOrZero(InverseMass(c.pair, c.across));
+}
+
+}  // namespace
+
+void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c) {
+    const Arms arms = PrepareRange(in, row, c);
+    PrepareAcross(arms, row, c);
+}
+
+void PrepareBounds(const JointInput& in, WheelRow& row, WheelConstraint& c) {
+    const Arms arms = PrepareRange(in, row, c);
+    c.across = {};
+    c.acrossMass = 0.0f;
+    if (row.limit.enabled) PrepareAcross(arms, row, c);  // SolvePosition removes both errors
 }
 
 void WarmStart(const WheelConstraint& c, const WheelRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
-    Apply(c.pair, c.across, row.impulse, v);
+    if (row.impulse != 0.0f) Apply(c.pair, c.across, row.impulse, v);
     Apply(c.pair, c.along, row.springImpulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
     Apply(c.pair, turning, row.motor.impulse, v);
     Store(c.pair, v, velocity);
@@ -81,7 +109,7 @@ bool KeepsBounds(const WheelConstraint& c, const WheelRow& row, const JointStep&
     if (!row.limit.enabled) return true;
     const PairPosition pose = Load(c.pair, bodies);
     const Rot turnA(pose.a.a);
-    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    const Arms arms = ArmsOf(c.pair, pose, turnA, row);
     return LimitError(row.limit, Dot(Mul(turnA, row.localAxisA), arms.gap), step.slop) == 0.0f;
 }
 
@@ -90,7 +118,7 @@ bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointSte
     float limitError = 0.0f;
     if (row.limit.enabled) {
         const Rot turnA(pose.a.a);
-        const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+        const Arms arms = ArmsOf(c.pair, pose, turnA, row);
         // Arms along the axis of the step's start and, below, effective masses of then: the iteration has the same end
         // without its Jacobian, and Box2D's bodies come to rest in the same places.
         AxisRow along = MakeSlide(arms, row.axis);
@@ -99,7 +127,7 @@ bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointSte
         Apply(c.pair, along, -limitError * InverseOrZero(InverseMass(c.pair, along)), pose);
     }
     const Rot turnA(pose.a.a);
-    const Arms arms = MakeArms(c.pair, pose, turnA, row.localAnchorA, row.localAnchorB);
+    const Arms arms = ArmsOf(c.pair, pose, turnA, row);
     const AxisRow across = MakeSlide(arms, Mul(turnA, row.localAxisA).Skew());
     const float error = Dot(across.axis, arms.gap);
     Apply(c.pair, across, -error * c.acrossMass, pose);

@@ -22,6 +22,8 @@ struct WheelConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c);
+/// The same for limits, motors and springs alone.
+void PrepareBounds(const JointInput& in, WheelRow& row, WheelConstraint& c);
 void WarmStart(const WheelConstraint& c, const WheelRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.
 void SolveBounds(const WheelConstraint& c, WheelRow& row, const JointStep& step, Column<BodyIndex, Velocity>& velocity);

@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 
+#include "base/index.h"
 #include "scree/convex_shape.h"
 #include "scree/time_of_impact.h"
 
@@ -90,16 +91,13 @@ struct Extents {
     FacePoint points[maxConvexVertices];
 };
 
-Extents Measure(const DistanceProxy& proxy, const Transform& toFace, Vec2 centre) {
-    Extents e;
-    FacePoint(&points)[maxConvexVertices] = e.points;
+/// What follows from the points.
+void Measure(Extents& e) {
+    const FacePoint(&points)[maxConvexVertices] = e.points;
     int lowest = 0;
-    const int count = e.count = std::min(proxy.m_count, maxConvexVertices);
-    for (int i = 0; i < count; ++i) {
-        const Vec2 p = Mul(toFace, proxy.m_vertices[i]);
-        points[i] = {p.y, p.x};
-        e.reachSquared = Max(e.reachSquared, DistanceSquared(proxy.m_vertices[i], centre));
-        if (p.y < points[lowest].height) lowest = i;
+    const int count = e.count;
+    for (int i = 1; i < count; ++i) {
+        if (points[i].height < points[lowest].height) lowest = i;
     }
     e.lowest = points[lowest].height;
     e.highest = e.lowest;
@@ -113,33 +111,84 @@ Extents Measure(const DistanceProxy& proxy, const Transform& toFace, Vec2 centre
     const FacePoint& previous = points[lowest > 0 ? lowest - 1 : count - 1];
     e.low = points[lowest];
     e.beside = next.height < previous.height ? next : previous;
-    return e;
 }
 
-/// An upper bound of the distance from a face to the lower side of a core after a shift by `x`, `y`.
-float MostDistance(const Extents& e, float length, float x, float y) {
+/// The end of a motion along a face taken back to its start.
+struct Return {
+    FacePoint centre;  ///< about which the mover turns, at the end
+    float along, up;   ///< the way
+    Rot turn;          ///< back
+    [[nodiscard]] FacePoint operator()(FacePoint p) const {
+        const float x = p.place - centre.place, y = p.height - centre.height;
+        return {centre.height - up + (turn.s * x + turn.c * y), centre.place - along + (turn.c * x - turn.s * y)};
+    }
+};
+
+/// Rotation by −`angle`; of small ones by the series, which rounding covers.
+Rot TurnBack(float angle) {
+    if (Abs(angle) > 0.25f) return Rot(-angle);
+    const float square = angle * angle;
+    Rot turn;
+    turn.s = -angle * (1.0f - square * (1.0f / 6.0f) * (1.0f - square * (1.0f / 20.0f)));
+    turn.c = 1.0f - 0.5f * square * (1.0f - square * (1.0f / 12.0f) * (1.0f - square * (1.0f / 30.0f)));
+    return turn;
+}
+
+/// A mover at both ends of its way.
+struct Ends {
+    Extents start, end;
+};
+
+void MeasureEnds(const DistanceProxy& proxy, const Transform& toFace, Vec2 centre, const Return& back, Ends& ends) {
+    const int count = ends.start.count = ends.end.count = std::min(proxy.m_count, maxConvexVertices);
+    for (int i = 0; i < count; ++i) {
+        const Vec2 p = Mul(toFace, proxy.m_vertices[i]);
+        ends.end.points[i] = {p.y, p.x};
+        ends.start.points[i] = back(ends.end.points[i]);
+        ends.end.reachSquared = Max(ends.end.reachSquared, DistanceSquared(proxy.m_vertices[i], centre));
+    }
+    Measure(ends.end), Measure(ends.start);
+}
+
+/// An upper bound of the distance from a face to the lower side of a core.
+float MostDistance(const Extents& e, float length) {
     const auto outside = [&](float from, float to) { return Max(0.0f, Max(from - length, -to)); };
-    const float a = e.low.place + x, b = e.beside.place + x;
-    const float atVertex = Abs(e.low.height + y) + outside(a, a);
-    const float atSide = Max(Abs(e.low.height + y), Abs(e.beside.height + y)) + outside(Min(a, b), Max(a, b));
+    const float a = e.low.place, b = e.beside.place;
+    const float atVertex = Abs(e.low.height) + outside(a, a);
+    const float atSide = Max(Abs(e.low.height), Abs(e.beside.height)) + outside(Min(a, b), Max(a, b));
     return Min(atVertex, atSide);
 }
 
 /// The bound of one axis: the gap at the end, and the least of it on the way.
 struct Gap {
     float end = -std::numeric_limits<float>::max(), least = end;
-    void Try(float gap, float approach) {
-        end = Max(end, gap);
-        least = Max(least, Min(gap, gap + approach));
+    void Try(float atEnd, float atStart) {
+        end = Max(end, atEnd);
+        least = Max(least, Min(atEnd, atStart));
     }
 };
 
+/// How far some points lie beyond a segment along an axis.
+float GapAlong(Vec2 axis, std::span<const FacePoint> points, float length) {
+    float lowest = std::numeric_limits<float>::max();
+    for (const FacePoint& p : points) lowest = Min(lowest, axis.x * p.place + axis.y * p.height);
+    return lowest - Max(0.0f, axis.x * length);
+}
+
+/// Points of a mover at both ends of its way.
+struct Points {
+    std::span<const FacePoint> start, end;
+};
+void TryAxis(Vec2 axis, const Points& points, float length, Gap& gap) {
+    gap.Try(GapAlong(axis, points.end, length), GapAlong(axis, points.start, length));
+}
+
 /// The axis from the nearer end of a face that is all of its shape to the nearest of some points beyond that end.
-void TryFromEnd(std::span<const FacePoint> points, float length, float along, float up, Gap& gap) {
+void TryFromEnd(const Points& points, float length, Gap& gap) {
     const auto isBeyond = [&](float place) { return place > length || place < 0.0f; };
     const FacePoint* nearest = nullptr;
     float least = std::numeric_limits<float>::max(), end = 0.0f;
-    for (const FacePoint& p : points) {
+    for (const FacePoint& p : points.end) {
         const float from = p.place < 0.0f ? 0.0f : length, x = p.place - from;
         const float squared = x * x + p.height * p.height;
         if (squared < least && isBeyond(p.place)) nearest = &p, least = squared, end = from;
@@ -147,9 +196,67 @@ void TryFromEnd(std::span<const FacePoint> points, float length, float along, fl
     if (nearest == nullptr) return;
     Vec2 axis{nearest->place - end, nearest->height};
     axis.Normalize();
-    float lowest = std::numeric_limits<float>::max();
-    for (const FacePoint& p : points) lowest = Min(lowest, axis.x * p.place + axis.y * p.height);
-    gap.Try(lowest - Max(0.0f, axis.x * length), -(axis.x * along + axis.y * up));
+    TryAxis(axis, points, length, gap);
+}
+
+/// Outward normals of a core's sides, in its own coordinates; vertex i begins side i. Empty: there are none.
+std::span<const Vec2> SideNormals(const Shape& shape) {
+    if (shape.GetType() == Shape::e_polygon) {
+        const auto& polygon = static_cast<const PolygonShape&>(shape);
+        return {polygon.m_normals, static_cast<size_t>(polygon.m_count)};
+    }
+    if (shape.GetType() == Shape::e_convex) {
+        const auto& convex = static_cast<const ConvexShape&>(shape);
+        if (convex.m_count >= 3) return {convex.m_normals, static_cast<size_t>(convex.m_count)};
+    }
+    return {};
+}
+
+/// The side of a core that a segment is least behind of.
+struct Side {
+    float gap = -std::numeric_limits<float>::max();  ///< signed distance of the segment along the normal
+    int index = 0;
+    Vec2 normal{0.0f, 1.0f};
+    void Try(float candidate, int at, Vec2 n) {
+        if (candidate > gap) gap = candidate, index = at, normal = n;
+    }
+};
+
+/// That side of a core.
+Side FindSide(const Extents& e, std::span<const Vec2> normals, const Rot& turn, float length) {
+    Side side;
+    for (int i = 0; i < e.count; ++i) {
+        const Vec2 n = Mul(turn, normals[static_cast<size_t>(i)]);
+        side.Try(Min(0.0f, n.x * length) - (n.x * e.points[i].place + n.y * e.points[i].height), i, n);
+    }
+    return side;
+}
+
+/// An upper bound of the distance of a core from a segment; below 0 they overlap by so much.
+float MostBySide(const Extents& e, const Side& side, float length) {
+    const float deepest = Max(side.gap, Max(e.lowest, -e.highest));
+    if (deepest <= 0.0f) return deepest;  // no side of either parts them
+    const auto placeOn = [&](float place, float height) { return side.normal.x * height - side.normal.y * place; };
+    const auto placeOf = [&](int i) { return placeOn(e.points[i].place, e.points[i].height); };
+    const float begin = placeOf(side.index), end = placeOf(side.index + 1 < e.count ? side.index + 1 : 0);
+    const float at = placeOn(side.normal.x < 0.0f ? length : 0.0f, 0.0f);
+    return Abs(side.gap) + Max(0.0f, Max(begin - at, at - end));
+}
+
+/// A disk against a segment by the axis from the nearest point of the segment: what most wheels and balls need.
+/// Nothing unless it is sure of the cores.
+bool BoundDisk(const EdgeShape& edge, Vec2 point, Vec2 way, float byTurn, float near, Clearance& clearance) {
+    const Vec2 along = edge.m_vertex2 - edge.m_vertex1;
+    const float lengthSquared = Dot(along, along);
+    const float share = lengthSquared > 0.0f ? Dot(point - edge.m_vertex1, along) / lengthSquared : 0.0f;
+    const Vec2 apart = point - (edge.m_vertex1 + Clamp(share, 0.0f, 1.0f) * along);
+    const float distance = apart.Length();
+    // The distance before the way, times that after it.
+    const float before = distance * distance - Dot(apart, way);
+    if (!(distance - byTurn >= near && before >= (near + byTurn) * distance)) return false;
+    clearance.slack = distance - near;
+    clearance.isSure = true;
+    return true;
 }
 
 }  // namespace
@@ -186,12 +293,28 @@ float DepthOfMiddle(const Shape& shape) {
 }
 
 Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
+    const Transform local = MulT(p.stillPlace, p.moverPlace);
+    const Vec2 way = MulT(p.stillPlace.q, p.way);
+    const float tolerance = toiTolerance * lengthScale;
+    /// With `origin` on the still shape.
+    const auto marginOf = [&](Vec2 origin, float reach) {
+        const Vec2 far = Abs(local.p) + Abs(origin) + 0.5f * (Abs(p.stillPlace.p) + Abs(p.moverPlace.p));
+        return 0.1f * tolerance + rounding * (far.x + far.y + reach);
+    };
+    Clearance clearance;
+    if (p.mover.GetType() == Shape::e_circle && p.still.GetType() == Shape::e_edge && watched != Watched::middle) {
+        const auto& edge = static_cast<const EdgeShape&>(p.still);
+        const Vec2 point = static_cast<const CircleShape&>(p.mover).m_p;
+        const float reach = point == p.centre ? 0.0f : Distance(point, p.centre);
+        const float margin = marginOf(Abs(edge.m_vertex1) + Abs(edge.m_vertex2), reach + p.mover.m_radius);
+        const float near = TOITarget(p.still.m_radius + p.mover.m_radius, lengthScale) + tolerance + margin;
+        clearance.reach = reach;
+        if (BoundDisk(edge, Mul(local, point), way, Abs(p.turn) * reach, near, clearance)) return clearance;
+        clearance = {};
+    }
     DistanceProxy proxy;
     proxy.Set(&p.mover, 0);
-    const Transform local = MulT(p.stillPlace, p.moverPlace);
-    const Vec2 centre = Mul(local, p.centre);
-    const Face face = FindFace(p.still, centre);
-    Clearance clearance;
+    const Face face = FindFace(p.still, Mul(local, p.centre));
     if (proxy.m_count < 1 || (face.normal.x == 0.0f && face.normal.y == 0.0f)) return clearance;
 
     // Along the face and above it instead of x and y.
@@ -199,51 +322,66 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
     turned.s = -face.along.y, turned.c = face.along.x;
     const Vec2 shift = local.p - face.origin;
     const Transform toFace{{Dot(face.along, shift), Dot(face.normal, shift)}, Mul(turned, local.q)};
-    const Vec2 way = MulT(p.stillPlace.q, p.way);
-    const float along = Dot(face.along, way), up = Dot(face.normal, way);
-    const Extents e = Measure(proxy, toFace, p.centre);
-    clearance.reach = std::sqrt(e.reachSquared);
-    const float byTurn = p.turn * clearance.reach;
-
-    const float tolerance = toiTolerance * lengthScale;
-    const Vec2 far = Abs(local.p) + Abs(face.origin) + 0.5f * (Abs(p.stillPlace.p) + Abs(p.moverPlace.p));
-    const float margin = 0.1f * tolerance + rounding * (far.x + far.y + clearance.reach);
+    const Vec2 pivot = Mul(toFace, p.centre);
+    const Return back{{pivot.y, pivot.x}, Dot(face.along, way), Dot(face.normal, way), TurnBack(p.turn)};
+    Ends ends;
+    MeasureEnds(proxy, toFace, p.centre, back, ends);
+    const Extents &start = ends.start, &end = ends.end;
+    clearance.reach = std::sqrt(end.reachSquared);
+    // What a point's height on its turning way may fall below those at both ends.
+    const auto sagOf = [&](float reach) { return reach * (Abs(p.turn) < pi ? 0.125f * p.turn * p.turn : 2.0f); };
+    const float margin = marginOf(face.origin, clearance.reach);
     const auto needed = [&](float radii) { return TOITarget(radii, lengthScale) + tolerance + margin; };
-    const float radius = p.still.m_radius, near = needed(radius + p.mover.m_radius);
+    const float radius = p.still.m_radius, near = needed(radius + p.mover.m_radius), sag = sagOf(clearance.reach);
 
+    Side sideAtStart, sideAtEnd;
+    bool hasSides = false;
     if (watched != Watched::middle) {
         Gap gap;
-        gap.Try(e.lowest, -up);
+        gap.Try(end.lowest, start.lowest);
         if (face.isAll) {
-            gap.Try(-e.highest, up);
-            gap.Try(e.first - face.length, -along);
-            gap.Try(-e.last, along);
+            gap.Try(-end.highest, -start.highest);
+            gap.Try(end.first - face.length, start.first - face.length);
+            gap.Try(-end.last, -start.last);
+            const Points points{std::span(start.points, ToSize(start.count)), std::span(end.points, ToSize(end.count))};
+            const std::span<const Vec2> normals = SideNormals(p.mover);
+            hasSides = gap.least - sag < near && !normals.empty() && normals.size() == points.end.size();
+            if (hasSides) {
+                sideAtStart = FindSide(start, normals, Mul(back.turn, toFace.q), face.length);
+                sideAtEnd = FindSide(end, normals, toFace.q, face.length);
+                TryAxis(-sideAtStart.normal, points, face.length, gap);
+                TryAxis(-sideAtEnd.normal, points, face.length, gap);
+            }
             // Along a chain most segments lie beside the mover: their ends are nearest to it.
-            if (gap.least - byTurn < near)
-                TryFromEnd(std::span(e.points, static_cast<size_t>(e.count)), face.length, along, up, gap);
+            if (gap.least - sag < near) TryFromEnd(points, face.length, gap);
         }
         clearance.slack = gap.end - near;
-        clearance.isSure = gap.least - byTurn >= near;
+        clearance.isSure = gap.least - sag >= near;
         if (watched == Watched::cores || clearance.isSure) return clearance;
     }
 
-    const Vec2 middle = Mul(toFace, MiddleOf(p.mover));
+    const Vec2 middle = MiddleOf(p.mover), atFace = Mul(toFace, middle);
+    const FacePoint middleAtEnd{atFace.y, atFace.x}, middleAtStart = back(middleAtEnd);
+    const float middleSag = sagOf(Distance(middle, p.centre));
     Gap gap;
-    gap.Try(middle.y, -up);
-    if (face.isAll) gap.Try(-middle.y, up);
-    if (face.isAll && gap.least - byTurn < needed(radius)) {
-        const FacePoint point{middle.y, middle.x};
-        TryFromEnd(std::span(&point, 1), face.length, along, up, gap);
+    gap.Try(middleAtEnd.height, middleAtStart.height);
+    if (face.isAll) gap.Try(-middleAtEnd.height, -middleAtStart.height);
+    if (face.isAll && gap.least - middleSag < needed(radius)) {
+        TryFromEnd({std::span(&middleAtStart, 1), std::span(&middleAtEnd, 1)}, face.length, gap);
     }
-    const bool passes = clearance.middlePasses = gap.least - byTurn >= needed(radius);
+    const bool passes = clearance.middlePasses = gap.least - middleSag >= needed(radius);
     if (watched == Watched::middle) {
         clearance.isSure = passes;
         return clearance;
     }
     // Cores that begin surely within the target, as the search sees it, are held by their contact.
     const float within = near - 2.0f * margin;
-    clearance.isSure = passes && MostDistance(e, face.length, -along, -up) + byTurn < within;
-    const float held = Min(within - MostDistance(e, face.length, 0.0f, 0.0f), gap.end - needed(radius));
+    const auto mostOf = [&](const Extents& e, const Side& side) {
+        const float most = MostDistance(e, face.length);
+        return hasSides ? Min(most, MostBySide(e, side, face.length)) : most;
+    };
+    clearance.isSure = passes && mostOf(start, sideAtStart) < within;
+    const float held = Min(within - mostOf(end, sideAtEnd), gap.end - needed(radius));
     clearance.slack = Max(clearance.slack, held);
     return clearance;
 }

@@ -4,10 +4,11 @@
 // Whether a shape that passes another one, or rests on it, can have a time of impact at all. The bound costs a few
 // products a vertex and spares the search (time_of_impact.cpp) where nothing can happen.
 //
-// Take an axis that is fixed in the still shape. The distance of the cores along it falls at most linearly with the way
-// of the mover's centre along the axis, and by its turn times its reach. So what is beyond the target at both ends,
-// with the turn taken off, is beyond it all the way. Axes are those of one face of the still shape, and of an edge also
-// its ends and the direction from one of them to the nearest vertex of the mover.
+// Take an axis that is fixed in the still shape. A vertex of the mover goes along it as its centre does, which is
+// linear, and on an arc. That leaves the straight line between its ends by an eighth of reach times turn squared. So
+// what is beyond the target at both ends by so much is beyond it all the way. Axes are those of one face of the still
+// shape, and of an edge also its ends, the direction from one of them to the nearest vertex of the mover, and the side
+// of the mover that looks at it.
 
 #pragma once
 
@@ -23,7 +24,7 @@ struct Passage {
     Transform moverPlace;
     Vec2 centre;  ///< about which the mover turns, in its own coordinates
     Vec2 way;     ///< of that centre against the still shape
-    float turn;   ///< of the mover, rad, not negative
+    float turn;   ///< of the mover, rad
 };
 
 /// What counts as a meeting.

@@ -229,9 +229,8 @@ public:
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
         m_s.rolling.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.rolling);
         if (m_plan.hasRows) {
-            const JointTask whole = JointWork(2.0f * static_cast<float>(m_settings.substeps));
-            ScaleJointImpulses(whole, m_tree.GetOthers());
-            ScaleJointImpulses(whole, m_tree.GetBounded());
+            ScaleJointImpulses(JointWork(2.0f * static_cast<float>(m_settings.substeps)), m_tree.GetOthers(),
+                               m_tree.GetBounded());
         }
         m_tree.Store(1.0f, m_tables.joints);
         return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {

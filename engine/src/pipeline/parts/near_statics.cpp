@@ -27,48 +27,70 @@ float ReachOfBody(BodyIndex body, const NearStatics::Tables& t) {
 
 }  // namespace
 
-NearStatics::Ball NearStatics::MakeBall(BodyIndex body, const Tables& t) {
+void NearStatics::Empty(Ball& ball) {
+    if (ball.crowd >= 0) m_freeCrowds.push_back(ball.crowd);
+    ball = Ball();
+}
+
+void NearStatics::MakeBall(BodyIndex body, const Tables& t, Ball& ball) {
+    Empty(ball);
     const Vec2 to = t.bodies.position[body].c;
     const Vec2 way = to - t.bodies.startPosition[body].c;
     const float reach = ReachOfBody(body, t);
-    Ball ball;
     ball.centre = to + way;
     ball.radius = 2.0f * way.Length() + 0.5f * reach;
     // A meeting is noticed within a slop of the surfaces; coordinates are rounded to their size.
     const float size = Abs(ball.centre.x) + Abs(ball.centre.y) + reach + ball.radius;
     const float far = reach + ball.radius + 2.0f * linearSlop * t.lengthScale + 1.0e-5f * size;
     const Vec2 extents{far, far};
+    Crowd found;
     t.broadPhase.QueryStatic({ball.centre - extents, ball.centre + extents}, [&](uint32_t proxy) {
         const FixtureIndex fixture = FixtureOf(proxy);
         const BodyIndex other = t.fixtures.body[fixture];
         if (t.bodies.type[other] != staticBody || t.fixtures.isSensor[fixture]) return true;
         if (LeastDistance(*t.fixtures.shape[fixture], t.bodies.transform[other], ball.centre) > far) return true;
-        if (ball.count < mostFixtures) ball.fixtures[ball.count] = fixture;
-        return ++ball.count <= mostFixtures;
+        if (ball.count < mostInCrowd) found.fixtures[ball.count] = fixture;
+        return ++ball.count <= mostInCrowd;
     });
-    std::sort(ball.fixtures, ball.fixtures + std::min(ball.count, mostFixtures));
-    return ball;
+    if (ball.count > mostInCrowd) return;
+    std::sort(found.fixtures, found.fixtures + ball.count);
+    if (ball.count <= mostFixtures) {
+        std::copy_n(found.fixtures, ball.count, ball.fixtures);
+        return;
+    }
+    if (m_freeCrowds.empty()) {
+        m_freeCrowds.push_back(static_cast<int>(m_crowds.size()));
+        m_crowds.emplace_back();
+    }
+    ball.crowd = m_freeCrowds.back();
+    m_freeCrowds.pop_back();
+    std::copy_n(found.fixtures, ball.count, m_crowds[ToSize(ball.crowd)].fixtures);
+}
+
+bool NearStatics::IsInside(const Ball& ball, BodyIndex body, const BodyTable& bodies) {
+    const float farthest = Max(DistanceSquared(bodies.startPosition[body].c, ball.centre),
+                               DistanceSquared(bodies.position[body].c, ball.centre));
+    return ball.radius >= 0.0f && farthest <= ball.radius * ball.radius;
+}
+
+std::optional<std::span<const FixtureIndex>> NearStatics::Read(const Ball& ball) const {
+    if (ball.count > mostInCrowd) return std::nullopt;
+    const FixtureIndex* const fixtures = ball.crowd >= 0 ? m_crowds[ToSize(ball.crowd)].fixtures : ball.fixtures;
+    return std::span<const FixtureIndex>(fixtures, ToSize(ball.count));
 }
 
 std::optional<std::span<const FixtureIndex>> NearStatics::Get(BodyIndex body, const BodyTable& bodies) const {
     if (!m_enabled || bodies.IsFar() || !m_balls.Has(body)) return std::nullopt;
     const Ball& ball = m_balls[body];
-    const float farthest = Max(DistanceSquared(bodies.startPosition[body].c, ball.centre),
-                               DistanceSquared(bodies.position[body].c, ball.centre));
-    const bool isInside = ball.radius >= 0.0f && farthest <= ball.radius * ball.radius;
-    if (!isInside || ball.count > mostFixtures) return std::nullopt;
-    return std::span<const FixtureIndex>(ball.fixtures, ToSize(ball.count));
+    return IsInside(ball, body, bodies) ? Read(ball) : std::nullopt;
 }
 
 std::optional<std::span<const FixtureIndex>> NearStatics::Find(BodyIndex body, const Tables& tables) {
     if (!m_enabled || tables.bodies.IsFar()) return std::nullopt;
     if (!m_balls.Has(body)) EnsureRows(m_balls, ToSize(tables.bodies.slots.Size()));
     Ball& ball = m_balls[body];
-    const float farthest = Max(DistanceSquared(tables.bodies.startPosition[body].c, ball.centre),
-                               DistanceSquared(tables.bodies.position[body].c, ball.centre));
-    if (!(ball.radius >= 0.0f && farthest <= ball.radius * ball.radius)) ball = MakeBall(body, tables);
-    if (ball.count > mostFixtures) return std::nullopt;
-    return std::span<const FixtureIndex>(ball.fixtures, ToSize(ball.count));
+    if (!IsInside(ball, body, tables.bodies)) MakeBall(body, tables, ball);
+    return Read(ball);
 }
 
 void NearStatics::PrepareCalm(const BodyTable& bodies, bool atOutlines) {

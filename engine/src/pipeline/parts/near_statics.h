@@ -31,16 +31,16 @@ public:
     };
 
     /// To be called when a static fixture comes, moves or changes. O(1).
-    void ForgetAll() { m_balls.clear(), m_calm.clear(); }
+    void ForgetAll() { m_balls.clear(), m_calm.clear(), m_crowds.clear(), m_freeCrowds.clear(); }
     /// To be called when the body gets a fixture or another centre of mass.
     void Forget(BodyIndex body) {
-        if (m_balls.Has(body)) m_balls[body] = Ball();
+        if (m_balls.Has(body)) Empty(m_balls[body]);
         if (m_calm.Has(body)) m_calm[body] = Calm();
     }
     /// From now on nothing is known of any body: a program holds a shape that it may change at any time.
     void Disable() { m_enabled = false; }
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_balls, m_calm); }
-    void Trim() { m_balls = {}, m_calm = {}; }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_balls, m_calm, m_crowds, m_freeCrowds); }
+    void Trim() { m_balls = {}, m_calm = {}, m_crowds = {}, m_freeCrowds = {}; }
 
     /// The static fixtures, in ascending order, that the body can meet on its way from startPosition to position; all
     /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid
@@ -66,13 +66,18 @@ public:
     }
 
 private:
-    static constexpr int mostFixtures = 8;
+    /// In a ball, and in a crowd: among the short segments of a chain.
+    static constexpr int mostFixtures = 8, mostInCrowd = 48;
 
     struct Ball {
         Vec2 centre = vec2Zero;
         float radius = -1.0f;  ///< m; negative: there is no ball yet
-        int count = 0;         ///< of fixtures; more than mostFixtures: too many to keep
+        int count = 0;         ///< of fixtures; more than mostInCrowd: too many to keep
+        int crowd = -1;        ///< where they are if they are more than mostFixtures
         FixtureIndex fixtures[mostFixtures];
+    };
+    struct Crowd {
+        FixtureIndex fixtures[mostInCrowd];
     };
 
     struct Calm {
@@ -81,11 +86,17 @@ private:
         float slack = -1.0f;  ///< m; negative: nothing is known
     };
 
-    static Ball MakeBall(BodyIndex body, const Tables& tables);
+    void MakeBall(BodyIndex body, const Tables& tables, Ball& ball);
+    /// There is no ball any more.
+    void Empty(Ball& ball);
+    [[nodiscard]] static bool IsInside(const Ball& ball, BodyIndex body, const BodyTable& bodies);
+    [[nodiscard]] std::optional<std::span<const FixtureIndex>> Read(const Ball& ball) const;
 
     Column<BodyIndex, Ball> m_balls;  ///< by body
     Column<BodyIndex, Calm> m_calm;   ///< by body
-    bool m_atOutlines = false;        ///< what m_calm is about
+    std::vector<Crowd> m_crowds;
+    std::vector<int> m_freeCrowds;
+    bool m_atOutlines = false;  ///< what m_calm is about
     bool m_enabled = true;
 };
 

@@ -24,6 +24,12 @@ constexpr int leastToScreen = 512, leastSearches = 32;
 /// is less, but not below a fiftieth of the slop: there rounding has a say.
 constexpr float middleShare = 0.25f, leastMiddleScale = 0.02f;
 
+/// How far apart boxes are along x or y; negative: they overlap.
+float GapOf(const AABB& a, const AABB& b) {
+    const Vec2 below = a.lowerBound - b.upperBound, above = b.lowerBound - a.upperBound;
+    return Max(Max(below.x, above.x), Max(below.y, above.y));
+}
+
 }  // namespace
 
 void ToiPairs::Clear() {
@@ -129,13 +135,19 @@ ScreenedBody ToiPairs::LookAround(BodyIndex body) {
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
         if (near->empty()) break;
         if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
+        const PassedBox passed = PassedBoxOf(body, f);
         for (const FixtureIndex other : *near) {
+            const AABB& box = m_t.broadPhase.GetBox(ProxyOf(other));
+            if (!TestOverlap(passed.onWay, box)) {
+                slack = Min(slack, GapOf(passed.atEnd, box) - passed.skin);
+                reach = Max(reach, passed.reach);
+                continue;
+            }
             const ToiPair pair = PairOf(f, other);
             const Clearance clearance = ClearanceOf(pair);
             slack = clearance.isSure ? Min(slack, clearance.slack) : -1.0f;
             reach = Max(reach, clearance.reach);
             if (clearance.isSure) continue;
-            const AABB& box = m_t.broadPhase.GetBox(ProxyOf(other));
             if (!PassesBy(pair) && TestOverlap(SweptBox(body, f), box)) return ScreenedBody::isToCollect;
         }
     }
@@ -291,6 +303,23 @@ void ToiPairs::SweepBoxesOf(BodyIndex body) {
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
         m_t.broadPhase.Update(ProxyOf(f), SweptBox(body, f), vec2Zero);
     }
+}
+
+/// A quick box around the fixture's whole way: no point leaves the straight way to where it ends by more than the turn
+/// takes it.
+ToiPairs::PassedBox ToiPairs::PassedBoxOf(BodyIndex body, FixtureIndex fixture) const {
+    const Shape& shape = *m_t.fixtures.shape[fixture];
+    PassedBox passed;
+    shape.ComputeAABB(&passed.atEnd, m_bodies.transform[body]);
+    passed.reach = Reach(shape, m_bodies.mass[body].localCenter);
+    // What is nearer than the slop counts as met even without a skin.
+    passed.skin = 2.0f * linearSlop * m_lengthScale;
+    const Vec2 way = m_bodies.position[body].c - m_bodies.startPosition[body].c;
+    const float turned = Abs(m_bodies.position[body].a - m_bodies.startPosition[body].a) * passed.reach;
+    const Vec2 wider{turned, turned};
+    passed.onWay = {passed.atEnd.lowerBound - wider - Max(way, vec2Zero),
+                    passed.atEnd.upperBound + wider - Min(way, vec2Zero)};
+    return passed;
 }
 
 /// Covers the fixture on its whole way: the boxes at both ends, widened by how far a turning point leaves the
@@ -479,7 +508,7 @@ Clearance ToiPairs::ClearanceOf(const ToiPair& pair) const {
     const Vec2 frame = FrameOf(m_bodies, mover, still);
     Vec2 way = CentreIn(frame, m_bodies, mover) - StartIn(frame, m_bodies, mover);
     if (!isStatic) way -= CentreIn(frame, m_bodies, still) - StartIn(frame, m_bodies, still);
-    const float turn = Abs(m_bodies.position[mover].a - m_bodies.startPosition[mover].a);
+    const float turn = m_bodies.position[mover].a - m_bodies.startPosition[mover].a;
     const Watched watched = pair.isHeld                             ? Watched::middle
                             : m_atOutlines && begin >= beginOfStill ? Watched::coresOrMiddle
                                                                     : Watched::cores;

@@ -171,6 +171,11 @@ private:
     void CollectHits(BodyIndex body, size_t& next);
     void FindTargets(const ToiHitter& hitter);
     void SweepBoxesOf(BodyIndex body);
+    struct PassedBox {
+        AABB onWay, atEnd;
+        float skin, reach;  ///< m: within which things meet; of the fixture from the body's centre
+    };
+    [[nodiscard]] PassedBox PassedBoxOf(BodyIndex body, FixtureIndex fixture) const;
     [[nodiscard]] AABB SweptBox(BodyIndex body, FixtureIndex fixture) const;
     void CollectFirst(BodyIndex body, const NearStatics::Tables& tables);
     void Collect(BodyIndex body, bool withDynamic);
