@@ -271,8 +271,7 @@ private:
         }
     }
 
-    /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts. With
-    /// a tolerance whole piles rise where springs grow stiffer, which is rare, and are to rise evenly.
+    /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts.
     [[nodiscard]] int CountPasses() const {
         constexpr int leastPasses = 2, leastInCrowd = 8, mostPasses = 128;
         constexpr int visitsToStep = 1 << 14;  // of blocks
