@@ -10,10 +10,13 @@
 namespace scenes {
 
 // Each is defined in the file of its name.
+Scene Bin(int n);
 Scene BoxStack(int n);
 Scene Bridge(int n);
+Scene Bullets(int n);
 Scene Cantilever(int n);
 Scene Car(int n);
+Scene Cars(int n);
 Scene ChainHeavyEnd(int n);
 Scene CharacterCornerCases(int n);
 Scene Conveyor(int n);
@@ -21,6 +24,7 @@ Scene ConvexShapes(int n);
 Scene DominoRow(int n);
 Scene FrictionRow(int n);
 Scene Gears(int n);
+Scene Platformer(int n);
 Scene Pulley(int n);
 Scene Pyramid(int n);
 Scene Ragdolls(int n);
@@ -241,6 +245,50 @@ inline constexpr SceneInfo classicRows[] = {
      .steps = 600,
      .showStep = 150,
      .build = ConvexShapes},
+    {.name = "platformer",
+     .title = "figures run over a long level of ground, blocks, sensors and crates",
+     .exercises = "a game's level: short segments of a chain, sensors, fixed rotation, continuous collision",
+     .folder = "games",
+     .isClassic = true,
+     .defaultSize = 6,
+     .minSize = 1,
+     .maxSize = 50000,
+     .steps = 600,
+     .showStep = 60,
+     .build = Platformer},
+    {.name = "cars",
+     .title = "cars drive over bumps and hills",
+     .exercises = "many small islands of wheel joints with springs, limits and motors",
+     .folder = "games",
+     .isClassic = true,
+     .defaultSize = 5,
+     .minSize = 1,
+     .maxSize = 100000,
+     .steps = 600,
+     .showStep = 120,
+     .build = Cars},
+    {.name = "bin",
+     .title = "disks and boxes fall into a bin",
+     .exercises = "a deep heap of mixed small bodies",
+     .folder = "games",
+     .isClassic = true,
+     .defaultSize = 2000,
+     .minSize = 1,
+     .maxSize = 100000,
+     .steps = 600,
+     .showStep = 150,
+     .build = Bin},
+    {.name = "bullets",
+     .title = "bullets fly into a heap of boxes",
+     .exercises = "continuous collision of fast small bodies with moving ones",
+     .folder = "games",
+     .isClassic = true,
+     .defaultSize = 20,
+     .minSize = 1,
+     .maxSize = 100000,
+     .steps = 300,
+     .showStep = 36,
+     .build = Bullets},
 };
 
 }  // namespace scenes

@@ -31,15 +31,6 @@ void AddGround(Scene& scene, double halfWidth) {
     AddFixture(scene, scenes::Edge(scenes::Point(-halfWidth, 0.0), scenes::Point(halfWidth, 0.0))).friction = 0.6f;
 }
 
-/// A chain collides on its right: from the far end to the near one.
-template <typename Height>
-void AddTerrain(Scene& scene, double end, double grain, Height&& heightAt) {
-    std::vector<scenes::Vec2> surface;
-    for (double x = end; x >= 0.0; x -= grain) surface.push_back(scenes::Point(x, heightAt(x)));
-    AddBody(scene, BodyType::isStatic, {});
-    AddFixture(scene, scenes::Chain(scene, surface)).friction = 0.8f;
-}
-
 Scene Crates() {
     Scene scene;
     AddGround(scene, 1000.0);
@@ -75,29 +66,6 @@ void MovePlatforms(LabWorld& lab, int frame) {
 
 constexpr int walkerCount = 60;
 
-double LevelAt(double x) { return 1.5 * std::sin(0.05 * x) + 0.4 * std::sin(0.31 * x); }
-
-/// A chain of 2,400 vertices, blocks, sensors, crates; the last bodies walk.
-Scene Platformer() {
-    Scene scene;
-    AddTerrain(scene, 600.0, 0.25, LevelAt);
-    for (int i = 0; i < 300; ++i) {
-        AddBody(scene, BodyType::isStatic, scenes::Point(2.0 * i, LevelAt(2.0 * i) + 4.0 + i % 3));
-        AddFixture(scene, scenes::Box(0.8, 0.2));
-    }
-    for (int i = 0; i < 100; ++i) {
-        AddBody(scene, BodyType::isStatic, scenes::Point(6.0 * i + 3.0, LevelAt(6.0 * i + 3.0) + 1.0));
-        AddFixture(scene, scenes::Circle(0.5)).isSensor = true;
-    }
-    for (int i = 0; i < 100; ++i) AddBox(scene, 6.0 * i + 1.0, LevelAt(6.0 * i + 1.0) + 1.0, 0.4);
-    for (int i = 0; i < walkerCount; ++i) {
-        AddBody(scene, BodyType::dynamic, scenes::Point(9.0 * i + 20.0, LevelAt(9.0 * i + 20.0) + 2.0));
-        scene.bodies.back().fixedRotation = true;
-        AddFixture(scene, scenes::Box(0.3, 0.6), 1.0).friction = 0.1f;
-        AddFixture(scene, scenes::Circle(0.3, scenes::Point(0.0, -0.6)), 1.0).friction = 0.1f;
-    }
-    return scene;
-}
 void Walk(LabWorld& lab, int frame) {
     for (int i = 0; i < walkerCount; ++i) {
         const int body = Last(lab) - i;
@@ -105,34 +73,6 @@ void Walk(LabWorld& lab, int frame) {
         const double rise = lab.Read(body).velocity.y;
         lab.SetVelocity(body, {speed, (frame + 7 * i) % 100 == 0 ? 6.0 : rise}, 0.0);
     }
-}
-
-Scene Cars() {
-    Scene scene;
-    AddTerrain(scene, 800.0, 0.5, [](double x) { return 0.25 * std::sin(0.9 * x) + 0.8 * std::sin(0.11 * x); });
-    for (int i = 0; i < 50; ++i) {
-        const double x = 12.0 * i + 20.0;
-        AddBody(scene, BodyType::dynamic, scenes::Point(x, 3.0));
-        AddFixture(scene, scenes::Box(1.5, 0.4), 1.0);
-        const int chassis = scenes::LastBody(scene);
-        for (const double offset : {-1.0, 1.0}) {
-            const scenes::Vec2 hub = scenes::Point(x + offset, 2.4);
-            AddBody(scene, BodyType::dynamic, hub);
-            AddFixture(scene, scenes::Circle(0.4), 1.0).friction = 0.9f;
-            scenes::Joint& wheel =
-                scenes::AddWheel(scene, chassis, scenes::LastBody(scene), hub, scenes::Point(0.0, 1.0));
-            const scenes::Spring spring = scenes::MakeSpring(0.5, 4.0, 0.7);
-            wheel.stiffness = 4.0f * spring.stiffness;
-            wheel.damping = 4.0f * spring.damping;
-            wheel.enableLimit = true;
-            wheel.lowerTranslation = -0.25f;
-            wheel.upperTranslation = 0.25f;
-            wheel.enableMotor = true;
-            wheel.motorSpeed = -10.0f;
-            wheel.maxMotorTorque = 20.0f;
-        }
-    }
-    return scene;
 }
 
 Scene TopDown() {
@@ -155,35 +95,10 @@ void Push(LabWorld& lab, int frame) {
 
 constexpr int bulletCount = 20;
 
-/// A heap of 300, and bullets, the last bodies, that are shot into it again and again.
-Scene Bullets() {
-    Scene scene;
-    AddGround(scene, 200.0);
-    for (int i = 0; i < 300; ++i) AddBox(scene, 0.95 * (i % 20) + 0.02 * (i % 7), 0.5 + 1.02 * (i / 20), 0.45);
-    for (int i = 0; i < bulletCount; ++i) {
-        AddBody(scene, BodyType::dynamic, scenes::Point(-60.0, 1.0 + 0.5 * i));
-        scene.bodies.back().bullet = true;
-        scene.bodies.back().linearVelocity = scenes::Point(120.0, 0.0);
-        AddFixture(scene, scenes::Circle(0.15), 3.0);
-    }
-    return scene;
-}
 void Shoot(LabWorld& lab, int frame) {
     if (frame % 5 == 0) lab.RemakeBody(Last(lab) - frame / 5 % bulletCount);
 }
 
-Scene Bin(int count) {
-    Scene scene;
-    AddGround(scene, 20.0);
-    for (const double x : {-12.0, 12.0}) {
-        AddFixture(scene, scenes::Edge(scenes::Point(x, 0.0), scenes::Point(x, 200.0)));
-    }
-    for (int i = 0; i < count; ++i) {
-        AddBody(scene, BodyType::dynamic, scenes::Point(0.55 * (i % 40) - 10.8 + 0.01 * (i % 7), 1.0 + 0.6 * (i / 40)));
-        AddFixture(scene, i % 2 == 0 ? scenes::Circle(0.25) : scenes::Box(0.25, 0.25), 1.0);
-    }
-    return scene;
-}
 /// Bodies of the rows that begin above the pile: made anew they fall on it.
 void Churn(LabWorld& lab, int frame) {
     constexpr int above = 360;
@@ -257,35 +172,39 @@ std::vector<GameCase> MakeCases() {
          .play = TeleportLast},
         {.name = "platformer",
          .what = "a level of a chain, blocks, sensors, crates; 60 walkers; a listener",
-         .build = Platformer,
+         .build = [] { return scenes::Build("platformer", walkerCount); },
          .play = Walk,
          .listens = true},
         {.name = "ragdolls",
          .what = "50 figures fall",
          .build = [] { return scenes::Build("ragdolls", 50); },
          .warmUp = 30},
-        {.name = "cars", .what = "50 cars on bumps", .build = Cars, .warmUp = 60},
+        {.name = "cars", .what = "50 cars on bumps", .build = [] { return scenes::Build("cars", 50); }, .warmUp = 60},
         {.name = "top-down",
          .what = "2,000 bodies without gravity, 40 pushed in each frame",
          .build = TopDown,
          .play = Push},
-        {.name = "bullets", .what = "bullets into a heap of 300", .build = Bullets, .play = Shoot, .warmUp = 90},
+        {.name = "bullets",
+         .what = "bullets into a heap of 300",
+         .build = [] { return scenes::Build("bullets", bulletCount); },
+         .play = Shoot,
+         .warmUp = 90},
         {.name = "bin",
          .what = "a bin of 2,000, four made anew in each frame",
-         .build = [] { return Bin(2000); },
+         .build = [] { return scenes::Build("bin", 2000); },
          .play = Churn,
          .warmUp = 200,
          .frames = 100},
         {.name = "heap-listener",
          .what = "a heap of 1,500, a listener",
-         .build = [] { return Bin(1500); },
+         .build = [] { return scenes::Build("bin", 1500); },
          .sleeping = false,
          .listens = true,
          .warmUp = 200,
          .frames = 100},
         {.name = "heap",
          .what = "the same without",
-         .build = [] { return Bin(1500); },
+         .build = [] { return scenes::Build("bin", 1500); },
          .sleeping = false,
          .warmUp = 200,
          .frames = 100},

@@ -175,30 +175,52 @@ PageFigures MakeStageFigures(std::span<const BenchRow> rows) {
     return figures;
 }
 
-PageTiles MakeTiles(std::span<const BenchRow> rows) {
-    double sum = 0;
+/// The rows of one engine under one solver that are not void.
+struct RatiosOfPane {
+    std::string name;
+    double sum = 0;  ///< of logarithms
     int count = 0, faster = 0;
     const BenchRow* best = nullptr;
     const BenchRow* worst = nullptr;
+
+    void Add(const BenchRow& row) {
+        const double ratio = FairRatio(row);
+        sum += std::log(ratio);
+        ++count;
+        faster += ratio >= 1;
+        if (best == nullptr || ratio > FairRatio(*best)) best = &row;
+        if (worst == nullptr || ratio < FairRatio(*worst)) worst = &row;
+    }
+};
+
+/// What is rare in a row stands in its name.
+std::string NameOfPane(const BenchRow& row) {
+    return fmt::format("{} {}{}{}", row.GetName(), row.solver,
+                       row.threads > 1 ? fmt::format(", {} threads", row.threads) : "",
+                       row.continuous ? ", continuous" : "");
+}
+
+PageTiles MakeTiles(std::span<const BenchRow> rows) {
+    std::vector<RatiosOfPane> panes;
     std::string rival;
     for (const BenchRow& row : rows) {
         if (row.IsBaseline()) rival = row.GetName();
         if (row.IsBaseline() || FairRatio(row) <= 0 || !row.voidReason.empty()) continue;
-        sum += std::log(FairRatio(row));
-        ++count;
-        faster += FairRatio(row) >= 1;
-        if (best == nullptr || FairRatio(row) > FairRatio(*best)) best = &row;
-        if (worst == nullptr || FairRatio(row) < FairRatio(*worst)) worst = &row;
+        const std::string name = NameOfPane(row);
+        auto pane = std::ranges::find(panes, name, &RatiosOfPane::name);
+        if (pane == panes.end()) pane = panes.insert(pane, {.name = name});
+        pane->Add(row);
     }
     PageTiles tiles;
-    if (count == 0) return tiles;
-    tiles.tiles.push_back(
-        {"geometric mean", fmt::format("{:.2f}", std::exp(sum / count)), "×",
-         fmt::format("processor time of {} over the row's; wall time where that has several threads", rival)});
-    tiles.tiles.push_back(
-        {"faster than " + rival, fmt::format("{} of {}", faster, count), "", "rows that are not void"});
-    tiles.tiles.push_back({"largest ratio", fmt::format("{:.2f}", FairRatio(*best)), "×", best->scene});
-    tiles.tiles.push_back({"smallest ratio", fmt::format("{:.2f}", FairRatio(*worst)), "×", worst->scene});
+    for (const RatiosOfPane& pane : panes) {
+        tiles.tiles.push_back(
+            {pane.name, fmt::format("{:.2f}", std::exp(pane.sum / pane.count)), "×",
+             fmt::format(
+                 "as fast as {}, geometric mean; from {:.2f} ({}) to {:.2f} ({}); faster in {} of {} rows that are "
+                 "not void; by processor time, by wall time with several threads",
+                 rival, FairRatio(*pane.worst), pane.worst->scene, FairRatio(*pane.best), pane.best->scene, pane.faster,
+                 pane.count)});
+    }
     return tiles;
 }
 

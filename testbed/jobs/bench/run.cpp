@@ -123,7 +123,7 @@ BenchResult RunBenchCase(const BenchCase& benchCase, const BenchEffort& effort,
     for (int repeat = 0; repeat < effort.repeats; ++repeat) {
         std::vector<Runner> runners;
         for (const Pane& pane : benchCase.panes) {
-            runners.push_back({.engine = MakeRun(scene, pane.spec), .run = {}});
+            runners.push_back({.engine = MakeRun(scene, pane.spec), .run = {}, .work = {}});
         }
         for (int last = slice; last < steps + slice; last += slice) {
             // Each repeat begins with another pane, so that none is always the one after a pause.
