@@ -41,7 +41,7 @@ Scene Platformer(int n) {
     }
     for (int i = 0; i < places; ++i) {
         const double x = lengthBetween * i + 1.0;
-        AddBody(scene, BodyType::dynamic, Point(x, LevelAt(x) + 1.0));
+        AddBody(scene, BodyType::dynamic, Point(x, LevelAt(x) + 0.6));
         AddFixture(scene, Box(0.4, 0.4), 1.0).friction = 0.6f;
     }
     for (int i = 0; i < n; ++i) AddFigure(scene, 9.0 * i + 5.0, i % 2 == 0 ? 3.0 : -3.0);

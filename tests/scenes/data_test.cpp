@@ -113,7 +113,7 @@ constexpr Golden golden[] = {
     {"convex-shapes", 0xE348A392D6E25823u},
     {"bin", 0x1857445D259269EEu},
     {"bullets", 0x7C5493C3240D70ABu},
-    {"platformer", 0x6E335B6185DFD7ACu},
+    {"platformer", 0xC9B5A24EF7D3A37Bu},
     {"cars", 0x42ADF120EF33B305u},
     {"joint-distance", 0x42E07533085A9CB8u},
     {"joint-friction", 0xEBDD683A1E61AD01u},
