@@ -135,7 +135,8 @@ function showDetail() {
   }
   const facts = [one.scene && `${one.scene}, size ${one.size}`, one.scene && `step ${one.step}`,
     one.layers && (one.kind === 'overlap' ? `overlap of ${one.layers} nodes` : one.layers.replaceAll(',', ', ')),
-    one.changed_pixels > 0 && `${number(one.changed_pixels)} pixels changed, a channel by up to ${one.max_difference}`];
+    one.changed_pixels > 0 && !one.message.includes('pixel') &&
+      `${number(one.changed_pixels)} pixels changed, a channel by up to ${one.max_difference}`];
   byId('detail').replaceChildren(
     make('header', {}, make('h2', {}, one.id, ' ', badge(one)),
       make('p', {class: 'message'}, ...inline(one.message)),
