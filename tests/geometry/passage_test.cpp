@@ -107,7 +107,7 @@ bool HasEvent(const Moving& m, Watched watched, float lengthScale) {
 
 /// Puts the mover so that its core and the still one are about `gap` apart at the end.
 void PutNear(Moving& m, float gap, Source& random) {
-    DistanceInput input;
+    DistanceInput input{};  // without radii
     input.proxyA.Set(m.still.shape, 0), input.proxyB.Set(m.mover.shape, 0);
     input.transformA = m.placeA;
     for (int round = 0; round < 4; ++round) {
