@@ -71,9 +71,9 @@ std::string DescribeExtras(const CLI::App& app) {
             for (const std::string& known : option->get_lnames()) names.push_back("--" + known);
         }
         const std::vector<std::string_view> views(names.begin(), names.end());
-        const std::string suggestion = SuggestSetting(names, name);
-        return fmt::format("unknown option '{}'{} `{} --help` shows all", name,
-                           !suggestion.empty() ? suggestion : SuggestName(name, views),
+        std::string suggestion = SuggestSetting(names, name);
+        if (suggestion.empty()) suggestion = SuggestName(name, views);
+        return fmt::format("unknown option '{}'{} `{} --help` shows all", name, suggestion.empty() ? ";" : suggestion,
                            &chosen == &app ? "scree" : "scree " + chosen.get_name());
     }
     if (&chosen != &app) return fmt::format("scree {}: too many arguments: {}", chosen.get_name(), extras.front());
