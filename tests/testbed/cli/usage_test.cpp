@@ -61,7 +61,7 @@ constexpr UsageCase usageCases[] = {
     {"overlap tiles --size many", "--size many: that is no whole number"},
     {"overlap tiles --size 1e9", "--size 1e9: that is no whole number"},
     {"overlap tiles --substeps 4", "did you mean '--set substeps=VALUE'?"},
-    {"overlap tiles --quartzite", "unknown option '--quartzite'; `scree overlap --help` shows all"},
+    {"overlap tiles --zzzzzzzz", "unknown option '--zzzzzzzz'; `scree overlap --help` shows all"},
     {"overlap foo", "unknown scene 'foo'; `scree list` shows all"},
     {"overlap tiles --style gypsum", "unknown style 'gypsum'; known: "},
     {"requires pyramid -5", "from 1 to 1500"},
