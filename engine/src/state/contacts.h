@@ -111,6 +111,11 @@ struct ContactTable {
     ContactIndex Add(const ContactPair& newPair);
     /// Frees the row; Compact makes it usable again.
     void Remove(ContactIndex contact);
+    /// At the beginning of a step; steady points are those of soft ones.
+    void KeepSteady(bool isSoft, float lengthScale) {
+        keepsSteady = isSoft;
+        steadyReach = 10.0f * linearSlop * lengthScale;
+    }
     /// The manifold of this contact is another, or its bodies' centres are.
     void ForgetSteady(ContactIndex contact) {
         if (!steady.empty()) steady[contact].isKept = 0.0f;

@@ -5,11 +5,9 @@
 
 #include "world/step.h"
 
-#include "base/clock.h"
 #include "base/compiler.h"
 #include "base/float_mode.h"
 #include "pipeline/parts/rouse.h"
-#include "state/limits.h"
 #include "world/guard.h"
 #include "world/joints/joint_definitions.h"
 #include "world/still_step.h"
@@ -18,24 +16,14 @@ namespace scree {
 
 namespace {
 
-/// Few bodies without contacts are done before workers wake.
-bool HasWorkToShare(const WorldState& s) {
-    constexpr int leastContacts = 128;
-    const size_t movers = s.bodies.Listed().size();
-    return movers >= leastBoxesToShare || (movers >= leastBodies && s.contacts.active.Count() >= leastContacts);
-}
-
 /// Moves the bodies. With sub-stepping a step may end after an event; the next one then only goes on with its rest.
 void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents& events, Stopwatch& watch,
              StepResults& r) {
     s.log.NoteAwake(s.bodies);
     if (!s.continuousScratch.resuming) {
-        s.idleSubsteps = WorldState::notIdle;
         GatherLists(settings, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
         r.profile.islands = watch.Lap();
-        r.solved =
-            Solve(settings, s.fixtures, s.Lists(), events, {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
-        if (r.solved.awakeCount == 0) s.idleSubsteps = settings.substeps;
+        r.solved = RunSolver(s, settings, events);
         r.profile.solver = watch.Lap();
     }
     if (NeedsContinuous(s)) r.continuous = RunContinuous(s, settings, events, r.solved.substeps);
@@ -58,7 +46,7 @@ SCREE_NOINLINE void RunStages(WorldState& s, const StepRequest& request, const C
         UpdateManifolds(events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
     r.profile.narrowPhase = watch.Lap();
     PrepareKernels(s);  // listeners of contacts have had their say
-    if (request.dt < shortestStep) return;
+    if (request.IsTooShort()) return;
     Advance(s, MakeSettings(s, request), events, watch, r);
 }
 
@@ -76,20 +64,12 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     if (s.isEdited) FindPairsOfEdited(s.edited, events, s.ForPairs());
     s.isEdited = false;
     r.profile.broadPhase = watch.Lap();
-    s.contacts.keepsSteady = request.substeps > 0;
-    s.contacts.steadyReach = 10.0f * linearSlop * s.def.lengthScale;
-    if (IsStill(s, request)) {
-        StandStill(s, request, r);
-    } else {
-        RunStages(s, request, events, watch, r);
-    }
+    s.contacts.KeepSteady(request.substeps > 0, s.def.lengthScale);
+    IsStill(s, request) ? StandStill(s, request, r) : RunStages(s, request, events, watch, r);
     s.log.EndStep();
     s.broadPhase->PrepareQueries();
     if (s.autoClearForces) s.world->ClearForces();
-    Profile& p = r.profile;
-    p.step = watch.Stop(p.broadPhase, p.narrowPhase, p.islands, p.solver, p.continuous);
-    s.report = MakeReport(s, request, r);
-    return s.report;
+    return s.report = MakeReport(s, request, watch, r);
 }
 
 }  // namespace scree

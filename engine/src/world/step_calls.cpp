@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The public Steps: what they are asked, checked and turned into a request; the settings of its solver; its report.
+// The public Steps: what they are asked, checked and turned into a request; the settings and calls of its solver; its
+// report.
 
 #include <algorithm>
 
@@ -55,6 +56,20 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
 
 }  // namespace
 
+bool HasWorkToShare(const WorldState& s) {
+    constexpr int leastContacts = 128;
+    const size_t movers = s.bodies.Listed().size();
+    return movers >= leastBoxesToShare || (movers >= leastBodies && s.contacts.active.Count() >= leastContacts);
+}
+
+SolveReport RunSolver(WorldState& s, const SolverSettings& settings, const ContactEvents& events) {
+    s.idleSubsteps = WorldState::notIdle;  // also when a callback throws
+    const SolveReport report =
+        Solve(settings, s.fixtures, s.Lists(), events, {*s.pool, s.bodies, s.contacts, s.joints}, s.solverScratch);
+    if (report.awakeCount == 0) s.idleSubsteps = settings.substeps;
+    return report;
+}
+
 ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, const ContactEvents& events,
                                int substeps) {
     const std::vector<BodyIndex>& isolated = SolvedOf(settings, s.Lists()).isolated;
@@ -99,7 +114,9 @@ SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
             .tolerance = request.tolerance};
 }
 
-StepReport MakeReport(WorldState& s, const StepRequest& request, const StepResults& results) {
+StepReport MakeReport(WorldState& s, const StepRequest& request, Stopwatch& watch, StepResults& results) {
+    Profile& laps = results.profile;
+    laps.step = watch.Stop(laps.broadPhase, laps.narrowPhase, laps.islands, laps.solver, laps.continuous);
     const SolveReport& solved = results.solved;
     const ContinuousReport& continuous = results.continuous;
     StepReport report{.profile = results.profile,

@@ -8,12 +8,11 @@
 #include <algorithm>
 
 #include "pipeline/parts/rouse.h"
-#include "state/limits.h"
 
 namespace scree {
 
 bool IsStill(const WorldState& s, const StepRequest& request) {
-    if (s.idleSubsteps != request.substeps || request.dt < shortestStep) return false;
+    if (s.idleSubsteps != request.substeps || request.IsTooShort()) return false;
     if (!s.contacts.active.IsEmpty() || s.continuousScratch.resuming) return false;
     const std::span<const BodyIndex> listed = s.bodies.Listed();
     if (listed.empty()) return true;
