@@ -15,6 +15,7 @@
 #include "scree/scree.h"
 #include "testbed/engines/engine_run.h"
 #include "tests/determinism/golden_hashes.h"
+#include "tests/determinism/round_shapes.h"
 
 namespace {
 
@@ -49,48 +50,14 @@ TEST(StateHash, RepeatsAndEqualsItsGoldenValue) {
     }
 }
 
-/// Round corners, whose masses come from angles, and steps whose sub-steps come from what the last one found.
-uint64_t HashOfRoundShapes(bool withTolerance) {
-    scree::World world(scree::Vec2{0.0f, -10.0f});
-    scree::BodyDef groundDef;
-    scree::EdgeShape edge;
-    edge.SetTwoSided({-30.0f, 0.0f}, {30.0f, 0.0f});
-    world.CreateBody(&groundDef)->CreateFixture(&edge, 0.0f);
-    scree::Body* before = nullptr;
-    for (int i = 0; i < 60; ++i) {
-        const auto f = static_cast<float>(i);
-        scree::BodyDef def;
-        def.type = scree::dynamicBody;
-        def.position = {1.3f * static_cast<float>(i % 10) - 6.0f, 1.0f + 1.4f * static_cast<float>(i / 10)};
-        def.angle = 0.37f * f;
-        scree::Body* body = world.CreateBody(&def);
-        const scree::Vec2 corners[] = {
-            {-0.3f - 0.002f * f, -0.2f}, {0.4f, -0.25f}, {0.35f, 0.2f + 0.001f * f}, {-0.1f, 0.33f}};
-        const scree::ConvexShape shape = i % 3 == 0   ? scree::MakeRoundedPolygon(corners, 4, 0.05f + 0.001f * f)
-                                         : i % 3 == 1 ? scree::MakeCapsule({-0.3f, 0.01f * f}, {0.3f, 0.0f}, 0.2f)
-                                                      : scree::MakeEllipse(0.4f, 0.25f + 0.001f * f);
-        body->CreateFixture(&shape, 1.0f);
-        if (i % 6 == 1) {
-            scree::RevoluteJointDef joint;
-            joint.Initialize(before, body, body->GetPosition());
-            world.CreateJoint(&joint);
-        }
-        before = body;
-    }
-    for (int step = 0; step < 120; ++step) {
-        withTolerance ? world.Step(1.0f / 60.0f, scree::Tolerance{.overlap = 0.008f}) : world.Step(1.0f / 60.0f, 8, 3);
-    }
-    return scree::inspect::GetStateHash(world);
-}
-
 TEST(StateHash, OfRoundShapesAndOfATolerantStepEqualsItsGoldenValue) {
-    constexpr uint64_t goldenRound[2] = {0x513b9708ca9740d8, 0x4e542732da2ed834};
     for (const bool withTolerance : {false, true}) {
-        const uint64_t hash = HashOfRoundShapes(withTolerance);
-        EXPECT_EQ(hash, HashOfRoundShapes(withTolerance));
+        const uint64_t hash = determinism::HashOfRoundShapes(withTolerance);
+        EXPECT_EQ(hash, determinism::HashOfRoundShapes(withTolerance));
         char actual[32];
         std::snprintf(actual, sizeof actual, "0x%016" PRIx64, hash);
-        EXPECT_EQ(hash, goldenRound[withTolerance ? 1 : 0]) << "tolerance " << withTolerance << ": now " << actual;
+        EXPECT_EQ(hash, determinism::goldenRound[withTolerance ? 1 : 0])
+            << "tolerance " << withTolerance << ": now " << actual;
     }
 }
 

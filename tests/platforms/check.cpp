@@ -3,10 +3,12 @@
 //
 // Are states the same on this machine as on all others? Runs every scene of the catalogue by three kinds of step and
 // checks that other numbers of workers, a saved world and a recording lead to the same state; holds a dozen longer runs
-// to the golden hashes; checks that a program's rounding mode does not matter. Prints a line per state, which
-// tests/platforms/run compares with those of x86-64. Needs nothing but the engine: no test library, no exceptions.
+// and every scene to the golden hashes; checks that a program's rounding mode does not matter. Prints a line per state,
+// which tests/platforms/run compares with those of x86-64. Needs nothing but the engine: no test library, no
+// exceptions.
 //
 //   scree_check          all of that; exit code 1 if anything differs
+//   scree_check golden   golden hashes alone, with one worker and with three
 //   scree_check quick    the scenes alone, a few steps each
 //   scree_check save     a world as an image to stdout
 //   scree_check load     the hash of the world in the image on stdin, or why it was refused
@@ -14,9 +16,7 @@
 #include <bit>
 #include <cinttypes>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -28,11 +28,10 @@
 #include "scree/inspect.h"
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
-#include "testbed/engines/scree_joint.h"
-#include "testbed/engines/scree_scene.h"
-#include "testbed/engines/scree_shape.h"
-#include "testbed/engines/state_hash.h"
 #include "tests/determinism/golden_hashes.h"
+#include "tests/determinism/round_shapes.h"
+#include "tests/determinism/scene_hashes.h"
+#include "tests/determinism/scene_run.h"
 #include "tests/determinism/small_scenes.h"
 
 #if defined(_WIN32)
@@ -42,112 +41,16 @@
 
 namespace {
 
+using determinism::MakeDef;
+using determinism::NameOf;
+using determinism::SceneRun;
+using determinism::StepKind;
+
 int failures = 0;
 
 void Fail(const std::string& what) {
     ++failures;
     std::printf("DIFFERS %s\n", what.c_str());
-}
-
-void Stop(const scree::Error& error, void*) {
-    std::printf("REFUSED %s: %s; %s\n", error.function, error.field, error.cure);
-    std::exit(2);
-}
-
-enum class StepKind { sequential, soft, tolerant };
-constexpr StepKind stepKinds[] = {StepKind::sequential, StepKind::soft, StepKind::tolerant};
-constexpr const char* kindNames[] = {"sequential", "soft", "tolerant"};
-
-/// A scene in a world, stepped with the spawns that are due.
-class Run {
-public:
-    Run(const scenes::Scene& scene, const scree::WorldDef& def, StepKind kind)
-        : m_scene(scene), m_kind(kind), m_conveyor(scene), m_world(std::make_unique<scree::World>(def)) {
-        Attach();
-        while (m_bodyCount < scene.InitialBodyCount()) AddBody();
-        std::vector<scree::Joint*> joints;
-        for (const scenes::Joint& joint : scene.joints) {
-            joints.push_back(testbed::CreateScreeJoint(*m_world, joint, m_bodies, joints));
-        }
-    }
-    /// Goes on with a saved world as `other` would have.
-    Run(const Run& other, std::span<const std::byte> image)
-        : m_scene(other.m_scene),
-          m_kind(other.m_kind),
-          m_conveyor(other.m_scene),
-          m_world(scree::LoadWorld(image)),
-          m_bodyCount(other.m_bodyCount),
-          m_step(other.m_step),
-          m_spawned(other.m_spawned) {
-        if (m_world != nullptr) Attach();
-    }
-
-    void Step(int count = 1) {
-        for (; count > 0; --count) {
-            StepWorld();
-            ++m_step;
-            for (; m_spawned < m_scene.spawns.size() && m_scene.spawns[m_spawned].afterStep <= m_step; ++m_spawned) {
-                AddBody();
-            }
-        }
-    }
-    [[nodiscard]] bool IsLoaded() const { return m_world != nullptr; }
-    [[nodiscard]] scree::World& GetWorld() { return *m_world; }
-    [[nodiscard]] testbed::Conveyor& GetConveyor() { return m_conveyor; }
-    [[nodiscard]] uint64_t GetHash() const { return scree::inspect::GetStateHash(*m_world); }
-    /// As the golden hashes are.
-    [[nodiscard]] uint64_t GetBodyHash() const {
-        std::vector<testbed::BodyState> states;
-        for (const scree::Body* body : m_bodies) {
-            states.push_back({.index = static_cast<int>(states.size()),
-                              .type = {},
-                              .position = testbed::FromScree(body->GetPosition()),
-                              .sin = 0.0f,
-                              .cos = 0.0f,
-                              .angle = body->GetAngle(),
-                              .linearVelocity = testbed::FromScree(body->GetLinearVelocity()),
-                              .angularVelocity = body->GetAngularVelocity(),
-                              .awake = body->GetType() != scree::staticBody && body->IsAwake(),
-                              .bullet = false});
-        }
-        return testbed::HashState(states);
-    }
-
-private:
-    void Attach() {
-        m_world->SetErrorHandler(Stop, nullptr);
-        m_world->SetContactListener(&m_conveyor);
-    }
-    void AddBody() { m_bodies.push_back(testbed::CreateScreeBody(*m_world, m_scene, m_bodyCount++)); }
-    void StepWorld() {
-        switch (m_kind) {
-            case StepKind::sequential:
-                m_world->Step(m_scene.timeStep, m_scene.velocityIterations, m_scene.positionIterations);
-                return;
-            case StepKind::soft:
-                m_world->Step(m_scene.timeStep, 4);
-                return;
-            case StepKind::tolerant:
-                m_world->Step(m_scene.timeStep, scree::Tolerance{});
-                return;
-        }
-    }
-
-    const scenes::Scene& m_scene;
-    const StepKind m_kind;
-    testbed::Conveyor m_conveyor;
-    std::unique_ptr<scree::World> m_world;
-    testbed::ScreeBodies m_bodies;
-    int m_bodyCount = 0;
-    int m_step = 0;
-    size_t m_spawned = 0;
-};
-
-scree::WorldDef MakeDef(const scenes::Scene& scene, int workers = 1) {
-    scree::WorldDef def;
-    def.gravity = testbed::ToScree(scene.gravity);
-    def.workerCount = workers;
-    return def;
 }
 
 uint64_t ChecksumOf(std::span<const std::byte> bytes) {
@@ -156,7 +59,12 @@ uint64_t ChecksumOf(std::span<const std::byte> bytes) {
     return sum.Get();
 }
 
-void CheckGolden() {
+void CheckGolden(const std::string& name, uint64_t hash, uint64_t golden) {
+    std::printf("golden %s %016" PRIx64 "\n", name.c_str(), hash);
+    if (hash != golden) Fail("golden " + name);
+}
+
+void CheckLongerRuns() {
     for (const determinism::GoldenHash& row : determinism::golden) {
         const scenes::Scene scene = scenes::Build(row.scene, row.size);
         for (const StepKind kind : {StepKind::sequential, StepKind::soft}) {
@@ -164,31 +72,52 @@ void CheckGolden() {
             def.continuousPhysics = false;
             def.maxTranslation = scree::maxTranslation;
             def.maxRotation = scree::maxRotation;
-            Run run(scene, def, kind);
+            SceneRun run(scene, def, kind);
             run.Step(row.steps);
-            const uint64_t hash = run.GetBodyHash();
-            const std::string name = std::string(row.scene) + " " + kindNames[static_cast<int>(kind)];
-            std::printf("golden %s %016" PRIx64 "\n", name.c_str(), hash);
-            if (hash != (kind == StepKind::soft ? row.softHash : row.hash)) Fail("golden " + name);
+            CheckGolden(NameOf(row.scene, kind), run.GetBodyHash(), kind == StepKind::soft ? row.softHash : row.hash);
         }
+    }
+    for (const bool withTolerance : {false, true}) {
+        CheckGolden(NameOf("round-shapes", withTolerance ? StepKind::tolerant : StepKind::sequential),
+                    determinism::HashOfRoundShapes(withTolerance), determinism::goldenRound[withTolerance ? 1 : 0]);
+    }
+}
+
+/// Of a small scene after sceneSteps; 0: there is none.
+uint64_t FindSceneHash(const scenes::Scene& scene, StepKind kind) {
+    for (const determinism::SceneHashes& row : determinism::sceneHashes) {
+        if (scene.name == row.scene) return row.hashes[static_cast<int>(kind)];
+    }
+    return 0;
+}
+
+void CheckSceneHash(const scenes::Scene& scene, StepKind kind) {
+    const std::string name = NameOf(scene.name.c_str(), kind);
+    for (const int workers : {1, 3}) {
+        SceneRun run(scene, MakeDef(scene, workers), kind);
+        run.Step(determinism::sceneSteps);
+        const uint64_t hash = run.GetHash();
+        if (workers == 1) std::printf("state %s %016" PRIx64 "\n", name.c_str(), hash);
+        if (hash != FindSceneHash(scene, kind)) Fail(name + ", " + std::to_string(workers) + " workers: golden hash");
     }
 }
 
 /// Half of the steps, an image, and the other half; all of it recorded.
 void CheckScene(const scenes::Scene& scene, StepKind kind, int halfSteps) {
-    const std::string name = scene.name + " " + kindNames[static_cast<int>(kind)];
+    const std::string name = NameOf(scene.name.c_str(), kind);
     scree::Recorder recorder;
-    Run run(scene, MakeDef(scene), kind);
+    SceneRun run(scene, MakeDef(scene), kind);
     StartRecording(run.GetWorld(), recorder);
     run.Step(halfSteps);
     const std::vector<std::byte> image = SaveWorld(run.GetWorld());
-    std::optional<Run> restored;
+    std::optional<SceneRun> restored;
     restored.emplace(run, image);
     run.Step(halfSteps);
     const uint64_t hash = run.GetHash();
     scree::StopRecording(run.GetWorld());
     std::printf("state %s %016" PRIx64 "\n", name.c_str(), hash);
     std::printf("image %s %016" PRIx64 "\n", name.c_str(), ChecksumOf(image));
+    if (2 * halfSteps == determinism::sceneSteps && hash != FindSceneHash(scene, kind)) Fail(name + ": golden hash");
 
     if (restored->IsLoaded()) restored->Step(halfSteps);
     if (!restored->IsLoaded() || restored->GetHash() != hash) Fail(name + ": restored");
@@ -198,7 +127,7 @@ void CheckScene(const scenes::Scene& scene, StepKind kind, int halfSteps) {
     const bool isSame = replay.valid && replay.firstDifference == 0 && replay.steps == 2 * halfSteps;
     if (!isSame || scree::inspect::GetStateHash(*replay.world) != hash) Fail(name + ": replayed");
     for (const int workers : {2, 3, 8}) {
-        Run shared(scene, MakeDef(scene, workers), kind);
+        SceneRun shared(scene, MakeDef(scene, workers), kind);
         shared.Step(2 * halfSteps);
         if (shared.GetHash() != hash) Fail(name + ": " + std::to_string(workers) + " workers");
     }
@@ -256,7 +185,7 @@ uint64_t HashOfCreeping(StepKind kind, int workers, bool spoil) {
 
 void CheckFloatModes() {
     for (const StepKind kind : {StepKind::sequential, StepKind::soft}) {
-        const std::string name = kindNames[static_cast<int>(kind)];
+        const std::string name = determinism::kindNames[static_cast<int>(kind)];
         const uint64_t hash = HashOfCreeping(kind, 1, false);
         std::printf("state creeping %s %016" PRIx64 "\n", name.c_str(), hash);
         for (const int workers : {1, 3}) {
@@ -267,7 +196,8 @@ void CheckFloatModes() {
     }
 }
 
-int CheckAll(bool quick) {
+int CheckAll(const std::string& what) {
+    const bool isQuick = what == "quick", isGolden = what == "golden";
     const char* order = std::endian::native == std::endian::little ? "little" : "big";
 #if defined(SCREE_HAS_THREADS)
     const char* threads = "threads";
@@ -276,19 +206,21 @@ int CheckAll(bool quick) {
 #endif
     std::printf("target %s, kernels %s, %d bits, %s endian, %s\n", scree::simdName, scree::GetContactKernels().name,
                 static_cast<int>(8 * sizeof(void*)), order, threads);
-    if (!quick) CheckGolden();
+    if (!isQuick) CheckLongerRuns();
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
         const scenes::Scene scene = determinism::BuildSmall(info);
-        for (const StepKind kind : stepKinds) CheckScene(scene, kind, quick ? 3 : 15);
+        for (const StepKind kind : determinism::stepKinds) {
+            isGolden ? CheckSceneHash(scene, kind) : CheckScene(scene, kind, isQuick ? 3 : determinism::sceneSteps / 2);
+        }
     }
-    if (!quick) CheckFloatModes();
+    if (!isQuick && !isGolden) CheckFloatModes();
     std::printf("failures %d\n", failures);
     return failures == 0 ? 0 : 1;
 }
 
 int Save() {
     const scenes::Scene scene = scenes::Build("ragdolls");
-    Run run(scene, MakeDef(scene), StepKind::soft);
+    SceneRun run(scene, MakeDef(scene), StepKind::soft);
     run.Step(60);
     const std::vector<std::byte> image = SaveWorld(run.GetWorld());
     std::fwrite(image.data(), 1, image.size(), stdout);
@@ -321,5 +253,5 @@ int main(int argc, char** argv) {
     _setmode(_fileno(stdout), _O_BINARY);
 #endif
     const std::string what = argc > 1 ? argv[1] : "";
-    return what == "save" ? Save() : what == "load" ? Load() : CheckAll(what == "quick");
+    return what == "save" ? Save() : what == "load" ? Load() : CheckAll(what);
 }

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// State hashes of every scene of the catalogue, small as in small_scenes.h, by each kind of step in the order of
+// StepKind: every build on every machine must give them, with any number of workers. Written by
+// tests/determinism/renew.py.
+
+#pragma once
+
+#include <cstdint>
+
+namespace determinism {
+
+struct SceneHashes {
+    const char* scene;
+    uint64_t hashes[3];
+};
+
+inline constexpr int sceneSteps = 60;
+
+inline constexpr SceneHashes sceneHashes[] = {
+    {"tiles", {0x2bcb303c8c47dc9e, 0xefc86c54c6e67e24, 0x54da6d5a095d5b61}},
+    {"add-pair-400", {0x9570661f5efba056, 0x90c6fd3aff1441de, 0x91260654f0e240b1}},
+    {"falling-squares", {0x351033f26ac742f2, 0x01d6520a04903d41, 0x0824d182991f8db5}},
+    {"falling-circles", {0x82161725c5fd7a14, 0x773f9e5085242288, 0x6f5d58bae21dfa32}},
+    {"tumbler", {0xf91c217706994e9a, 0x2a8e6a5dbf7a597c, 0xd8a1435ea786176c}},
+    {"multi-fixture", {0x54343246c333cfc6, 0x9cd04ad8db4af323, 0x657124490c89393a}},
+    {"add-pair", {0xa0636e1e69883ad0, 0xfd2783d163b60d3b, 0xef392b74baf5351f}},
+    {"mild-n2", {0x2245a3dcd870637b, 0x94968a2d3a7178bc, 0x29771886323bab30}},
+    {"n2", {0x6e2ea4263c8e46ff, 0xc7b744c8cd318c88, 0x780200787b5647f8}},
+    {"mostly-static-single", {0x0f9f1213655417d5, 0xe1ddc8599583e119, 0x793a12a35bffdfee}},
+    {"mostly-static-multi", {0x18996278ebd8eda3, 0x783c9544ec9463a9, 0x697f3220b2ab08ed}},
+    {"diagonal", {0x9e7a2dc6f1d2d24d, 0x77d16a399075c6ef, 0xd6385243b70e5976}},
+    {"mixed", {0xde9d974d18e94d31, 0x513b92b7f4b33b9d, 0x586abaca54ba22aa}},
+    {"slow-explosion", {0x7adde6bc8345c45f, 0x9e63c2066960f73b, 0x6a75fcf4abb29be3}},
+    {"big-mobile", {0x462ed83f6c66a283, 0x394773b70cdf0d15, 0x0550d4c0d622eb4d}},
+    {"pyramid", {0x303d47c37fadae1b, 0x807a9a1644dfda34, 0xe5895f8a1fecf0da}},
+    {"box-stack", {0x56534f9633ff2939, 0xd4c9b9d21fb012df, 0xd9e11e71f09460d6}},
+    {"domino-row", {0x177edc48745afb7b, 0x447d42e8c0d1da26, 0x072b62ab234cf58f}},
+    {"bridge", {0x0adb90480f061bc3, 0xf1d2e2bbb78583ef, 0x87fa9e662879ad4c}},
+    {"chain-heavy-end", {0xb67e5c7be122dd74, 0x1de21ef4f20dc542, 0xbe3d11e14e5249d2}},
+    {"cantilever", {0xc078260d594aa4f3, 0x31ca946aed675464, 0xfc1fe17abc6128a6}},
+    {"car", {0xf7eb6ff8e240538d, 0xfd9d0c06ede17e5f, 0x9f54962f18b1b4f1}},
+    {"ragdolls", {0xa180e44073a20494, 0xb260a0c867024f55, 0xb3034defde8ebabc}},
+    {"conveyor", {0xda1c00b713ade11b, 0x14fccb5349217d07, 0xe4392cc3a73dfd79}},
+    {"pulley", {0x76d1c1d39298044a, 0xad5c7ebd79c0828e, 0xa174c4b307b648bf}},
+    {"gears", {0xbf2760a9bc3914f1, 0x44b8c9be10c4f6be, 0x73e892230f53fb1e}},
+    {"slider-crank", {0x6139246f31efff12, 0x12524adb6144947f, 0x901e1900e5e188b7}},
+    {"web", {0x703e682e32143aee, 0x8a8024ac4e8672d6, 0x89f2e91fe2dff9dd}},
+    {"character-corner-cases", {0x1ccdba586a4e136f, 0xdfbd4cc81b067f0b, 0xae73ae45cd3e2058}},
+    {"sensors", {0xd1e666a8adf07efb, 0x09a4d5917025fb6f, 0xecbe77aa4e9e7779}},
+    {"ray-cast-playground", {0xf80daddc6d351def, 0xaf8e1cc38e2027b9, 0xfdf536f6bb319a93}},
+    {"restitution-row", {0x1e42998a27c00cec, 0x47f068548d185f69, 0xb7afe5887a96c6ac}},
+    {"friction-row", {0x2af052c5fb570bbd, 0xab1b9cb6db981160, 0xcada6be40209f686}},
+    {"convex-shapes", {0x4522aa5f94027c5a, 0xfa905374856f4133, 0x34feb833e5a53e9f}},
+    {"platformer", {0x70e784d72df751b4, 0x9a7f98b1479d45dd, 0x9e94df68fb6a7c2b}},
+    {"cars", {0x5d4f1a3fa72fc8fd, 0xf95bbfb64dfc4985, 0xbd893087a5fac568}},
+    {"bin", {0xd8d98f9e6dff0595, 0x6db2cadf62fd701c, 0x49d4ef507daa5188}},
+    {"bullets", {0xe54cbe544126f0b9, 0xaf16d80de3302ff4, 0x25bfdd1414194566}},
+    {"joint-distance", {0x7156920e776a8f43, 0x75b7c62ccd2e2009, 0x4533cc4a0052996c}},
+    {"joint-friction", {0xa4f9f622071a0f44, 0x09f73ae61b335ef3, 0xc6fdeaa2a2fe9ece}},
+    {"joint-gear", {0x27bed45b6d584dd7, 0x9b5878e5d80886c3, 0xb62a11c21f07067b}},
+    {"joint-motor", {0x87764c8f334f887d, 0x10ccddfca8ed2e82, 0xe6139819f914d37e}},
+    {"joint-mouse", {0xd111c4ecc621e4d5, 0xef5cc661792e5f1e, 0xcc2b194cbd359a5f}},
+    {"joint-prismatic", {0xd3db339cdb66b244, 0xb747b382005d3e40, 0x66c1d7c596e6caf3}},
+    {"joint-pulley", {0xcad183d81f3f1fc1, 0xfd9d905275c4e943, 0xa28283a48413aecf}},
+    {"joint-revolute", {0x7ed832d23eef67cb, 0xb0c485a4c8002b0c, 0x5dcd5ca098375dd7}},
+    {"joint-weld", {0xd5779354f3ee121d, 0x7aebc33f3ec1cdce, 0x034bdfe97a8ef02b}},
+    {"joint-wheel", {0xec80a76d03bc7c8a, 0x4758b65e0df73c7b, 0x6b559a522b17bb84}},
+};
+
+}  // namespace determinism
