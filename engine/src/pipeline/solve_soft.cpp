@@ -181,6 +181,8 @@ public:
         if (HasJoints()) m_s.startVelocities.Reserve(m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
+        const bool isLoaded = HasJoints() && IsLoaded();
+        RaiseLoaded(fixtures);
         m_s.before.resize(m_s.jointed.size());
         m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
@@ -191,7 +193,7 @@ public:
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
-        m_task.sumImpulses = report || m_s.blocks.Bounces();
+        m_task.sumImpulses = report || m_s.blocks.Bounces() || !m_s.loaded.IsEmpty();
         if (m_s.blocks.GetInitialOverlapCount() > 0) {
             if (HasJoints()) m_s.blocks.LeaveJointed(m_bodies, m_tables.contacts.steady);
             if (!m_tables.isRest) PushInitialApart();
@@ -202,9 +204,9 @@ public:
                   .bounces = m_s.blocks.Bounces(),
                   .hasRows = hasRows,
                   .hasTrees = !m_tree.IsEmpty(),
-                  .hasNets = !m_tree.GetNets().IsEmpty()};
+                  .hasNets = !m_tree.GetNets().IsEmpty(),
+                  .isLoaded = isLoaded};
         if (m_plan.hasNets) GatherNetted();
-        m_plan.isLoaded = m_plan.hasTrees && IsLoaded();
     }
 
     void Substep(int index) {
@@ -233,6 +235,7 @@ public:
                                m_tree.GetBounded());
         }
         m_tree.Store(1.0f, m_tables.joints);
+        LowerLoaded();
         return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
             return CountOver(Pool(), m_s.soft.size(), [&](size_t i) {
                 const BodyIndex b = m_s.soft[i].body;
@@ -342,12 +345,15 @@ private:
     /// The same frequency whatever the number of sub-steps, so that bodies rest at the same depth; where sub-steps are
     /// too long for it, the stiffest spring that they carry. What cannot be pushed holds twice as stiffly: piles are
     /// not to sink into the ground. Only where a tolerance asks for less overlap more sub-steps make it stiffer.
-    [[nodiscard]] SoftConstants MakeConstants() const {
+    [[nodiscard]] float ContactHertz() const {
         constexpr float mostTurns = 0.25f;  // of a spring in a sub-step
         constexpr float usual = 4.0f;       // sub-steps
         float hertz = m_settings.contactHertz;
         if (m_settings.tolerance != nullptr) hertz *= static_cast<float>(m_settings.substeps) / usual;
-        hertz = Min(hertz, mostTurns / m_h);
+        return Min(hertz, mostTurns / m_h);
+    }
+    [[nodiscard]] SoftConstants MakeConstants() const {
+        const float hertz = ContactHertz();
         return {.inverseH = 1.0f / m_h,
                 .pushSpeed = m_settings.contactPushSpeed,
                 .between = MakeSoftSpring(hertz),
@@ -360,10 +366,33 @@ private:
     }
 
     /// Longer sub-steps do not follow what springs back when a taut chain takes a load up.
-    [[nodiscard]] bool IsLoaded() const {
-        constexpr float heavy = 10.0f;       // masses of the body that bears it
+    [[nodiscard]] bool FollowsLoads() const {
         constexpr float mostTurns = 0.125f;  // of a contact's spring in a sub-step
-        if (m_settings.contactHertz * m_h > 1.001f * mostTurns) return false;
+        return m_settings.contactHertz * m_h <= 1.001f * mostTurns;
+    }
+    void RaiseLoaded(const FixtureTable& fixtures) {
+        constexpr float depth = 0.5f;  // slops
+        const float turnRate = 2.0f * pi * ContactHertz();
+        m_s.loaded.Raise({.fixtures = fixtures,
+                          .contacts = m_tables.contacts,
+                          .joints = m_tables.joints,
+                          .bodies = m_islands.bodies,
+                          .list = m_islands.contacts,
+                          .gravity = m_settings.gravity,
+                          .dt = m_settings.dt,
+                          .stiffness = turnRate * turnRate,
+                          .depth = depth * m_settings.Slop(),
+                          .raisesJointed = FollowsLoads()},
+                         m_bodies);
+    }
+    void LowerLoaded() {
+        if (m_s.loaded.IsEmpty()) return;
+        m_s.blocks.GetImpulses(true, m_s.impulses);
+        m_s.loaded.Lower(m_bodies, m_s.impulses);
+    }
+    [[nodiscard]] bool IsLoaded() const {
+        constexpr float heavy = 10.0f;  // masses of the body that bears it
+        if (!FollowsLoads()) return false;
         const auto bears = [&](BodyIndex body, BodyIndex load) {
             const float invMass = m_bodies.mass[load].invMass;
             return m_bodies.info[body].jointCount > 0 && invMass > 0.0f &&

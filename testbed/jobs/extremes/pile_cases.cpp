@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "testbed/engines/law_scenes.h"
@@ -112,17 +113,26 @@ scenes::Scene MakeManyPairs(int count) {
     return scene;
 }
 
+/// How far the upper box is from where it lies on the lower one, m: one that has gone through overlaps nothing.
+double MeasureSunk(const LabWorld& lab, double /*seconds*/) {
+    return std::max(0.0, 1.5 - double{lab.Read(2).origin.y});  // body 0 is the floor
+}
+
 void AddRatios(std::vector<ExtremeCase>& cases) {
     for (const int power : {0, 2, 3, 4, 6}) {
         const double ratio = std::pow(10.0, power);
         for (const bool heavyOnTop : {false, true}) {
-            cases.push_back(
-                {.name = fmt::format("{}-1e{}", heavyOnTop ? "heavy-on-light" : "light-on-heavy", power),
-                 .group = "mass ratio",
-                 .what = fmt::format("a box {} one of {:g} times its mass", heavyOnTop ? "below" : "on", ratio),
-                 .make = [=] { return MakeMassRatio(ratio, heavyOnTop); },
-                 .quickSeconds = 5.0,
-                 .demands = {.bounds = Bounds{{-10.0, -1.0}, {10.0, 20.0}}, .overlap = 0.02, .restSpeed = 0.05}});
+            cases.push_back({.name = fmt::format("{}-1e{}", heavyOnTop ? "heavy-on-light" : "light-on-heavy", power),
+                             .group = "mass ratio",
+                             .what = fmt::format("a box {} one of {:g} times its mass: the upper one sunk by, m",
+                                                 heavyOnTop ? "below" : "on", ratio),
+                             .make = [=] { return MakeMassRatio(ratio, heavyOnTop); },
+                             .quickSeconds = 5.0,
+                             .demands = {.bounds = Bounds{{-10.0, -1.0}, {10.0, 20.0}},
+                                         .overlap = 0.02,
+                                         .restSpeed = 0.05,
+                                         .accuracy = 0.04},
+                             .measure = MeasureSunk});
         }
     }
 }

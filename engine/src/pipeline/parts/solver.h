@@ -12,6 +12,7 @@
 #include "constraints/contact_rows.h"
 #include "constraints/joint_solver.h"
 #include "constraints/joint_tree.h"
+#include "constraints/loaded_bodies.h"
 #include "constraints/rolling_rows.h"
 #include "pipeline/parts/locked_bodies.h"
 #include "pipeline/parts/start_velocities.h"
@@ -76,6 +77,7 @@ struct SolverScratch {
     ContactRows contacts;
     ContactBlocks blocks;
     RollingRows rolling;  ///< of the contacts or the blocks
+    LoadedBodies loaded;
     LockedBodies locked;  ///< of the bodies that are solved
     JointConstraints joints;
     Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
@@ -94,13 +96,14 @@ struct SolverScratch {
                        impulses) +
                rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
                restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() + wide.GetMemoryBytes() +
-               rolling.GetMemoryBytes() + locked.GetMemoryBytes();
+               rolling.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
         contacts = {};
         blocks = {};
         rolling = {};
+        loaded = {};
         locked = {};
         joints = {};
         delta = {};
