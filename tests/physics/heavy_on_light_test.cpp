@@ -23,7 +23,8 @@ public:
     int Whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(m_engine); }
     /// A ratio of masses from 10 to a million.
     double Ratio() { return std::pow(10.0, In(1.0, 6.0)); }
-    int Substeps() { return Whole(2, 16); }
+    /// Two do not stop a load of a hundred thousand times on a column of several before it is through.
+    int Substeps() { return Whole(3, 16); }
 
 private:
     std::mt19937 m_engine;
