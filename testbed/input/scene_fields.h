@@ -22,6 +22,9 @@ struct SceneField {
     std::string_view name;
     Value Owner::*member;
 };
+/// Said aloud for compilers that deduce nothing for aggregates, such as clang 16.
+template <typename Owner, typename Value>
+SceneField(const char*, Value Owner::*) -> SceneField<Owner, Value>;
 
 /// Converts to any type, in initialisers that are never evaluated.
 struct Anything {

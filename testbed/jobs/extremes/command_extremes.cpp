@@ -16,6 +16,7 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/filter.h"
 #include "testbed/base/json_lines.h"
 #include "testbed/base/json_print.h"
 #include "testbed/base/nearest.h"
@@ -66,14 +67,10 @@ std::vector<Pane> ChooseSettings(const SettingArguments& arguments) {
 /// Cases whose name or group the expression finds; hidden ones only by their exact name.
 std::vector<const ExtremeCase*> ChooseCases(const std::string& filter) {
     std::vector<const ExtremeCase*> chosen;
-    try {
-        const std::regex expression(filter);
-        for (const ExtremeCase& one : GetExtremeCases()) {
-            const bool found = std::regex_search(one.name, expression) || std::regex_search(one.group, expression);
-            if (one.hidden ? one.name == filter : found) chosen.push_back(&one);
-        }
-    } catch (const std::regex_error& error) {
-        throw UsageError(fmt::format("-g '{}': not a regular expression: {}", filter, error.what()));
+    const std::regex expression = CompileFilter(filter);
+    for (const ExtremeCase& one : GetExtremeCases()) {
+        const bool found = std::regex_search(one.name, expression) || std::regex_search(one.group, expression);
+        if (one.hidden ? one.name == filter : found) chosen.push_back(&one);
     }
     if (chosen.empty()) {
         throw UsageError(fmt::format("-g '{}' finds no case; `scree extremes --list` shows all", filter));

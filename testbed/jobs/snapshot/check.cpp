@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/filter.h"
 #include "testbed/base/json_print.h"
 #include "testbed/base/progress.h"
 #include "testbed/jobs/snapshot/reference_folder.h"
@@ -29,14 +30,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 using Clock = std::chrono::steady_clock;
-
-std::regex CompilePattern(const std::string& pattern) {
-    try {
-        return std::regex(pattern);
-    } catch (const std::regex_error& error) {
-        throw UsageError(fmt::format("-g {}: not a regular expression: {}", pattern, error.what()));
-    }
-}
 
 SnapshotResult MakeResult(const SnapshotCase& snapshotCase) {
     SnapshotResult result;
@@ -229,7 +222,7 @@ SnapshotOutcome Checker::Run() {
     const std::vector<SnapshotCase> cases = SelectCases(m_job.catalog, m_job.pattern);
     std::set<std::string> orphans = ListReferences(m_job.references);
     for (const SnapshotCase& snapshotCase : m_job.catalog) orphans.erase(snapshotCase.GetId());
-    const std::regex pattern = CompilePattern(m_job.pattern);
+    const std::regex pattern = CompileFilter(m_job.pattern);
     std::erase_if(orphans, [&](const std::string& id) { return !std::regex_search(id, pattern); });
     if (cases.empty() && orphans.empty()) {
         throw UsageError(fmt::format("-g {}: no snapshot matches; `scree snapshot list` shows all", m_job.pattern));
@@ -255,7 +248,7 @@ SnapshotOutcome Checker::Run() {
 }  // namespace
 
 std::vector<SnapshotCase> SelectCases(std::vector<SnapshotCase> catalog, const std::string& pattern) {
-    const std::regex expression = CompilePattern(pattern);
+    const std::regex expression = CompileFilter(pattern);
     std::erase_if(catalog, [&](const SnapshotCase& c) { return !std::regex_search(c.GetId(), expression); });
     return catalog;
 }

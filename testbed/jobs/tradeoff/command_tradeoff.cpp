@@ -16,6 +16,7 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/filter.h"
 #include "testbed/base/json_lines.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
@@ -50,13 +51,9 @@ struct TradeArguments {
 /// Laws whose name the expression finds. Throws UsageError for a bad one and for one that finds none.
 std::vector<const Law*> ChooseLaws(const std::string& filter) {
     std::vector<const Law*> chosen;
-    try {
-        const std::regex expression(filter);
-        for (const Law& law : GetLaws()) {
-            if (std::regex_search(law.name, expression)) chosen.push_back(&law);
-        }
-    } catch (const std::regex_error& error) {
-        throw UsageError(fmt::format("-g '{}': not a regular expression: {}", filter, error.what()));
+    const std::regex expression = CompileFilter(filter);
+    for (const Law& law : GetLaws()) {
+        if (std::regex_search(law.name, expression)) chosen.push_back(&law);
     }
     if (!chosen.empty()) return chosen;
     std::string names;
