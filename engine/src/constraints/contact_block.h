@@ -73,7 +73,8 @@ struct alignas(32) FillLanes {
     Row radiusA, radiusB;  ///< of the shapes of side A and B, m
     int32_t count;         ///< lanes in use; the others repeat the first
     bool anyCircles;
-    bool isFar;  ///< in frames near the contacts, below, instead of FillSource's transforms and positions
+    bool areKept;  ///< all have steady rows, which are all that is asked for of the rest
+    bool isFar;    ///< in frames near the contacts, below, instead of FillSource's transforms and positions
     float transformA[blockLanes][4], transformB[blockLanes][4];
     float positionA[blockLanes][4], positionB[blockLanes][4];
 };

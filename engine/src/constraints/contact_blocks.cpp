@@ -195,6 +195,7 @@ void ContactBlocks::FetchAhead(const BlockInput& input, size_t block) const {
         const ContactIndex far = m_contact[l + 2 * blockLanes];
         Prefetch(&input.contacts.manifold[far]);
         Prefetch(&input.contacts.material[far]);
+        if (input.steady != nullptr) Prefetch(&(*input.steady)[far]);
         const SidedContact* next = contactAt(l + blockLanes);
         for (const BodyIndex body : {next->a, next->b}) {
             Prefetch(&input.bodies.transform[body]);
@@ -205,11 +206,28 @@ void ContactBlocks::FetchAhead(const BlockInput& input, size_t block) const {
     }
 }
 
+bool ContactBlocks::AreKept(const BlockInput& input, size_t k) const {
+    const int* const order = &m_order[k * blockLanes];
+    for (int l = 0; l < blockLanes && order[l] >= 0; ++l) {
+        if ((*input.steady)[m_contact[k * blockLanes + ToSize(l)]].isKept <= 0.0f) return false;
+    }
+    return true;
+}
+
+/// All that filling needs of contacts that are kept; their block knows the rest from the time when it was laid out.
+void ContactBlocks::NameContacts(size_t k, FillLanes& lanes) const {
+    lanes.count = 0;
+    for (int l = 0; l < blockLanes; ++l) {
+        const bool isUsed = m_blocks[k].slot[l] >= 0;
+        lanes.contact[l] = isUsed ? ToInt(m_contact[k * blockLanes + ToSize(l)]) : lanes.contact[0];
+        if (isUsed) ++lanes.count;
+    }
+}
+
 void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lanes) {
     ContactBlock& block = m_blocks[k];
     lanes.count = 0;
     lanes.anyCircles = false;
-    lanes.isFar = input.bodies.IsFar();
     for (int l = 0; l < blockLanes; ++l) {
         const int i = m_order[k * blockLanes + ToSize(l)];
         block.slot[l] = i;
@@ -222,6 +240,7 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
                 (*row)[l] = (*row)[0];
             continue;
         }
+        if (!m_isFresh) m_sided[ToSize(i)] = SortSides(input, At(i).contact);  // its manifold may be another
         const SidedContact& contact = At(i);
         ++lanes.count;
         lanes.contact[l] = ToInt(contact.contact);
@@ -233,7 +252,6 @@ void ContactBlocks::NameLanes(const BlockInput& input, size_t k, FillLanes& lane
         lanes.radiusA[l] = contact.radiusA;
         lanes.radiusB[l] = contact.radiusB;
     }
-    if (lanes.isFar) PlaceLanes(input.bodies, block, lanes);
 }
 
 FillFindings& operator|=(FillFindings& all, FillFindings more) {
@@ -252,7 +270,10 @@ FillFindings ContactBlocks::FillRange(const BlockInput& input, size_t begin, siz
     for (size_t k = begin; k < end; ++k) {
         if (static_cast<int32_t>(k) == range->end) ++range;
         FetchAhead(input, k);
-        NameLanes(input, k, lanes);
+        lanes.isFar = input.bodies.IsFar();
+        lanes.areKept = range->kind.twoPoints && input.steady != nullptr && AreKept(input, k);
+        lanes.areKept && !m_isFresh ? NameContacts(k, lanes) : NameLanes(input, k, lanes);
+        if (lanes.isFar) PlaceLanes(input.bodies, m_blocks[k], lanes);
         found |= input.kernels.fill(source, lanes, range->kind, m_blocks[k]);
     }
     return found;
@@ -268,12 +289,24 @@ void ContactBlocks::Fill(const BlockInput& input) {
     for (const FillFindings& one : found) m_findings |= one;
 }
 
-void ContactBlocks::Build(const BlockInput& input) {
+bool ContactBlocks::IsLaidOut(const BlockInput& input) const {
+    return m_grouping == input.contacts.grouping &&
+           std::equal(m_sided.begin(), m_sided.end(), input.list.begin(), input.list.end(),
+                      [](const SidedContact& was, ContactIndex contact) { return was.contact == contact; });
+}
+
+void ContactBlocks::LayOut(const BlockInput& input) {
     m_used.resize(ToSize(input.bodies.slots.Size()));
     Sort(input);
     ColourMovers();
     ColourFixed();
     MakeRanges();
+    m_grouping = input.contacts.grouping;
+}
+
+void ContactBlocks::Build(const BlockInput& input) {
+    m_isFresh = !IsLaidOut(input);
+    if (m_isFresh) LayOut(input);
     Fill(input);
 }
 

@@ -44,7 +44,8 @@ struct BlockInput {
 /// Blocks and what colouring needs, kept between steps.
 class ContactBlocks {
 public:
-    /// Colours and fills. O(contacts); with more than 64 contacts on one body in rounds of 64 colours.
+    /// Colours and fills; colours are kept while the list and its grouping are the same. O(contacts); with more than 64
+    /// contacts on one body in rounds of 64 colours.
     void Build(const BlockInput& input);
     /// Writes the impulses into the manifolds, times `scale`.
     void Store(float scale, Column<ContactIndex, Manifold>& manifold) const;
@@ -93,11 +94,15 @@ private:
 
     static SidedContact SortSides(const BlockInput& input, ContactIndex contact);
 
+    [[nodiscard]] bool IsLaidOut(const BlockInput& input) const;
+    void LayOut(const BlockInput& input);
     void Sort(const BlockInput& input);
     void ColourMovers();
     void ColourFixed();
     void MakeRanges();
     void Fill(const BlockInput& input);
+    [[nodiscard]] bool AreKept(const BlockInput& input, size_t block) const;
+    void NameContacts(size_t block, FillLanes& lanes) const;
     void NameLanes(const BlockInput& input, size_t block, FillLanes& lanes);
     FillFindings FillRange(const BlockInput& input, size_t begin, size_t end);
     void FetchAhead(const BlockInput& input, size_t block) const;
@@ -115,6 +120,8 @@ private:
     std::vector<int> m_lane;              ///< per contact of the list: block · 8 + lane
     std::vector<int> m_order;             ///< per lane, and some more: position in the list, −1 to spare
     std::vector<ContactIndex> m_contact;  ///< the same: contact, 0 to spare
+    uint64_t m_grouping = 0;              ///< that of the table (ContactTable::grouping) when it was laid out
+    bool m_isFresh = true;                ///< laid out in this call of Build
     int m_moverColourCount = 0;           ///< colours below it have two movers a contact, the others one
     int m_colourCount = 0;
     FillFindings m_findings;

@@ -69,11 +69,13 @@ public:
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
             if (m_keepsOld) m_scratch.old[contact] = m_t.contacts.manifold[contact];
             if (m_t.contacts.keepsSteady && StaysSteady(contact, m_t.bodies, m_t.contacts)) {
-                Note(contact, true);
+                Note(contact, true, false);
                 continue;
             }
             if ((flags & ContactFlag::sensor) != 0 || !Batch(contact)) {
-                Note(contact, ComputeManifold(contact, m_t.fixtures, m_t.bodies, m_work, m_t.contacts));
+                const int before = m_t.contacts.manifold[contact].pointCount;
+                const bool touches = ComputeManifold(contact, m_t.fixtures, m_t.bodies, m_work, m_t.contacts);
+                Note(contact, touches, m_t.contacts.manifold[contact].pointCount != before);
             }
         }
         if (m_quads.batch.Size() > 0) ComputeBatch(m_quads);
@@ -99,7 +101,7 @@ private:
             CollideCircles(&manifold, static_cast<const CircleShape*>(&a), m_t.bodies.transform[pair.bodyA],
                            static_cast<const CircleShape*>(&b), m_t.bodies.transform[pair.bodyB]);
             old.CarryImpulses(manifold);
-            Note(contact, manifold.pointCount > 0);
+            Note(contact, manifold.pointCount > 0, manifold.pointCount != old.GetCount());
             return true;
         }
         if (!IsQuad(a)) return false;
@@ -137,14 +139,15 @@ private:
             const OldPoints old(manifold);
             lanes.batch.Write(i, manifold);
             old.CarryImpulses(manifold);
-            Note(contact, manifold.pointCount > 0);
+            Note(contact, manifold.pointCount > 0, manifold.pointCount != old.GetCount());
         }
         lanes.batch.Clear();
     }
 
-    void Note(ContactIndex contact, bool touches) {
+    void Note(ContactIndex contact, bool touches, bool isRegrouped) {
         m_scratch.findings[contact] =
             static_cast<uint8_t>(NarrowPhaseScratch::known | (touches ? NarrowPhaseScratch::touching : 0) |
+                                 (isRegrouped ? NarrowPhaseScratch::regrouped : 0) |
                                  (m_t.contacts.Has(contact, ContactFlag::sensor) ? NarrowPhaseScratch::asSensor : 0));
     }
 
@@ -201,6 +204,7 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
         if (!ahead) Fetch(contact, t);
         uint8_t& flags = t.contacts.flags[contact];
         const uint8_t known = ahead ? scratch.findings[contact] : uint8_t{NarrowPhaseScratch::nothing};
+        if ((known & NarrowPhaseScratch::regrouped) != 0) ++t.contacts.grouping;
         if (isQuick && StaysAsItWas(flags, known)) {
             flags = static_cast<uint8_t>((flags | ContactFlag::enabled) & ~ContactFlag::fresh);
             touchingCount += (flags & ContactFlag::touching) != 0 ? 1 : 0;

@@ -24,7 +24,7 @@ struct NarrowPhaseTables {
 
 /// What was found out ahead of each contact, kept between steps to save allocation.
 struct NarrowPhaseScratch {
-    enum Finding : uint8_t { nothing = 0, known = 1, touching = 2, asSensor = 4 };
+    enum Finding : uint8_t { nothing = 0, known = 1, touching = 2, asSensor = 4, regrouped = 8 };
     Column<ContactIndex, uint8_t> findings;
     Column<ContactIndex, Manifold> old;  ///< before, for a listener that asks
 };

@@ -98,6 +98,7 @@ ContactIndex ContactTable::Add(const ContactPair& newPair) {
 }
 
 void ContactTable::Remove(ContactIndex contact) {
+    if (Has(contact, ContactFlag::touching)) ++grouping;
     EraseKey(contact);
     NoteEnd(contact);
     if (!active.Erase(contact)) UnlinkResting(contact);
@@ -219,6 +220,7 @@ void ContactTable::RemoveParted() {
 }
 
 void ContactTable::CloseGaps() {
+    ++grouping;
     const size_t rows = flags.size();
     Column<ContactIndex, ContactIndex> movedTo(rows, ContactIndex::none);
     ContactIndex to{0};
@@ -391,6 +393,7 @@ Contact* ContactTable::Handle(WorldState* state, ContactIndex contact) const {
 }
 
 void ContactTable::TakeHandles(ContactTable& old) {
+    grouping = old.grouping + 1;
     m_handles.swap(old.m_handles);
     m_generation.swap(old.m_generation);
     for (const ContactNumber number : m_handles.Rows()) {

@@ -53,7 +53,7 @@ struct SteadyContact {
     float turnA = 0.0f, turnB = 0.0f;  ///< angles of the bodies, rad
     Vec2 between{0.0f, 0.0f};          ///< from A's centre to B's
     Vec2 normal{0.0f, 0.0f};           ///< from A to B
-    float isKept = 0.0f;               ///< 1, or 0: the manifold is newer
+    float isKept = 0.0f;               ///< 1, or 0: the manifold is newer; −1: a program has set it, for one step
     float reach = 0.0f;                ///< of the longest arm of a body that can be pushed, m
     Vec2 arm[maxManifoldPoints]{};     ///< from A's centre to the point
     float separation[maxManifoldPoints]{};
@@ -77,9 +77,12 @@ struct ContactTable {
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
     Column<ContactIndex, ContactIndex> successor;
     ContactIndex firstMatched = ContactIndex::none;  ///< where that order begins
-    std::vector<ContactIndex> matched;               ///< scratch of the matching: the contact of each pair
-    std::vector<uint64_t> freshPairs;                ///< likewise
-    std::vector<uint64_t> freshRefusals;             ///< likewise: of these, what the filter has refused
+    /// Changes whenever a row that stays touching has another pair or another number of points: solvers may keep what
+    /// they made of the same list of contacts while it does not.
+    uint64_t grouping = 0;
+    std::vector<ContactIndex> matched;    ///< scratch of the matching: the contact of each pair
+    std::vector<uint64_t> freshPairs;     ///< likewise
+    std::vector<uint64_t> freshRefusals;  ///< likewise: of these, what the filter has refused
     RefusedPairs refused;
 
     IndexSet<ContactIndex> active;  ///< living rows that do not rest
@@ -119,6 +122,10 @@ struct ContactTable {
     /// The manifold of this contact is another, or its bodies' centres are.
     void ForgetSteady(ContactIndex contact) {
         if (!steady.empty()) steady[contact].isKept = 0.0f;
+    }
+    /// The manifold of this contact holds for this step alone.
+    void LeaveUnsteady(ContactIndex contact) {
+        if (steady.Has(contact)) steady[contact].isKept = -1.0f;
     }
     /// The fresh contact touches: the soft step is to see how deep its bodies are in each other.
     void AskInitialOverlap(ContactIndex contact) {
@@ -166,13 +173,14 @@ struct ContactTable {
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
-               matched, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, mustMatch, hash, shift, free,
-               isCompact, handles, generation, count, resting, restingFirst, restingTouching, adjacency, first, entries,
-               ofBody, handleRows, generationRows] = t;
+               grouping, matched, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, mustMatch, hash,
+               shift, free, isCompact, handles, generation, count, resting, restingFirst, restingTouching, adjacency,
+               first, entries, ofBody, handleRows, generationRows] = t;
         visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
-        visit.LeftOut(steadyReach, successor, firstMatched, matched, freshPairs, freshRefusals, refused, active,
-                      mayRest, addsFresh, mustMatch, hash, shift, isCompact, handles, generation, count, resting,
-                      restingFirst, restingTouching, adjacency, first, entries, ofBody, handleRows, generationRows);
+        visit.LeftOut(steadyReach, successor, firstMatched, grouping, matched, freshPairs, freshRefusals, refused,
+                      active, mayRest, addsFresh, mustMatch, hash, shift, isCompact, handles, generation, count,
+                      resting, restingFirst, restingTouching, adjacency, first, entries, ofBody, handleRows,
+                      generationRows);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();

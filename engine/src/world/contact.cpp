@@ -55,6 +55,8 @@ ErrorCode Contact::SetManifold(const Manifold& manifold) {
     }
     if (guard.Failed()) return guard.Code();
     m_state->contacts.manifold[m_row] = manifold;
+    m_state->contacts.LeaveUnsteady(m_row);
+    ++m_state->contacts.grouping;
     return ErrorCode::ok;
 }
 

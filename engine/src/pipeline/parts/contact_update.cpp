@@ -31,7 +31,7 @@ void Collide(Manifold& manifold, const Shape& shapeA, const Transform& xfA, cons
 bool StaysSteady(ContactIndex contact, const BodyTable& bodies, const ContactTable& contacts) {
     if (!contacts.keepsSteady || !contacts.steady.Has(contact)) return false;
     const SteadyContact& row = contacts.steady[contact];
-    if (row.isKept == 0.0f || contacts.Has(contact, ContactFlag::sensor)) return false;
+    if (row.isKept <= 0.0f || contacts.Has(contact, ContactFlag::sensor)) return false;
     const float mostWay = contacts.steadyReach;
     constexpr float mostTurn = 0.2f;
     const ContactPair& pair = contacts.pair[contact];
@@ -41,9 +41,15 @@ bool StaysSteady(ContactIndex contact, const BodyTable& bodies, const ContactTab
     const float turnB = bodies.position[b].a - row.turnB;
     if (!(Abs(turnA) < mostTurn && Abs(turnB) < mostTurn)) return false;
     const Vec2 frame = FrameOf(bodies, a, b);
+    const Vec2 between = CentreIn(frame, bodies, b) - CentreIn(frame, bodies, a);
+    const float turned = Abs(turnB - turnA) * row.reach;
+    // The turn of A moves the far end of the way by no more than this; where that is little enough, its sine and cosine
+    // need not be known.
+    const float most = (between - row.between).Length() + Abs(turnA) * row.between.Length();
+    constexpr float roundingErrors = 1.001f;
+    if (roundingErrors * (most + turned) < mostWay) return true;
     // As A sees it: a tower that leans as a whole keeps all its contacts.
-    const Vec2 way = CentreIn(frame, bodies, b) - CentreIn(frame, bodies, a) - Mul(Rot(turnA), row.between);
-    return way.Length() + Abs(turnB - turnA) * row.reach < mostWay;
+    return (between - Mul(Rot(turnA), row.between)).Length() + turned < mostWay;
 }
 
 bool ComputeManifold(ContactIndex contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
@@ -103,7 +109,9 @@ bool UpdateContact(ContactIndex contact, const FixtureTable& fixtures, const Con
                    ContactTable& contacts) {
     Manifold old;
     if (events.HearsPreSolve()) old = contacts.manifold[contact];
+    const int before = contacts.manifold[contact].pointCount;
     const bool isTouching = ComputeManifold(contact, fixtures, bodies, *events.work, contacts);
+    if (contacts.manifold[contact].pointCount != before) ++contacts.grouping;
     const bool hasChanged = NoteTouching(contact, isTouching, events.restartsTimers, bodies, contacts);
     if (hasChanged && events.log != nullptr) NoteChange(contact, contacts, *events.log);
     if (events.listener != nullptr) TellAbout(contact, isTouching, hasChanged, old, events, contacts);

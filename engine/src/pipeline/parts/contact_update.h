@@ -20,6 +20,7 @@ public:
     explicit OldPoints(const Manifold& manifold)
         : m_count(manifold.pointCount), m_key{manifold.points[0].id.key, manifold.points[1].id.key} {}
 
+    [[nodiscard]] int GetCount() const { return m_count; }
     /// Gives each point the impulses of the old point with its feature id, 0 if there was none.
     void CarryImpulses(Manifold& fresh) const {
         if (fresh.pointCount == 0) return;
