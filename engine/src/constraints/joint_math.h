@@ -95,6 +95,8 @@ SCREE_INLINE void ApplyImpulse(const MassRow& mass, Vec2 impulse, float turn, Po
     body.c += mass.invMass * impulse;
     body.a += mass.invI * turn;
 }
+SCREE_INLINE void Turn(const MassRow& mass, float turn, Velocity& body) { body.w += mass.invI * turn; }
+SCREE_INLINE void Turn(const MassRow& mass, float turn, Position& body) { body.a += mass.invI * turn; }
 
 /// Impulses of the last step as the first guess of this one. What is not finite would stay so for ever: start anew.
 inline float Scaled(float impulse, float scale) { return std::isfinite(impulse) ? impulse * scale : 0.0f; }
@@ -124,8 +126,11 @@ struct AxisRow {
     float armA = 0.0f, armB = 0.0f;
 };
 
-/// Relative turning.
-inline constexpr AxisRow turning{{0.0f, 0.0f}, 1.0f, 1.0f};
+/// Relative turning: the row with no axis and arms of 1.
+struct TurnRow {
+    operator AxisRow() const { return {{0.0f, 0.0f}, 1.0f, 1.0f}; }  // NOLINT(google-explicit-constructor)
+};
+inline constexpr TurnRow turning{};
 
 /// Sliding along an axis that is fixed in A: A's arm reaches to B's anchor.
 inline AxisRow MakeSlide(const Arms& arms, Vec2 axis) {
@@ -135,6 +140,7 @@ inline AxisRow MakeSlide(const Arms& arms, Vec2 axis) {
 SCREE_INLINE float Speed(const AxisRow& row, const PairVelocity& v) {
     return Dot(row.axis, v.b.v - v.a.v) + row.armB * v.b.w - row.armA * v.a.w;
 }
+SCREE_INLINE float Speed(TurnRow, const PairVelocity& v) { return v.b.w - v.a.w; }
 
 /// 1 / (effective mass) of two rows against each other; of one row for i = j.
 inline float Coupling(const JointPair& p, const AxisRow& i, const AxisRow& j) {
@@ -142,11 +148,17 @@ inline float Coupling(const JointPair& p, const AxisRow& i, const AxisRow& j) {
            p.massB.invI * i.armB * j.armB;
 }
 inline float InverseMass(const JointPair& p, const AxisRow& row) { return Coupling(p, row, row); }
+inline float InverseMass(const JointPair& p, TurnRow) { return p.massA.invI + p.massB.invI; }
 
 template <typename T>
 SCREE_INLINE void Apply(const JointPair& p, const AxisRow& row, float impulse, PairState<T>& state) {
     ApplyImpulse(p.massA, -impulse * row.axis, -impulse * row.armA, state.a);
     ApplyImpulse(p.massB, impulse * row.axis, impulse * row.armB, state.b);
+}
+template <typename T>
+SCREE_INLINE void Apply(const JointPair& p, TurnRow, float impulse, PairState<T>& state) {
+    Turn(p.massA, -impulse, state.a);
+    Turn(p.massB, impulse, state.b);
 }
 
 /// Both anchors together: an impulse at the point, equal and opposite.
@@ -269,12 +281,18 @@ struct LimitInput {
     float mass;        ///< effective, of the row
     float inverseDt;
 };
-/// Solves both ends of a limited row.
-SCREE_INLINE void SolveLimits(const JointPair& p, const AxisRow& row, LimitState& limit, PairVelocity& v,
+/// Solves both ends of a limited row. Most often neither pushes.
+template <typename Row>
+SCREE_INLINE void SolveLimits(const JointPair& p, const Row& row, LimitState& limit, PairVelocity& v,
                               const LimitInput& in) {
-    Apply(p, row, SolveLimit(limit.lowerImpulse, Speed(row, v), in.coordinate - limit.lower, in.inverseDt, in.mass), v);
-    Apply(p, row, -SolveLimit(limit.upperImpulse, -Speed(row, v), limit.upper - in.coordinate, in.inverseDt, in.mass),
-          v);
+    float speed = Speed(row, v);
+    const float lower = SolveLimit(limit.lowerImpulse, speed, in.coordinate - limit.lower, in.inverseDt, in.mass);
+    if (lower != 0.0f) {
+        Apply(p, row, lower, v);
+        speed = Speed(row, v);
+    }
+    const float upper = SolveLimit(limit.upperImpulse, -speed, limit.upper - in.coordinate, in.inverseDt, in.mass);
+    if (upper != 0.0f) Apply(p, row, -upper, v);
 }
 
 }  // namespace scree

@@ -30,6 +30,10 @@ Arms PrepareRange(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     c.alongMass = InverseOrZero(alongInverse);
     c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
     c.translation = Dot(row.axis, arms.gap);
+    c.angleA = pose.a.a, c.angleB = pose.b.a;
+    c.apart = pose.b.c - pose.a.c;
+    c.armB = arms.b.Length();
+    c.reach = c.apart.Length() + c.armB;
     c.spring = {};
     if (row.stiffness > 0.0f && alongInverse > 0.0f) {
         c.spring = MakeSpring({row.stiffness, row.damping, c.translation, alongInverse}, in.step.dt);
@@ -105,9 +109,22 @@ void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& ste
     Store(c.pair, v, velocity);
 }
 
+namespace {
+
+/// True if the translation has not come near a limit since the start of the step. It is axis · (apart + arm of B) less
+/// a constant: a turn of A moves it by at most its angle times the reach, one of B by its angle times the arm.
+bool IsClear(const WheelConstraint& c, const LimitState& limit, const PairPosition& pose, float slop) {
+    const Vec2 moved = pose.b.c - pose.a.c - c.apart;
+    const float change = moved.Length() + Abs(pose.a.a - c.angleA) * c.reach + Abs(pose.b.a - c.angleB) * c.armB;
+    return Min(c.translation - limit.lower, limit.upper - c.translation) > change + slop;
+}
+
+}  // namespace
+
 bool KeepsBounds(const WheelConstraint& c, const WheelRow& row, const JointStep& step, const BodyTable& bodies) {
     if (!row.limit.enabled) return true;
     const PairPosition pose = Load(c.pair, bodies);
+    if (IsClear(c, row.limit, pose, step.slop)) return true;
     const Rot turnA(pose.a.a);
     const Arms arms = ArmsOf(c.pair, pose, turnA, row);
     return LimitError(row.limit, Dot(Mul(turnA, row.localAxisA), arms.gap), step.slop) == 0.0f;

@@ -18,6 +18,10 @@ struct WheelConstraint {
     float acrossMass, alongMass, turnMass;  ///< effective
     Spring spring;
     float translation;  ///< at the start of the step, m
+    // As of then too, and what tells how far the translation may have come since.
+    float angleA, angleB;
+    Vec2 apart;         ///< from A's centre of mass to B's
+    float reach, armB;  ///< lengths of `apart` and B's anchor together, and of B's anchor alone, m
 };
 
 /// Masses and arms of this step; scales the stored impulses.
