@@ -368,19 +368,27 @@ void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Ve
 /// spinOf(spin, last, mass): with which a solve begins, of that of the body and of what the last solve ended with.
 template <typename SpinOf>
 void JointBatches::LoadVelocities(const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf) {
-    for (size_t row = 0; row < m_bodies.size(); ++row) {
-        if (IsNone(m_bodies[row])) continue;
-        const Velocity& v = velocity[m_bodies[row]];
-        const double spin = spinOf(double{v.w}, m_velocity[row].v[2], m_mass[row].v);
-        m_velocity[row] = {{double{v.v.x}, double{v.v.y}, spin, 0.0}};
+    const size_t count = m_bodies.size();
+    const BodyIndex* bodies = m_bodies.data();
+    BodyRow* to = m_velocity.data();
+    BodyRow* mass = m_mass.data();
+    for (size_t row = 0; row < count; ++row) {
+        if (IsNone(bodies[row])) continue;
+        const Velocity& v = velocity[bodies[row]];
+        const double spin = spinOf(double{v.w}, to[row].v[2], mass[row].v);
+        to[row] = {{double{v.v.x}, double{v.v.y}, spin, 0.0}};
     }
 }
 
 void JointBatches::StoreVelocities(Column<BodyIndex, Velocity>& velocity) const {
-    for (size_t row = 0; row < m_bodies.size(); ++row) {
-        if (IsNone(m_bodies[row]) || (m_mass[row].v[0] == 0.0 && m_mass[row].v[1] == 0.0)) continue;
-        const double(&from)[4] = m_velocity[row].v;
-        Velocity& v = velocity[m_bodies[row]];
+    const size_t count = m_bodies.size();
+    const BodyIndex* bodies = m_bodies.data();
+    const BodyRow* rows = m_velocity.data();
+    const BodyRow* mass = m_mass.data();
+    for (size_t row = 0; row < count; ++row) {
+        if (IsNone(bodies[row]) || (mass[row].v[0] == 0.0 && mass[row].v[1] == 0.0)) continue;
+        const double(&from)[4] = rows[row].v;
+        Velocity& v = velocity[bodies[row]];
         v.v = {static_cast<float>(from[0]), static_cast<float>(from[1])};
         v.w = static_cast<float>(from[2]);
     }

@@ -74,6 +74,17 @@ SCREE_INLINE void Store(const JointPair& p, const PairState<T>& state, Column<Bo
     if (p.massB.invMass > 0.0f) Copy(state.b, column[p.b]);
 }
 
+/// Only how they turn: the rest is neither read nor written.
+SCREE_INLINE PairVelocity LoadTurning(const JointPair& p, const Column<BodyIndex, Velocity>& column) {
+    PairVelocity v{};
+    v.a.w = column[p.a].w, v.b.w = column[p.b].w;
+    return v;
+}
+SCREE_INLINE void StoreTurning(const JointPair& p, const PairVelocity& v, Column<BodyIndex, Velocity>& column) {
+    if (p.massA.invMass > 0.0f) column[p.a].w = v.a.w;
+    if (p.massB.invMass > 0.0f) column[p.b].w = v.b.w;
+}
+
 /// Positions in the frame of the pair.
 SCREE_INLINE PairPosition Load(const JointPair& p, const BodyTable& bodies) {
     return bodies.IsFar() ? PoseOf(p, bodies) : Load(p, bodies.position);

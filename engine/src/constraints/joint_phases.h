@@ -26,6 +26,8 @@ struct JointPhases {
     /// Whether such a joint's limits are too far for the coming time step to matter, and it has nothing else.
     bool (*isIdle)(const JointTask& task, JointIndex joint);
     void (*warmStart)(const JointTask& task, const JointRun& run);
+    /// The same of joints that a direct solve holds: their exact rows have no impulses.
+    void (*warmStartBounds)(const JointTask& task, const JointRun& run);
     void (*solveVelocity)(const JointTask& task, const JointRun& run);
     /// Only limits, motors and springs; null for types that no direct solve takes over.
     void (*solveBounds)(const JointTask& task, const JointRun& run);
@@ -91,6 +93,15 @@ constexpr JointPhases MakePhases() {
     phases.warmStart = [](const JointTask& task, const JointRun& run) {
         ForEach<Row>(task, run, [&](const Constraint& c, Row& row) { WarmStart(c, row, task.bodies.velocity); });
     };
+    phases.warmStartBounds = phases.warmStart;
+    if constexpr (requires(const Constraint& c, const Row& row, Column<BodyIndex, Velocity>& velocity) {
+                      WarmStartBounds(c, row, velocity);
+                  }) {
+        phases.warmStartBounds = [](const JointTask& task, const JointRun& run) {
+            ForEach<Row>(task, run,
+                         [&](const Constraint& c, Row& row) { WarmStartBounds(c, row, task.bodies.velocity); });
+        };
+    }
     phases.solveVelocity = [](const JointTask& task, const JointRun& run) {
         ForEach<Row>(task, run,
                      [&](const Constraint& c, Row& row) { SolveVelocity(c, row, task.step, task.bodies.velocity); });

@@ -13,15 +13,18 @@ namespace scree {
 
 namespace {
 
+using PhaseTable = std::array<const JointPhases*, e_motorJoint + 1>;
+
 template <typename... Row>
 struct PhasesByType {
-    std::array<const JointPhases*, e_motorJoint + 1> table{};
+    PhaseTable table{};
     PhasesByType() { ((table[Row::type] = &JointTraits<Row>::GetPhases()), ...); }
 };
 
-const JointPhases& PhasesOf(JointType type) {
+/// By type.
+const PhaseTable& GetPhases() {
     static const OfJointTypes<PhasesByType> phases;
-    return *phases.table[type];
+    return phases.table;
 }
 
 }  // namespace
@@ -29,21 +32,23 @@ const JointPhases& PhasesOf(JointType type) {
 void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints,
                         std::span<const JointIndex> bounded) {
     task.scratch.Clear();
-    for (const JointIndex joint : joints) PhasesOf(task.joints.info[joint].type).prepare(task, joint);
-    for (const JointIndex joint : bounded) PhasesOf(task.joints.info[joint].type).prepareBounds(task, joint);
+    const PhaseTable& phases = GetPhases();
+    for (const JointIndex joint : joints) phases[task.joints.info[joint].type]->prepare(task, joint);
+    for (const JointIndex joint : bounded) phases[task.joints.info[joint].type]->prepareBounds(task, joint);
 }
 
 void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded) {
     task.scratch.Clear();
-    const auto add = [&task](JointIndex joint, std::vector<JointRun>& runs, auto phase) {
+    const PhaseTable& phases = GetPhases();
+    const auto add = [&](JointIndex joint, std::vector<JointRun>& runs, auto phase) {
         const JointType type = task.joints.info[joint].type;
-        const int number = (PhasesOf(type).*phase)(task, joint);
+        const int number = (phases[type]->*phase)(task, joint);
         if (runs.empty() || runs.back().type != type) runs.push_back({type, number, number});
         runs.back().end = number + 1;
     };
     for (const JointIndex joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
     for (const JointIndex joint : bounded) {
-        if (PhasesOf(task.joints.info[joint].type).isIdle(task, joint)) continue;
+        if (phases[task.joints.info[joint].type]->isIdle(task, joint)) continue;
         ForgetExactImpulse(joint, task.joints);
         add(joint, task.scratch.bounds, &JointPhases::prepareBounds);
     }
@@ -51,19 +56,22 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
 }
 
 void WarmStartJoints(const JointTask& task) {
-    for (const JointRun& run : task.scratch.runs) PhasesOf(run.type).warmStart(task, run);
-    for (const JointRun& run : task.scratch.bounds) PhasesOf(run.type).warmStart(task, run);
+    const PhaseTable& phases = GetPhases();
+    for (const JointRun& run : task.scratch.runs) phases[run.type]->warmStart(task, run);
+    for (const JointRun& run : task.scratch.bounds) phases[run.type]->warmStartBounds(task, run);
 }
 
 void SolveJointVelocities(const JointTask& task) {
-    for (const JointRun& run : task.scratch.runs) PhasesOf(run.type).solveVelocity(task, run);
-    for (const JointRun& run : task.scratch.bounds) PhasesOf(run.type).solveBounds(task, run);
+    const PhaseTable& phases = GetPhases();
+    for (const JointRun& run : task.scratch.runs) phases[run.type]->solveVelocity(task, run);
+    for (const JointRun& run : task.scratch.bounds) phases[run.type]->solveBounds(task, run);
 }
 
 bool SolveJointPositions(const JointTask& task) {
+    const PhaseTable& phases = GetPhases();
     bool solved = true;
-    for (const JointRun& run : task.scratch.runs) solved = PhasesOf(run.type).solvePosition(task, run) && solved;
-    for (const JointRun& run : task.scratch.bounds) solved = PhasesOf(run.type).solveBoundPosition(task, run) && solved;
+    for (const JointRun& run : task.scratch.runs) solved = phases[run.type]->solvePosition(task, run) && solved;
+    for (const JointRun& run : task.scratch.bounds) solved = phases[run.type]->solveBoundPosition(task, run) && solved;
     return solved;
 }
 

@@ -12,10 +12,8 @@ namespace scree {
 
 void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c) {
     c.pair = MakePair(in);
-    const PairPosition pose = PoseOf(c.pair, in.bodies);
-    c.arms = {};
     c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
-    c.angle = pose.b.a - pose.a.a - row.referenceAngle;
+    c.angle = in.bodies.position[c.pair.b].a - in.bodies.position[c.pair.a].a - row.referenceAngle;
     if (!row.limit.enabled || c.turnMass == 0.0f) ClearLimit(row.limit);
     if (!row.motor.enabled || c.turnMass == 0.0f) row.motor.impulse = 0.0f;
     c.spring = PrepareSpring(row.spring, c.angle, InverseMass(c.pair, turning), in.step);
@@ -46,11 +44,27 @@ bool IsIdle(const JointInput& in, const RevoluteRow& row) {
     return angle - row.limit.lower > reach && row.limit.upper - angle > reach;
 }
 
+namespace {
+
+float TurnImpulse(const RevoluteRow& row) {
+    return row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse;
+}
+
+}  // namespace
+
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     ApplyPoint(c.pair, c.arms, row.impulse, v);
-    Apply(c.pair, turning, row.motor.impulse + row.spring.impulse + row.limit.lowerImpulse - row.limit.upperImpulse, v);
+    Apply(c.pair, turning, TurnImpulse(row), v);
     Store(c.pair, v, velocity);
+}
+
+void WarmStartBounds(const RevoluteConstraint& c, const RevoluteRow& row, Column<BodyIndex, Velocity>& velocity) {
+    const float impulse = TurnImpulse(row);
+    if (impulse == 0.0f) return;
+    PairVelocity v = LoadTurning(c.pair, velocity);
+    Apply(c.pair, turning, impulse, v);
+    StoreTurning(c.pair, v, velocity);
 }
 
 namespace {
@@ -73,9 +87,9 @@ SCREE_INLINE void SolveRange(const RevoluteConstraint& c, RevoluteRow& row, cons
 
 void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
                  Column<BodyIndex, Velocity>& velocity) {
-    PairVelocity v = Load(c.pair, velocity);
+    PairVelocity v = LoadTurning(c.pair, velocity);
     SolveRange(c, row, step, v);
-    Store(c.pair, v, velocity);
+    StoreTurning(c.pair, v, velocity);
 }
 
 void SolveVelocity(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,

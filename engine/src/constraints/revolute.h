@@ -27,6 +27,8 @@ void PrepareBounds(const JointInput& in, RevoluteRow& row, RevoluteConstraint& c
 /// Whether limits alone could act, and are too far for it.
 [[nodiscard]] bool IsIdle(const JointInput& in, const RevoluteRow& row);
 void WarmStart(const RevoluteConstraint& c, const RevoluteRow& row, Column<BodyIndex, Velocity>& velocity);
+/// The same of limits, motors and springs alone.
+void WarmStartBounds(const RevoluteConstraint& c, const RevoluteRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.
 void SolveBounds(const RevoluteConstraint& c, RevoluteRow& row, const JointStep& step,
                  Column<BodyIndex, Velocity>& velocity);
