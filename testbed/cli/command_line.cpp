@@ -134,6 +134,15 @@ int RunAction(const Request& request) {
     }
 }
 
+/// A command that says more about its exit codes says it before what all commands share.
+void CompleteFooters(CLI::App& app) {
+    for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) {
+        if (command->get_footer() != app.get_footer()) {
+            command->footer(command->get_footer() + "\n\n" + app.get_footer());
+        }
+    }
+}
+
 void Parse(CLI::App& app, const std::vector<std::string>& arguments) {
     // CLI11 takes the words last first.
     app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
@@ -170,6 +179,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     AddRequiresCommand(app, request);
     AddEnvCommand(app, request);
     AddManCommand(app, request);
+    CompleteFooters(app);
     try {
         Parse(app, arguments);
     } catch (const CLI::Success& success) {  // --help, --version

@@ -71,7 +71,7 @@ std::string DescribeArguments(const CLI::App& app) {
     return text.empty() ? text : ".SH ARGUMENTS\n" + text;
 }
 
-std::string Footer(const CLI::App& program) { return ".SH \"EXIT STATUS\"\n" + Escape(program.get_footer()) + "\n"; }
+std::string Footer(const CLI::App& app) { return ".SH \"EXIT STATUS\"\n" + Escape(app.get_footer()) + "\n"; }
 
 ManualPage PageOfCommand(const CLI::App& program, const CLI::App& command, const std::string& version) {
     const std::string page = program.get_name() + "-" + command.get_name();
@@ -83,7 +83,7 @@ ManualPage PageOfCommand(const CLI::App& program, const CLI::App& command, const
     }
     return {page + ".1", Heading(page, version) + Name(page, command.get_description()) +
                              fmt::format(".SH SYNOPSIS\n.B {} [OPTIONS]\n", Escape(synopsis)) +
-                             DescribeArguments(command) + DescribeOptions(command) + Footer(program) +
+                             DescribeArguments(command) + DescribeOptions(command) + Footer(command) +
                              fmt::format(".SH \"SEE ALSO\"\n.BR {} (1)\n", Escape(program.get_name()))};
 }
 

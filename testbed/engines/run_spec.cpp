@@ -363,7 +363,7 @@ constexpr SettingKey settingKeys[] = {
 constexpr Preset presets[] = {
     {.name = ownPreset, .what = "an engine's own defaults: what a program gets that chooses nothing", .settings = ""},
     {.name = likeBox2dPreset,
-     .what = "like for like: what both engines can do alike, as the published comparison has it",
+     .what = "like for like: what all engines can do alike, as the published comparison has it",
      .settings = "caps=on continuous=off"},
 };
 

@@ -152,7 +152,9 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
     };
     app.add_flag("--tunnel", a.tunnel, "A body that went through a static shape and was not pushed out")->group(group);
     number("--overlap", a.overlap, "Two bodies deeper in each other than this, m", "M");
-    app.add_option("--longer", a.longer, "With --overlap: for longer than this, s")->check(ZeroOrAbove())->group(group);
+    app.add_option("--longer", a.longer, "With --overlap: for longer than this, s; 0 if not given")
+        ->check(ZeroOrAbove())
+        ->group(group);
     number("--speed", a.speed, "A body faster than this, m/s", "V");
     number("--spin", a.spin, "A body that turns faster than this, rad/s", "W");
     app.add_flag("--non-finite", a.nonFinite, "A body whose pose or velocity is no number")->group(group);
@@ -176,7 +178,8 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
     app.add_option("--diverge", a.diverge, "The first step that differs from that of another file or engine")
         ->type_name("FILE|ENGINE[:KEY=VALUE]")
         ->group(group);
-    app.add_option("--distance", a.distance, "With --diverge: a difference is more than this, m; 0: any bit")
+    app.add_option("--distance", a.distance,
+                   "With --diverge: a difference is more than this, m; 0, which is any bit, if not given")
         ->check(ZeroOrAbove())
         ->group(group);
 }

@@ -67,7 +67,7 @@ void AddSettingFlags(CLI::App& app, SettingArguments& arguments, std::initialize
 
 /// What --help says about comparisonBase.
 inline constexpr const char* comparisonNote =
-    "Runs begin with preset=like-box2d, so that both engines do the same: Box2D's caps of speed, no continuous "
+    "Runs begin with preset=like-box2d, so that all engines do the same: Box2D's caps of speed, no continuous "
     "collision; --set preset=own is what a program gets";
 
 /// What scenes are run in, as typed.

@@ -231,7 +231,9 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     command
         ->add_option("-g,--only", arguments->filter, "Only the cases whose name or group this regular expression finds")
         ->type_name("REGEX");
-    command->add_option("--limit", arguments->limit, "Processor time for a run, s; 10 if not given")
+    command
+        ->add_option("--limit", arguments->limit,
+                     "Most processor time of a run, s; 10 if not given, 5 with --quick, 60 with --full")
         ->check(AboveZero());
     command->add_option("--jobs", arguments->jobs, "Runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();
     command->add_option("--from", arguments->from, "Run nothing: the report of a file that --json wrote, no pictures")

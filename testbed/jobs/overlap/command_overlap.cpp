@@ -144,7 +144,7 @@ int RunOverlap(const OverlapArguments& arguments, const Request& request) {
 void AddOverlapCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand(
         "overlap",
-        "Overlap of broad-phase trees in both engines, as pictures and numbers, with the times of all steps");
+        "Overlap of broad-phase trees in every engine, as pictures and numbers, with the times of all steps");
     auto arguments = std::make_shared<OverlapArguments>();
     command->add_option("SCENE", arguments->scenes, DescribeSceneArgument("Scenes"));
     AddStepOptions(*command, arguments->steps);

@@ -237,7 +237,8 @@ void AddOptions(CLI::App& app, ViewArguments& arguments) {
 }  // namespace
 
 void AddViewCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("view", "The window: both engines live, with mouse, layers and trees");
+    CLI::App* command =
+        app.add_subcommand("view", "The window: engines live beside each other, with mouse, layers and trees");
     auto arguments = std::make_shared<ViewArguments>();
     AddOptions(*command, *arguments);
     command->callback(
