@@ -10,7 +10,9 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <random>
 #include <string>
 
@@ -373,6 +375,38 @@ TEST(Snapshot, AForgedImageGivesAnErrorOrAWorldThatCanBeUsed) {
     }
     EXPECT_GT(refused, 0);
     EXPECT_GT(accepted, 0);
+}
+
+/// The image with every place where a number stands set to another one.
+Image WithNumber(Image image, float from, float to) {
+    for (size_t at = 32; at + sizeof from <= image.size(); ++at) {
+        if (std::memcmp(image.data() + at, &from, sizeof from) == 0) std::memcpy(image.data() + at, &to, sizeof to);
+    }
+    Sign(image);
+    return image;
+}
+
+/// A world of one capsule, or of one circle.
+Image ImageOfRound(bool isCapsule, float radius) {
+    World world(Vec2{0.0f, -10.0f});
+    Body* body = AddBody(world, dynamicBody, {1.0f, 2.0f});
+    const ConvexShape capsule = MakeCapsule({-0.3f, 0.0f}, {0.3f, 0.0f}, radius);
+    isCapsule ? body->CreateFixture(&capsule, 0.0f) : AddCircle(body, radius, 0.0f);
+    return SaveWorld(world);
+}
+
+TEST(Snapshot, AShapeThatNoFixtureTakesIsRefused) {
+    EXPECT_TRUE(rc::check("an image whose radius is damaged", [] {
+        const bool isCapsule = *rc::gen::arbitrary<bool>();
+        const float radius = static_cast<float>(*rc::gen::inRange(101, 999)) / 1009.0f;
+        const Image sound = ImageOfRound(isCapsule, radius);
+        RC_ASSERT(LoadWorld(WithNumber(sound, radius, radius * 1.5f)) != nullptr);
+        const float bad =
+            *rc::gen::element(-radius, -2e34f, 2e34f, std::nanf(""), std::numeric_limits<float>::infinity());
+        SnapshotError error = SnapshotError::ok;
+        RC_ASSERT(LoadWorld(WithNumber(sound, radius, bad), &error) == nullptr);
+        RC_ASSERT(error == SnapshotError::badContent);
+    }));
 }
 
 TEST(Snapshot, EveryShapeOfAFixtureCanBeSaved) {

@@ -18,6 +18,7 @@
 #include "world/refresh.h"
 #include "world/snapshot_check.h"
 #include "world/state_fields.h"
+#include "world/validate.h"
 
 namespace scree {
 
@@ -41,7 +42,7 @@ bool ReadShape(FixtureTable& fixtures, FixtureIndex fixture, ImageReader& in) {
     const bool known = WithShapeType(fixtures.type[fixture], [&]<typename T>(std::type_identity<T>) {
         T shape;
         in(shape);
-        safe = !in.Failed() && IsSafe(shape);
+        safe = !in.Failed() && IsSafe(shape) && !Check(shape);
         if (safe) fixtures.SetShape(fixture, shape);
     });
     return known && safe;
