@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <random>
 #include <vector>
@@ -73,6 +74,18 @@ TEST(Against, TheSameBuildComesToTheSameStates) {
     EXPECT_EQ(text.find("differs"), std::string::npos) << text;
     EXPECT_TRUE(folder.Has("out/index.html"));
     EXPECT_NE(folder.Read("against.md").find("| pyramid |"), std::string::npos);
+}
+
+TEST(Against, AnOlderBuildThatKnowsNoListOfSolversIsMeasured) {
+    const ScratchFolder folder;
+    {
+        std::ofstream old(folder.GetPath() / "old");
+        old << "#!/bin/sh\ncase \"$*\" in *si,soft*) echo 'si, soft or both' >&2; exit 2;; esac\n"
+            << "exec " SCREE_PROGRAM " \"$@\"\n";
+    }
+    std::filesystem::permissions(folder.GetPath() / "old", std::filesystem::perms::owner_all);
+    const ProgramResult result = folder.Run("bench pyramid --sizes 4 --steps 2 --repeat 1 --against ./old");
+    EXPECT_EQ(result.exitCode, exitDone) << result.output;
 }
 
 TEST(Against, WhatCannotBeComparedIsRefused) {
