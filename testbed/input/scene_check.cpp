@@ -134,41 +134,7 @@ private:
         Require(IsNear(shape.center), place + ".center", "give numbers of at most 1e18");
         Require(std::abs(shape.angle) <= 1e6f, place + ".angle", "give an angle of at most 1e6 rad");
         if (!m_fault.empty()) return;
-        const double least = 0.5 * leastEdge;
-        switch (shape.type) {
-            case ShapeType::polygon:
-            case ShapeType::roundedPolygon:
-                CheckPolygon(shape.Vertices(), 3, scenes::maxPolygonVertices, place + ".vertices");
-                break;
-            case ShapeType::largePolygon:
-                CheckChainVertices(shape, 3, 64, place);
-                if (m_fault.empty()) CheckPolygon(m_scene.ChainVerticesOf(shape), 3, 64, place + ".chainVertices");
-                break;
-            case ShapeType::box:
-            case ShapeType::ellipse:
-                Require(shape.halfExtents.x >= least && shape.halfExtents.y >= least && IsNear(shape.halfExtents) &&
-                            4.0 * shape.halfExtents.x * shape.halfExtents.y >= leastArea,
-                        place + ".halfExtents", "give lengths that make an area of at least {} m²", leastArea);
-                break;
-            case ShapeType::edge:
-            case ShapeType::capsule: {
-                const bool isCount =
-                    shape.vertexCount == 2 || (shape.type == ShapeType::edge && shape.vertexCount == 4);
-                Require(isCount, place + ".vertices", "{} vertices; give both ends{}", shape.vertexCount,
-                        shape.type == ShapeType::edge ? ", and for a one-sided edge the ghosts before and after" : "");
-                Require(DistanceOf(shape.vertices[0], shape.vertices[1]) > leastEdge, place + ".vertices",
-                        "the ends are nearer than {} m", leastEdge);
-                break;
-            }
-            case ShapeType::chain:
-                Require(shape.vertexCount == 0 || shape.vertexCount == 2, place + ".vertices",
-                        "give the two ghosts before and after the chain, or none for a loop");
-                CheckChainVertices(shape, shape.IsLoop() ? 3 : 2, 10'000'000, place);
-                CheckChain(shape, place + ".chainVertices");
-                break;
-            default:
-                break;
-        }
+        CheckOutline(shape, place);
         const bool isRound = shape.type == ShapeType::circle || shape.type == ShapeType::capsule ||
                              shape.type == ShapeType::roundedPolygon || shape.type == ShapeType::sector ||
                              shape.type == ShapeType::supported;
@@ -183,6 +149,48 @@ private:
             // What Box2D gets in its place must be a polygon too.
             CheckPolygon(scenes::PolygonInstead(m_scene, shape).Vertices(), 3, scenes::maxPolygonVertices, place);
         }
+    }
+
+    void CheckOutline(const scenes::Shape& shape, const std::string& place) {
+        const std::string vertices = place + ".vertices", chain = place + ".chainVertices",
+                          extents = place + ".halfExtents";
+        const double least = 0.5 * leastEdge;
+        switch (shape.type) {
+            case ShapeType::polygon:
+            case ShapeType::roundedPolygon:
+                CheckPolygon(shape.Vertices(), 3, scenes::maxPolygonVertices, vertices);
+                break;
+            case ShapeType::largePolygon:
+                CheckChainVertices(shape, 3, 64, place);
+                if (m_fault.empty()) CheckPolygon(m_scene.ChainVerticesOf(shape), 3, 64, chain);
+                break;
+            case ShapeType::box:
+            case ShapeType::ellipse:
+                Require(shape.halfExtents.x >= least && shape.halfExtents.y >= least && IsNear(shape.halfExtents) &&
+                            4.0 * shape.halfExtents.x * shape.halfExtents.y >= leastArea,
+                        extents, "give lengths that make an area of at least {} m²", leastArea);
+                break;
+            case ShapeType::edge:
+            case ShapeType::capsule:
+                CheckEnds(shape, vertices);
+                break;
+            case ShapeType::chain:
+                Require(shape.vertexCount == 0 || shape.vertexCount == 2, vertices,
+                        "give the two ghosts before and after the chain, or none for a loop");
+                CheckChainVertices(shape, shape.IsLoop() ? 3 : 2, 10'000'000, place);
+                CheckChain(shape, chain);
+                break;
+            default:
+                break;
+        }
+    }
+
+    void CheckEnds(const scenes::Shape& shape, const std::string& place) {
+        const bool isEdge = shape.type == ShapeType::edge;
+        Require(shape.vertexCount == 2 || (isEdge && shape.vertexCount == 4), place, "{} vertices; give both ends{}",
+                shape.vertexCount, isEdge ? ", and for a one-sided edge the ghosts before and after" : "");
+        Require(DistanceOf(shape.vertices[0], shape.vertices[1]) > leastEdge, place, "the ends are nearer than {} m",
+                leastEdge);
     }
 
     void CheckPolygon(std::span<const Vec2> v, std::size_t least, std::size_t most, const std::string& place) {
