@@ -30,6 +30,7 @@
 #include "testbed/engines/capture_scree.h"
 #include "testbed/engines/feature_facts.h"
 #include "testbed/engines/inspect_objects.h"
+#include "testbed/engines/loop_meter.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/scene_run.h"
 #include "testbed/engines/scree_joint.h"
@@ -82,6 +83,7 @@ public:
         Create([&] {
             m_world = std::make_unique<scree::World>(def);
             m_world->SetErrorHandler(ThrowError, nullptr);
+            if (needs.loops != nullptr) m_world->SetWorkers(GetSpec().threads, needs.loops->GetCallbacks());
             if (HasConveyor()) m_world->SetContactListener(&m_conveyor);
             Load();
         });

@@ -128,7 +128,7 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
     blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 0.25f});
     Column<ContactIndex, Manifold> stored = s.contacts.manifold;
     for (Manifold& m : stored) m.points[0].normalImpulse = m.points[1].normalImpulse = -1.0f;
-    blocks.Store(4.0f, stored);
+    blocks.Store(4.0f, *s.pool, stored);
     for (const ContactIndex c : list) {
         const Manifold& before = s.contacts.manifold[c];
         const Manifold& after = stored[c];
@@ -242,7 +242,7 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
         kernels.relax(task);
     }
     Column<ContactIndex, Manifold> manifold = s.contacts.manifold;
-    blocks.Store(1.0f, manifold);
+    blocks.Store(1.0f, *s.pool, manifold);
     std::vector<std::byte> bytes;
     const auto append = [&](const void* from, size_t size) {
         const auto* begin = static_cast<const std::byte*>(from);

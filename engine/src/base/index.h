@@ -164,8 +164,8 @@ public:
 /// What holds rows: a vector or a column.
 template <typename T>
 inline constexpr bool isColumn = false;
-template <typename T>
-inline constexpr bool isColumn<std::vector<T>> = true;
+template <typename T, typename A>
+inline constexpr bool isColumn<std::vector<T, A>> = true;
 template <typename I, typename T>
 inline constexpr bool isColumn<Column<I, T>> = true;
 template <typename T>

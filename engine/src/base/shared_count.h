@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Counting into plain numbers from several threads: sums and maxima, which are the same in any order. std::atomic_ref,
+// Counting into plain numbers from several threads: sums, maxima and bits, which are the same in any order. std::atomic_ref,
 // or the compiler's own form where the standard library has none yet (libc++ before 19).
 
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 namespace scree {
 
@@ -30,6 +31,17 @@ inline void RaiseShared(int& most, int number) {
     while (seen < number &&
            !__atomic_compare_exchange_n(&most, &seen, number, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
     }
+#endif
+}
+
+/// Sets bits of a byte. Whoever does so at the same time must set the same ones.
+inline void SetSharedBits(uint8_t& byte, uint8_t bits) {
+#if defined(__cpp_lib_atomic_ref)
+    const std::atomic_ref shared(byte);
+    shared.store(static_cast<uint8_t>(shared.load(std::memory_order_relaxed) | bits), std::memory_order_relaxed);
+#else
+    const uint8_t seen = __atomic_load_n(&byte, __ATOMIC_RELAXED);
+    __atomic_store_n(&byte, static_cast<uint8_t>(seen | bits), __ATOMIC_RELAXED);
 #endif
 }
 

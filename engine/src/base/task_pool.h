@@ -40,6 +40,10 @@ public:
     void Begin();
     void End();
 
+    /// Whether there are so many workers that short loops over what one core has in its cache are worth sharing: with
+    /// two the way from cache to cache costs more than the other half of such a loop.
+    [[nodiscard]] bool IsWide() const { return m_inStep && m_workerCount >= leastWide; }
+
     /// Calls body(begin, end, worker) for chunks of [0, count); worker < GetWorkerCount(), 0 is this thread, and one
     /// worker has one chunk at a time. One call with everything if count < least, outside of Begin and End, or with one
     /// worker.
@@ -56,7 +60,16 @@ public:
             const_cast<std::remove_const_t<Loop>*>(&body));
     }
 
+    /// The same for such short loops: with few workers all of it is the caller's.
+    template <typename Body>
+    void ForIfWide(int count, int least, Body&& body) {
+        if (IsWide()) return For(count, least, body);
+        body(0, count, 0);
+    }
+
 private:
+    static constexpr int leastWide = 4;
+
     void Run(int count, TaskFunction function, void* context);
     void RunWithCallbacks();
     void Work(int worker);

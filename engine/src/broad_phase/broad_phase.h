@@ -89,6 +89,12 @@ public:
     virtual void UpdateMany(std::span<const BoxUpdate> updates) {
         for (const BoxUpdate& update : updates) Update(update.fixture, update.box, update.displacement);
     }
+    /// Whether UpdateMoving is there for what moves.
+    [[nodiscard]] virtual bool SharesUpdates() const { return false; }
+    /// Update for fixtures that move and do not rest; several threads may call it at once for different fixtures. Returns
+    /// whether any box is another one, which NoteUpdated must then be told once.
+    [[nodiscard]] virtual bool UpdateMoving(std::span<const BoxUpdate> /*updates*/) { return false; }
+    virtual void NoteUpdated(bool /*haveChanged*/) {}
     /// O(1).
     virtual void Remove(uint32_t fixture) = 0;
     /// A mover's fixture rests: its box will stay where it is for some time. Or does so no longer. O(1).

@@ -34,7 +34,7 @@ public:
 
 protected:
     void Build(SlotRange slots, FlatTree& tree) override {
-        m_builder.Build(m_store, slots, m_leafSize, tree);
+        m_builder.Build(m_store, slots, m_leafSize, m_pool, tree);
         m_uses = longestUse;
     }
     void BuildAndDetect(SlotRange slots, FlatTree& tree, PairSink& sink) override {
@@ -45,7 +45,7 @@ protected:
         m_stats.boxTests += m_testsWhenSplit;
     }
     bool Refit(FlatTree& tree) override {
-        KeysBuilder::Refit(m_store, tree);
+        KeysBuilder::Refit(m_store, m_pool, tree);
         return true;
     }
     bool RefitAndDetect(FlatTree& tree, const TreeEdits& edits, std::span<const BuildItem> outside,

@@ -122,6 +122,14 @@ void JoinBoxes(FlatTree& tree) {
     }
 }
 
+/// Calls body(begin, end, worker) for parts of the tree's nodes.
+template <typename Body>
+void ForNodes(const FlatTree& tree, TaskPool* pool, Body&& body) {
+    constexpr int leastNodes = 128;
+    const auto count = static_cast<int>(tree.nodes.size());
+    pool != nullptr ? pool->ForIfWide(count, leastNodes, body) : body(0, count, 0);
+}
+
 /// What a node knows while it waits to be split.
 struct BuildState {
     uint32_t array = 0;  ///< which of the two arrays holds its items
@@ -179,15 +187,20 @@ struct KeysPass {
         });
     }
 
-    /// Splits a node's items or fills its leaf.
+    /// Fetches what the leaves among the nodes [begin, end) hold.
+    void FillLeaves(int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            TreeNode& node = tree.nodes[static_cast<uint32_t>(i)];
+            if (node.IsLeaf()) FillLeaf(node, arrays[BuildState::Unpack(node.buildState).array] + node.first);
+        }
+    }
+
+    /// Splits a node's items, or leaves them as a leaf.
     void Process(uint32_t nodeIndex) {
         TreeNode& node = tree.nodes[nodeIndex];
+        if (node.count <= leafSize) return;
         BuildState state = BuildState::Unpack(node.buildState);
         KeyItem* const in = arrays[state.array] + node.first;
-        if (node.count <= leafSize) {
-            FillLeaf(node, in);
-            return;
-        }
         uint32_t left = node.count / 2;
         KeyBounds keys{};
         if (!state.halve) keys = MeasureKeys(in, node.count);
@@ -212,7 +225,7 @@ struct KeysPass {
 
 }  // namespace
 
-void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, FlatTree& tree) {
+void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, TaskPool* pool, FlatTree& tree) {
     tree.Reset(slots.count, store.Size());
     if (slots.count == 0) return;
     // The odd part keeps both arrays from starting at the same page offset.
@@ -227,19 +240,23 @@ void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafS
     // Level by level: a range is read long after it was written. Depth first, the loads of small ranges would meet
     // stores that have not reached the cache yet.
     for (uint32_t node = 0; node < tree.nodes.size(); ++node) pass.Process(node);
+    ForNodes(tree, pool, [&](int begin, int end, int /*worker*/) { pass.FillLeaves(begin, end); });
     JoinBoxes(tree);
 }
 
-void KeysBuilder::Refit(const ProxyStore& store, FlatTree& tree) {
+void KeysBuilder::Refit(const ProxyStore& store, TaskPool* pool, FlatTree& tree) {
     static constexpr AABB noBox = ToAabb(emptyBounds);  // of positions whose proxies have left
-    for (TreeNode& node : tree.nodes) {
-        if (!node.IsLeaf()) continue;
-        const ItemId* const ids = tree.Ids() + node.first;
-        FillLeafBoxes(tree, node, [&](uint32_t index) -> const AABB& {
-            const uint32_t slot = store.Find(ids[index].fixture);
-            return slot == noSlot ? noBox : store.Box(slot);
-        });
-    }
+    ForNodes(tree, pool, [&](int begin, int end, int /*worker*/) {
+        for (int i = begin; i < end; ++i) {
+            TreeNode& node = tree.nodes[static_cast<uint32_t>(i)];
+            if (!node.IsLeaf()) continue;
+            const ItemId* const ids = tree.Ids() + node.first;
+            FillLeafBoxes(tree, node, [&](uint32_t index) -> const AABB& {
+                const uint32_t slot = store.Find(ids[index].fixture);
+                return slot == noSlot ? noBox : store.Box(slot);
+            });
+        }
+    });
     JoinBoxes(tree);
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
 
@@ -24,10 +25,10 @@ struct KeyItem {
 
 class KeysBuilder {
 public:
-    /// Builds the tree over a range of slots.
-    void Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, FlatTree& tree);
-    /// Gives a tree built earlier the present boxes of its proxies.
-    static void Refit(const ProxyStore& store, FlatTree& tree);
+    /// Builds the tree over a range of slots. Many workers share the fetching of boxes; the pool may be null.
+    void Build(const ProxyStore& store, SlotRange slots, uint32_t leafSize, TaskPool* pool, FlatTree& tree);
+    /// Gives a tree built earlier the present boxes of its proxies, likewise.
+    static void Refit(const ProxyStore& store, TaskPool* pool, FlatTree& tree);
     /// Of all nodes with a box: the measure of how well splits fit.
     [[nodiscard]] static float SumHalfPerimeters(const FlatTree& tree);
     [[nodiscard]] size_t GetMemoryBytes() const { return (m_items.capacity() + m_other.capacity()) * sizeof(KeyItem); }

@@ -49,6 +49,21 @@ void TreeBroadPhase::UpdateMany(std::span<const BoxUpdate> updates) {
     if (m_hasChanged) m_trees.mainEdits.NoteMoved();
 }
 
+bool TreeBroadPhase::UpdateMoving(std::span<const BoxUpdate> updates) {
+    bool haveChanged = false;
+    for (const BoxUpdate& update : updates) {
+        const uint32_t slot = m_store.Find(update.fixture);
+        haveChanged = haveChanged || !IsSame(m_store.Box(slot), update.box);
+        m_store.SetBox(slot, update.box);
+    }
+    return haveChanged;
+}
+
+void TreeBroadPhase::NoteUpdated(bool haveChanged) {
+    m_hasChanged = m_hasChanged || haveChanged;
+    if (m_hasChanged) m_trees.mainEdits.NoteMoved();
+}
+
 void TreeBroadPhase::Remove(uint32_t fixture) {
     m_hasChanged = true;
     const uint32_t slot = m_store.Find(fixture);

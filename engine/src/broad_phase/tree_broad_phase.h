@@ -28,6 +28,9 @@ public:
     void Insert(uint32_t fixture, uint32_t body, Motion motion, const AABB& box) override;
     void Update(uint32_t fixture, const AABB& box, Vec2 displacement) override;
     void UpdateMany(std::span<const BoxUpdate> updates) override;
+    [[nodiscard]] bool SharesUpdates() const override { return true; }
+    [[nodiscard]] bool UpdateMoving(std::span<const BoxUpdate> updates) override;
+    void NoteUpdated(bool haveChanged) override;
     void Remove(uint32_t fixture) override;
     void SetResting(uint32_t fixture, bool resting) override;
     [[nodiscard]] bool HasChanged() const override { return m_hasChanged; }

@@ -85,10 +85,11 @@ struct BlockKind {
     bool twoPoints;
 };
 
-/// Blocks of one colour and kind: none of them shares a moving body with another.
+/// Blocks of one colour and kind, which follow each other: no two of a colour share a moving body.
 struct BlockRange {
     int32_t begin, end;
     BlockKind kind;
+    int32_t colour;
 };
 
 /// A contact as an implicit spring over one sub-step (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).

@@ -30,10 +30,10 @@ static_assert(offsetof(Manifold, localNormal) == manifoldNormalAt * sizeof(float
 static_assert(sizeof(ManifoldPoint) == manifoldPointFloats * sizeof(float));
 
 /// Makes the column this long; what it held is of no interest, so that it need not be kept while there is a larger one.
-template <typename T>
-void Renew(std::vector<T>& column, size_t size) {
+template <typename Vector>
+void Renew(Vector& column, size_t size) {
     if (size > column.capacity()) {
-        std::vector<T>().swap(column);
+        Vector().swap(column);
         column.reserve(size + size / 16);
     }
     column.resize(size);
@@ -98,23 +98,24 @@ SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInp
 }
 
 void ContactBlocks::Sort(const BlockInput& input) {
-    constexpr size_t fetchAhead = 8;
+    constexpr int fetchAhead = 8, leastContactsToSort = 512;
     const size_t count = input.list.size();
     Renew(m_sided, count);
     Renew(m_colours, count);
     Renew(m_lane, count);
+    input.pool.ForIfWide(static_cast<int>(count), leastContactsToSort, [&](int begin, int end, int /*worker*/) {
+        for (int i = begin; i < end; ++i) {
+            if (i + fetchAhead < end) {  // rows of neighbours in the list are anywhere
+                const ContactIndex ahead = input.list[ToSize(i + fetchAhead)];
+                Prefetch(&input.contacts.pair[ahead]);
+                Prefetch(&input.contacts.manifold[ahead].localNormal);
+            }
+            m_sided[ToSize(i)] = SortSides(input, input.list[ToSize(i)]);
+        }
+    });
     m_movers.clear();
     m_fixed.clear();
-    for (size_t i = 0; i < count; ++i) {
-        if (i + fetchAhead < count) {  // rows of neighbours in the list are anywhere
-            const ContactIndex ahead = input.list[i + fetchAhead];
-            Prefetch(&input.contacts.pair[ahead]);
-            Prefetch(&input.contacts.manifold[ahead].localNormal);
-        }
-        const SidedContact contact = SortSides(input, input.list[i]);
-        m_sided[i] = contact;
-        (contact.isFixedA ? m_fixed : m_movers).push_back(static_cast<int>(i));
-    }
+    for (size_t i = 0; i < count; ++i) (m_sided[i].isFixedA ? m_fixed : m_movers).push_back(static_cast<int>(i));
 }
 
 void ContactBlocks::ColourMovers() {
@@ -171,7 +172,10 @@ void ContactBlocks::MakeRanges() {
         const int lanes = m_start[g];
         const int blocks = (lanes + blockLanes - 1) / blockLanes;
         const bool fixedA = static_cast<int>(g / kindCount) >= m_moverColourCount;
-        if (blocks > 0) m_ranges.push_back({block, block + blocks, {fixedA, g % kindCount == 1}});
+        if (blocks > 0) {
+            const auto colour = static_cast<int32_t>(g / kindCount);
+            m_ranges.push_back({block, block + blocks, {fixedA, g % kindCount == 1}, colour});
+        }
         m_start[g] = block * blockLanes;
         block += blocks;
     }
@@ -310,8 +314,15 @@ void ContactBlocks::Build(const BlockInput& input) {
     Fill(input);
 }
 
-void ContactBlocks::Store(float scale, Column<ContactIndex, Manifold>& manifold) const {
-    for (size_t k = 0; k < m_blocks.size(); ++k) {
+void ContactBlocks::Store(float scale, TaskPool& pool, Column<ContactIndex, Manifold>& manifold) const {
+    constexpr int leastBlocksToStore = 64;
+    pool.ForIfWide(static_cast<int>(m_blocks.size()), leastBlocksToStore, [&](int begin, int end, int /*worker*/) {
+        StoreRange(ToSize(begin), ToSize(end), scale, manifold);
+    });
+}
+
+void ContactBlocks::StoreRange(size_t begin, size_t end, float scale, Column<ContactIndex, Manifold>& manifold) const {
+    for (size_t k = begin; k < end; ++k) {
         const ContactBlock& block = m_blocks[k];
         const ContactIndex* contact = &m_contact[k * blockLanes];
         for (int l = 0; l < blockLanes; ++l) {

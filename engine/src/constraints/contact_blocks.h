@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/leave_raw.h"
 #include "base/task_pool.h"
 #include "constraints/contact_block.h"
 #include "scree/collision.h"
@@ -48,7 +49,7 @@ public:
     /// contacts on one body in rounds of 64 colours.
     void Build(const BlockInput& input);
     /// Writes the impulses into the manifolds, times `scale`.
-    void Store(float scale, Column<ContactIndex, Manifold>& manifold) const;
+    void Store(float scale, TaskPool& pool, Column<ContactIndex, Manifold>& manifold) const;
     /// Impulses summed over the step (soft step) or accumulated, by position in the list; for reports.
     void GetImpulses(bool summed, std::vector<ContactImpulse>& impulses) const;
 
@@ -104,12 +105,13 @@ private:
     [[nodiscard]] bool AreKept(const BlockInput& input, size_t block) const;
     void NameContacts(size_t block, FillLanes& lanes) const;
     void NameLanes(const BlockInput& input, size_t block, FillLanes& lanes);
+    void StoreRange(size_t begin, size_t end, float scale, Column<ContactIndex, Manifold>& manifold) const;
     FillFindings FillRange(const BlockInput& input, size_t begin, size_t end);
     void FetchAhead(const BlockInput& input, size_t block) const;
     /// By position in the list.
     [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }
 
-    std::vector<ContactBlock> m_blocks;
+    std::vector<ContactBlock, LeaveRaw<ContactBlock>> m_blocks;
     std::vector<BlockRange> m_ranges;
     std::vector<SidedContact> m_sided;    ///< per contact of the list
     std::vector<int> m_colours;           ///< per contact of the list

@@ -72,7 +72,7 @@ void FindPairsOfMoved(std::initializer_list<const std::vector<BodyIndex>*> solve
                       const ContactEvents& events, PairTables t) {
     if (t.bodies.Listed().empty()) return;  // no box has changed since pairs were found
     RouseProxies(t.bodies, t.fixtures, t.broadPhase);
-    const float farthest = UpdateMovedBoxes(t.bodies, t.fixtures, solved, t.broadPhase);
+    const float farthest = UpdateMovedBoxes(t.bodies, t.fixtures, solved, t.pool, t.broadPhase);
     if (farthest > farDistance) t.bodies.EnsureRests();
     if (!t.contacts.mustMatch && !t.broadPhase.HasChanged()) {
         t.contacts.Compact();

@@ -5,6 +5,9 @@
 
 #include "pipeline/narrow_phase.h"
 
+#include <cstring>
+#include <numeric>
+
 #include "base/compiler.h"
 #include "base/slots.h"
 #include "geometry/collide_quads.h"
@@ -55,13 +58,30 @@ constexpr int leastContacts = 16;
 /// Below this many they are not worth waking workers for.
 constexpr int leastContactsToShare = 128;
 
+/// Whether a contact that was looked at ahead goes on touching, or not touching, as before.
+bool StaysAsItWas(uint8_t flags, uint8_t finding) {
+    constexpr uint8_t there = ContactFlag::alive | ContactFlag::marked;
+    constexpr uint8_t asked = there | ContactFlag::refilter;
+    const bool touches = (finding & NarrowPhaseScratch::touching) != 0;
+    return (flags & asked) == there && (finding & NarrowPhaseScratch::known) != 0 &&
+           touches == ((flags & ContactFlag::touching) != 0);
+}
+
 /// Computes the manifolds that are sure to be wanted of a range of contacts.
 class AheadOfOrder {
 public:
-    AheadOfOrder(const NarrowPhaseTables& tables, bool keepsOld, TOIStats& work, NarrowPhaseScratch& scratch)
-        : m_t(tables), m_isFar(tables.bodies.IsFar()), m_keepsOld(keepsOld), m_work(work), m_scratch(scratch) {}
+    /// `isQuick`: nobody is told, so that contacts that go on as before need no place in the order.
+    AheadOfOrder(const NarrowPhaseTables& tables, bool keepsOld, bool isQuick, TOIStats& work,
+                 NarrowPhaseScratch& scratch)
+        : m_t(tables),
+          m_isFar(tables.bodies.IsFar()),
+          m_keepsOld(keepsOld),
+          m_isQuick(isQuick),
+          m_work(work),
+          m_scratch(scratch) {}
 
-    void Compute(int begin, int end) {
+    /// Returns how many of those that are passed touch.
+    int Compute(int begin, int end) {
         for (ContactIndex contact{end}; ToInt(contact = m_t.contacts.Before(contact)) >= begin;) {
             Fetch(contact, m_t);
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
@@ -80,6 +100,7 @@ public:
         }
         if (m_quads.batch.Size() > 0) ComputeBatch(m_quads);
         if (m_disks.batch.Size() > 0) ComputeBatch(m_disks);
+        return m_passedTouching;
     }
 
 private:
@@ -145,36 +166,52 @@ private:
     }
 
     void Note(ContactIndex contact, bool touches, bool isRegrouped) {
-        m_scratch.findings[contact] =
+        const auto finding =
             static_cast<uint8_t>(NarrowPhaseScratch::known | (touches ? NarrowPhaseScratch::touching : 0) |
                                  (isRegrouped ? NarrowPhaseScratch::regrouped : 0) |
                                  (m_t.contacts.Has(contact, ContactFlag::sensor) ? NarrowPhaseScratch::asSensor : 0));
+        uint8_t& flags = m_t.contacts.flags[contact];
+        const bool isPassed = m_isQuick && !isRegrouped && StaysAsItWas(flags, finding);
+        if (isPassed) {
+            flags = static_cast<uint8_t>((flags | ContactFlag::enabled) & ~ContactFlag::fresh);
+            m_passedTouching += touches ? 1 : 0;
+        }
+        m_scratch.findings[contact] = isPassed ? uint8_t{NarrowPhaseScratch::passed} : finding;
     }
 
     const NarrowPhaseTables& m_t;
-    const bool m_isFar, m_keepsOld;
+    const bool m_isFar, m_keepsOld, m_isQuick;
+    int m_passedTouching = 0;
     TOIStats& m_work;
     NarrowPhaseScratch& m_scratch;
     Lanes<QuadBatch> m_quads;
     Lanes<QuadDiskBatch> m_disks;
 };
 
-/// Bodies that wake on the way may add manifolds to these, which follow in order.
-void ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, TOIStats& work, NarrowPhaseScratch& scratch) {
+/// Bodies that wake on the way may add manifolds to these, which follow in order. Returns how many contacts that are
+/// passed touch.
+int ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, bool isQuick, TOIStats& work,
+                 NarrowPhaseScratch& scratch) {
     const size_t rows = t.contacts.flags.size();
     scratch.findings.assign(rows, NarrowPhaseScratch::nothing);
     if (keepsOld) EnsureRows(scratch.old, rows);
-    t.pool.For(t.contacts.Size(), leastContactsToShare,
-               [&](int begin, int end, int) { AheadOfOrder(t, keepsOld, work, scratch).Compute(begin, end); });
+    int touching[maxWorkers] = {};
+    t.pool.For(t.contacts.Size(), leastContactsToShare, [&](int begin, int end, int worker) {
+        touching[worker] += AheadOfOrder(t, keepsOld, isQuick, work, scratch).Compute(begin, end);
+    });
+    return std::accumulate(touching, touching + maxWorkers, 0);
 }
 
-/// Whether a contact that was looked at ahead goes on touching, or not touching, as before.
-bool StaysAsItWas(uint8_t flags, uint8_t finding) {
-    constexpr uint8_t there = ContactFlag::alive | ContactFlag::marked;
-    constexpr uint8_t asked = there | ContactFlag::refilter;
-    const bool touches = (finding & NarrowPhaseScratch::touching) != 0;
-    return (flags & asked) == there && (finding & NarrowPhaseScratch::known) != 0 &&
-           touches == ((flags & ContactFlag::touching) != 0);
+/// The lowest row with only passed contacts in the whole eights of rows below `row`.
+ContactIndex SkipPassed(const Column<ContactIndex, uint8_t>& findings, ContactIndex row) {
+    constexpr size_t width = sizeof(uint64_t);
+    constexpr uint64_t allPassed = NarrowPhaseScratch::passed * 0x0101010101010101u;
+    size_t at = ToSize(row);
+    for (uint64_t eight = 0; at >= width; at -= width) {
+        std::memcpy(&eight, findings.data() + (at - width), width);
+        if (eight != allPassed) break;
+    }
+    return ContactIndex{static_cast<int>(at)};
 }
 
 /// Whether what was found ahead of a contact still holds: callbacks may have put its bodies to sleep, or made one of
@@ -189,8 +226,9 @@ bool Holds(uint8_t finding, ContactIndex contact, const NarrowPhaseTables& t) {
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
     const bool ahead = t.contacts.active.Count() >= leastContacts;
     const bool keepsOld = events.HearsPreSolve();
-    if (ahead) ComputeAhead(t, keepsOld, *events.work, scratch);
-    int touchingCount = t.contacts.RestingTouchingCount();
+    const bool isQuick = events.listener == nullptr && events.log == nullptr;
+    int touchingCount = ahead ? ComputeAhead(t, keepsOld, isQuick, *events.work, scratch) : 0;
+    touchingCount += t.contacts.RestingTouchingCount();
     ContactIndex contact = t.contacts.flags.End();
     // Contacts of a body that wakes on the way are looked at, too, if they come later in the order.
     const auto goOn = [&] {
@@ -199,17 +237,15 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
         return IsSome(contact);
     };
     bool isTold = false;  // the listener has been called, and may have changed what was found ahead
-    const bool isQuick = events.listener == nullptr && events.log == nullptr;
     while (goOn()) {
         if (!ahead) Fetch(contact, t);
-        uint8_t& flags = t.contacts.flags[contact];
+        const uint8_t flags = t.contacts.flags[contact];
         const uint8_t known = ahead ? scratch.findings[contact] : uint8_t{NarrowPhaseScratch::nothing};
-        if ((known & NarrowPhaseScratch::regrouped) != 0) ++t.contacts.grouping;
-        if (isQuick && StaysAsItWas(flags, known)) {
-            flags = static_cast<uint8_t>((flags | ContactFlag::enabled) & ~ContactFlag::fresh);
-            touchingCount += (flags & ContactFlag::touching) != 0 ? 1 : 0;
+        if (known == NarrowPhaseScratch::passed) {
+            if (t.contacts.RestingCount() == 0) contact = SkipPassed(scratch.findings, contact);
             continue;
         }
+        if ((known & NarrowPhaseScratch::regrouped) != 0) ++t.contacts.grouping;
         if ((flags & ContactFlag::alive) == 0) continue;
         if (!Stays(contact, events, t)) {
             isTold = isTold || events.listener != nullptr;

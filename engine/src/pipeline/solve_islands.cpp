@@ -202,7 +202,7 @@ public:
             m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
             m_s.locked.Stop(m_bodies.velocity);
         }
-        m_s.blocks.Store(1.0f, m_tables.contacts.manifold);
+        m_s.blocks.Store(1.0f, Pool(), m_tables.contacts.manifold);
         m_s.rolling.Store(1.0f, m_tables.contacts.rolling);
     }
 
@@ -393,7 +393,7 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& is
                            BodyTable& bodies) {
     if (islands.isolated.empty()) return {};
     const BallisticPath path(settings, bodies);
-    return CountRanges(pool, islands.isolated.size(), leastIsolatedBodies,
+    return CountRanges(pool, islands.isolated.size(), pool.IsWide() ? leastBodies : leastIsolatedBodies,
                        [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
 }
 

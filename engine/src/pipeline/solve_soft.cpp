@@ -176,7 +176,6 @@ public:
 
     void Prepare(const FixtureTable& fixtures, bool report) {
         m_s.delta.resize(ToSize(m_bodies.slots.Size()));
-        m_s.soft.clear();
         m_s.jointed.clear();
         if (HasJoints()) m_s.startVelocities.Reserve(m_bodies.velocity.size());
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
@@ -228,7 +227,7 @@ public:
 
     SolverCounts Finish() {
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
-        m_s.blocks.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.manifold);
+        m_s.blocks.Store(static_cast<float>(m_settings.substeps), Pool(), m_tables.contacts.manifold);
         m_s.rolling.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.rolling);
         if (m_plan.hasRows) {
             ScaleJointImpulses(JointWork(2.0f * static_cast<float>(m_settings.substeps)), m_tree.GetOthers(),
@@ -264,13 +263,18 @@ private:
 
     template <bool forces>
     void PrepareBodies() {
-        for (const BodyIndex body : m_islands.bodies) {
-            m_bodies.NoteStart(body);
-            m_s.soft.push_back(MakeSoftBody<forces>(m_settings, m_bodies, body));
-            if (!HasJoints() || m_bodies.info[body].jointCount == 0) continue;
-            m_s.soft.back().jointed = true;
-            m_s.startVelocities.Note(body, m_bodies.velocity[body]);
-            m_s.jointed.push_back(static_cast<int>(m_s.soft.size()) - 1);
+        m_s.soft.resize(m_islands.bodies.size());
+        ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) {
+            m_bodies.NoteStart(m_islands.bodies[i]);
+            m_s.soft[i] = MakeSoftBody<forces>(m_settings, m_bodies, m_islands.bodies[i]);
+        });
+        if (!HasJoints()) return;
+        for (size_t i = 0; i < m_s.soft.size(); ++i) {
+            SoftBody& soft = m_s.soft[i];
+            if (m_bodies.info[soft.body].jointCount == 0) continue;
+            soft.jointed = true;
+            m_s.startVelocities.Note(soft.body, m_bodies.velocity[soft.body]);
+            m_s.jointed.push_back(static_cast<int>(i));
         }
     }
 

@@ -22,6 +22,7 @@
 #include "testbed/engines/provenance.h"
 #include "testbed/jobs/bench/against.h"
 #include "testbed/jobs/bench/commands.h"
+#include "testbed/jobs/bench/cores.h"
 #include "testbed/jobs/bench/files.h"
 #include "testbed/jobs/bench/games.h"
 #include "testbed/jobs/bench/object_bytes.h"
@@ -95,6 +96,7 @@ int CompareBuilds(const BenchArguments& arguments, const Request& request) {
 
 int RunBench(const BenchArguments& arguments, const Request& request) {
     if (arguments.games) return RunGames(arguments, request);
+    if (!arguments.cores.empty()) return RunCores(arguments, request);
     if (!arguments.against.empty()) return CompareBuilds(arguments, request);
     const BenchPlan plan = MakeBenchPlan(arguments);
     BenchFiles files({.csv = arguments.csv, .plots = arguments.plots, .output = arguments.output});

@@ -174,6 +174,10 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_flag("--games", arguments.games,
                  "The second suite: what games do, with default settings, in every engine of this build in turn. "
                  "SCENE names its cases; --repeat, --steps, --output and --markdown apply");
+    app.add_option("--cores", arguments.cores,
+                   "Work and span instead of times: how much faster our engine would be on so many cores, counted on "
+                   "one thread; --solver, --set, --repeat, --steps and --markdown apply")
+        ->type_name("LIST");
     app.add_option("--from", arguments.from, "Show and judge the rows of a --json file instead of running")
         ->type_name("FILE");
     AddShardOptions(app, arguments.shard);

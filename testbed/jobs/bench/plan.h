@@ -32,6 +32,7 @@ struct BenchArguments {
     ShardArguments shard;
     bool targets = false;
     bool games = false;  ///< the cases of games instead of scenes
+    std::string cores;   ///< numbers of cores to count work and span for, instead of times
     std::string from;    ///< rows to judge and show instead of a run
     std::string csv, plots, output, markdown;
 };

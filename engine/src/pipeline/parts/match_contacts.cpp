@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "base/shared_count.h"
 #include "pipeline/parts/make_contact.h"
 
 namespace scree {
@@ -17,7 +18,7 @@ namespace {
 /// Below this many pairs their contacts are not worth looking for on several threads.
 constexpr int leastPairsToShare = 1024;
 
-/// The contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the pairs
+/// Finds and marks the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the pairs
 /// leave it: a pair that is gone or new is one such place, the start of a worker's range another.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts,
                   std::vector<ContactIndex>& found) {
@@ -31,6 +32,7 @@ void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& con
             if (!contacts.IsRowOf(contact, a, b)) contact = contacts.Find(a, b);
             found[i] = contact;
             if (IsNone(contact)) continue;
+            SetSharedBits(contacts.flags[contact], ContactFlag::marked);
             if (*follower != contact) *follower = contact;
             follower = &contacts.successor[contact];
         }
@@ -42,10 +44,9 @@ void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTa
     std::vector<ContactIndex>& found = t.contacts.matched;
     FindContacts(pairs, t.pool, t.contacts, found);
     for (size_t i = 0; i < pairs.size(); ++i) {
+        if (IsSome(found[i])) continue;
         const FixtureIndex a = FixtureOf(pairs[i].a), b = FixtureOf(pairs[i].b);
-        if (IsSome(found[i])) {
-            t.contacts.flags[found[i]] |= ContactFlag::marked;
-        } else if (events.filter != nullptr || MayHaveContact(a, b, events, t.fixtures, t.joints)) {
+        if (events.filter != nullptr || MayHaveContact(a, b, events, t.fixtures, t.joints)) {
             fresh.push_back(static_cast<uint64_t>(pairs[i].b) << 32 | pairs[i].a);
         }
     }

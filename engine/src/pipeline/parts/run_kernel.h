@@ -15,31 +15,53 @@ namespace scree {
 /// Fewer blocks than this in a colour are not worth waking the workers' attention.
 inline constexpr int leastBlocks = 32;
 
+/// The end of the ranges of one colour that begin at `begin`: they are independent of each other.
+inline int EndOfColour(const KernelTask& task, int begin) {
+    int end = begin + 1;
+    while (end < task.rangeCount && task.ranges[end].colour == task.ranges[begin].colour) ++end;
+    return end;
+}
+
+/// The blocks [begin, end) of a task whose ranges are those of one colour.
+template <typename Pass>
+void RunBlocks(const KernelTask& task, int begin, int end, int worker, Pass&& pass) {
+    for (int i = 0; i < task.rangeCount; ++i) {
+        const BlockRange& range = task.ranges[i];
+        const BlockRange own{range.begin > begin ? range.begin : begin, range.end < end ? range.end : end, range.kind,
+                             range.colour};
+        if (own.begin >= own.end) continue;
+        KernelTask part = task;
+        part.ranges = &own;
+        part.rangeCount = 1;
+        pass(part, worker);
+    }
+}
+
 /// Calls pass(task, worker) with tasks that cover all ranges in order.
 template <typename Pass>
 void RunKernel(TaskPool& pool, const KernelTask& task, Pass&& pass) {
-    const auto isLarge = [&](int range) { return task.ranges[range].end - task.ranges[range].begin >= leastBlocks; };
-    const bool serial = pool.GetWorkerCount() == 1;
-    for (int begin = 0; begin < task.rangeCount;) {
-        int end = begin;
-        while (end < task.rangeCount && (serial || !isLarge(end))) ++end;
-        if (end > begin) {
-            KernelTask part = task;
-            part.ranges += begin;
-            part.rangeCount = end - begin;
-            pass(part, 0);
-            begin = end;
-            continue;
-        }
-        const BlockRange range = task.ranges[begin++];
-        pool.For(range.end - range.begin, leastBlocks, [&](int from, int to, int worker) {
-            const BlockRange own{range.begin + from, range.begin + to, range.kind};
-            KernelTask part = task;
-            part.ranges = &own;
-            part.rangeCount = 1;
-            pass(part, worker);
-        });
+    if (!pool.IsOpen()) return pass(task, 0);
+    const auto run = [&](int begin, int end) {  // ranges
+        KernelTask part = task;
+        part.ranges += begin;
+        part.rangeCount = end - begin;
+        return part;
+    };
+    const auto isLarge = [&](int begin, int end) {
+        return task.ranges[end - 1].end - task.ranges[begin].begin >= leastBlocks;
+    };
+    int small = 0;  // where the small colours begin that nobody has run yet
+    for (int begin = 0, end = 0; begin < task.rangeCount; begin = end) {
+        end = EndOfColour(task, begin);
+        if (!isLarge(begin, end)) continue;
+        if (small < begin) pass(run(small, begin), 0);
+        small = end;
+        const KernelTask colour = run(begin, end);
+        const int first = colour.ranges[0].begin;
+        pool.For(task.ranges[end - 1].end - first, leastBlocks,
+                 [&](int from, int to, int worker) { RunBlocks(colour, first + from, first + to, worker, pass); });
     }
+    if (small < task.rangeCount) pass(run(small, task.rangeCount), 0);
 }
 inline void RunKernel(TaskPool& pool, const KernelTask& task, void (*kernel)(const KernelTask&)) {
     RunKernel(pool, task, [kernel](const KernelTask& part, int) { kernel(part); });

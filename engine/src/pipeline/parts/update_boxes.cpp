@@ -5,6 +5,8 @@
 
 #include "pipeline/parts/update_boxes.h"
 
+#include <algorithm>
+
 #include "base/simd.h"
 #include "geometry/boxes.h"
 #include "state/frames.h"
@@ -33,11 +35,13 @@ SCREE_INLINE AABB BoxOfFixture(const FixtureTable& fixtures, FixtureIndex fixtur
 template <bool isFar>
 class BoxBatch {
 public:
-    BoxBatch(const BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase)
+    /// `isShared`: other threads have batches of other bodies at the same time.
+    BoxBatch(const BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase, bool isShared = false)
         : m_bodies(bodies),
           m_fixtures(fixtures),
           m_broadPhase(broadPhase),
-          m_usesDisplacement(broadPhase.UsesDisplacement()) {}
+          m_usesDisplacement(broadPhase.UsesDisplacement()),
+          m_isShared(isShared) {}
 
     SCREE_INLINE void Add(BodyIndex body) {
         static_assert(sizeof(Position) == 4 * sizeof(float));
@@ -55,9 +59,15 @@ public:
         }
     }
     void Flush() {
-        m_broadPhase.UpdateMany({m_updates, m_count});
+        const std::span<const BoxUpdate> updates{m_updates, m_count};
+        if (m_isShared) {
+            m_haveChanged = m_broadPhase.UpdateMoving(updates) || m_haveChanged;
+        } else {
+            m_broadPhase.UpdateMany(updates);
+        }
         m_count = 0;
     }
+    [[nodiscard]] bool HaveChanged() const { return m_haveChanged; }
     [[nodiscard]] float GetFarthest() const { return Max(GetLane4<0>(m_farthest), GetLane4<1>(m_farthest)); }
 
 private:
@@ -66,18 +76,47 @@ private:
     const BodyTable& m_bodies;
     const FixtureTable& m_fixtures;
     BroadPhase& m_broadPhase;
-    const bool m_usesDisplacement;
+    const bool m_usesDisplacement, m_isShared;
+    bool m_haveChanged = false;  ///< shared: some box is another one
     size_t m_count = 0;
     F4 m_farthest = Splat4(0.0f);  ///< |x| and |y| of centres, and what need not be read
     BoxUpdate m_updates[capacity];
 };
 
+/// Fewer bodies than this are not worth waking workers for.
+constexpr int leastBodiesToShare = 512;
+
+/// Boxes of the bodies that are active, by all workers. Their proxies move: those of listed bodies have been roused.
+template <bool isFar>
+float UpdateShared(const BodyTable& bodies, const FixtureTable& fixtures, TaskPool& pool, BroadPhase& broadPhase) {
+    const std::span<const BodyIndex> listed = bodies.Listed();
+    float farthest[maxWorkers] = {};
+    bool haveChanged[maxWorkers] = {};
+    pool.For(static_cast<int>(listed.size()), leastBodiesToShare, [&](int begin, int end, int worker) {
+        BoxBatch<isFar> batch(bodies, fixtures, broadPhase, true);
+        for (int i = begin; i < end; ++i) {
+            if (bodies.IsActive(listed[ToSize(i)])) batch.Add(listed[ToSize(i)]);
+        }
+        batch.Flush();
+        farthest[worker] = Max(farthest[worker], batch.GetFarthest());
+        haveChanged[worker] = haveChanged[worker] || batch.HaveChanged();
+    });
+    broadPhase.NoteUpdated(std::any_of(haveChanged, haveChanged + maxWorkers, [](bool b) { return b; }));
+    return *std::max_element(farthest, farthest + maxWorkers);
+}
+
 template <bool isFar>
 float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
-                  std::initializer_list<const std::vector<BodyIndex>*> solved, BroadPhase& broadPhase) {
+                  std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool,
+                  BroadPhase& broadPhase) {
+    float farthest = 0.0f;
     BoxBatch<isFar> batch(bodies, fixtures, broadPhase);
-    for (const BodyIndex body : bodies.Listed()) {
-        if (bodies.IsActive(body)) batch.Add(body);
+    if (pool.IsWide() && broadPhase.SharesUpdates()) {
+        farthest = UpdateShared<isFar>(bodies, fixtures, pool, broadPhase);
+    } else {
+        for (const BodyIndex body : bodies.Listed()) {
+            if (bodies.IsActive(body)) batch.Add(body);
+        }
     }
     // Bodies that fell asleep in this step moved in it, too.
     for (const std::vector<BodyIndex>* list : solved) {
@@ -89,15 +128,16 @@ float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
         }
     }
     batch.Flush();
-    return batch.GetFarthest();
+    return Max(farthest, batch.GetFarthest());
 }
 
 }  // namespace
 
 float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
-                       std::initializer_list<const std::vector<BodyIndex>*> solved, BroadPhase& broadPhase) {
-    return bodies.IsFar() ? UpdateMoved<true>(bodies, fixtures, solved, broadPhase)
-                          : UpdateMoved<false>(bodies, fixtures, solved, broadPhase);
+                       std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool,
+                       BroadPhase& broadPhase) {
+    return bodies.IsFar() ? UpdateMoved<true>(bodies, fixtures, solved, pool, broadPhase)
+                          : UpdateMoved<false>(bodies, fixtures, solved, pool, broadPhase);
 }
 
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, BodyIndex body, Vec2 displacement,

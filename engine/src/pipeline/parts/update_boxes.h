@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
 #include "state/bodies.h"
 #include "state/fixtures.h"
@@ -18,7 +19,8 @@ namespace scree {
 /// those of the lists `solved` that fell asleep in it. The lists may be of an earlier step, and their bodies gone.
 /// Returns the largest coordinate of their centres, m.
 float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
-                       std::initializer_list<const std::vector<BodyIndex>*> solved, BroadPhase& broadPhase);
+                       std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool,
+                       BroadPhase& broadPhase);
 
 /// Gives the broad phase the present box of every fixture of `body`; `displacement` is the way its origin went.
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, BodyIndex body, Vec2 displacement,
