@@ -30,8 +30,6 @@ class Keys final : public TreeBroadPhase {
 public:
     explicit Keys(const BroadPhaseConfig& config) : TreeBroadPhase(config, SplitBarycentre, bestLeafSize) {}
 
-    void ShareWork(TaskPool& pool) override { m_pool = &pool; }
-
 protected:
     void Build(SlotRange slots, FlatTree& tree) override {
         m_builder.Build(m_store, slots, m_leafSize, m_pool, tree);
@@ -59,7 +57,7 @@ protected:
     }
     void DetectBetween(const FlatTree& moving, std::span<const BuildItem> outside, const FlatTree& resting,
                        PairSink& sink) override {
-        m_stats.boxTests += m_detector.DetectBetween(moving, outside, resting, sink);
+        m_stats.boxTests += m_detector.DetectBetween(moving, outside, resting, m_pool, sink);
     }
     [[nodiscard]] bool TakesCandidates() const override { return true; }
     [[nodiscard]] size_t GetBufferBytes() const override {
@@ -90,7 +88,6 @@ private:
 
     KeysBuilder m_builder;
     KeysDetector m_detector;
-    TaskPool* m_pool = nullptr;
     int m_uses = longestUse;        ///< how often the main tree's splits were used again
     float m_sizeWhenSplit = 0.0f;   ///< half perimeters of the nodes it had then
     uint64_t m_testsWhenSplit = 0;  ///< box tests of the detection then

@@ -293,14 +293,19 @@ uint64_t KeysDetector::DetectSelf(const FlatTree& tree, std::span<const BuildIte
         walk.Recurse(tree.nodes[0], 0, count);
         return walk.boxTests;
     }
-    m_cut.largest = tree.Size() / (partsPerWorker * static_cast<uint32_t>(pool->GetWorkerCount()));
+    BeginCut(tree, *pool);
+    walk.Recurse(tree.nodes[0], 0, count);
+    return walk.boxTests + FinishParts<true>(tree, *pool, sink);
+}
+
+void KeysDetector::BeginCut(const FlatTree& tree, const TaskPool& pool) {
+    m_cut.largest = tree.Size() / (partsPerWorker * static_cast<uint32_t>(pool.GetWorkerCount()));
     m_cut.parts.clear();
     m_cut.boxes.clear();
     m_cut.ids.clear();
-    walk.Recurse(tree.nodes[0], 0, count);
-    return walk.boxTests + FinishParts(tree, *pool, sink);
 }
 
+template <bool self>
 uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink) {
     if (m_buffers.size() < static_cast<size_t>(pool.GetWorkerCount()))
         m_buffers.resize(static_cast<size_t>(pool.GetWorkerCount()));
@@ -310,7 +315,7 @@ uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSin
         for (int i = begin; i < end; ++i) {
             KeysCut::Part& part = m_cut.parts[static_cast<size_t>(i)];
             PairSink found(own.pairs, own.pairCount);
-            KeysWalk<true> walk{tree, own, found};
+            KeysWalk<self> walk{tree, own, found};
             walk.ReserveCandidates(part.candidateCount);
             std::copy_n(m_cut.boxes.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
                         own.boxes.begin());
@@ -336,10 +341,12 @@ uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSin
 }
 
 uint64_t KeysDetector::DetectBetween(const FlatTree& batch, std::span<const BuildItem> more, const FlatTree& tree,
-                                     PairSink& sink) {
+                                     TaskPool* pool, PairSink& sink) {
     const auto count = batch.Size() + static_cast<uint32_t>(more.size());
     if (count == 0 || tree.Empty()) return 0;
-    KeysWalk<false> walk{tree, m_buffers[0], sink};
+    const bool isShared = pool != nullptr && pool->IsWide() && count >= leastBoxesToShare;
+    KeysWalk<false> walk{tree, m_buffers[0], sink, isShared ? &m_cut : nullptr};
+    if (isShared) BeginCut(tree, *pool);
     walk.ReserveCandidates(count);
     for (uint32_t i = 0; i < batch.Size(); ++i) {
         m_buffers[0].boxes[i] = batch.Box(i);
@@ -347,7 +354,7 @@ uint64_t KeysDetector::DetectBetween(const FlatTree& batch, std::span<const Buil
     }
     walk.PutCandidates(batch.Size(), more);
     walk.Recurse(tree.nodes[0], 0, count);
-    return walk.boxTests;
+    return walk.boxTests + (isShared ? FinishParts<false>(tree, *pool, sink) : 0);
 }
 
 size_t KeysBuffers::GetMemoryBytes() const {

@@ -56,12 +56,15 @@ public:
     uint64_t DetectSelf(const FlatTree& tree, std::span<const BuildItem> resting, std::span<const BuildItem> outside,
                         TaskPool* pool, PairSink& sink);
     /// Pairs of the boxes of one tree, and of others, with those of another tree.
-    uint64_t DetectBetween(const FlatTree& batch, std::span<const BuildItem> more, const FlatTree& tree,
+    uint64_t DetectBetween(const FlatTree& batch, std::span<const BuildItem> more, const FlatTree& tree, TaskPool* pool,
                            PairSink& sink);
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
+    /// Begins a walk that is cut where subtrees have at most this many boxes; the pool is open.
+    void BeginCut(const FlatTree& tree, const TaskPool& pool);
     /// Finishes the parts of a walk that was cut. Returns their box tests.
+    template <bool self>
     uint64_t FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink);
 
     std::vector<KeysBuffers> m_buffers = std::vector<KeysBuffers>(1);  ///< of each worker

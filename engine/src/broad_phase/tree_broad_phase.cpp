@@ -98,7 +98,7 @@ void TreeBroadPhase::DetectBetween(const FlatTree& moving, std::span<const Build
 
 void TreeBroadPhase::NoteMainBuilt() {
     m_stats.rebuiltProxies += m_trees.MainSlots().count;
-    m_trees.mainEdits.NoteBuilt();
+    m_trees.mainEdits.NoteBuilt(m_pool);
 }
 
 void TreeBroadPhase::BuildMain() {
@@ -110,7 +110,7 @@ void TreeBroadPhase::BuildMain() {
 void TreeBroadPhase::BuildResting() {
     Build(m_store.Resting(), m_trees.resting);
     m_stats.rebuiltProxies += m_store.Resting().count;
-    m_trees.restingEdits.NoteBuilt();
+    m_trees.restingEdits.NoteBuilt(m_pool);
 }
 
 void TreeBroadPhase::PrepareQueries() {

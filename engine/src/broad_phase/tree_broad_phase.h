@@ -34,6 +34,7 @@ public:
     void Remove(uint32_t fixture) override;
     void SetResting(uint32_t fixture, bool resting) override;
     [[nodiscard]] bool HasChanged() const override { return m_hasChanged; }
+    void ShareWork(TaskPool& pool) override { m_pool = &pool; }
     void FindPairs(std::vector<Pair>& pairs) override;
 
     void PrepareQueries() override;
@@ -77,6 +78,7 @@ protected:
     [[nodiscard]] virtual size_t GetBufferBytes() const { return 0; }
 
     ProxyStore m_store;
+    TaskPool* m_pool = nullptr;  ///< of ShareWork; null: there is one thread
     BroadPhaseStats m_stats;
     const SplitRule m_rule;
     const uint32_t m_leafSize;

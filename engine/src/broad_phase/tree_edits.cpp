@@ -30,10 +30,15 @@ void TreeEdits::Lose() {
     m_state = State::lost;
 }
 
-void TreeEdits::NoteBuilt() {
-    for (uint32_t position = 0; position < m_tree.Size(); ++position) {
-        m_store.Place(m_store.Find(m_tree.Ids()[position].fixture)) = position;
-    }
+void TreeEdits::NoteBuilt(TaskPool* pool) {
+    constexpr int leastPositions = 2048;
+    const auto place = [&](int begin, int end, int /*worker*/) {
+        for (auto position = static_cast<uint32_t>(begin); position < static_cast<uint32_t>(end); ++position) {
+            m_store.Place(m_store.Find(m_tree.Ids()[position].fixture)) = position;
+        }
+    };
+    const auto count = static_cast<int>(m_tree.Size());
+    pool != nullptr ? pool->ForIfWide(count, leastPositions, place) : place(0, count, 0);
     m_outside.clear();
     m_count = 0;
     m_limit = EditLimit(m_store.Size());

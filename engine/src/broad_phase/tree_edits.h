@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
 
@@ -43,8 +44,8 @@ public:
     }
     /// The tree has the present boxes of those of its proxies that are alive in it.
     void NoteRefitted() { m_state = State::current; }
-    /// It has those of all proxies of the part.
-    void NoteBuilt();
+    /// It has those of all proxies of the part. The pool may be null.
+    void NoteBuilt(TaskPool* pool);
     void Lose();
 
     [[nodiscard]] size_t GetMemoryBytes() const { return m_outside.capacity() * sizeof(uint32_t); }
