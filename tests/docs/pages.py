@@ -73,6 +73,8 @@ for page in pages():
             errors.append(f'{name}: {lines} lines; a guide has at most {GUIDE_LINES}: move topics into docs/')
     if str(name) not in HEADERS_OF_USERS:
         check_cpp(page, text)
+    if '```mermaid' in text:
+        errors.append(f'{name}: a diagram that no test draws: make it by tests/docs/diagrams.py')
     links[page] = set()
     for number, line in enumerate(without_code(text).split('\n'), 1):
         for target in re.findall(r'\]\(([^)\s]+)\)', line):
