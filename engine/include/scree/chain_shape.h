@@ -20,7 +20,7 @@ class SCREE_API ChainShape final : public Shape {
 public:
     ChainShape() : Shape(e_chain, polygonRadius) {}
 
-    /// Back to an empty chain.
+    /// Makes the chain empty.
     void Clear();
     /// A closed chain through `count` ≥ 3 vertices; the last joins the first. False, and the chain stays as it was, if
     /// the vertices are null, too few, not finite, or neighbours are closer than linearSlop.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Explosions and wind, as functions over queries and impulses: nothing of them is kept in the world. Call them outside
-// of Step and callbacks. Recordings hold the impulses and forces that they apply.
+// Explosions and wind, made of queries, impulses and forces. The world keeps nothing of them. Call them outside of Step
+// and of callbacks. Recordings contain the impulses and forces that they apply.
 
 #pragma once
 
