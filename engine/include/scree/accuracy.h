@@ -17,10 +17,10 @@ enum class Accuracy : uint8_t {
     precise,  ///< 16 sub-steps
 };
 
-/// Errors to stay below. The number of sub-steps is chosen for each island (bodies that touching contacts and joints
-/// connect, static bodies not counted) from the errors of its bodies in the last such step. So it is deterministic, and
-/// reacts to a sudden load one step late. The numbers are 1, 2, 3, 4, 6, 8, 12, … within the limits below, rounded up.
-/// After a sudden load the number falls by 1/32 a step. Bodies that nothing touches take the least.
+/// Errors to stay below. Each island (bodies that touching contacts and joints connect, without static bodies) has
+/// its own number of sub-steps. It follows from the errors of its bodies in the last such step. So it is
+/// deterministic, and reacts to a sudden load one step late. The numbers are 1, 2, 3, 4, 6, 8, 12, … within the limits
+/// below, rounded up. After a sudden load the number falls by 1/32 a step. Bodies that nothing touches take the least.
 struct Tolerance {
     /// Of the outlines of two shapes, m; more than linearSlop · WorldDef::lengthScale.
     float overlap = 0.01f;

@@ -73,8 +73,8 @@ struct MoverState {
     Vec2 groundPoint{0.0f, 0.0f};
 };
 
-/// Moves for `timeStep` > 0 s: with the ground, then by its own velocity along obstacles and up a step if one is in the
-/// way, then down to the ground again if it stood there and does not rise. The velocity loses its component into
+/// Moves for `timeStep` > 0 s: first with the ground, then by its own velocity along obstacles and up steps. If it
+/// stood on the ground and does not rise, it then goes down to it again. The velocity loses its component into
 /// obstacles. A mover that leaves the ground gets the ground's velocity added. Bad input is reported, and the state is
 /// returned unchanged.
 [[nodiscard]] SCREE_API MoverState MoveMover(World& world, const MoverDef& def, const MoverState& state,

@@ -23,9 +23,9 @@ struct Profile {
 struct StepErrors {
     float overlap = 0.0f;   ///< deepest overlap of touching shapes, skins included, m; at rest about linearSlop
     float jointGap = 0.0f;  ///< largest distance of points that a joint holds together, or error of a length, m
-    /// Largest violation of "push or gap, never both", m: |min(way pushed, gap)| over the points of contact, where the
-    /// way pushed is what the step's impulse moved the two bodies apart, and the gap is counted from linearSlop of
-    /// overlap. 0: every contact either carries its load exactly where it should, or is open and carries none.
+    /// Largest violation of "push or gap, never both", m: |min(way pushed, gap)| over the points of contact. The way
+    /// pushed is how far the step's impulse moved the two bodies apart; the gap is counted from linearSlop of overlap.
+    /// 0: every contact either carries its load exactly where it should, or is open and carries none.
     float residual = 0.0f;
 };
 

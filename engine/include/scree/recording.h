@@ -77,8 +77,8 @@ public:
     /// set listeners.
     explicit Player(std::span<const std::byte> recording, const std::function<void(World&)>& prepare = nullptr);
 
-    /// Makes the calls up to and including the next Step. Returns false if there is none: then the calls after the last
-    /// Step were made, or the report says why the replay ended before (damaged bytes, or a state that differs).
+    /// Makes the calls up to and including the next Step. Returns false if there is none. Then the calls after the last
+    /// Step were made, or the replay ended before. The report gives the reason: damaged bytes, or a state that differs.
     bool Step();
     /// The result so far; `valid` is set only when Step has returned false.
     [[nodiscard]] const ReplayReport& GetReport() const { return m_report; }

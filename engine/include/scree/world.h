@@ -66,14 +66,14 @@ struct WorldDef {
     /// For sequential impulses: positions advance by the mean of the velocities before and after a step instead of the
     /// one after. Free flight is then exact with any time step.
     bool exactDrift = false;
-    /// Size of a typical moving body, m, 1e-6…1e6. It multiplies the tolerances that are lengths or speeds: skin of
-    /// polygons and edges, overlap that the solver leaves, gaps that it leaves in joints, least length of a distance
-    /// joint, target of continuous collision, speeds of pushing apart and of falling asleep, margin of `fat-tree`.
+    /// Size of a typical moving body, m, 1e-6…1e6. It multiplies the tolerances that are lengths: the skin of
+    /// polygons and edges, remaining overlap and joint gaps, the least length of a distance joint, the target of
+    /// continuous collision. Also the speeds of pushing apart and of falling asleep, and the margin of `fat-tree`.
     /// 1 suits bodies of 0.1 to 100 m, 0.001 a world of millimetres.
     float lengthScale = 1.0f;
-    /// If a body is farther than this from the origin in x or y, m at a length scale of 1, all positions of the world
-    /// have a low-order part (Body::GetPositionRest), so that bodies behave there as they do near the origin. It costs
-    /// 16 bytes a body. 0: from the start; infinity: only once the program sets a rest (BodyDef::positionRest).
+    /// If a body is farther than this from the origin in x or y, m at length scale 1, all positions of its world
+    /// have a low-order part (Body::GetPositionRest). Bodies then behave there as they do near the origin, for 16 bytes
+    /// each. 0: from the start; infinity: only once the program sets a rest (BodyDef::positionRest).
     float farDistance = 2048.0f;
     /// Which solver runs, whichever Step is called: Step(dt, 8, 3) then means 4 sub-steps, and the other way round.
     SolverKind solver = SolverKind::automatic;
