@@ -3,7 +3,8 @@
 # SPDX-License-Identifier: MIT
 #
 # Holds the pages of the project to their rules: every link leads somewhere, guides are short, every page is reached from
-# the front page, and every line of C++ stands in a program that is compiled. Arguments: the folder of the sources.
+# the front page, every line of C++ stands in a program that is compiled, and names of the engine exist in its public
+# headers. Arguments: the folder of the sources.
 
 import pathlib
 import re
@@ -62,6 +63,21 @@ def check_cpp(page, text):
                               f'{match[1] or "engine/docs/examples"}: {block[0]} …')
 
 
+# What `Type::Name` in code of a page may be: a type of the public headers with any name of theirs.
+headers = '\n'.join(path.read_text() for path in sorted((root / 'engine/include/scree').glob('*.h')))
+types = set(re.findall(r'\b(?:class|struct)\s+(?:SCREE_API\s+)?(\w+)|\benum class (\w+)', headers))
+types = {name for pair in types for name in pair if name}
+names = set(re.findall(r'\w+', headers))
+
+
+def check_names(page, text):
+    for match in re.finditer(r'`[^`\n]*`', re.sub(r'^```.*?^```', lambda m: '\n' * m.group().count('\n'), text, flags=re.S | re.M)):
+        for kind, name in re.findall(r'\b([A-Z]\w+)::(\w+)', match.group()):
+            if kind not in types or name not in names:
+                number = text[:match.start()].count('\n') + 1
+                errors.append(f'{page.relative_to(root)}:{number}: no public header has {kind}::{name}')
+
+
 reached = {root / 'README.md'}
 links = {}
 for page in pages():
@@ -73,6 +89,10 @@ for page in pages():
             errors.append(f'{name}: {lines} lines; a guide has at most {GUIDE_LINES}: move topics into docs/')
     if str(name) not in HEADERS_OF_USERS:
         check_cpp(page, text)
+    if page.is_relative_to(root / 'engine') and page.name != 'journal.md':
+        check_names(page, text)
+    if '```mermaid' in text:
+        errors.append(f'{name}: a diagram that no test draws: make it by tests/docs/diagrams.py')
     links[page] = set()
     for number, line in enumerate(without_code(text).split('\n'), 1):
         for target in re.findall(r'\]\(([^)\s]+)\)', line):

@@ -2,8 +2,9 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# Lists the sentences of Markdown pages that have more than 30 words; exit code 1 if there are any. Tables, code, headings
-# and generated pages do not count. Arguments: pages, or a folder whose pages are all looked at.
+# Lists the sentences of Markdown pages, and of comments in public headers, that have more than 30 words; exit code 1 if
+# there are any. Tables, code, headings and generated pages do not count. Arguments: files, or a folder whose pages and
+# public headers are all looked at.
 
 import pathlib
 import re
@@ -38,6 +39,20 @@ def paragraphs(text):
             lines.append(line[item.end():] if item else line.strip())
 
 
+def comments(text):
+    """(line number, text) of every comment; lines that follow each other are one."""
+    start, lines = 0, []
+    for number, line in enumerate(text.split('\n') + [''], 1):
+        comment = re.match(r'\s*///?<?\s?(.*)', line)
+        if comment and 'SPDX' not in line:
+            if not lines:
+                start = number
+            lines.append(comment[1])
+        elif lines:
+            yield start, ' '.join(lines)
+            lines = []
+
+
 def sentences(text):
     text = re.sub(r'`[^`]*`', 'Code', text)
     text = re.sub(r'\[([^\]]*)\]\([^)]*\)', r'\1', text)
@@ -46,7 +61,7 @@ def sentences(text):
 
 def check(path):
     found = []
-    for line, text in paragraphs(path.read_text()):
+    for line, text in (paragraphs if path.suffix == '.md' else comments)(path.read_text()):
         for sentence in sentences(text):
             count = len([word for word in sentence.split() if re.search(r'\w', word)])
             if count > MOST_WORDS:
@@ -57,14 +72,15 @@ def check(path):
 def main():
     found, pages = [], 0
     for argument in map(pathlib.Path, sys.argv[1:]):
-        for page in sorted(argument.rglob('*.md')) if argument.is_dir() else [argument]:
+        headers = argument.glob('engine/include/scree/*.h')
+        for page in sorted([*argument.rglob('*.md'), *headers]) if argument.is_dir() else [argument]:
             parts = page.relative_to(argument).parts if argument.is_dir() else ()
             if {'build', 'out', '.git', '.ci', 'results'} & set(parts[:-1]):
                 continue
             pages += 1
             found += check(page)
     print('\n'.join(found))
-    print(f'{len(found)} sentences of more than {MOST_WORDS} words on {pages} pages')
+    print(f'{len(found)} sentences of more than {MOST_WORDS} words on {pages} pages and headers')
     return 1 if found or not pages else 0
 
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// How accurate a step is to be: a mark on a dial, or the errors that a program accepts.
+// How accurate a step should be: a named accuracy, or the errors that a program accepts.
 
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace scree {
 
-/// What World::Step(timeStep, accuracy) does. Contacts are equally stiff at all marks; joints are rigid.
+/// What World::Step(timeStep, accuracy) does. Contacts of the soft step are equally stiff in all; joints are rigid.
 enum class Accuracy : uint8_t {
     draft,    ///< 4 velocity and 2 position iterations of sequential impulses
     game,     ///< soft step, 4 sub-steps
@@ -17,10 +17,10 @@ enum class Accuracy : uint8_t {
     precise,  ///< 16 sub-steps
 };
 
-/// Errors to stay below. Sub-steps are picked for each island (bodies that are connected by touching contacts and
-/// joints, static bodies not counted) from what the last such step found at its bodies alone, hence deterministically:
-/// a sudden load is met one step late. Islands share the numbers least, 1, 2, 3, 4, 6, 8, 12, …, most, rounded up, and
-/// after a blow their number falls by 1/32 a step. Bodies that nothing touches take the least.
+/// Errors to stay below. Each island (bodies that touching contacts and joints connect, without static bodies) has
+/// its own number of sub-steps. It follows from the errors of its bodies in the last such step. So it is
+/// deterministic, and reacts to a sudden load one step late. The numbers are 1, 2, 3, 4, 6, 8, 12, … within the limits
+/// below, rounded up. After a sudden load the number falls by 1/32 a step. Bodies that nothing touches take the least.
 struct Tolerance {
     /// Of the outlines of two shapes, m; more than linearSlop · WorldDef::lengthScale.
     float overlap = 0.01f;

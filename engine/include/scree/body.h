@@ -29,8 +29,8 @@ struct BodyUserData {
     uintptr_t pointer = 0;
 };
 
-/// Motions that a dynamic body does not make, whatever acts on it: along the world's x or y, or turning. Its velocity
-/// there is 0.
+/// Motions that are locked, whatever acts on a dynamic body: along the world's x or y, or rotation. The velocity of a
+/// locked motion is 0.
 struct MotionLocks {
     bool x = false, y = false, angle = false;
     friend bool operator==(const MotionLocks&, const MotionLocks&) = default;
@@ -40,7 +40,7 @@ struct MotionLocks {
 struct BodyDef {
     BodyType type = staticBody;
     Vec2 position{0.0f, 0.0f};        ///< of the body's origin, m
-    Vec2 positionRest{0.0f, 0.0f};    ///< what `position` lacks below its last digit, m: the origin is at the sum
+    Vec2 positionRest{0.0f, 0.0f};    ///< digits that do not fit into `position`, m: the origin is at the sum
     float angle = 0.0f;               ///< rad
     Vec2 linearVelocity{0.0f, 0.0f};  ///< of the origin, m/s
     float angularVelocity = 0.0f;     ///< rad/s
@@ -56,8 +56,8 @@ struct BodyDef {
     MotionLocks locks;  ///< `locks.angle` and `fixedRotation` are the same: either one locks the angle
 };
 
-/// A thin, stable handle on a body; made by World::CreateBody, dead after World::DestroyBody: then every call is an
-/// error (ErrorCode::foreignHandle) and gives 0, false or null.
+/// A handle of a body, created by World::CreateBody and valid until World::DestroyBody. Afterwards every call reports
+/// an error (ErrorCode::foreignHandle) and returns 0, false or null.
 class SCREE_API Body {
 public:
     /// Attaches a fixture and updates the mass if its density is not 0. Returns null (and changes nothing) for a null
@@ -72,18 +72,18 @@ public:
     /// Destroys all edges of the chain that `fixture` belongs to.
     ErrorCode DestroyChain(Fixture* fixture);
 
-    /// Moves the body at once, contacts follow in the next step. Its origin is put to position + positionRest, m.
+    /// Moves the body at once; its contacts follow in the next step. Its origin is then at position + positionRest, m.
     /// Refused while the world is locked.
     ErrorCode SetTransform(Vec2 position, float angle, Vec2 positionRest = {0.0f, 0.0f});
     /// Gives the body the velocity with which a step of `timeStep` > 0 s takes its origin to `position` and its angle
-    /// to `angle`: moves a kinematic body so that contacts feel it. Refused: a static body.
+    /// to `angle`. So a kinematic body carries or pushes what it touches. Refused: a static body.
     ErrorCode SetTargetTransform(Vec2 position, float angle, float timeStep);
     [[nodiscard]] Transform GetTransform() const;
     [[nodiscard]] Vec2 GetPosition() const;
     [[nodiscard]] float GetAngle() const;
     [[nodiscard]] Vec2 GetWorldCenter() const;
-    /// What GetPosition and GetWorldCenter lack below their last digit, m: far from the origin (WorldDef::farDistance)
-    /// the body is at the sum of both, which a program adds in double. 0 in worlds without far bodies.
+    /// Digits that do not fit into GetPosition and GetWorldCenter, m. Far from the origin (WorldDef::farDistance) the
+    /// body is at the sum of both; add them in double. 0 in worlds without far bodies.
     [[nodiscard]] Vec2 GetPositionRest() const;
     [[nodiscard]] Vec2 GetWorldCenterRest() const;
     [[nodiscard]] Vec2 GetLocalCenter() const;
@@ -105,12 +105,12 @@ public:
     /// Impulse in N·m·s.
     ErrorCode ApplyAngularImpulse(float impulse, bool wake);
 
-    /// kg. A dynamic body has none until it gets a fixture with density or SetMassData; without mass nothing moves it.
+    /// kg. A dynamic body has mass 0 until it gets a fixture with density or SetMassData; forces do not move it then.
     [[nodiscard]] float GetMass() const;
     /// About the body's origin, kg·m².
     [[nodiscard]] float GetInertia() const;
     void GetMassData(MassData* data) const;
-    /// Overrides what the fixtures give (until the next ResetMassData). Dynamic bodies only.
+    /// Replaces the mass data of the fixtures until the next ResetMassData. Dynamic bodies only.
     ErrorCode SetMassData(const MassData* data);
     /// Recomputes mass, centre and inertia from the fixtures.
     void ResetMassData();
@@ -130,15 +130,15 @@ public:
     ErrorCode SetGravityScale(float scale);
 
     [[nodiscard]] BodyType GetType() const;
-    /// Changes the type at once: mass anew, contacts gone until the next step, awake, forces cleared; a body made
-    /// static stops. Refused while the world is locked.
+    /// Changes the type at once: computes the mass, removes contacts until the next step, wakes the body and clears
+    /// its forces; a body that becomes static stops. Refused while the world is locked.
     ErrorCode SetType(BodyType type);
     ErrorCode SetBullet(bool flag);
     [[nodiscard]] bool IsBullet() const;
-    /// Forbidding sleep wakes the body.
+    /// If false, the body wakes and never falls asleep.
     ErrorCode SetSleepingAllowed(bool flag);
     [[nodiscard]] bool IsSleepingAllowed() const;
-    /// Putting to sleep clears velocity and forces.
+    /// False puts the body to sleep, which clears velocity and forces.
     ErrorCode SetAwake(bool flag);
     [[nodiscard]] bool IsAwake() const;
     /// A disabled body keeps its state but neither moves nor collides. Refused while the world is locked.
@@ -146,30 +146,30 @@ public:
     [[nodiscard]] bool IsEnabled() const;
     ErrorCode SetFixedRotation(bool flag);
     [[nodiscard]] bool IsFixedRotation() const;
-    /// Locks and frees motions, the angle as SetFixedRotation does. What is locked stops.
+    /// Locks and unlocks motions; the angle as SetFixedRotation does. A locked motion stops.
     ErrorCode SetMotionLocks(const MotionLocks& locks);
     [[nodiscard]] MotionLocks GetMotionLocks() const;
 
     /// Fixtures, newest first.
     [[nodiscard]] Fixture* GetFixtureList();
     [[nodiscard]] const Fixture* GetFixtureList() const;
-    /// Contacts of this body, touching or not. O(contacts of the body) while no contact is added; the first call after
-    /// a step that added some costs O(contacts of the world).
+    /// Number of contacts of this body, touching or not. O(contacts of the body); the first call after a step that
+    /// added contacts costs O(contacts of the world).
     [[nodiscard]] int GetContactCount() const;
     /// Calls visit(contact) for each of them, newest first, until it returns false.
     void VisitContacts(FunctionRef<bool(Contact*)> visit) const;
-    /// Joints of this body, newest first, until visit returns false.
+    /// Calls visit(joint) for each joint of this body, newest first, until it returns false.
     void VisitJoints(FunctionRef<bool(Joint*)> visit) const;
     [[nodiscard]] int GetJointCount() const;
-    /// The newest joint of this body, null without one; go on with Joint::GetNext(body).
+    /// The newest joint of this body, or null; Joint::GetNext(body) gives the next.
     [[nodiscard]] Joint* GetJointList() const;
-    /// The next body of the world: movers first, then static bodies, newest first in each group; null at the end.
+    /// The next body of the world: bodies that can move come first, then static ones, newest first; null at the end.
     [[nodiscard]] Body* GetNext();
     [[nodiscard]] const Body* GetNext() const;
     [[nodiscard]] BodyUserData GetUserData() const;
     ErrorCode SetUserData(const BodyUserData& data);
     [[nodiscard]] World* GetWorld();
-    /// Dense number of this body in its world; reused after destruction.
+    /// Number of this body in its world, from 0; used again after destruction.
     [[nodiscard]] int GetIndex() const { return static_cast<int>(m_index); }
 
     Body(WorldState* state, BodyIndex index) : m_state(state), m_index(index) {}

@@ -11,8 +11,8 @@
 
 namespace scree {
 
-/// One node of a tree. A production leaf may hold many boxes; for inspection it is continued with the same splits down
-/// to one box per leaf, so n proxies always make n − 1 internal nodes. Children come after their parent; the root is 0.
+/// One node of a tree. A leaf of the engine's tree may hold many boxes. For inspection it is split further, down to one
+/// box per leaf, so n proxies always make n − 1 internal nodes. Children come after their parent; the root is 0.
 struct BvhNode {
     AABB box;
     int32_t parent = -1;               ///< index of the parent, −1 for the root

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A chain of line segments, as a definition: Body::CreateFixture makes one one-sided edge fixture per segment, with the
-// neighbours' far vertices as ghosts, so that nothing catches at the seams (E. Catto, "Ghost Collisions", box2d.org,
-// June 2020; chains as plain edges: the dissertation, §7.1).
+// A chain of line segments, as a definition. Body::CreateFixture makes a one-sided edge fixture of each segment.
+// Its ghosts are the neighbours' far vertices, so nothing catches at the seams (E. Catto, "Ghost Collisions",
+// box2d.org, June 2020; chains as plain edges: the dissertation, §7.1).
 
 #pragma once
 
@@ -20,7 +20,7 @@ class SCREE_API ChainShape final : public Shape {
 public:
     ChainShape() : Shape(e_chain, polygonRadius) {}
 
-    /// Back to an empty chain.
+    /// Makes the chain empty.
     void Clear();
     /// A closed chain through `count` ≥ 3 vertices; the last joins the first. False, and the chain stays as it was, if
     /// the vertices are null, too few, not finite, or neighbours are closer than linearSlop.

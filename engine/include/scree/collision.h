@@ -25,8 +25,8 @@ union ContactID {
     uint32_t key;
 };
 
-/// A point of a manifold, in local coordinates so that it can be re-evaluated as the bodies move:
-/// e_circles: centre of circle B in B; e_faceA: clip point or circle centre in B; e_faceB: clip point in A.
+/// A point of a manifold, in local coordinates so that it can be re-evaluated as the bodies move. For e_circles it is
+/// the centre of circle B, in B; for e_faceA a clip point or circle centre, in B; for e_faceB a clip point, in A.
 struct ManifoldPoint {
     Vec2 localPoint;
     float normalImpulse;   ///< N·s, from the last solve; warm-starts the next
@@ -34,8 +34,8 @@ struct ManifoldPoint {
     ContactID id;
 };
 
-/// Up to two points sharing a normal. localNormal and localPoint: e_circles: unused and centre of A; e_faceA: normal
-/// and mid point of the face of A, in A; e_faceB: the same of B, in B.
+/// Up to two points sharing a normal. For e_faceA, localNormal and localPoint are normal and mid point of the face of
+/// A, in A. For e_faceB, they are those of B. For e_circles, localPoint is the centre of A.
 struct Manifold {
     enum Type : uint8_t { e_circles, e_faceA, e_faceB };
 

@@ -17,19 +17,19 @@ namespace scree {
 
 enum class ContactIndex : int;  // state/indices.h
 
-/// A thin handle on a contact, alive until the pair's boxes part (EndContact is the last call for a touching one): then
-/// every call is an error and gives 0, false or null, until the handle serves another contact. World::GetId tells two
-/// contacts with the same handle apart.
+/// A handle of a contact, valid while the bounding boxes of its fixtures overlap; of a touching one until EndContact.
+/// Afterwards every call reports an error and returns 0, false or null, until another contact gets the handle.
+/// World::GetId distinguishes contacts with the same handle.
 class SCREE_API Contact {
 public:
-    /// In local coordinates; pointCount 0 when not touching.
+    /// In local coordinates; pointCount is 0 if the fixtures do not touch.
     [[nodiscard]] Manifold GetManifold() const;
-    /// Replaces the manifold until the next step computes it anew: meant for
-    /// PreSolve. Refused: more than two points, or a number that is not finite.
+    /// Replaces the manifold until the next step computes it again; meant for
+    /// PreSolve. Refused: more than two points, NaN or infinity.
     ErrorCode SetManifold(const Manifold& manifold);
     void GetWorldManifold(WorldManifold* worldManifold) const;
     [[nodiscard]] bool IsTouching() const;
-    /// Disabling lasts for the current step only: meant for PreSolve.
+    /// Disables the contact for the current step only; meant for PreSolve.
     void SetEnabled(bool flag);
     [[nodiscard]] bool IsEnabled() const;
     /// The next contact of the world; null at the end.
@@ -39,8 +39,8 @@ public:
     [[nodiscard]] const Fixture* GetFixtureA() const;
     [[nodiscard]] Fixture* GetFixtureB();
     [[nodiscard]] const Fixture* GetFixtureB() const;
-    // What a contact is given itself stays until it is reset, whatever happens to the fixtures' materials.
-    /// Overrides the mixed friction until ResetFriction. Refused: negative or not finite.
+    // A value that is set for a contact stays until it is reset, even if the materials of the fixtures change.
+    /// Replaces the mixed friction until ResetFriction. Refused: negative, NaN or infinite.
     ErrorCode SetFriction(float friction);
     [[nodiscard]] float GetFriction() const;
     void ResetFriction();
@@ -50,10 +50,10 @@ public:
     ErrorCode SetRestitutionThreshold(float threshold);
     [[nodiscard]] float GetRestitutionThreshold() const;
     void ResetRestitutionThreshold();
-    /// Conveyor-belt speed along the tangent, m/s; at first the sum of the fixtures'.
+    /// Speed of a conveyor along the tangent, m/s; initially the sum of the fixtures' speeds.
     ErrorCode SetTangentSpeed(float speed);
     [[nodiscard]] float GetTangentSpeed() const;
-    /// Number of this contact in its world while it lives; reused.
+    /// Number of this contact in its world, from 0; used again after it ended.
     [[nodiscard]] int GetIndex() const;
 
     Contact(WorldState* state, ContactIndex row) : m_state(state), m_row(row) {}
@@ -68,8 +68,8 @@ private:
     ContactIndex m_row;
 };
 
-/// The standard rules of mixing two materials: geometric mean (finite, however large both are), the larger (0 if both
-/// are below: what hits does not sink in), the smaller.
+/// The standard rules of mixing two materials. Friction: the geometric mean, always finite. Restitution: the larger
+/// one, at least 0. Threshold: the smaller one.
 inline float MixFriction(float a, float b) { return Min(std::sqrt(a * b), std::numeric_limits<float>::max()); }
 inline float MixRestitution(float a, float b) { return Max(a > b ? a : b, 0.0f); }
 inline float MixRestitutionThreshold(float a, float b) { return a < b ? a : b; }

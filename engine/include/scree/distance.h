@@ -78,10 +78,10 @@ struct ShapeCastOutput {
     int iterations;  ///< rounds used
 };
 
-/// Moves B along translationB until it touches A. As in Box2D 2.4, every shape is at least polygonRadius thick here,
-/// and a touch is a distance of the cores of max(polygonRadius, sum of radii − polygonRadius), up to half of linearSlop
-/// more. Returns false when they never touch or overlap from the start (their cores cross, or the vertices that lead
-/// the motion are that near); shapes that merely start within touching distance hit at lambda 0.
+/// Moves B along translationB until it touches A. As in Box2D 2.4, every shape is at least polygonRadius thick. The
+/// cores touch at a distance of max(polygonRadius, sum of radii − polygonRadius), or up to half of linearSlop more.
+/// Returns false if they never touch, or overlap from the start: cores cross, or the vertices that lead the motion are
+/// that near. Shapes that only start within touching distance hit at lambda 0.
 SCREE_API bool ShapeCast(ShapeCastOutput* output, const ShapeCastInput* input);
 
 /// True if the shapes, radii included, overlap or touch (within 10 float epsilons, m). The indices name children as in

@@ -41,8 +41,8 @@ public:
     [[nodiscard]] Vec2 GetLocalAnchorA() const;
     [[nodiscard]] Vec2 GetLocalAnchorB() const;
     [[nodiscard]] float GetLength() const;
-    /// The lengths must be finite and ≥ 0; what is set is clamped as Box2D does: length to at least the least one,
-    /// minimum to the least one…maximum, maximum to at least the minimum. The getter tells what it became.
+    /// Lengths must be finite and ≥ 0. They are clamped as in Box2D. All are at least linearSlop · lengthScale; the
+    /// minimum is at most the maximum, the maximum at least the minimum. The getter returns the clamped value.
     ErrorCode SetLength(float length);
     [[nodiscard]] float GetMinLength() const;
     ErrorCode SetMinLength(float minLength);

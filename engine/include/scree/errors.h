@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What bad input gets. Every public entry point checks its arguments in every build; a refused call changes nothing,
-// tells the world's error handler what was wrong with which field, and returns a code (or a null handle).
+// What happens with bad input. Every public function checks its arguments in every build. A refused call changes
+// nothing, tells the world's error handler which argument was wrong and why, and returns a code or null.
 
 #pragma once
 
@@ -46,9 +46,9 @@ constexpr const char* GetName(ErrorCode code) {
 /// One refused call.
 struct Error {
     ErrorCode code;
-    const char* function;  ///< the entry point, e.g. "World::CreateBody"
+    const char* function;  ///< the function that refused, e.g. "World::CreateBody"
     const char* field;     ///< the argument or field, e.g. "BodyDef::position"
-    const char* cure;      ///< what to do
+    const char* cure;      ///< how to correct it
 };
 
 /// Receives every refused call. Must not call back into the world.

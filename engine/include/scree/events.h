@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What happened in a step, as arrays: a program that reads these needs no listener. Objects are named by ids, which
-// tell when one is gone (World::Find).
+// What happened in a step, as arrays: a program that reads these needs no listener. Events name objects by ids;
+// World::Find tells whether an object still exists.
 
 #pragma once
 
@@ -14,31 +14,31 @@
 
 namespace scree {
 
-/// What a fixture reports (FixtureDef::reports, Fixture::SetReports), as bits. A contact is reported if one of its two
-/// fixtures reports it. Who does not use this does not pay for it.
+/// What a fixture reports (FixtureDef::reports, Fixture::SetReports), as bits. A contact is reported if at least one of
+/// its two fixtures reports it. A world in which no fixture reports pays nothing.
 struct Report {
-    static constexpr uint8_t contacts = 1;  ///< contacts that begin and end; of sensors what enters and leaves
-    static constexpr uint8_t hits = 2;      ///< blows of at least World::GetHitSpeed
+    static constexpr uint8_t contacts = 1;  ///< contacts that begin and end; for sensors, overlaps that do
+    static constexpr uint8_t hits = 2;      ///< hits of at least World::GetHitSpeed
     static constexpr uint8_t all = contacts | hits;
 };
 
-/// Two fixtures began to touch, or ceased to.
+/// Two fixtures began or stopped touching.
 struct ContactEvent {
     FixtureId fixtureA, fixtureB;
 };
 
-/// A fixture began to overlap a sensor, or ceased to. Like contacts, overlaps with bodies that are asleep stay as they
-/// were. Of two sensors A is the sensor.
+/// A fixture began or stopped overlapping a sensor. Overlaps with sleeping bodies stay as they are, like contacts. If
+/// both fixtures are sensors, fixture A of the contact is `sensor`.
 struct SensorEvent {
     FixtureId sensor, visitor;
 };
 
-/// Two fixtures that touch came together fast. A contact may be hit more than once while it lasts.
+/// Two touching fixtures approached each other fast. This can happen more than once while a contact lasts.
 struct HitEvent {
     FixtureId fixtureA, fixtureB;
-    Vec2 point;   ///< where they did so fastest, m
-    Vec2 normal;  ///< from A to B
-    float speed;  ///< along the normal, before the blow was solved, m/s
+    Vec2 point;   ///< where the approach was fastest, m
+    Vec2 normal;  ///< unit, from A to B
+    float speed;  ///< of the approach along the normal, before it was solved, m/s
 };
 
 /// A body was simulated in the step.
@@ -52,17 +52,17 @@ struct JointEvent {
     JointId joint;
     float force;   ///< mean over the step, N
     float torque;  ///< N·m
-    bool broke;    ///< the joint is gone (JointDef::breaks)
+    bool broke;    ///< the joint was destroyed (JointDef::breaks)
 };
 
-/// Of the last step; in the order in which things happened, which is the same for any number of workers. Ends include
-/// those of objects destroyed between the step before and this one. Valid until the next step.
+/// Events of the last step, in the order in which they happened, which does not depend on the number of threads. Ends
+/// include those of objects that were destroyed between the previous step and this one. Valid until the next step.
 struct Events {
     std::span<const ContactEvent> contactsBegun, contactsEnded;
     std::span<const SensorEvent> sensorsEntered, sensorsLeft;
     std::span<const HitEvent> hits;
     std::span<const JointEvent> joints;
-    std::span<const MoveEvent> moved;  ///< only with World::SetReportMoves; those that fell asleep stand last
+    std::span<const MoveEvent> moved;  ///< only with World::SetReportMoves; those that fell asleep come last
 };
 
 }  // namespace scree

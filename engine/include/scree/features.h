@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a world models. Every feature has a neutral value (damping 0, gravity scale 1, no joint, …) at which leaving the
-// feature out changes no bit of any result, so a world leaves out what nobody in it uses (the dissertation of Tsamis,
-// 2020, §7.2, at run time); a fixed set also says so in advance, and a build can leave features out for good.
+// What a world can do. Every feature has a neutral value (damping 0, gravity scale 1, no joint, …), with which its code
+// changes no bit of any result. So a world skips the code of features that nothing in it uses (Tsamis, 2020, §7.2, at
+// run time). A fixed set says in advance which these are, and a build of the library can leave features out.
 
 #pragma once
 

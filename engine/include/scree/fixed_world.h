@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A world whose features are fixed when the program is compiled: calls that are of use to a feature outside the set do
-// not exist, so that using one is a compile error. Where only a value decides (a damping in a definition), the call is
+// A world whose features are fixed when the program is compiled. Calls that only serve other features do not exist, so
+// that using one is a compile error. If only the value of an argument needs another feature, such as a damping, it is
 // refused with ErrorCode::missingFeature. `scree requires SCENE --header FILE` writes the set of a scene.
 
 #pragma once

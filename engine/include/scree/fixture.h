@@ -23,16 +23,16 @@ struct FixtureUserData {
     uintptr_t pointer = 0;
 };
 
-/// Which fixtures collide: equal non-zero groups decide (positive always, negative never), else the masks.
+/// Which fixtures collide: with equal non-zero groups always (positive) or never (negative), else by the masks.
 struct Filter {
     uint64_t categoryBits = 0x0001;
     uint64_t maskBits = ~uint64_t{0};
     int32_t groupIndex = 0;
 };
 
-/// How two materials make one number of a contact. If both fixtures name a rule, the later one in this list counts.
+/// How the numbers of two fixtures are combined for a contact. If the rules differ, the later one in this list counts.
 enum class MixRule : uint8_t {
-    standard,  ///< of friction the geometric mean, of restitution the larger (MixFriction, MixRestitution)
+    standard,  ///< friction: geometric mean; restitution: the larger one (MixFriction, MixRestitution)
     average,
     minimum,
     multiply,
@@ -50,39 +50,39 @@ struct FixtureDef {
     float density = 0.0f;               ///< kg/m², ≥ 0
     bool isSensor = false;              ///< reports contacts but never pushes
     Filter filter;
-    uint8_t reports = 0;             ///< what World::GetEvents tells of it: bits of Report
-    float tangentSpeed = 0.0f;       ///< of a conveyor, m/s: by friction it carries what touches it clockwise around
-    float rollingResistance = 0.0f;  ///< what stops a rolling disk: torque over normal force and radius, ≥ 0
+    uint8_t reports = 0;             ///< what World::GetEvents reports of it: bits of Report
+    float tangentSpeed = 0.0f;       ///< of a conveyor, m/s: friction carries what touches it clockwise around
+    float rollingResistance = 0.0f;  ///< slows rolling: torque divided by normal force and radius, ≥ 0
     MixRule frictionRule = MixRule::standard;
     MixRule restitutionRule = MixRule::standard;
-    uint64_t materialId = 0;  ///< the program's, for its MaterialMixer and listeners
+    uint64_t materialId = 0;  ///< for the program's MaterialMixer and listeners
 };
 
-/// A thin, stable handle on a fixture; made by Body::CreateFixture, dead after DestroyFixture or DestroyBody: then
-/// every call is an error and gives 0, false or null.
+/// A handle of a fixture, created by Body::CreateFixture and valid until DestroyFixture or DestroyBody. Afterwards
+/// every call reports an error and returns 0, false or null.
 class SCREE_API Fixture {
 public:
     [[nodiscard]] Shape::Type GetType() const;
-    /// The fixture's own copy, which may be changed between steps; the new form counts from the next step on (call
-    /// Body::ResetMassData for the mass). Fixtures with equal shapes share one until this is called: to look only, take
-    /// the const form, which costs nothing.
+    /// The fixture's own copy of the shape, which may be changed between steps. Changes act from the next step on; call
+    /// Body::ResetMassData for the mass. Fixtures with equal shapes share one copy until this is called, so use the
+    /// const form to read.
     [[nodiscard]] Shape* GetShape();
-    /// Valid until the fixture is destroyed or the form above is first called on it.
+    /// Valid until the fixture is destroyed, or until the non-const form is called for the first time.
     [[nodiscard]] const Shape* GetShape() const;
-    /// Another form of the same type, as if it was written through GetShape; recordings hold this call and no such
-    /// writes. Refused: another type, a degenerate shape, inside callbacks.
+    /// Replaces the shape by another one of the same type. Recordings contain this call, but no changes by GetShape.
+    /// Refused: another type, a degenerate shape, inside callbacks.
     ErrorCode SetShape(const Shape& shape);
-    /// Sensors stop (or start) pushing at once; the body wakes up.
+    /// The fixture becomes a sensor, or a solid one again, at once. The body wakes up.
     ErrorCode SetSensor(bool sensor);
     [[nodiscard]] bool IsSensor() const;
-    /// New filter; contacts are re-examined in the next step.
+    /// Sets a new filter; contacts are filtered again in the next step.
     ErrorCode SetFilterData(const Filter& filter);
     [[nodiscard]] Filter GetFilterData() const;
-    /// What World::GetEvents tells of this fixture from now on: bits of Report. Refused: others, and in a world whose
-    /// features are fixed without `events`.
+    /// What World::GetEvents reports of this fixture from now on: bits of Report. Refused: other bits, and in a world
+    /// whose fixed features lack `events`.
     ErrorCode SetReports(uint8_t reports);
     [[nodiscard]] uint8_t GetReports() const;
-    /// Re-examines the filters of this fixture's contacts in the next step.
+    /// The contacts of this fixture are filtered again in the next step.
     void Refilter();
     [[nodiscard]] Body* GetBody();
     [[nodiscard]] const Body* GetBody() const;
@@ -98,38 +98,38 @@ public:
     [[nodiscard]] bool TestPoint(Vec2 p) const;
     bool RayCast(RayCastOutput* output, const RayCastInput& input) const;
     void GetMassData(MassData* massData) const;
-    /// Takes effect at the next Body::ResetMassData. Refused: negative or not finite.
+    /// kg/m²; takes effect at the next Body::ResetMassData. Refused: negative, NaN or infinite.
     ErrorCode SetDensity(float density);
     [[nodiscard]] float GetDensity() const;
-    // A change of the material acts on the contacts that the fixture has, too, and wakes the bodies that touch it
-    // there; a number that a contact was given itself stays. With `newContactsOnly` it acts as in Box2D 2.4.
-    /// Refused: negative or not finite. O(contacts of the body), as all of these.
+    // A change of the material also acts on existing contacts, and wakes the bodies that touch the fixture. A value
+    // that was set for a single contact stays. With `newContactsOnly` a change acts as in Box2D 2.4.
+    /// Refused: negative, NaN or infinite. O(contacts of the body), like the setters below.
     ErrorCode SetFriction(float friction, bool newContactsOnly = false);
     [[nodiscard]] float GetFriction() const;
-    /// Refused: not finite.
+    /// Refused: NaN or infinite.
     ErrorCode SetRestitution(float restitution, bool newContactsOnly = false);
     [[nodiscard]] float GetRestitution() const;
-    /// m/s. Refused: negative or not finite.
+    /// m/s. Refused: negative, NaN or infinite.
     ErrorCode SetRestitutionThreshold(float threshold, bool newContactsOnly = false);
     [[nodiscard]] float GetRestitutionThreshold() const;
-    /// Of a conveyor, m/s: what touches it is carried clockwise around its shape, seen on top to the right. Of two such
-    /// surfaces the speeds add up. Refused: not finite.
+    /// Of a conveyor, m/s. Friction carries what touches it clockwise around its shape, so on top to the right. For two
+    /// such surfaces the speeds add up. Refused: NaN or infinite.
     ErrorCode SetTangentSpeed(float speed);
     [[nodiscard]] float GetTangentSpeed() const;
-    /// The torque that slows the rolling of round shapes (disks, capsules, rounded polygons) is at most this times the
-    /// normal force times the radius; of two materials the larger number counts. Between flat sides it does nothing.
-    /// Refused: negative or not finite.
+    /// The torque that slows the rolling of round shapes (disks, capsules, rounded polygons) is at most this number
+    /// times normal force times radius. Of two fixtures the larger number counts. Between flat sides it does nothing.
+    /// Refused: negative, NaN or infinite.
     ErrorCode SetRollingResistance(float resistance);
     [[nodiscard]] float GetRollingResistance() const;
-    /// Refused: what is no MixRule.
+    /// Refused: a value that is not a MixRule.
     ErrorCode SetMixRules(MixRule friction, MixRule restitution);
     [[nodiscard]] MixRule GetFrictionRule() const;
     [[nodiscard]] MixRule GetRestitutionRule() const;
     ErrorCode SetMaterialId(uint64_t id);
     [[nodiscard]] uint64_t GetMaterialId() const;
-    /// The box kept by the broad phase: tight, except in `fat-tree`.
+    /// The bounding box in the broad phase: tight, except in `fat-tree`.
     [[nodiscard]] AABB GetAABB() const;
-    /// Dense number of this fixture in its world; reused after destruction.
+    /// Number of this fixture in its world, from 0; used again after destruction.
     [[nodiscard]] int GetIndex() const { return static_cast<int>(m_index); }
 
     Fixture(WorldState* state, FixtureIndex index) : m_state(state), m_index(index) {}

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Explosions and wind, as functions over queries and impulses: nothing of them is kept in the world. Call them outside
-// of Step and callbacks. Recordings hold the impulses and forces that they apply.
+// Explosions and wind, made of queries, impulses and forces. The world keeps nothing of them. Call them outside of Step
+// and of callbacks. Recordings contain the impulses and forces that they apply.
 
 #pragma once
 
@@ -27,22 +27,22 @@ struct ExplosionDef {
 };
 
 /// Pushes every dynamic body within reach away from the centre, fixture by fixture, at the point that is nearest to it,
-/// and wakes them. Walls do not shield. Bad numbers: an error, and nothing happens. O(fixtures within reach).
+/// and wakes it. Walls do not shield. Bad input gives an error and changes nothing. O(fixtures within reach).
 SCREE_API ErrorCode Explode(World& world, const ExplosionDef& def);
 
 /// Input of ApplyWind.
 struct WindDef {
     Vec2 velocity{0.0f, 0.0f};  ///< of the air, m/s
-    /// Pressure over density and the square of the speed at right angles to a side, kg/m² of the air times a factor of
-    /// the shape, ≥ 0. 1.2 is air on a flat plate of a depth of 1 m.
+    /// Pressure divided by the square of the speed at right angles to a side: kg/m² of the air times a factor of the
+    /// shape, ≥ 0. 1.2 is air on a flat plate with a depth of 1 m.
     float density = 1.2f;
-    bool wake = false;  ///< sleeping bodies are blown awake
+    bool wake = false;  ///< whether the wind wakes sleeping bodies
 };
 
-/// The force of wind on a fixture of a dynamic body in the next step: on each part of its outline that faces the wind
-/// (what is seen of it from the moving surface) a pressure against its normal of density · (speed along the normal)²
-/// (Newton's law of the sine square). Drag, lift and torque come of it. Static bodies, edges and chains: nothing
-/// happens. O(vertices).
+/// Applies the force of wind to a fixture of a dynamic body for the next step. Each part of its outline that faces the
+/// relative wind gets a pressure of density · (speed along the normal)², after Newton's sine-square law. Drag, lift and
+/// torque follow from that. Does nothing for static bodies, edges and chains.
+/// O(vertices).
 SCREE_API ErrorCode ApplyWind(Fixture* fixture, const WindDef& wind);
 
 }  // namespace scree

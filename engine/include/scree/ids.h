@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Names for objects that outlive them. A handle's slot is used again after its object is destroyed, so an old pointer
-// may silently mean a new object; an id carries the slot's generation and World::Find tells that its object is gone.
+// Ids of objects, which may outlive them. After an object is destroyed its handle is used again, so an old pointer may
+// mean a new object. An id contains a generation, by which World::Find tells that the object no longer exists.
 
 #pragma once
 

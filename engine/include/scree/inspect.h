@@ -31,16 +31,16 @@ SCREE_API const WorldDef& GetDefinition(const World& world);
 SCREE_API BroadPhaseKind GetBroadPhase(const World& world);
 /// Box–box comparisons of the last pair finding.
 SCREE_API uint64_t GetBoxTests(const World& world);
-/// Bodies and contacts that the next step looks at as things are now: those that are awake or were edited, those around
-/// them, and a few that have just fallen asleep.
+/// Bodies and contacts that the next step will look at: those that are awake or were changed, those around them, and a
+/// few that have just fallen asleep.
 SCREE_API int GetListedCount(const World& world);
 SCREE_API int GetActiveContactCount(const World& world);
 
 /// Distance and time-of-impact searches of the last step: sensors and continuous collision.
 SCREE_API const TOIStats& GetDistanceWork(const World& world);
-/// By Contact::GetIndex: the colour in which the vector kernels worked on a contact in the last step, or −1 for
-/// contacts that they did not see (not touching then, sensors, islands solved contact by contact). Contacts of one
-/// colour push no body twice. O(contacts).
+/// By Contact::GetIndex: the colour in which the vector kernels solved a contact in the last step. It is −1 for
+/// others: those that did not touch, sensors, and islands solved one by one. No two contacts of one colour act on the
+/// same dynamic body. O(contacts).
 SCREE_API void GetContactColours(const World& world, std::vector<int>& colours);
 
 /// Bytes that each table keeps, room for more rows included. Scratch of all stages is `solverScratch`.
@@ -50,12 +50,12 @@ struct MemoryUse {
 };
 SCREE_API MemoryUse GetMemoryUse(const World& world);
 
-/// Whether bodies without contacts and joints are integrated apart from the solver (the default), or go through it like
-/// all others, which takes longer and gives the same bits: what that path is worth. Where a body is stopped at a time
-/// of impact the two may differ.
+/// Whether bodies without contacts and joints are integrated apart from the solver (the default) or by it, to measure
+/// what that saves. Both give the same bits, except where continuous collision stops a body at a time of impact, where
+/// they may differ.
 SCREE_API void SetIsolatedPath(World& world, bool apart);
 
-/// A body as recorders want it: what its accessors say, read at once.
+/// The values of a body for recorders, read at once.
 struct BodyView {
     const Body* body;
     uint32_t generation;      ///< of its id

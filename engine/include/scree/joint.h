@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What is common to all joints: definition base, handle base, spring helpers.
+// What all joints have in common: the base of definitions and of handles, and helpers for springs.
 
 #pragma once
 
@@ -19,7 +19,7 @@ struct WorldState;
 enum class JointIndex : int;  // state/indices.h
 enum class JointRow : int;    // state/indices.h
 
-/// Box2D's numbers; e_ropeJoint is kept for them only (a distance joint with a maximum length is a rope).
+/// The numbers are Box2D's. No joint has the type e_ropeJoint: a distance joint with a maximum length is a rope.
 enum JointType : uint8_t {
     e_unknownJoint,
     e_revoluteJoint,
@@ -47,39 +47,39 @@ struct JointDef {
     Body* bodyA = nullptr;          ///< required (a gear takes its bodies from its joints)
     Body* bodyB = nullptr;          ///< required, not bodyA
     bool collideConnected = false;  ///< whether the two bodies may collide with each other
-    /// A reaction above one of these, in a step, is an event (Events::joints); N and N·m, ≥ 0.
+    /// If the reaction in a step exceeds one of these, that is an event (Events::joints); N and N·m, ≥ 0.
     float forceThreshold = std::numeric_limits<float>::infinity();
     float torqueThreshold = std::numeric_limits<float>::infinity();
-    bool breaks = false;  ///< such a reaction destroys the joint at the end of the step
+    bool breaks = false;  ///< the joint is then destroyed at the end of the step
 
 protected:
     explicit JointDef(JointType jointType) : type(jointType) {}
 };
 
 /// Stiffness (N/m) and damping (N·s/m) of a spring between two bodies that oscillates at `frequencyHertz` with
-/// `dampingRatio` (0 none, 1 critical). Null bodies, negative or non-finite numbers: an error, outputs unchanged.
+/// `dampingRatio` (0 none, 1 critical). Refused: null bodies, negative or non-finite numbers; outputs do not change.
 SCREE_API ErrorCode LinearStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio,
                                     const Body* bodyA, const Body* bodyB);
 /// The same for a rotational spring: N·m/rad and N·m·s/rad.
 SCREE_API ErrorCode AngularStiffness(float& stiffness, float& damping, float frequencyHertz, float dampingRatio,
                                      const Body* bodyA, const Body* bodyB);
 
-/// A thin, stable handle on a joint; made by World::CreateJoint. Setters return an error and change nothing for bad
-/// numbers. Destroying a joint destroys the gears that use it first. Every call on a dead one is an error and gives 0,
-/// false or null.
+/// A handle of a joint, created by World::CreateJoint. For a bad number, a setter returns an error and changes nothing.
+/// If a joint is destroyed, the gear joints that use it are destroyed first. Every call of a destroyed joint reports an
+/// error and returns 0, false or null.
 class SCREE_API Joint {
 public:
     virtual ~Joint() = default;
     [[nodiscard]] JointType GetType() const;
     [[nodiscard]] Body* GetBodyA() const;
     [[nodiscard]] Body* GetBodyB() const;
-    /// The other end, seen from one of the joint's bodies.
+    /// The other one of the joint's two bodies.
     [[nodiscard]] Body* GetOther(const Body* body) const;
     [[nodiscard]] bool GetCollideConnected() const;
     [[nodiscard]] JointUserData GetUserData() const;
     ErrorCode SetUserData(const JointUserData& data);
-    /// The reactions, N and N·m, ≥ 0, above which the joint is told of (Events::joints), and whether it breaks then.
-    /// Infinity: never. Refused: without Feature::events, in a world whose features are fixed.
+    /// Reactions, N and N·m, ≥ 0, above which the joint reports an event (Events::joints), and whether it then breaks.
+    /// Infinity: never. Refused in a world whose fixed features lack Feature::events.
     ErrorCode SetThresholds(float force, float torque, bool breaks);
     [[nodiscard]] float GetForceThreshold() const;
     [[nodiscard]] float GetTorqueThreshold() const;
@@ -90,7 +90,7 @@ public:
     [[nodiscard]] Joint* GetNext() const;
     /// The next joint of one of its bodies, newest first; null at the end. Start at Body::GetJointList.
     [[nodiscard]] Joint* GetNext(const Body* body) const;
-    /// Moves what the joint stores in world coordinates; World::ShiftOrigin does it for all.
+    /// Moves what the joint stores in world coordinates. World::ShiftOrigin does this for all joints.
     void ShiftOrigin(Vec2 newOrigin);
     /// Anchors in world coordinates.
     [[nodiscard]] virtual Vec2 GetAnchorA() const = 0;
@@ -99,7 +99,7 @@ public:
     [[nodiscard]] virtual Vec2 GetReactionForce(float inverseDt) const = 0;
     /// Torque on body B, N·m.
     [[nodiscard]] virtual float GetReactionTorque(float inverseDt) const = 0;
-    /// Dense number of this joint in its world; reused after destruction.
+    /// Number of this joint in its world, from 0; used again after destruction.
     [[nodiscard]] int GetIndex() const { return static_cast<int>(m_index); }
 
     Joint(const Joint&) = delete;
@@ -107,7 +107,7 @@ public:
 
 protected:
     friend struct JointTable;
-    /// Whether the joint is alive; if not, the error handler hears of the
+    /// Whether the joint exists; if not, the error handler gets the name of the
     /// accessor.
     [[nodiscard]] bool Lives(const char* accessor) const;
     Joint(WorldState* state, JointIndex index, JointRow row) : m_state(state), m_index(index), m_row(row) {}

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A character that is no body: a capsule that is cast through the world and slides along what it meets, goes up steps
-// and slopes, and rides on what moves. Free functions over queries, from the planes of what is near (collide), over the
-// way that keeps out of all of them (slide), to a whole move; a program may take any of them. The world is only read,
-// so several threads may move their characters at once, between steps.
+// A character that is not a body: a capsule that is cast through the world, slides along obstacles, goes up steps and
+// slopes, and rides on platforms. The functions use queries: CollideMover gives the surfaces nearby as planes,
+// SolvePlanes a translation that stays out of them, MoveMover a whole move. A program may use any of them. They only
+// read the world, so several threads may move their characters at once, between steps.
 
 #pragma once
 
@@ -19,64 +19,64 @@
 
 namespace scree {
 
-/// Two points grown by a radius > 0, m, about the mover's position. It does not turn.
+/// A segment with a radius > 0, m, relative to the mover's position. It does not turn.
 struct MoverCapsule {
     Vec2 point1{0.0f, -0.5f}, point2{0.0f, 0.5f};
     float radius = 0.3f;
 };
 
-/// The surface of a fixture near a mover, as a half plane that it is to stay out of.
+/// The surface of a fixture near a mover, as a half plane that the mover must stay out of.
 struct MoverPlane {
     Fixture* fixture;
     Vec2 normal;        ///< unit, towards the mover
     Vec2 point;         ///< on the fixture
     float separation;   ///< from the capsule to it, m; negative: they overlap
-    float push = 0.0f;  ///< by how much SolvePlanes has pushed along the normal, m
+    float push = 0.0f;  ///< distance that SolvePlanes has pushed along the normal, m
 };
 
-/// The planes of all fixtures that the filter sees within `margin` ≥ 0 m of the capsule at `position`, by fixture
-/// index. `planes` is overwritten. Bad input: an error and no planes.
+/// The planes of all fixtures that the filter accepts within `margin` ≥ 0 m of the capsule at `position`, in the order
+/// of fixture indices. `planes` is overwritten. Bad input gives an error and no planes.
 SCREE_API ErrorCode CollideMover(const World& world, const MoverCapsule& capsule, Vec2 position, float margin,
                                  const QueryFilter& filter, std::vector<MoverPlane>& planes);
 
-/// The translation nearest to `wish` that leaves every plane with a separation of at least 0. Where planes leave no
-/// room, it gives way to each of them in turn. Fills in the pushes: their sum leads from `wish` to the result.
+/// The translation closest to `wish` after which every plane has a separation of at least 0. If the planes leave no
+/// room, it gives way to each of them in turn. Sets `push` of each plane; their sum leads from `wish` to the result.
 SCREE_API Vec2 SolvePlanes(Vec2 wish, std::span<MoverPlane> planes);
 
-/// A velocity without what points into planes that have pushed.
+/// The velocity without its component into planes that have pushed.
 SCREE_API Vec2 ClipVelocity(Vec2 velocity, std::span<const MoverPlane> planes);
 
-/// How much of `translation` the capsule can go before it comes nearer than `margin` to something, 0…1. What it
-/// overlaps at the start does not stop it: that is for CollideMover.
+/// The fraction of `translation` that the capsule can move before it is closer than `margin` to a fixture, 0…1.
+/// Fixtures that it overlaps at the start do not stop it; see CollideMover.
 SCREE_API float CastMover(const World& world, const MoverCapsule& capsule, Vec2 position, Vec2 translation,
                           float margin, const QueryFilter& filter);
 
-/// What a mover is.
+/// The properties of a mover.
 struct MoverDef {
     MoverCapsule capsule;
     Vec2 up{0.0f, 1.0f};      ///< unit
-    float maxSlope = 0.8f;    ///< of ground that it can stand on, against the level, rad, 0…π/2
-    float stepHeight = 0.3f;  ///< what it goes up and down without leaving the ground, m, ≥ 0
-    float skin = 0.01f;       ///< distance that it keeps, m, > 0
+    float maxSlope = 0.8f;    ///< steepest ground on which it can stand, rad, 0…π/2
+    float stepHeight = 0.3f;  ///< highest step that it goes up or down without leaving the ground, m, ≥ 0
+    float skin = 0.01f;       ///< distance that it keeps from everything, m, > 0
     QueryFilter filter{.includeSensors = false};
 };
 
 /// Where a mover is, and on what.
 struct MoverState {
     Vec2 position{0.0f, 0.0f};
-    /// m/s; on ground relative to it, so that a mover rides on what moves. The program sets it before each move: what
-    /// the player wants, and gravity while it is in the air.
+    /// m/s; on the ground relative to it, so that a mover rides on platforms. The program sets it before each move to
+    /// what the player wants, and adds gravity while the mover is in the air.
     Vec2 velocity{0.0f, 0.0f};
     bool isGrounded = false;
     Vec2 groundNormal{0.0f, 0.0f};
-    FixtureId ground{};  ///< of no fixture in the air
+    FixtureId ground{};  ///< the default id while it is in the air
     Vec2 groundPoint{0.0f, 0.0f};
 };
 
-/// Moves by `timeStep` > 0 s: with the ground, then by its own velocity along what it meets, up a step if one is in the
-/// way, and down to the ground again if it stood on it and does not rise. Its velocity loses what pointed into
-/// obstacles; who leaves the ground takes its velocity along. Bad input: an error is told and the state is given back
-/// as it was.
+/// Moves for `timeStep` > 0 s: first with the ground, then by its own velocity along obstacles and up steps. If it
+/// stood on the ground and does not rise, it then goes down to it again. The velocity loses its component into
+/// obstacles. A mover that leaves the ground gets the ground's velocity added. Bad input is reported, and the state is
+/// returned unchanged.
 [[nodiscard]] SCREE_API MoverState MoveMover(World& world, const MoverDef& def, const MoverState& state,
                                              float timeStep);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a step did and how long its stages took. One word per stage, the same in files, reports and pictures.
+// What a step did and how long its stages took. The names of stages are the same in files, reports and pictures.
 
 #pragma once
 
@@ -12,7 +12,7 @@ namespace scree {
 /// Wall times of the last step, ms.
 struct Profile {
     float step = 0.0f;         ///< everything
-    float broadPhase = 0.0f;   ///< AABBs + build + detection + matching + contact creation and removal
+    float broadPhase = 0.0f;   ///< boxes, tree, pairs, and creating and removing contacts
     float narrowPhase = 0.0f;  ///< manifolds and begin/end events
     float islands = 0.0f;      ///< finding islands
     float solver = 0.0f;       ///< constraints, integration, sleeping
@@ -22,14 +22,14 @@ struct Profile {
 /// How far the state after a step is from an exact one (World::MeasureErrors).
 struct StepErrors {
     float overlap = 0.0f;   ///< deepest overlap of touching shapes, skins included, m; at rest about linearSlop
-    float jointGap = 0.0f;  ///< largest distance of points that a joint wants in one place, or error of a length, m
-    /// Largest violation of "push or gap, never both", m: |min(way pushed, gap)| over the points of contact, where the
-    /// way pushed is what the step's impulse moved the two bodies apart, and the gap is counted from linearSlop of
-    /// overlap. 0: every contact either carries its load exactly where it should, or is open and carries none.
+    float jointGap = 0.0f;  ///< largest distance of points that a joint holds together, or error of a length, m
+    /// Largest violation of "push or gap, never both", m: |min(way pushed, gap)| over the points of contact. The way
+    /// pushed is how far the step's impulse moved the two bodies apart; the gap is counted from linearSlop of overlap.
+    /// 0: every contact either carries its load exactly where it should, or is open and carries none.
     float residual = 0.0f;
 };
 
-/// Returned by every step. Counts are of the end of the step.
+/// Returned by every step. Counts are those at the end of the step.
 struct StepReport {
     Profile profile;
     int bodyCount = 0;
@@ -40,10 +40,10 @@ struct StepReport {
     int contactCount = 0;
     int touchingCount = 0;         ///< as found by this step's narrow phase
     int64_t pairCount = 0;         ///< pairs of awake bodies that the broad phase reported last
-    int cappedCount = 0;           ///< times a body was slowed by WorldDef::maxTranslation or maxRotation
-    int continuousEventCount = 0;  ///< times a body was stopped at an impact on its way
+    int cappedCount = 0;           ///< how often WorldDef::maxTranslation or maxRotation limited a motion
+    int continuousEventCount = 0;  ///< impacts that continuous collision found
     int abandonedCount = 0;        ///< bodies held at an impact because their pair had maxSubSteps events in the step
-    float lostTime = 0.0f;         ///< motion that those bodies lost, s, summed
+    float lostTime = 0.0f;         ///< simulated time that those bodies lost, s, summed
     int substeps = 0;              ///< of the soft step, in the island that took most; 0 with sequential impulses
     int64_t bodySubsteps = 0;      ///< the same summed over the awake bodies, each with those of its island
     /// Bodies that were put back to where they were, at rest, because their velocity or pose became NaN, infinite or

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A program's calls as a block of bytes, and their replay. A recording holds the world as it was at the start and every
-// call since then that changed it, with its arguments; behind each Step the hash of the state that it led to. Replayed,
-// the same calls must lead to the same hashes; the first that differs names the step where two builds, machines or
-// worker counts part.
+// A program's calls as a block of bytes, and their replay. A recording contains the world at the start and every call
+// since then that changed it, with its arguments, and after each Step the hash of the state. In a replay the same calls
+// must lead to the same hashes. The first hash that differs names the step in which two builds, machines or numbers of
+// threads differ.
 //
-// Recorded are the calls of GetRecordedCalls. Not recorded: listeners and filters and what they do inside a Step (give
-// the player's world the same ones), and writes through references and pointers (user data, a shape from GetShape, a
-// manifold).
+// GetRecordedCalls lists the calls that are recorded. Listeners and filters, and what they do inside a Step, are not:
+// give the player's world the same ones. Changes through references and pointers are not recorded either: user data, a
+// shape from GetShape, a manifold.
 
 #pragma once
 
@@ -28,7 +28,7 @@
 
 namespace scree {
 
-/// Where a recording goes. It must outlive the recording of its world.
+/// The memory of a recording. It must exist as long as its world is recorded.
 class SCREE_API Recorder {
 public:
     /// The recording so far; complete and replayable after every call.
@@ -42,29 +42,29 @@ private:
 
     std::vector<std::byte> m_bytes;
     int m_callCount = 0;
-    int m_depth = 0;  ///< calls that are running: those made by others are not recorded
+    int m_depth = 0;  ///< calls that are running; calls made by a recorded call are not recorded
 };
 
-/// Records every call from now on into `recorder` (cleared first), in place of a recorder before. Refused while the
-/// world is locked.
+/// Records every call from now on into `recorder`, which is cleared first and replaces an earlier one. Refused while
+/// the world is locked.
 SCREE_API ErrorCode StartRecording(World& world, Recorder& recorder);
-/// Ends the recording; nothing happens without one.
+/// Ends the recording; does nothing if there is none.
 SCREE_API void StopRecording(World& world);
 
 /// How a Step was called.
 struct RecordedStep {
     float timeStep = 0.0f;                               ///< s
-    int velocityIterations = 0, positionIterations = 0;  ///< of sequential impulses; 0, 0: another call
-    int substeps = 0;                                    ///< of the soft step; 0: another call
+    int velocityIterations = 0, positionIterations = 0;  ///< of sequential impulses; 0, 0 for another call
+    int substeps = 0;                                    ///< of the soft step; 0 for another call
 };
 
-/// What a replay came to.
+/// The result of a replay.
 struct ReplayReport {
-    bool valid = false;       ///< the bytes are a recording and every call in it could be made
-    int calls = 0;            ///< made
+    bool valid = false;       ///< the bytes are a recording, and all its calls could be made
+    int calls = 0;            ///< number of calls made
     int steps = 0;            ///< calls of Step among them
-    int firstDifference = 0;  ///< the step (the first is 1) after which the hash was another one; 0: none
-    size_t position = 0;      ///< the byte behind the last call made: where a recording that is not valid is damaged
+    int firstDifference = 0;  ///< the step, from 1, after which the hash differed; 0: none
+    size_t position = 0;      ///< the byte after the last call made, where an invalid recording is damaged
     SnapshotError image = SnapshotError::notASnapshot;  ///< ok: the world at the start could be read
     RecordedStep lastStep;                              ///< of the last Step made
     std::unique_ptr<World> world;                       ///< as it is after the last call made; null if there is none
@@ -73,16 +73,16 @@ struct ReplayReport {
 /// Makes the calls of a recording step by step on a world of its own.
 class SCREE_API Player {
 public:
-    /// The bytes must outlive the player. `prepare` (may be null) gets the world before the first call, to set
-    /// listeners.
+    /// The bytes must exist as long as the player. `prepare` (may be null) gets the world before the first call, to
+    /// set listeners.
     explicit Player(std::span<const std::byte> recording, const std::function<void(World&)>& prepare = nullptr);
 
-    /// Makes the calls up to the next Step and that one. False if there is none: the calls behind the last Step are
-    /// made then, or the report says why the replay has ended before: damaged bytes, or a state that differs.
+    /// Makes the calls up to and including the next Step. Returns false if there is none. Then the calls after the last
+    /// Step were made, or the replay ended before. The report gives the reason: damaged bytes, or a state that differs.
     bool Step();
-    /// What the replay came to so far; `valid` only once Step has returned false.
+    /// The result so far; `valid` is set only when Step has returned false.
     [[nodiscard]] const ReplayReport& GetReport() const { return m_report; }
-    /// Null if the bytes are no recording. A program may change it; later steps then differ.
+    /// Null if the bytes are not a recording. A program may change the world; later steps then differ.
     [[nodiscard]] World* GetWorld() { return m_report.world.get(); }
     [[nodiscard]] ReplayReport TakeReport() { return std::move(m_report); }
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A whole world as a block of bytes, and back. A restored world goes on bit for bit as the saved one would have:
-// bodies, fixtures with shapes, contacts with impulses, joints, lists, free slots, settings, pending edits and a
-// sub-stepped step that is not over yet are all in the image.
+// A whole world as a block of bytes, and back. A restored world continues bit for bit as the saved one would have. The
+// image contains bodies, fixtures with shapes, contacts with impulses, joints, lists, free slots, settings, pending
+// edits, and a sub-stepped step that is not over yet.
 
 #pragma once
 
@@ -18,19 +18,19 @@
 
 namespace scree {
 
-/// Grows with every change of the layout; LoadWorld reads its own version only.
+/// Increases with every change of the format; LoadWorld reads only its own version.
 inline constexpr uint32_t snapshotVersion = 10;
 
 /// Why an image was refused.
 enum class SnapshotError : uint8_t {
     ok,
-    notASnapshot,    ///< it does not begin like an image
-    wrongVersion,    ///< of another version of this library
-    wrongSize,       ///< cut off, or something was appended
+    notASnapshot,    ///< the bytes do not begin like an image
+    wrongVersion,    ///< the image is of another version of the format
+    wrongSize,       ///< the image was cut off, or something was appended
     wrongChecksum,   ///< bytes were changed
-    badContent,      ///< the bytes are whole but describe no possible world
-    refused,         ///< the world is locked or recorded, or may not use what the image uses
-    wrongByteOrder,  ///< written on a machine that keeps the bytes of a number in the other order
+    badContent,      ///< the bytes are complete, but describe no possible world
+    refused,         ///< the world is locked or recorded, or lacks features that the image needs
+    wrongByteOrder,  ///< the image was written on a machine with the other byte order
 };
 
 constexpr const char* GetName(SnapshotError error) {
@@ -55,21 +55,21 @@ constexpr const char* GetName(SnapshotError error) {
     return "unknown";
 }
 
-/// The image of a world. Equal worlds give equal bytes. Not in it: listeners, the filter, the error handler, the
-/// drawer, the last report. User data is saved as the number it holds. Refused (empty) while the world is locked.
-/// O(size of the world).
+/// Returns the image of a world. Equal worlds give equal bytes. An image does not contain listeners, the filter, the
+/// error handler, the debug draw or the last report. User data is saved as a number. While the world is locked the
+/// result is empty. O(size of the world).
 [[nodiscard]] SCREE_API std::vector<std::byte> SaveWorld(const World& world);
 
-/// A new world from an image; its objects have the indices and ids of the saved ones. Null for a bad image, and `error`
-/// (if given) says why: no image, however damaged, does more than that. O(size of the world).
+/// Creates a world from an image; its objects have the indices and ids of the saved ones. Returns null for a bad image,
+/// however damaged, and `error` (if given) gets the reason. O(size of the world).
 [[nodiscard]] SCREE_API std::unique_ptr<World> LoadWorld(std::span<const std::byte> image,
                                                          SnapshotError* error = nullptr);
 
-/// Puts a world back to the state of an image, which may be of this world or of any other. It keeps its listeners,
-/// filter, workers and features, and its handles: the body, fixture or joint with an index of the image has the handle
-/// that had this index before, so pointers to what is in the image are valid, also where it had been destroyed since.
-/// What is not in the image is dead. Not kept: ids of contacts, and pointers that GetShape gave. A bad image changes
-/// nothing. O(size of the world).
+/// Gives a world the state of an image, which may be of this world or of another. It keeps its listeners, filter,
+/// workers, features and handles. An object of the image gets the handle that had its index before. So pointers to
+/// objects of the image are valid, even if these were destroyed since, and all others are dead. Ids of contacts and
+/// pointers from GetShape become invalid. A bad image changes nothing.
+/// O(size of the world).
 SCREE_API SnapshotError RestoreWorld(World& world, std::span<const std::byte> image);
 
 }  // namespace scree

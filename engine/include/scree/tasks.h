@@ -7,18 +7,18 @@
 
 namespace scree {
 
-/// Most workers of a world, the thread that calls Step included.
+/// Largest number of threads of a world, including the one that calls Step.
 inline constexpr int maxWorkers = 64;
 
 /// One range [begin, end) of a loop.
 using TaskFunction = void (*)(void* context, int begin, int end, int worker);
 
-/// How a world hands work to a task system. Tasks of one loop are independent of each other and may run in any order,
-/// on any thread, even one after the other; they never wait for each other. Results do not depend on who runs them.
+/// How a world gives work to a task system. The tasks of a loop are independent of each other. They may run in any
+/// order, on any threads, also one after the other; they never wait for each other. Results do not depend on that.
 struct TaskCallbacks {
-    /// Runs task(taskContext) sometime before `finish` returns for the handle it gives back; null if it ran it at once.
+    /// Starts task(taskContext) and returns a handle for `finish`, or runs the task at once and returns null.
     void* (*enqueue)(void (*task)(void* taskContext), void* taskContext, void* userContext) = nullptr;
-    /// Waits for the task.
+    /// Waits until the task is done.
     void (*finish)(void* handle, void* userContext) = nullptr;
     void* context = nullptr;  ///< passed on as userContext
 };

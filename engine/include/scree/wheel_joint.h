@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A wheel on a suspension: body B turns freely and moves along an axis fixed in body A, held by a spring, with an
-// optional limit of the travel and a motor that turns it.
+// A wheel on a suspension: body B turns freely and moves along an axis fixed in body A, held by a spring. The travel
+// may have a limit, and a motor may turn the wheel.
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Classes to derive from to hear of contacts and of destruction. Callbacks come on the thread that calls Step, in a
-// deterministic order; creating and destroying objects inside them is refused (World::IsLocked).
+// Base classes for listeners of contacts and of destruction. Callbacks run on the thread that calls Step, in a
+// deterministic order. Creating and destroying objects inside them is refused (World::IsLocked).
 
 #pragma once
 
@@ -31,9 +31,9 @@ public:
     virtual bool ShouldCollide(Fixture* fixtureA, Fixture* fixtureB);
 };
 
-/// Mixes the materials of fixtures with MixRule::custom: when their contact begins and when one of the materials
-/// changes. It is asked inside of Step, must not change anything, and must give the same answers in a replay. What is
-/// no finite number, and friction below 0, is replaced by the standard rule's.
+/// Mixes the materials of fixtures with MixRule::custom, when their contact begins and when one of the materials
+/// changes. It is called inside Step, must not change anything, and must return the same in a replay. The standard rule
+/// replaces a result that is NaN or infinite, and friction below 0.
 class SCREE_API MaterialMixer {
 public:
     virtual ~MaterialMixer() = default;
@@ -41,8 +41,8 @@ public:
     virtual float MixRestitution(const Fixture* fixtureA, const Fixture* fixtureB);
 };
 
-/// Hears of objects that go because another is destroyed: the joints and fixtures of a body in World::DestroyBody. They
-/// are still alive in the call; creating and destroying are refused there.
+/// Is told of objects that are destroyed with another one, such as the joints and fixtures of a body. They still exist
+/// during the call, in which creating and destroying is refused.
 class SCREE_API DestructionListener {
 public:
     virtual ~DestructionListener() = default;
@@ -50,13 +50,13 @@ public:
     virtual void SayGoodbye(Fixture* fixture) = 0;
 };
 
-/// Hears of contacts.
+/// Is told of contacts.
 class SCREE_API ContactListener {
 public:
     virtual ~ContactListener() = default;
-    /// Two fixtures begin to touch (sensors too).
+    /// Two fixtures begin to touch; sensors, too.
     virtual void BeginContact(Contact*) {}
-    /// Two fixtures cease to touch; also outside of Step when something is destroyed.
+    /// Two fixtures stop touching; also outside of Step if something is destroyed.
     virtual void EndContact(Contact*) {}
     /// After the manifold is known and before it is solved; not for sensors.
     virtual void PreSolve(Contact*, const Manifold* /*oldManifold*/) {}
