@@ -65,16 +65,22 @@ struct Api {
             }
             return true;
         }
-        void WriteContacts(const World& world, const Places& places, detail::Bytes& bytes) {
-            scree::inspect::GetTouchingContacts(world, m_contacts);
+        typedef std::vector<scree::inspect::ContactView> Contacts;
+        static void ReadContacts(const World& world, Contacts& contacts) {
+            scree::inspect::GetTouchingContacts(world, contacts);
+        }
+        static void Pack(const Contacts& contacts, const Places& places, detail::Bytes& bytes) {
             detail::ContactBytes out(bytes);
-            for (const scree::inspect::ContactView& c : m_contacts) {
-                unsigned char* end = out.Begin(places.At(c.fixtureA), places.At(c.fixtureB), c.pointCount, c.isSensor,
-                                               c.points.normal.x, c.points.normal.y);
-                for (int i = 0; i < c.pointCount; ++i) {
-                    end = detail::PutFloat(detail::PutFloat(end, c.points.points[i].x), c.points.points[i].y);
-                    end = detail::PutFloat(end, c.points.separations[i]);
-                    end = detail::PutFloat(detail::PutFloat(end, c.normalImpulses[i]), c.tangentImpulses[i]);
+            for (const scree::inspect::ContactView& c : contacts) {
+                const scree::WorldManifold world = c.GetPoints();
+                const int count = c.manifold.pointCount;
+                unsigned char* end = out.Begin(places.At(c.fixtureA), places.At(c.fixtureB), count, c.isSensor,
+                                               world.normal.x, world.normal.y);
+                for (int i = 0; i < count; ++i) {
+                    const scree::ManifoldPoint& point = c.manifold.points[i];
+                    end = detail::PutFloat(detail::PutFloat(end, world.points[i].x), world.points[i].y);
+                    end = detail::PutFloat(end, world.separations[i]);
+                    end = detail::PutFloat(detail::PutFloat(end, point.normalImpulse), point.tangentImpulse);
                 }
                 out.End(end);
             }
@@ -82,7 +88,6 @@ struct Api {
 
     private:
         std::vector<scree::inspect::BodyView> m_bodies;
-        std::vector<scree::inspect::ContactView> m_contacts;
     };
 
     static const char* Writer() { return "scree_capture.h"; }

@@ -246,11 +246,19 @@ struct Api {
         }
     }
 
-    static std::pair<detail::Place, detail::Place> PlacesOf(Contact& contact, const Places& places) {
-        std::pair<detail::Place, detail::Place> pair(places.At(contact.GetFixtureA()),
-                                                     places.At(contact.GetFixtureB()));
-        pair.first.child = contact.GetChildIndexA();
-        pair.second.child = contact.GetChildIndexB();
+    struct ContactSides {
+        const Fixture *a, *b;
+        std::int32_t childA, childB;
+    };
+    static ContactSides SidesOf(Contact& contact) {
+        const ContactSides sides = {contact.GetFixtureA(), contact.GetFixtureB(), contact.GetChildIndexA(),
+                                    contact.GetChildIndexB()};
+        return sides;
+    }
+    static std::pair<detail::Place, detail::Place> PlacesOf(const ContactSides& sides, const Places& places) {
+        std::pair<detail::Place, detail::Place> pair(places.At(sides.a), places.At(sides.b));
+        pair.first.child = sides.childA;
+        pair.second.child = sides.childB;
         return pair;
     }
     static const Manifold& ManifoldOf(const Contact& contact) { return *contact.GetManifold(); }

@@ -541,8 +541,12 @@ struct Api {
         }
     }
 
-    static std::pair<detail::Place, detail::Place> PlacesOf(Contact& contact, const Places& places) {
-        return std::make_pair(places.at(contact.GetFixtureA()), places.at(contact.GetFixtureB()));
+    typedef std::pair<const Fixture*, const Fixture*> ContactSides;
+    static ContactSides SidesOf(const Contact& contact) {
+        return ContactSides(contact.GetFixtureA(), contact.GetFixtureB());
+    }
+    static std::pair<detail::Place, detail::Place> PlacesOf(const ContactSides& sides, const Places& places) {
+        return std::make_pair(places.at(sides.first), places.at(sides.second));
     }
     static const Manifold& ManifoldOf(const Contact& contact) { return contact.GetManifold(); }
 

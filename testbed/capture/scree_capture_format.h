@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The track format as its writers need it: bytes, CBOR (RFC 8949) and JSON text, the packed states of bodies,
-// checksums, and a file that another thread writes. C++11, the standard library alone; SCREE_CAPTURE_ZLIB, if defined,
-// deflates blocks with zlib, SCREE_CAPTURE_NO_THREAD writes them in Step.
+// checksums, and the file. C++11, the standard library alone; SCREE_CAPTURE_ZLIB, if defined, deflates blocks with
+// zlib, SCREE_CAPTURE_NO_THREAD packs and writes them in Step.
 //
 // A track is `trackMagic`, then records: length and CRC-32 of the payload (32 bits each, little-endian), and the
 // payload, one CBOR map with one key. All maps, arrays and strings have their length in front; keys are text.
@@ -51,15 +51,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <deque>
 #include <string>
 #include <utility>
 #include <vector>
-#ifndef SCREE_CAPTURE_NO_THREAD
-#include <condition_variable>
-#include <mutex>
-#include <thread>
-#endif
 #ifdef SCREE_CAPTURE_ZLIB
 #include <zlib.h>
 #endif
@@ -189,6 +183,7 @@ public:
         m_bytes.insert(m_bytes.end(), item.begin(), item.end());
     }
     Bytes& GetBytes() { return m_bytes; }
+    const Bytes& GetBytes() const { return m_bytes; }
     void Patch(std::size_t at, std::uint32_t value) {
         for (std::size_t i = 0; i < 4; ++i) m_bytes[at + i] = static_cast<unsigned char>(value >> (24 - 8 * i));
     }
@@ -408,150 +403,74 @@ inline unsigned char* PackState(unsigned char* out, std::int64_t number, std::in
     return out;
 }
 
-/// A payload with its length and checksum, deflated where zlib is at hand.
-inline Bytes FrameOf(const Bytes& payload, bool mayDeflate) {
-    const Bytes* body = &payload;
-#ifdef SCREE_CAPTURE_ZLIB
-    CborWriter deflated;
-    if (mayDeflate) {
-        uLongf size = compressBound(static_cast<uLong>(payload.size()));
-        Bytes packed(size);
-        if (compress2(packed.data(), &size, payload.data(), static_cast<uLong>(payload.size()), 1) == Z_OK) {
-            packed.resize(size);
-            deflated.BeginMap();
-            deflated.Key("deflated");
-            deflated.BeginArray();
-            deflated.Value(static_cast<std::int64_t>(payload.size()));
-            const std::size_t begin = deflated.BeginBytes();
-            deflated.GetBytes().insert(deflated.GetBytes().end(), packed.begin(), packed.end());
-            deflated.EndBytes(begin);
-            deflated.EndArray();
-            deflated.EndMap();
-            if (deflated.GetBytes().size() < payload.size()) body = &deflated.GetBytes();
-        }
-    }
-#else
-    (void)mayDeflate;
-#endif
-    Bytes frame;
-    frame.reserve(body->size() + 8);
-    PutLittle32(frame, static_cast<std::uint32_t>(body->size()));
-    PutLittle32(frame, Crc32::Of(body->data(), body->size()));
-    frame.insert(frame.end(), body->begin(), body->end());
-    return frame;
-}
-
-/// A file to which payloads are appended by another thread. `Push` never waits: it refuses what finds no room.
+/// A track that payloads are appended to.
 class Output {
 public:
-    Output(const std::string& path, std::size_t memory) : m_memory(memory) {
+    explicit Output(const std::string& path) {
         m_file = std::fopen(path.c_str(), "wb");
         if (m_file == nullptr) {
             m_error = path + ": cannot be written";
             return;
         }
         Write(trackMagic, sizeof trackMagic);
-#ifndef SCREE_CAPTURE_NO_THREAD
-        m_thread = std::thread([this] { Run(); });
-#endif
     }
     ~Output() {
-#ifndef SCREE_CAPTURE_NO_THREAD
-        if (m_thread.joinable()) {
-            {
-                std::lock_guard<std::mutex> lock(m_mutex);
-                m_isEnding = true;
-            }
-            m_changed.notify_all();
-            m_thread.join();
-        }
-#endif
         if (m_file != nullptr) std::fclose(m_file);
     }
     Output(const Output&) = delete;
     Output& operator=(const Output&) = delete;
 
-#ifdef SCREE_CAPTURE_NO_THREAD
-    bool HasRoom() const { return m_error.empty(); }
-    void Push(Bytes payload, bool mayDeflate) {
-        Append(payload, mayDeflate);
-        m_spare.swap(payload);
-    }
-    Bytes TakeSpare() { return std::move(m_spare); }
-    void Flush() {}
-    std::string GetError() const { return m_error; }
-#else
-    bool HasRoom() const {
-        std::lock_guard<std::mutex> lock(m_mutex);
-        return m_error.empty() && m_waiting < m_memory;
-    }
-    void Push(Bytes payload, bool mayDeflate) {
-        {
-            std::lock_guard<std::mutex> lock(m_mutex);
-            if (m_file == nullptr) return;
-            m_waiting += payload.size();
-            m_queue.emplace_back(std::move(payload), mayDeflate);
+    /// A payload with its length and checksum, deflated where zlib is at hand.
+    void Append(const Bytes& payload, bool mayDeflate) {
+#ifdef SCREE_CAPTURE_ZLIB
+        CborWriter deflated;
+        if (mayDeflate && Deflate(payload, deflated)) {
+            AppendAsIs(deflated.GetBytes());
+            return;
         }
-        m_changed.notify_all();
-    }
-    /// A payload that was written, for its memory: pages that a system hands out anew take longer than their content.
-    Bytes TakeSpare() {
-        std::lock_guard<std::mutex> lock(m_mutex);
-        return std::move(m_spare);
-    }
-    /// Returns once all is in the file.
-    void Flush() {
-        std::unique_lock<std::mutex> lock(m_mutex);
-        m_changed.wait(lock, [this] { return m_waiting == 0; });
-    }
-    std::string GetError() const {
-        std::lock_guard<std::mutex> lock(m_mutex);
-        return m_error;
-    }
+#else
+        (void)mayDeflate;
 #endif
+        AppendAsIs(payload);
+    }
+    const std::string& GetError() const { return m_error; }
 
 private:
-    void Write(const unsigned char* data, std::size_t size) {
-        if (std::fwrite(data, 1, size, m_file) != size || std::fflush(m_file) != 0) Fail();
+#ifdef SCREE_CAPTURE_ZLIB
+    /// False if it gains nothing.
+    static bool Deflate(const Bytes& payload, CborWriter& deflated) {
+        uLongf size = compressBound(static_cast<uLong>(payload.size()));
+        Bytes packed(size);
+        if (compress2(packed.data(), &size, payload.data(), static_cast<uLong>(payload.size()), 1) != Z_OK)
+            return false;
+        packed.resize(size);
+        deflated.BeginMap();
+        deflated.Key("deflated");
+        deflated.BeginArray();
+        deflated.Value(static_cast<std::int64_t>(payload.size()));
+        const std::size_t begin = deflated.BeginBytes();
+        deflated.GetBytes().insert(deflated.GetBytes().end(), packed.begin(), packed.end());
+        deflated.EndBytes(begin);
+        deflated.EndArray();
+        deflated.EndMap();
+        return deflated.GetBytes().size() < payload.size();
     }
-    void Append(const Bytes& payload, bool mayDeflate) {
-        if (m_file == nullptr) return;
-        const Bytes frame = FrameOf(payload, mayDeflate);
-        Write(frame.data(), frame.size());
-    }
-#ifdef SCREE_CAPTURE_NO_THREAD
-    void Fail() { m_error = "the track cannot be written to its end: is the disk full?"; }
-#else
-    void Fail() {
-        std::lock_guard<std::mutex> lock(m_mutex);
-        m_error = "the track cannot be written to its end: is the disk full?";
-    }
-    void Run() {
-        std::unique_lock<std::mutex> lock(m_mutex);
-        for (;;) {
-            m_changed.wait(lock, [this] { return m_isEnding || !m_queue.empty(); });
-            if (m_queue.empty()) return;
-            std::pair<Bytes, bool> next = std::move(m_queue.front());
-            m_queue.pop_front();
-            lock.unlock();
-            Append(next.first, next.second);
-            lock.lock();
-            m_waiting -= next.first.size();
-            if (m_spare.capacity() < next.first.capacity()) m_spare.swap(next.first);
-            m_changed.notify_all();
-        }
-    }
-    std::thread m_thread;
-    mutable std::mutex m_mutex;
-    std::condition_variable m_changed;
-    std::deque<std::pair<Bytes, bool> > m_queue;
-    std::size_t m_waiting = 0;
-    bool m_isEnding = false;
 #endif
+    void AppendAsIs(const Bytes& payload) {
+        Bytes head;
+        PutLittle32(head, static_cast<std::uint32_t>(payload.size()));
+        PutLittle32(head, Crc32::Of(payload.data(), payload.size()));
+        Write(head.data(), head.size());
+        Write(payload.data(), payload.size());
+        if (m_error.empty() && std::fflush(m_file) != 0) Fail();
+    }
+    void Write(const unsigned char* data, std::size_t size) {
+        if (m_error.empty() && std::fwrite(data, 1, size, m_file) != size) Fail();
+    }
+    void Fail() { m_error = "the track cannot be written to its end: is the disk full?"; }
+
     std::FILE* m_file = nullptr;
-    std::size_t m_memory;
     std::string m_error;
-    Bytes m_spare;
 };
 
 }  // namespace detail

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // The recorder: world in, track out, one record a step. BasicTrack is used by the name Track of an engine's header.
-// Blocks of steps begin with every body's state after `keyInterval` steps at the latest; only whole blocks are written.
+// Step reads the world; scree_capture_pack.h has what becomes of it.
 
 #pragma once
 
-#include <cfenv>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -16,136 +15,17 @@
 #include <vector>
 
 #include "scree_capture_format.h"
+#include "scree_capture_pack.h"
 #include "scree_capture_scene.h"
 
 namespace scree_capture {
 namespace detail {
 
-/// Steps from one complete state to the next: what a reader has to decode to get at any step.
-static const int keyInterval = 120;
-/// Bytes after which a block is written.
-static const std::size_t blockBytes = 256u << 10;
-
-/// An item of a list of an event, with the number that it is about.
-struct Item {
-    std::int64_t number;
-    Bytes bytes;
-};
-
-/// What happened to objects besides moving.
-struct Events {
-    std::vector<Item> created, joints;
-    std::vector<std::int64_t> destroyed, destroyedJoints;
-    std::vector<Item> names;
-
-    bool IsEmpty() const {
-        return created.empty() && joints.empty() && destroyed.empty() && destroyedJoints.empty() && names.empty();
-    }
-    /// Adds what came later. Objects that came and went leave no trace, so that memory stays within what lives.
-    void Add(Events&& later) {
-        Append(created, later.created);
-        Append(joints, later.joints);
-        Append(names, later.names);
-        Remove(created, destroyed, later.destroyed);
-        Remove(joints, destroyedJoints, later.destroyedJoints);
-    }
-
-    void Write(CborWriter& out) const {
-        WriteItems(out, "created", created);
-        WriteNumbers(out, "destroyed", destroyed);
-        WriteItems(out, "joints", joints);
-        WriteNumbers(out, "destroyedJoints", destroyedJoints);
-        WriteItems(out, "names", names);
-    }
-
-private:
-    static void Append(std::vector<Item>& items, std::vector<Item>& later) {
-        for (std::size_t i = 0; i < later.size(); ++i) items.push_back(std::move(later[i]));
-    }
-    static void Remove(std::vector<Item>& made, std::vector<std::int64_t>& gone,
-                       const std::vector<std::int64_t>& later) {
-        for (std::size_t i = 0; i < later.size(); ++i) {
-            bool wasMade = false;
-            for (std::size_t k = 0; k < made.size() && !wasMade; ++k) {
-                if (made[k].number != later[i]) continue;
-                made.erase(made.begin() + static_cast<std::ptrdiff_t>(k));
-                wasMade = true;
-            }
-            if (!wasMade) gone.push_back(later[i]);
-        }
-    }
-    static void WriteItems(CborWriter& out, const char* key, const std::vector<Item>& items) {
-        if (items.empty()) return;
-        out.Key(key);
-        out.BeginArray();
-        for (std::size_t i = 0; i < items.size(); ++i) out.Raw(items[i].bytes);
-        out.EndArray();
-    }
-    static void WriteNumbers(CborWriter& out, const char* key, const std::vector<std::int64_t>& numbers) {
-        if (numbers.empty()) return;
-        out.Key(key);
-        out.BeginArray();
-        for (std::size_t i = 0; i < numbers.size(); ++i) out.Value(numbers[i]);
-        out.EndArray();
-    }
-};
-
-/// A payload of steps and what they changed besides poses.
-struct Block {
-    Bytes payload;
-    Events events;
-    double seconds = 0.0;
-    bool beginsWithKey = false;
-};
-
-/// Where a fixture stands in a track.
-struct Place {
-    std::int64_t body;
-    std::int64_t fixture, child;
-};
-
-/// A body that is recorded, as it was in the last step.
+/// A body that is recorded.
 template <typename Body>
 struct BodySlot {
     Body* body;
     std::uint64_t quick, identity;  ///< change when another body or other fixtures stand at the address
-    std::int64_t number;
-    State last, created;
-};
-
-/// The most bytes that a place, and a contact, take.
-static const std::size_t mostPlaceBytes = 30, mostContactBytes = 2 * mostPlaceBytes + 9 + 2 * 20;
-
-inline unsigned char* PutPlace(unsigned char* out, const Place& place) {
-    out = PutVarint(out, static_cast<std::uint64_t>(place.body));
-    out = PutVarint(out, static_cast<std::uint64_t>(place.fixture));
-    return PutVarint(out, static_cast<std::uint64_t>(place.child));
-}
-inline void PutPlace(Bytes& bytes, const Place& place) {
-    unsigned char text[mostPlaceBytes];
-    bytes.insert(bytes.end(), text, PutPlace(text, place));
-}
-
-/// The end of bytes that grow by whole contacts: a vector is slow byte by byte.
-class ContactBytes {
-public:
-    explicit ContactBytes(Bytes& bytes) : m_bytes(bytes), m_used(bytes.size()) {}
-    ~ContactBytes() { m_bytes.resize(m_used); }
-    ContactBytes(const ContactBytes&) = delete;
-    ContactBytes& operator=(const ContactBytes&) = delete;
-
-    /// A contact with `count` points; of each the caller then writes x, y, separation and both impulses.
-    unsigned char* Begin(const Place& a, const Place& b, int count, bool isSensor, float normalX, float normalY) {
-        if (m_bytes.size() - m_used < mostContactBytes) m_bytes.resize(m_used + 64 * mostContactBytes);
-        unsigned char* out = PutPlace(PutPlace(m_bytes.data() + m_used, a), b);
-        *out++ = static_cast<unsigned char>(count + (isSensor ? 4 : 0));
-        return PutFloat(PutFloat(out, normalX), normalY);
-    }
-    void End(const unsigned char* end) { m_used = static_cast<std::size_t>(end - m_bytes.data()); }
-
-private:
-    Bytes& m_bytes;
-    std::size_t m_used;
 };
 
 /// Reads a world by its lists and accessors.
@@ -164,33 +44,55 @@ public:
         }
         return k == slots.size();
     }
-    /// Appends the touching contacts.
-    void WriteContacts(typename Api::World& world, const typename Api::Places& places, Bytes& bytes) {
-        ContactBytes out(bytes);
+
+    /// A touching contact: its sides, the normal, and of each point x, y, separation and both impulses.
+    struct ContactRecord {
+        typename Api::ContactSides sides;
+        int count;
+        bool isSensor;
+        float values[12];
+    };
+    typedef std::vector<ContactRecord> Contacts;
+
+    void ReadContacts(typename Api::World& world, Contacts& contacts) {
+        contacts.clear();
         for (typename Api::Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
-            if (c->IsTouching()) WriteContact(*c, places, out);
+            if (!c->IsTouching()) continue;
+            contacts.resize(contacts.size() + 1);
+            Read(*c, contacts.back());
+        }
+    }
+    static void Pack(const Contacts& contacts, const typename Api::Places& places, Bytes& bytes) {
+        ContactBytes out(bytes);
+        for (std::size_t k = 0; k < contacts.size(); ++k) {
+            const ContactRecord& c = contacts[k];
+            const std::pair<Place, Place> pair = Api::PlacesOf(c.sides, places);
+            unsigned char* end = out.Begin(pair.first, pair.second, c.count, c.isSensor, c.values[0], c.values[1]);
+            for (int i = 2; i < 2 + 5 * c.count; ++i) end = PutFloat(end, c.values[i]);
+            out.End(end);
         }
     }
 
 private:
-    static void WriteContact(typename Api::Contact& contact, const typename Api::Places& places, ContactBytes& out) {
-        const std::pair<Place, Place> sides = Api::PlacesOf(contact, places);
+    static void Read(typename Api::Contact& contact, ContactRecord& record) {
         const typename Api::Manifold& manifold = Api::ManifoldOf(contact);
-        const bool isSensor = contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
-        const int count = manifold.pointCount;
+        record.sides = Api::SidesOf(contact);
+        record.isSensor = contact.GetFixtureA()->IsSensor() || contact.GetFixtureB()->IsSensor();
+        record.count = manifold.pointCount;
+        record.values[0] = record.values[1] = 0.0f;
+        if (record.count == 0) return;
         typename Api::WorldManifold points;
-        if (count > 0) {
-            contact.GetWorldManifold(&points);
-        } else {
-            points.normal.Set(0.0f, 0.0f);
+        contact.GetWorldManifold(&points);
+        record.values[0] = points.normal.x;
+        record.values[1] = points.normal.y;
+        for (int i = 0; i < record.count; ++i) {
+            float* to = record.values + 2 + 5 * i;
+            to[0] = points.points[i].x;
+            to[1] = points.points[i].y;
+            to[2] = points.separations[i];
+            to[3] = manifold.points[i].normalImpulse;
+            to[4] = manifold.points[i].tangentImpulse;
         }
-        unsigned char* end = out.Begin(sides.first, sides.second, count, isSensor, points.normal.x, points.normal.y);
-        for (int i = 0; i < count; ++i) {
-            end = PutFloat(PutFloat(end, points.points[i].x), points.points[i].y);
-            end = PutFloat(end, points.separations[i]);
-            end = PutFloat(PutFloat(end, manifold.points[i].normalImpulse), manifold.points[i].tangentImpulse);
-        }
-        out.End(end);
     }
 };
 
@@ -203,7 +105,7 @@ public:
 
     /// Records a world from its present state on. The world must outlive the track, or Close be called first.
     BasicTrack(World& world, const std::string& path, const Options& options = Options())
-        : m_world(world), m_path(path), m_options(options) {
+        : m_world(world), m_path(path), m_options(options), m_ring(options) {
         WriteHeader();
     }
     ~BasicTrack() { Close(); }
@@ -215,15 +117,22 @@ public:
         if (m_isClosed) return;
         Begin(dt);
         ++m_step;
+        if (IsRing()) {
+            if (!m_record) m_record.reset(new StepRecord<Api>());
+        } else {
+            OpenFile();
+            if (!m_record) m_record = m_file->TakeSpare();
+        }
         Gather();
-        const bool mustKey = m_stepsSinceKey >= keyInterval || m_needsKey;
-        if (mustKey && m_blockSteps > 0) EndBlock();
-        if (m_blockSteps == 0 && !HasRoom()) {
+        if (!IsRing() && !m_file->HasRoom()) {
             SkipStep();
             return;
         }
-        WriteStep(dt, mustKey);
-        if (m_out.GetBytes().size() >= blockBytes) EndBlock();
+        m_record->isKey = m_stepsSinceKey >= keyInterval || m_needsKey;
+        ReadStep(dt);
+        m_stepsSinceKey = m_record->isKey ? 1 : m_stepsSinceKey + 1;
+        m_needsKey = false;
+        IsRing() ? Keep() : Push();
     }
 
     /// What people call a body, in reports and inspectors.
@@ -238,12 +147,11 @@ public:
     /// Writes what a flight recorder keeps, replacing what it wrote before; false if the file cannot be written.
     bool Save() { return Save(m_path); }
     bool Save(const std::string& path) {
-        if (m_blockSteps > 0) EndBlock();
-        Output file(path, static_cast<std::size_t>(-1));
-        file.Push(m_header, false);
-        PushEvents(file, m_gone);
-        for (std::size_t i = 0; i < m_kept.size(); ++i) file.Push(m_kept[i].payload, true);
-        file.Flush();
+        EndKept();
+        Output file(path);
+        file.Append(m_header, false);
+        if (!m_gone.IsEmpty()) file.Append(PayloadOf(m_gone), false);
+        for (std::size_t i = 0; i < m_kept.size(); ++i) file.Append(m_kept[i].payload, true);
         const std::string error = file.GetError();
         if (!error.empty()) m_error = error;
         return error.empty();
@@ -256,7 +164,6 @@ public:
     /// Returns once all steps so far are in the file; without it, all are when the track is closed or destroyed.
     void Flush() {
         if (m_isClosed || IsRing()) return;
-        if (m_blockSteps > 0) EndBlock();
         OpenFile();
         m_file->Flush();
     }
@@ -315,7 +222,9 @@ private:
         m_header.swap(out.GetBytes());
         m_nextBody = static_cast<std::int64_t>(bodies.size());
         m_nextJoint = static_cast<std::int64_t>(joints.size());
-        for (Body* b = m_world.GetBodyList(); b != nullptr; b = b->GetNext()) AddSlot(m_slots, b, bodies.at(b));
+        std::shared_ptr<BodyTable> table(new BodyTable());
+        for (Body* b = m_world.GetBodyList(); b != nullptr; b = b->GetNext()) AddSlot(m_slots, *table, b, bodies.at(b));
+        m_table = table;
         for (Joint* j = m_world.GetJointList(); j != nullptr; j = j->GetNext()) {
             m_joints.push_back(JointSlot{j, Api::IdentityOf(m_world, *j), joints.at(j)});
         }
@@ -323,14 +232,11 @@ private:
         MapFixtures();
     }
 
-    void AddSlot(std::vector<Slot>& slots, Body* body, std::int64_t number) {
-        Slot slot;
-        slot.body = body;
-        slot.quick = Api::QuickIdentityOf(m_world, *body);
-        slot.identity = Api::IdentityOf(m_world, *body);
-        slot.number = number;
-        slot.last = slot.created = StateOf(*body);
-        slots.push_back(slot);
+    void AddSlot(std::vector<Slot>& slots, BodyTable& table, Body* body, std::int64_t number) {
+        slots.push_back(Slot{body, Api::QuickIdentityOf(m_world, *body), Api::IdentityOf(m_world, *body)});
+        table.numbers.push_back(number);
+        table.created.push_back(StateOf(*body));
+        table.before.push_back(-1);
     }
 
     /// States of all bodies in the list's order, and events where objects came, went or changed.
@@ -345,10 +251,10 @@ private:
                 if (m_slots[k].body != m_namesToCome[i].first) continue;
                 CborWriter out;
                 out.BeginArray();
-                out.Value(m_slots[k].number);
+                out.Value(m_table->numbers[k]);
                 out.Value(m_namesToCome[i].second);
                 out.EndArray();
-                m_events.names.push_back(Item{m_slots[k].number, std::move(out.GetBytes())});
+                m_events.names.push_back(Item{m_table->numbers[k], std::move(out.GetBytes())});
             }
         }
         m_namesToCome.clear();
@@ -356,8 +262,8 @@ private:
 
     /// False if the list of bodies is no longer that of the slots.
     bool GatherStates() {
-        m_now.resize(m_slots.size());
-        return m_reader.ReadBodies(m_world, m_slots, m_now);
+        m_record->states.resize(m_slots.size());
+        return m_reader.ReadBodies(m_world, m_slots, m_record->states);
     }
 
     bool HaveJointsChanged() {
@@ -377,6 +283,7 @@ private:
         for (std::size_t k = 0; k < m_slots.size(); ++k) known[m_slots[k].body] = k;
         std::vector<bool> lives(m_slots.size(), false);
         std::vector<Slot> slots;
+        std::shared_ptr<BodyTable> table(new BodyTable());
         std::vector<std::size_t> made;
         std::vector<std::int64_t> replaced;
         for (Body* b = m_world.GetBodyList(); b != nullptr; b = b->GetNext()) {
@@ -385,23 +292,26 @@ private:
             if (isKnown && m_slots[found->second].identity == Api::IdentityOf(m_world, *b)) {
                 lives[found->second] = true;
                 slots.push_back(m_slots[found->second]);
+                table->numbers.push_back(m_table->numbers[found->second]);
+                table->created.push_back(m_table->created[found->second]);
+                table->before.push_back(static_cast<std::ptrdiff_t>(found->second));
                 continue;
             }
             made.push_back(slots.size());
-            replaced.push_back(isKnown ? m_slots[found->second].number : -1);
-            AddSlot(slots, b, -1);
+            replaced.push_back(isKnown ? m_table->numbers[found->second] : -1);
+            AddSlot(slots, *table, b, -1);
         }
         for (std::size_t k = 0; k < m_slots.size(); ++k) {
-            if (!lives[k]) m_events.destroyed.push_back(m_slots[k].number);
+            if (!lives[k]) m_events.destroyed.push_back(m_table->numbers[k]);
         }
         // The newest come first in the list.
         for (std::size_t i = made.size(); i-- > 0;) {
-            Slot& slot = slots[made[i]];
-            slot.number = m_nextBody++;
+            const Slot& slot = slots[made[i]];
+            const std::int64_t number = table->numbers[made[i]] = m_nextBody++;
             CborWriter out;
             out.BeginMap();
             out.Key("id");
-            out.Value(slot.number);
+            out.Value(number);
             if (replaced[i] >= 0) {
                 out.Key("was");
                 out.Value(replaced[i]);
@@ -414,9 +324,10 @@ private:
             out.Key("body");
             SceneWriter<Api, CborWriter>(out).WriteBody(*slot.body);
             out.EndMap();
-            m_events.created.push_back(Item{slot.number, std::move(out.GetBytes())});
+            m_events.created.push_back(Item{number, std::move(out.GetBytes())});
         }
         m_slots.swap(slots);
+        m_table = table;
         ResyncJoints();
         m_counts = Api::CountObjects(m_world);
         MapFixtures();
@@ -424,7 +335,7 @@ private:
 
     void ResyncJoints() {
         Numbers bodies, joints;
-        for (std::size_t k = 0; k < m_slots.size(); ++k) bodies[m_slots[k].body] = m_slots[k].number;
+        for (std::size_t k = 0; k < m_slots.size(); ++k) bodies[m_slots[k].body] = m_table->numbers[k];
         std::unordered_map<const void*, std::size_t> known;
         for (std::size_t k = 0; k < m_joints.size(); ++k) known[m_joints[k].joint] = k;
         std::vector<JointSlot> slots;
@@ -460,18 +371,19 @@ private:
     }
 
     void MapFixtures() {
-        m_places.clear();
         if (!m_options.contacts && !m_options.tree) return;
+        std::shared_ptr<typename Api::Places> places(new typename Api::Places());
         for (std::size_t k = 0; k < m_slots.size(); ++k) {
             const std::vector<std::vector<const typename Api::Fixture*>> groups =
                 SceneWriter<Api, CborWriter>::FixturesOf(*m_slots[k].body);
             for (std::size_t i = 0; i < groups.size(); ++i) {
                 for (std::size_t child = 0; child < groups[i].size(); ++child) {
-                    m_places[groups[i][child]] =
-                        Place{m_slots[k].number, static_cast<std::int64_t>(i), static_cast<std::int64_t>(child)};
+                    (*places)[groups[i][child]] =
+                        Place{m_table->numbers[k], static_cast<std::int64_t>(i), static_cast<std::int64_t>(child)};
                 }
             }
         }
+        m_places = places;
     }
 
     // Records.
@@ -487,14 +399,8 @@ private:
 
     void OpenFile() {
         if (m_file || IsRing()) return;
-        m_file.reset(new Output(m_path, m_options.memory));
-        m_file->Push(m_header, false);
-    }
-
-    bool HasRoom() {
-        if (IsRing()) return true;
-        OpenFile();
-        return m_file->HasRoom();
+        m_file.reset(new TrackFile<Api>(m_path, m_options));
+        m_file->Push(m_header);
     }
 
     void SkipStep() {
@@ -502,127 +408,51 @@ private:
         m_needsKey = true;
         m_gone.Add(std::move(m_events));
         m_events = Events();
-        for (std::size_t k = 0; k < m_slots.size(); ++k) m_slots[k].last = m_now[k];
     }
 
-    void WriteStep(float dt, bool isKey) {
-        if (m_blockSteps == 0) {
-            m_out.Clear();
-            m_out.BeginMap();
-            m_out.Key("steps");
-            m_out.BeginArray();
-            m_block.beginsWithKey = isKey;
+    void ReadStep(float dt) {
+        StepRecord<Api>& record = *m_record;
+        record.step = m_step;
+        record.dt = dt;
+        record.bodies = m_table;
+        record.events = std::move(m_events);
+        m_events = Events();
+        record.marks.swap(m_marks);
+        if (m_options.contacts) {
+            record.places = m_places;
+            record.contactCount = static_cast<std::int64_t>(m_world.GetContactCount());
+            m_reader.ReadContacts(m_world, record.contacts);
         }
-        ++m_blockSteps;
-        m_block.seconds += static_cast<double>(dt);
-        // What a program has set (rounding upwards) would give other predictions than a reader makes.
-        const bool canPredict = CanPredict() && std::fegetround() == FE_TONEAREST;
-        m_out.BeginMap();
-        m_out.Key("step");
-        m_out.Value(m_step);
-        m_out.Key("dt");
-        m_out.Value(dt);
-        if (isKey) {
-            m_out.Key("key");
-            m_out.Value(true);
-        } else if (!canPredict) {
-            m_out.Key("h");
-            m_out.Value(0.0f);
-        }
-        m_events.Write(m_out);
-        WriteBodies(isKey || !canPredict ? 0.0 : static_cast<double>(dt), isKey);
-        WriteMarks();
-        if (m_options.contacts) WriteContacts();
         if (m_options.tree) {
-            m_out.Key("nodes");
-            const std::size_t begin = m_out.BeginBytes();
-            Api::WriteNodes(m_world, m_places, m_out.GetBytes());
-            m_out.EndBytes(begin);
+            record.nodes.clear();
+            Api::WriteNodes(m_world, *m_places, record.nodes);
         }
         if (m_options.stages) {
-            m_out.Key("stages");
-            m_out.BeginMap();
-            Api::WriteStages(m_world, m_out);
-            m_out.EndMap();
+            CborWriter out;
+            out.BeginMap();
+            Api::WriteStages(m_world, out);
+            out.EndMap();
+            record.stages.swap(out.GetBytes());
         }
-        m_out.EndMap();
-        m_block.events.Add(std::move(m_events));
-        m_events = Events();
-        m_needsKey = false;
-        m_stepsSinceKey = isKey ? 1 : m_stepsSinceKey + 1;
     }
 
-    void WriteBodies(double h, bool isKey) {
-        m_out.Key("bodies");
-        const std::size_t begin = m_out.BeginBytes();
-        Bytes& bytes = m_out.GetBytes();
-        bytes.resize(begin + m_slots.size() * mostStateBytes + 4);
-        unsigned char* end = bytes.data() + begin;
-        std::int64_t lastNumber = 0;
-        for (std::size_t k = 0; k < m_slots.size(); ++k) {
-            Slot& slot = m_slots[k];
-            const State& now = m_now[k];
-            const State& before = isKey ? slot.created : slot.last;
-            if (now.IsSame(before)) {
-                slot.last = now;
-                continue;
-            }
-            end = PackState(end, slot.number, lastNumber, now, before, h);
-            lastNumber = slot.number;
-            slot.last = now;
-        }
-        bytes.resize(static_cast<std::size_t>(end - bytes.data()));
-        m_out.EndBytes(begin);
+    void Push() {
+        if (!m_gone.IsEmpty()) m_file->Push(PayloadOf(m_gone));
+        m_gone = Events();
+        m_file->Push(std::move(m_record));
     }
 
-    void WriteMarks() {
-        if (m_marks.empty()) return;
-        m_out.Key("marks");
-        m_out.BeginArray();
-        for (std::size_t i = 0; i < m_marks.size(); ++i) m_out.Value(m_marks[i]);
-        m_out.EndArray();
-        m_marks.clear();
-    }
+    // A flight recorder packs what it keeps in Step.
 
-    void WriteContacts() {
-        m_out.Key("contactCount");
-        m_out.Value(static_cast<std::int64_t>(m_world.GetContactCount()));
-        m_out.Key("contacts");
-        const std::size_t begin = m_out.BeginBytes();
-        m_reader.WriteContacts(m_world, m_places, m_out.GetBytes());
-        m_out.EndBytes(begin);
+    void Keep() {
+        if (m_record->isKey) EndKept();
+        m_ring.Add(*m_record);
+        if (m_ring.IsFull()) EndKept();
     }
-
-    static void PushEvents(Output& file, const Events& events) {
-        if (events.IsEmpty()) return;
-        CborWriter out;
-        out.BeginMap();
-        out.Key("objects");
-        out.BeginMap();
-        events.Write(out);
-        out.EndMap();
-        out.EndMap();
-        file.Push(std::move(out.GetBytes()), false);
-    }
-
-    void EndBlock() {
-        m_out.EndArray();
-        m_out.EndMap();
-        m_block.payload.swap(m_out.GetBytes());
-        m_out.Clear();
-        m_blockSteps = 0;
-        if (IsRing()) {
-            m_kept.push_back(std::move(m_block));
-            Trim();
-        } else {
-            OpenFile();
-            PushEvents(*m_file, m_gone);
-            m_gone = Events();
-            m_file->Push(std::move(m_block.payload), true);
-            m_out.GetBytes() = m_file->TakeSpare();
-            m_out.Clear();
-        }
-        m_block = Block();
+    void EndKept() {
+        if (m_ring.IsEmpty()) return;
+        m_kept.push_back(m_ring.Take());
+        Trim();
     }
 
     /// Drops blocks that are too old or too many, up to one that begins with all states.
@@ -657,15 +487,15 @@ private:
     Options m_options;
     Bytes m_header;
     std::size_t m_timeStepAt[2];
-    std::unique_ptr<Output> m_file;
+    std::unique_ptr<TrackFile<Api>> m_file;
     std::string m_error;
 
-    std::vector<Slot> m_slots;  ///< in the order of the world's list
-    std::vector<State> m_now;   ///< of the slots, after the last step
+    std::vector<Slot> m_slots;                 ///< in the order of the world's list
+    std::shared_ptr<const BodyTable> m_table;  ///< of the slots
     std::vector<JointSlot> m_joints;
     std::int64_t m_nextBody = 0, m_nextJoint = 0;
     std::uint64_t m_counts = 0;
-    typename Api::Places m_places;
+    std::shared_ptr<const typename Api::Places> m_places;
     typename Api::Reader m_reader;
     bool m_mustResync = false;
 
@@ -675,11 +505,10 @@ private:
     std::vector<std::pair<const void*, std::string>> m_namesToCome;
     std::vector<std::string> m_marks;
     Events m_events;
+    std::unique_ptr<StepRecord<Api>> m_record;  ///< that is being filled
 
-    CborWriter m_out;  ///< of the block that is being filled
-    int m_blockSteps = 0;
-    Block m_block;
-    std::deque<Block> m_kept;  ///< of a flight recorder
+    BlockMaker<Api> m_ring;    ///< of a flight recorder
+    std::deque<Block> m_kept;  ///< the same
     Events m_gone;             ///< of steps that were dropped or skipped
 };
 

@@ -54,16 +54,17 @@ int ExpectContacts(const World& world) {
         EXPECT_EQ(view.fixtureB, c->GetFixtureB()->GetIndex());
         EXPECT_EQ(view.isSensor, c->GetFixtureA()->IsSensor() || c->GetFixtureB()->IsSensor());
         const Manifold manifold = c->GetManifold();
-        EXPECT_EQ(view.pointCount, manifold.pointCount);
+        EXPECT_EQ(view.manifold.pointCount, manifold.pointCount);
         WorldManifold placed;
         placed.normal.SetZero();
         if (manifold.pointCount > 0) c->GetWorldManifold(&placed);
-        EXPECT_TRUE(view.points.normal == placed.normal);
+        const WorldManifold points = view.GetPoints();
+        EXPECT_TRUE(points.normal == placed.normal);
         for (int i = 0; i < manifold.pointCount; ++i) {
-            EXPECT_TRUE(view.points.points[i] == placed.points[i]);
-            EXPECT_EQ(view.points.separations[i], placed.separations[i]);
-            EXPECT_EQ(view.normalImpulses[i], manifold.points[i].normalImpulse);
-            EXPECT_EQ(view.tangentImpulses[i], manifold.points[i].tangentImpulse);
+            EXPECT_TRUE(points.points[i] == placed.points[i]);
+            EXPECT_EQ(points.separations[i], placed.separations[i]);
+            EXPECT_EQ(view.manifold.points[i].normalImpulse, manifold.points[i].normalImpulse);
+            EXPECT_EQ(view.manifold.points[i].tangentImpulse, manifold.points[i].tangentImpulse);
         }
     }
     EXPECT_EQ(at, views.size());

@@ -68,13 +68,17 @@ struct BodyView {
 /// All bodies in the order of World::GetBodyList. O(bodies).
 SCREE_API void GetBodies(const World& world, std::vector<BodyView>& bodies);
 
-/// A touching contact in the same way.
+/// A touching contact in the same way: what its points follow from, which another thread may work out.
 struct ContactView {
-    int fixtureA, fixtureB;  ///< Fixture::GetIndex
-    bool isSensor;           ///< one of them is
-    int pointCount;
-    WorldManifold points;  ///< without points: its normal is 0
-    float normalImpulses[maxManifoldPoints], tangentImpulses[maxManifoldPoints];
+    int fixtureA, fixtureB;    ///< Fixture::GetIndex
+    bool isSensor;             ///< one of them is
+    float radiusA, radiusB;    ///< of the shapes
+    Transform placeA, placeB;  ///< of the bodies, seen from `frame`
+    Vec2 frame;
+    Manifold manifold;
+
+    /// What Contact::GetWorldManifold gives; without points its normal is 0.
+    SCREE_API WorldManifold GetPoints() const;
 };
 /// The contacts that touch, in the order of World::GetContactList. O(contacts).
 SCREE_API void GetTouchingContacts(const World& world, std::vector<ContactView>& contacts);

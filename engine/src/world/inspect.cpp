@@ -5,6 +5,7 @@
 
 #include "scree/inspect.h"
 
+#include "state/frames.h"
 #include "world/world_state.h"
 
 namespace scree::inspect {
@@ -92,18 +93,26 @@ void GetTouchingContacts(const World& world, std::vector<ContactView>& views) {
     for (ContactIndex c = contacts.LastAliveBelow(contacts.flags.End()); IsSome(c); c = contacts.LastAliveBelow(c)) {
         if (!contacts.Has(c, ContactFlag::touching)) continue;
         const ContactPair& pair = contacts.pair[c];
-        const Manifold& manifold = contacts.manifold[c];
-        ContactView& view = views.emplace_back();
-        view.fixtureA = ToInt(pair.fixtureA), view.fixtureB = ToInt(pair.fixtureB);
-        view.isSensor = (s.fixtures.isSensor[pair.fixtureA] | s.fixtures.isSensor[pair.fixtureB]) != 0;
-        view.pointCount = manifold.pointCount;
-        view.points.normal = vec2Zero;
-        s.PlaceManifold(c, view.points);
-        for (int i = 0; i < view.pointCount; ++i) {
-            view.normalImpulses[i] = manifold.points[i].normalImpulse;
-            view.tangentImpulses[i] = manifold.points[i].tangentImpulse;
-        }
+        const Vec2 frame = FrameOf(s.bodies, pair.bodyA, pair.bodyB);
+        views.push_back({.fixtureA = ToInt(pair.fixtureA),
+                         .fixtureB = ToInt(pair.fixtureB),
+                         .isSensor = (s.fixtures.isSensor[pair.fixtureA] | s.fixtures.isSensor[pair.fixtureB]) != 0,
+                         .radiusA = s.fixtures.shape[pair.fixtureA]->m_radius,
+                         .radiusB = s.fixtures.shape[pair.fixtureB]->m_radius,
+                         .placeA = TransformIn(frame, s.bodies, pair.bodyA),
+                         .placeB = TransformIn(frame, s.bodies, pair.bodyB),
+                         .frame = frame,
+                         .manifold = contacts.manifold[c]});
     }
+}
+
+WorldManifold ContactView::GetPoints() const {
+    WorldManifold placed;
+    placed.normal = vec2Zero;
+    placed.Initialize(&manifold, placeA, radiusA, placeB, radiusB);
+    if (frame == vec2Zero) return placed;
+    for (int i = 0; i < manifold.pointCount; ++i) placed.points[i] += frame;
+    return placed;
 }
 
 KernelSet GetKernels(const World& world) { return world.GetState().kernels; }

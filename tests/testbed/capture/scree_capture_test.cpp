@@ -60,7 +60,7 @@ TEST(ScreeCapture, AWrittenSceneIsTheSameWorld) {
 
 /// A small world in which a program destroys, makes and changes objects between steps, recorded with everything on.
 std::string RecordBusyWorld(const std::string& path, scree_capture::Options options, int steps,
-                            std::vector<std::map<std::uintptr_t, BodyBits>>& history) {
+                            std::vector<std::map<std::uintptr_t, BodyBits>>& history, int* skipped = nullptr) {
     scree::World world(scree::Vec2{0.0f, -10.0f});
     std::mt19937 random(5);
     std::vector<scree::Body*> bodies;
@@ -134,6 +134,7 @@ std::string RecordBusyWorld(const std::string& path, scree_capture::Options opti
     }
     track.Close();
     EXPECT_EQ(track.GetError(), "");
+    if (skipped != nullptr) *skipped = track.GetSkippedSteps();
     return ReadBytes(path);
 }
 
@@ -189,6 +190,28 @@ TEST(ScreeCapture, ObjectsThatComeAndGoAreThereWhenTheyWere) {
     }
     EXPECT_GT(points, 1000);
     EXPECT_GT(joints, 100);
+}
+
+TEST(ScreeCapture, StepsThatFindNoRoomAreLeftOutAndTheOthersAreWhole) {
+    const ScratchFolder folder;
+    for (const std::size_t memory : {std::size_t{0}, std::size_t{1}, std::size_t{6000}, std::size_t{100000}}) {
+        SCOPED_TRACE(memory);
+        std::vector<std::map<std::uintptr_t, BodyBits>> history;
+        scree_capture::Options options;
+        options.contacts = true;
+        options.memory = memory;
+        int skipped = 0;
+        const std::string bytes = RecordBusyWorld(folder.GetPath() / "full.track", options, 600, history, &skipped);
+        TrackFile track(bytes, "full.track");
+        EXPECT_EQ(track.GetInfo().damage, "");
+        int written = 0;
+        for (const int step : track.GetSteps()) {
+            written += step > 0 ? 1 : 0;
+            ASSERT_TRUE(BitsOfScene(track.SceneAt(step)) == history[static_cast<std::size_t>(step)]) << step;
+        }
+        EXPECT_EQ(written + skipped, 600);
+        EXPECT_EQ(written > 0, memory > 0);
+    }
 }
 
 TEST(ScreeCapture, AFlightRecorderKeepsTheLastSeconds) {
