@@ -34,7 +34,7 @@ void AddShardOptions(CLI::App& app, ShardArguments& arguments) {
 
 void AddResumeOption(CLI::App& app, ShardArguments& arguments) {
     app.add_flag("--resume", arguments.resume,
-                 "Go on after a run that was stopped: its cases are those in the file of --json with .part behind it");
+                 "Continue a run that was stopped: its finished cases are in the --json file with .part appended");
 }
 
 void CheckResume(const ShardArguments& arguments) {

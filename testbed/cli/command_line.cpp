@@ -158,8 +158,8 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
     });
     app.require_subcommand(0, 1);
     app.footer(
-        "Exit codes: 0 done, 1 something differs, was missed or was found, 2 usage, 3 no usable GL backend or\n"
-        "display, 4 a file or folder failed, 77 no backend with --skip-missing-backend.");
+        "Exit codes: 0 done, 1 something differs, was missed or was found, 2 wrong usage, 3 no usable GL backend\n"
+        "or display, 4 a file or folder failed, 77 no backend with --skip-missing-backend.");
     Request request{arguments, contextOptions, {}};
     AddListCommand(app, request);
     AddInfoCommand(app, request);

@@ -20,7 +20,7 @@ namespace testbed {
 void AddManCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("man", "The manual pages of all commands, as files for man(1)");
     auto folder = std::make_shared<std::string>("man1");
-    command->add_option("-o,--output", *folder, "Folder of the pages")->capture_default_str()->type_name("DIR");
+    command->add_option("-o,--output", *folder, "Folder for the pages")->capture_default_str()->type_name("DIR");
     auto reference = std::make_shared<std::string>();
     command->add_option("--reference", *reference, "Write one page of Markdown about all commands instead")
         ->type_name("FILE");

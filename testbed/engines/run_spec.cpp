@@ -288,7 +288,7 @@ constexpr SettingKey settingKeys[] = {
     {.name = "caps",
      .values = "on or off",
      .unit = "",
-     .what = "a body goes 2 m and turns by π/2 a step at most; Box2D always has it so",
+     .what = "a body moves by at most 2 m and turns by at most π/2 per step, as always in Box2D 2.4",
      .flag = "--caps",
      .needs = static_cast<unsigned>(Ability::freeSpeed),
      .isLive = false,
@@ -361,7 +361,7 @@ constexpr SettingKey settingKeys[] = {
 };
 
 constexpr Preset presets[] = {
-    {.name = ownPreset, .what = "an engine's own defaults: what a program gets that chooses nothing", .settings = ""},
+    {.name = ownPreset, .what = "the engine's own defaults: what a program gets that sets nothing", .settings = ""},
     {.name = likeBox2dPreset,
      .what = "like for like: what all engines can do alike, as the published comparison has it",
      .settings = "caps=on continuous=off"},

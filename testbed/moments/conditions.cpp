@@ -405,7 +405,7 @@ std::unique_ptr<Condition> MakeSpinCondition(double speed) {
 
 std::unique_ptr<Condition> MakeNonFiniteCondition() {
     return std::make_unique<BodyCondition>(
-        Lasting("non-finite", "", 0.0, [](double) { return "has a pose or a velocity that is no number"; }),
+        Lasting("non-finite", "", 0.0, [](double) { return "has a pose or velocity that is not finite"; }),
         [](const BodyState& body) { return IsFinite(body) ? -1.0 : 0.0; });
 }
 

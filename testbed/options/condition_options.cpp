@@ -157,7 +157,7 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
         ->group(group);
     number("--speed", a.speed, "A body faster than this, m/s", "V");
     number("--spin", a.spin, "A body that turns faster than this, rad/s", "W");
-    app.add_flag("--non-finite", a.nonFinite, "A body whose pose or velocity is no number")->group(group);
+    app.add_flag("--non-finite", a.nonFinite, "A body whose pose or velocity is NaN or infinite")->group(group);
     app.add_option("--escape", a.escape, "A body that leaves the box left,bottom,right,top: --escape=-20,-1,20,30")
         ->type_name("BOX")
         ->group(group);

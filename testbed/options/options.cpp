@@ -262,11 +262,10 @@ void AddStepOptions(CLI::App& app, StepArguments& arguments) {
     CLI::Option* worst = app.add_option("--worst", arguments.worst,
                                         "Show only the K worst of the steps (of --steps, else of a full run)")
                              ->type_name("K");
-    CLI::Option* worstBy =
-        app.add_option(
-               "--worst-by", arguments.worstBy,
-               "By what steps are worst, in any engine: time (of the broad phase) or overlap (of siblings in the tree)")
-            ->capture_default_str();
+    CLI::Option* worstBy = app.add_option("--worst-by", arguments.worstBy,
+                                          "What makes a step a worst one, in any engine: time (of the broad phase) or "
+                                          "overlap (of siblings in the tree)")
+                               ->capture_default_str();
     step->excludes(steps)->excludes(worst);
     worstBy->needs(worst);
 }

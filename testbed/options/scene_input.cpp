@@ -157,8 +157,7 @@ bool IsFile(const std::string& given, const InputArguments& arguments) {
 void AddFormatOption(CLI::App& app, InputArguments& arguments) {
     std::string names;
     for (const FileKindInfo& kind : FileKinds()) names += (names.empty() ? "" : ", ") + std::string(kind.name);
-    app.add_option("--format", arguments.format,
-                   "What is given is a file of this kind, whatever its ending is: " + names)
+    app.add_option("--format", arguments.format, "Kind of the file, where its ending does not tell: " + names)
         ->type_name("KIND");
 }
 

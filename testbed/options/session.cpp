@@ -102,7 +102,7 @@ void AddSessionOptions(CLI::App& app, SessionArguments& arguments) {
         ->type_name("ENGINE");
     app.add_option("--steps", arguments.steps, "Steps that the engine runs; a full run if not given")
         ->check(CLI::Range(1, maxStep));
-    AddSetOption(app, arguments.settings, "Runs begin with preset=own, which is what a program gets");
+    AddSetOption(app, arguments.settings, "Runs begin with preset=own: the engine's own defaults");
 }
 
 SceneInput ChooseSessionInput(const SessionArguments& arguments) {

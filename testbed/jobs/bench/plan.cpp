@@ -144,18 +144,19 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     AddSettingFlags(app, arguments.settings, {"broadPhase", "continuous"});
     app.add_option(
         "--repeat", arguments.repeats,
-        "Runs of everything; the median of each step's times stands for them; 3 if not given, 9 with --against");
+        "Repeats of everything, of which the median of each step's times counts; 3 if not given, 9 with --against");
     app.add_option(
            "--against", arguments.against,
            "Another build of this program (its folder or the file): the same cases in both in turn, a ratio with "
            "an interval of 95 % and whether both came to the same states; engines: scree if not given")
         ->type_name("BUILD");
-    app.add_option("--at-least", arguments.atLeast,
-                   "With --against: exit 1 if a case is surely slower than this share of the other build's speed")
+    app.add_option(
+           "--at-least", arguments.atLeast,
+           "With --against: exit 1 if a case has less than this share of the other build's speed, with 95 % confidence")
         ->type_name("RATIO")
         ->check(AboveZero())
         ->needs("--against");
-    app.add_option("--steps", arguments.steps, "Steps at most; the scene's own number if not given");
+    app.add_option("--steps", arguments.steps, "Largest number of steps; the scene's own if not given");
     app.add_option("--time-limit", arguments.timeLimitS,
                    "Seconds after which a run of one scene in one engine is stopped: its total is then shown with ≥")
         ->check(ZeroOrAbove());
@@ -165,12 +166,13 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
            "Draw SVG and PNG into this folder: total over fixtures where there are several sizes, broad phase of "
            "every step of the largest")
         ->type_name("DIR");
-    app.add_option("-o,--output", arguments.output, "Folder for all of it: bench.csv, plots/, index.html")
+    app.add_option("-o,--output", arguments.output, "Folder for all results: bench.csv, plots/, index.html")
         ->type_name("DIR");
     app.add_option("--markdown", arguments.markdown, "Also write the report's text and tables as Markdown")
         ->type_name("FILE");
-    app.add_flag("--targets", arguments.targets,
-                 "Judge the speed to reach, also with continuous collision on; exit 1 when a target is missed or void");
+    app.add_flag(
+        "--targets", arguments.targets,
+        "Compare with the targets of speed, also with continuous collision on; exit 1 when a target is missed or void");
     app.add_flag("--games", arguments.games,
                  "The second suite: what games do, with default settings, in every engine of this build in turn. "
                  "SCENE names its cases; --repeat, --steps, --output and --markdown apply");

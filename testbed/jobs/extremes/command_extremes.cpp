@@ -229,14 +229,18 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     command->add_flag("--full", arguments->full, "At most 60 s of processor time each instead of 10");
     command->add_flag("--list", arguments->list, "Only show the cases");
     command
-        ->add_option("-g,--only", arguments->filter, "Only the cases whose name or group this regular expression finds")
+        ->add_option("-g,--only", arguments->filter,
+                     "Only the cases whose name or group matches this regular expression")
         ->type_name("REGEX");
     command
         ->add_option("--limit", arguments->limit,
-                     "Most processor time of a run, s; 10 if not given, 5 with --quick, 60 with --full")
+                     "Limit of processor time per run, s; 10 if not given, 5 with --quick, 60 with --full")
         ->check(AboveZero());
-    command->add_option("--jobs", arguments->jobs, "Runs at a time")->check(CLI::Range(1, 1024))->capture_default_str();
-    command->add_option("--from", arguments->from, "Run nothing: the report of a file that --json wrote, no pictures")
+    command->add_option("--jobs", arguments->jobs, "Number of runs at the same time")
+        ->check(CLI::Range(1, 1024))
+        ->capture_default_str();
+    command
+        ->add_option("--from", arguments->from, "Run nothing; make the report of a file that --json wrote, no pictures")
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")

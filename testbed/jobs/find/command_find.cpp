@@ -152,7 +152,7 @@ void AddFindCommand(CLI::App& app, Request& request) {
                      "A page that `scree timeline` made of the same session: each moment gets a link into it")
         ->type_name("FILE");
     command->add_option("--json", arguments->json, "The moments as JSON")->type_name("FILE");
-    command->add_option("--junit", arguments->junit, "A test case a condition, for CI")->type_name("FILE");
+    command->add_option("--junit", arguments->junit, "One JUnit test case per condition, for CI")->type_name("FILE");
     command->callback(
         [&request, arguments] { request.action = [&request, arguments] { return RunFind(*arguments, request); }; });
 }

@@ -89,7 +89,7 @@ void AddRenderCommand(CLI::App& app, Request& request) {
     command->add_option("SCENE", arguments->scene, DescribeSceneArgument("A scene"));
     command->add_option("--layers", arguments->layers, "What to draw, names with commas:\n" + DescribeLayers())
         ->capture_default_str();
-    command->add_flag("--no-legend", arguments->noLegend, "Leave out what the colours mean");
+    command->add_flag("--no-legend", arguments->noLegend, "Leave out the legend");
     AddStepOptions(*command, arguments->steps);
     AddSequenceOptions(*command, arguments->sequence);
     AddRunOptions(*command, arguments->run);

@@ -39,7 +39,7 @@ struct PictureSequences::Sequence {
 
 void AddSequenceOptions(CLI::App& app, SequenceArguments& arguments) {
     app.add_option("--animate", arguments.animate,
-                   "One moving picture of all steps shown instead of a picture each: apng, or mp4 (needs ffmpeg)")
+                   "One animation of all steps shown instead of single pictures: apng, or mp4 (needs ffmpeg)")
         ->type_name("apng|mp4");
     app.add_option("--fps", arguments.framesPerSecond, "Frames per second of --animate, 1 to 120")
         ->capture_default_str();

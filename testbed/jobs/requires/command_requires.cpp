@@ -244,7 +244,7 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("requires", "What a scene needs of our engine, and what the rest costs");
     auto arguments = std::make_shared<RequiresArguments>();
     command->add_option("SCENE", arguments->scene,
-                        DescribeSceneArgument("A scene") + "; if not given, a report of a choice of scenes is made");
+                        DescribeSceneArgument("A scene") + "; if not given, a report of a selection of scenes is made");
     command->add_option("SIZE", arguments->size, "Its size; the scene's default if not given");
     AddInputOptions(*command, arguments->input);
     command->add_option("--steps", arguments->steps, "Steps to run; at most 200 of the scene's if not given")
@@ -255,7 +255,7 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     AddSettingFlags(*command, arguments->settings, {"substeps", "continuous", "caps"});
     command->add_flag("--quick", arguments->quick, "At most 60 steps, and 3 repeats instead of 9");
     command->add_flag("--ablation", arguments->ablation,
-                      "Only the part of the report about what each feature costs; of SCENE, or of a choice of scenes");
+                      "Only what each feature costs, in SCENE or in a selection of scenes");
     command->add_flag("--break-even", arguments->breakEven,
                       "Only the plots of where parts of the engine begin to pay; needs gnuplot");
     command->add_option("-o,--output", arguments->output, "Folder for the report")

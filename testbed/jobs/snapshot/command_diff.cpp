@@ -150,8 +150,8 @@ int RunDiff(const DiffArguments& arguments) {
 void AddDiffCommand(CLI::App& app, Request& request) {
     CLI::App* command = app.add_subcommand("diff", "Compare two pictures or two folders of pictures, pixel by pixel");
     auto arguments = std::make_shared<DiffArguments>();
-    command->add_option("A", arguments->first, "PNG picture or folder: what is expected")->required();
-    command->add_option("B", arguments->second, "PNG picture or folder: what is there")->required();
+    command->add_option("A", arguments->first, "The expected picture (PNG), or a folder of them")->required();
+    command->add_option("B", arguments->second, "The actual picture (PNG), or a folder of them")->required();
     command
         ->add_option("-o,--output", arguments->output,
                      "Folder for index.html, actual/, expected/, diff/ and results.json")

@@ -135,7 +135,7 @@ const rowsOf = (lane) => {
   const body = chosen.bodies[0], {now} = lane;
   if (body === undefined) return [];
   if (!lane.isThere(body)) return [['now', 'not there']];
-  if (now.flags[body] & isNoNumber) return [['now', 'its pose is no number']];
+  if (now.flags[body] & isNoNumber) return [['now', 'its pose is not finite']];
   const vx = now.vx[body] * unit, vy = now.vy[body] * unit, spin = now.spin[body] * spinUnit, speed = Math.hypot(vx, vy);
   const rows = [['x', `${shown(lane.x(body))} m`], ['y', `${shown(lane.y(body))} m`], ['angle', `${shown(lane.angle(body))} rad`]];
   if (data.bodies[body].type === 'static') return rows;

@@ -242,9 +242,9 @@ void AddTradeoffCommand(CLI::App& app, Request& request) {
     AddFormatOption(*command, arguments->input);
     command->add_flag("--quick", arguments->quick, "Fewer settings, repeats and runs of each law");
     command->add_flag("--count", arguments->count, "Only print the number of cases");
-    command->add_option("-g,--only", arguments->filter, "Only the laws whose name this regular expression finds")
+    command->add_option("-g,--only", arguments->filter, "Only the laws whose name matches this regular expression")
         ->type_name("REGEX");
-    command->add_option("--from", arguments->from, "Measure nothing: the report of a file that --json wrote")
+    command->add_option("--from", arguments->from, "Measure nothing; make the report of a file that --json wrote")
         ->type_name("FILE");
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")

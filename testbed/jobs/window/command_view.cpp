@@ -212,19 +212,19 @@ void AddOptions(CLI::App& app, ViewArguments& arguments) {
         ->capture_default_str();
     app.add_option("--window", arguments.window, "Width x height of the window, pixels")->capture_default_str();
     app.add_flag("--paused", arguments.isPaused, "Start paused");
-    app.add_flag("--no-overlap", arguments.noOverlap, "Start without the counts of tree nodes");
-    app.add_flag("--no-times", arguments.noTimes, "Show no times, so that the pictures of a run repeat exactly");
-    app.add_option("--steps-before", arguments.stepsBefore, "Steps to make before the first frame")
+    app.add_flag("--no-overlap", arguments.noOverlap, "Start without the red overlap of tree nodes");
+    app.add_flag("--no-times", arguments.noTimes, "Show no times, so that two runs give the same pictures");
+    app.add_option("--steps-before", arguments.stepsBefore, "Steps to run before the first frame")
         ->check(CLI::Range(0, maxStep))
         ->capture_default_str();
-    app.add_option("--frames", arguments.frames, "Draw so many frames, as fast as they come, then quit")
+    app.add_option("--frames", arguments.frames, "Draw this many frames as fast as possible, then quit")
         ->check(CLI::Range(1, 10'000'000));
     app.add_option("--script", arguments.script, "Play mouse and keyboard events from a file, then quit")
         ->type_name("FILE");
     app.add_option("--screenshot", arguments.screenshot, "Write the last frame as PNG")->type_name("FILE");
     app.add_option("--dump-state", arguments.dumpState, "Write what the window shows at the end as JSON")
         ->type_name("FILE");
-    app.add_option("--memory", arguments.memory, "Most that is kept to go back in time, all panes together, MB")
+    app.add_option("--memory", arguments.memory, "Memory for going back in time, of all panes together, MB")
         ->check(CLI::Range(1, 100'000))
         ->capture_default_str();
     AddConditionOptions(app, arguments.conditions, "Break conditions, which pause where they find something");
