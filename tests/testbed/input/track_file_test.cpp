@@ -95,8 +95,12 @@ struct Records {
     [[nodiscard]] std::string Join() const {
         std::string bytes("\x89TRACK\r\n");
         for (const std::string& payload : payloads) {
-            const format::Bytes frame = format::FrameOf({payload.begin(), payload.end()}, false);
-            bytes.append(frame.begin(), frame.end());
+            format::Bytes head;
+            format::PutLittle32(head, static_cast<std::uint32_t>(payload.size()));
+            const auto* const data = reinterpret_cast<const unsigned char*>(payload.data());
+            format::PutLittle32(head, format::Crc32::Of(data, payload.size()));
+            bytes.append(head.begin(), head.end());
+            bytes += payload;
         }
         return bytes;
     }

@@ -13,7 +13,6 @@
 #include "scenes/catalog.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/engines/loop_meter.h"
-#include "tests/testbed/captured_output.h"
 
 namespace testbed {
 namespace {
