@@ -31,6 +31,7 @@ using Json = nlohmann::ordered_json;
 struct CaseText {
     const CaseFile* file;
     std::string text;
+    std::set<std::string> told;  ///< lines without what differs from run to run
 };
 
 struct Merger {
@@ -51,6 +52,12 @@ std::string FindOtherBuild(const Json& own, const Json& before) {
         if (a != b) return fmt::format("{} {}, before it {}", key, PrintJson(a), PrintJson(b));
     }
     return "";
+}
+
+/// All of a line that is the same in every run.
+std::string WithoutTimes(Json line) {
+    for (const char* key : {"ms", "made"}) line.erase(key);
+    return PrintJson(line);
 }
 
 [[noreturn]] void Refuse(const CaseFile& file, std::size_t lineNumber, const std::string& problem) {
@@ -86,7 +93,7 @@ void Merger::Add(const CaseFile& file, std::size_t lineNumber, std::string_view 
                            ownCommand, count, command, caseCount));
     }
     if (number >= count) Refuse(file, lineNumber, fmt::format("case {} of {}: numbers begin at 0", number, count));
-    const auto [place, isNew] = cases.try_emplace(number, CaseText{&file, {}});
+    const auto [place, isNew] = cases.try_emplace(number, CaseText{&file, {}, {}});
     if (!isNew && place->second.file != &file) {
         Refuse(file, lineNumber,
                fmt::format("case {} is also in {}; give every shard once", number, place->second.file->name));
@@ -95,6 +102,9 @@ void Merger::Add(const CaseFile& file, std::size_t lineNumber, std::string_view 
         Refuse(file, lineNumber, fmt::format("case {} is in this file twice; give every shard once", number));
     }
     last = number;
+    if (!place->second.told.insert(WithoutTimes(object)).second) {
+        Refuse(file, lineNumber, fmt::format("case {} is in this file twice; give every shard once", number));
+    }
     if (object.contains("made")) AddMade(file, lineNumber, object["made"]);
     place->second.text.append(line) += "\n";
 }

@@ -10,7 +10,8 @@
 
 namespace testbed {
 
-Watch::Watch(const scenes::Scene& scene, Conditions conditions) : m_scene(scene), m_conditions(std::move(conditions)) {}
+Watch::Watch(const scenes::Scene& scene, Conditions conditions, double time)
+    : m_scene(scene), m_conditions(std::move(conditions)), m_time(time) {}
 
 void Watch::Show(Snapshot&& now, double timeStep) {
     std::swap(m_before, m_now);

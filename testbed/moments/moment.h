@@ -62,7 +62,8 @@ using Conditions = std::vector<std::unique_ptr<Condition>>;
 /// Steps shown one by one to all conditions: keeps what Frame needs of the step before.
 class Watch {
 public:
-    Watch(const scenes::Scene& scene, Conditions conditions);
+    /// `time`: of the first frame, s.
+    Watch(const scenes::Scene& scene, Conditions conditions, double time = 0.0);
     /// `timeStep` is that of the step that led here; the first frame is the start and takes none.
     void Show(Snapshot&& now, double timeStep);
     /// What began since the last call, also what goes on, each once: for whoever stops there.
@@ -79,7 +80,7 @@ private:
     Snapshot m_now, m_before;
     std::vector<int> m_placeNow, m_placeBefore;
     bool m_hasBefore = false;
-    double m_time = 0;
+    double m_time;
 };
 
 }  // namespace testbed

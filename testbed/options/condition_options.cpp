@@ -54,6 +54,7 @@ std::shared_ptr<Other> MakeOther(const ConditionArguments& arguments, SessionArg
     if (LooksLikeFile(arguments.diverge)) {
         there.input = arguments.diverge;
         there.size.reset();
+        if (input.motion != nullptr) there.steps.clear();  // it is as long as it is
         other->session = std::make_unique<Session>(OpenSession(there, ChooseSessionInput(there)));
         return other;
     }

@@ -7,10 +7,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/progress.h"
 #include "testbed/base/text.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/track_run.h"
@@ -65,7 +67,21 @@ Session::Session(const SceneInput& input, const RunSpec& spec, int steps, bool f
 bool Session::Step() {
     if (m_run->GetStep() >= m_lastStep) return false;
     m_run->Step();
+    m_time += GetTimeStep();
     return true;
+}
+
+void Session::Narrow(const StepRange& range) {
+    if (range.first > m_lastStep) {
+        throw UsageError(fmt::format("--steps {}:{}: the last step is {}", range.first, range.last, m_lastStep));
+    }
+    m_lastStep = std::min(m_lastStep, range.last);
+    const int before = range.first - 1;
+    Progress progress(fmt::format("to step {}", before), std::max(1, before - GetStep()));
+    while (GetStep() < before && m_run->GetStep() < m_lastStep) {
+        Step();
+        progress.Advance(1);
+    }
 }
 
 double Session::GetTimeStep() const {
@@ -100,8 +116,8 @@ void AddSessionOptions(CLI::App& app, SessionArguments& arguments) {
     app.add_option("--engine", arguments.engine,
                    "What runs a scene: ENGINE[:KEY=VALUE]..; scree if not given. A motion is taken as it was recorded")
         ->type_name("ENGINE");
-    app.add_option("--steps", arguments.steps, "Steps that the engine runs; a full run if not given")
-        ->check(CLI::Range(1, maxStep));
+    app.add_option("--steps", arguments.steps, "Which steps: the first N, or A:B; all if not given")
+        ->type_name("N|A:B");
     AddSetOption(app, arguments.settings, "Runs begin with preset=own: the engine's own defaults");
 }
 
@@ -110,6 +126,19 @@ SceneInput ChooseSessionInput(const SessionArguments& arguments) {
     return ChooseScene(arguments.input, arguments.size, arguments.reading);
 }
 
+namespace {
+
+StepRange RangeOf(const SessionArguments& arguments, int steps) {
+    if (arguments.steps.empty()) return {.first = 1, .last = steps};
+    const StepRange range = ParseSteps(arguments.steps, true);
+    if (range.stride != 1) {
+        throw UsageError(fmt::format("--steps {}: every step is looked at; give first:last", arguments.steps));
+    }
+    return range;
+}
+
+}  // namespace
+
 std::vector<NamedSession> OpenSessions(const SessionArguments& arguments, const SceneInput& input,
                                        const std::string& engines) {
     if (!engines.empty() && !arguments.engine.empty()) {
@@ -117,20 +146,22 @@ std::vector<NamedSession> OpenSessions(const SessionArguments& arguments, const 
     }
     const bool isMotion = input.motion != nullptr;
     const bool isAsRecorded = isMotion && engines.empty();
-    if (isMotion &&
-        (!arguments.engine.empty() || arguments.steps || (isAsRecorded && !arguments.settings.sets.empty()))) {
+    if (isMotion && (!arguments.engine.empty() || (isAsRecorded && !arguments.settings.sets.empty()))) {
         throw UsageError(
-            fmt::format("{} is taken as it was recorded: --engine, --steps and --set need --from K", arguments.input));
+            fmt::format("{} is taken as it was recorded: --engine and --set need --from K", arguments.input));
     }
+    const StepRange range = RangeOf(arguments, isMotion ? maxStep : input.steps);
     std::vector<NamedSession> sessions;
     if (isAsRecorded) {
         sessions.push_back({"as recorded", {input, RunSpec{}, input.steps}});
+        if (!arguments.steps.empty()) sessions.back().session.Narrow(range);
         return sessions;
     }
     const std::string text = !engines.empty() ? engines : arguments.engine.empty() ? "scree" : arguments.engine;
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : std::string_view();
     for (const Pane& pane : ParsePanes(text, GetTypedSettings(arguments.settings), base)) {
-        sessions.push_back({pane.name, {input, pane.spec, arguments.steps.value_or(input.steps), isMotion}});
+        sessions.push_back({pane.name, {input, pane.spec, range.last, isMotion}});
+        if (!arguments.steps.empty()) sessions.back().session.Narrow(range);
     }
     return sessions;
 }

@@ -23,10 +23,14 @@ public:
 
     /// False at the end.
     bool Step();
+    /// Goes to the step before the first one, and ends after the last. Throws UsageError if there are no such steps.
+    void Narrow(const StepRange& range);
     [[nodiscard]] int GetStep() const { return m_run->GetStep(); }
     [[nodiscard]] int GetLastStep() const { return m_lastStep; }
     /// Of the last step, s.
     [[nodiscard]] double GetTimeStep() const;
+    /// Since the session's beginning, s.
+    [[nodiscard]] double GetTime() const { return m_time; }
     /// Of the last step.
     [[nodiscard]] double GetStepMilliseconds() const { return m_run->GetTimes().step; }
     [[nodiscard]] Snapshot Capture(bool hasNodes = false);
@@ -49,6 +53,7 @@ private:
     std::vector<std::string> m_names;  ///< by index of a body
     int m_lastStep;
     double m_timeStep;  ///< of an engine's run
+    double m_time = 0.0;
     bool m_follows;
 };
 
@@ -58,7 +63,8 @@ private:
 /// A session as typed.
 struct SessionArguments {
     std::string input;
-    std::optional<int> size, steps;
+    std::optional<int> size;
+    std::string steps;  ///< N or A:B; empty: all
     InputArguments reading;
     SettingArguments settings;
     std::string engine;  ///< ENGINE[:KEY=VALUE]…; empty: scree, or a motion as it was recorded

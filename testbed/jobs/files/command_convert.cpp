@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -14,6 +15,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/new_file.h"
+#include "testbed/base/progress.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/jobs/files/commands.h"
@@ -46,7 +48,11 @@ void RecordRun(const ConvertArguments& arguments) {
     track.Write("");  // tells at once, and by the name that was given, if it cannot be written
     run->Record(track.GetPlace().string());
     const int steps = arguments.steps.value_or(input.steps);
-    for (int i = 0; i < steps; ++i) run->Step();
+    Progress progress(arguments.in, std::max(1, steps));
+    for (int i = 0; i < steps; ++i) {
+        run->Step();
+        progress.Advance(1);
+    }
     run->EndRecord();
     track.Finish();
 }

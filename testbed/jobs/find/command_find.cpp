@@ -18,6 +18,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/new_file.h"
 #include "testbed/base/output.h"
+#include "testbed/base/progress.h"
 #include "testbed/base/temporary_folder.h"
 #include "testbed/jobs/find/commands.h"
 #include "testbed/jobs/find/report.h"
@@ -103,6 +104,14 @@ void CheckTimeline(const FindArguments& arguments) {
                                  arguments.timeline, arguments.session.input));
 }
 
+void Look(Session& session, Watch& watch) {
+    Progress progress("find", std::max(1, session.GetLastStep() - session.GetStep()));
+    while (session.Step()) {
+        watch.Show(session.Capture(), session.GetTimeStep());
+        progress.Advance(1);
+    }
+}
+
 int RunFind(const FindArguments& arguments, const Request& request) {
     CheckTimeline(arguments);
     const SceneInput input = ChooseSessionInput(arguments.session);
@@ -112,9 +121,9 @@ int RunFind(const FindArguments& arguments, const Request& request) {
     FindReport report{
         .input = arguments.session.input, .command = DescribeCommand(request.arguments), .conditions = asked.names};
     const int first = session.GetStep();
-    Watch watch(session.GetScene(), std::move(asked.conditions));
+    Watch watch(session.GetScene(), std::move(asked.conditions), session.GetTime());
     watch.Show(session.Capture(), 0.0);
-    while (session.Step()) watch.Show(session.Capture(), session.GetTimeStep());
+    Look(session, watch);
     report.steps = session.GetStep() - first;
     for (Moment& moment : watch.Finish()) report.found.push_back({std::move(moment)});
     report.timeline = arguments.timeline;
@@ -131,7 +140,7 @@ int RunFind(const FindArguments& arguments, const Request& request) {
         fmt::print("{}\n", DescribeMoment(report.found[i], session));
     }
     if (report.found.size() > mostShown) fmt::print("and {} more\n", report.found.size() - mostShown);
-    fmt::print("{} moments in {} steps: {}\n", report.found.size(), report.steps, fmt::join(report.conditions, ", "));
+    fmt::print("{}\n", Summarize(report));
     return report.found.empty() ? exitDone : exitDiffers;
 }
 

@@ -27,6 +27,12 @@ std::string DescribeMoment(const FoundMoment& found, const Session& session) {
                        found.link.empty() ? "" : "; " + found.link);
 }
 
+std::string Summarize(const FindReport& report) {
+    const std::size_t count = report.found.size();
+    return fmt::format("{} moment{} in {} step{}: {}", count, count == 1 ? "" : "s", report.steps,
+                       report.steps == 1 ? "" : "s", fmt::join(report.conditions, ", "));
+}
+
 std::string LinkTo(const std::string& timeline, const Moment& moment) {
     return fmt::format("{}#step={}{}{}", timeline, moment.step,
                        moment.bodies.empty() ? "" : "&body=", fmt::join(moment.bodies, ","));
@@ -112,8 +118,7 @@ void WriteFindPage(const std::filesystem::path& file, const FindReport& report, 
                                    .file = found.picture});
     }
     Page page{.title = fmt::format("{}: moments", report.input),
-              .intro = fmt::format("`{}`\n\n{} moments in {} steps: {}.", report.command, report.found.size(),
-                                   report.steps, fmt::join(report.conditions, ", "))};
+              .intro = fmt::format("`{}`\n\n{}.", report.command, Summarize(report))};
     PageSection section{.title = "Moments"};
     if (!timeline.empty()) section.intro = "A step leads to it in the timeline, with the bodies chosen.";
     if (!report.found.empty()) section.blocks.push_back(table);

@@ -35,6 +35,8 @@ struct FindReport {
 
 /// "step 512, 8.53 s: tunnel: player (37), floor (0): went through, at 45 m/s".
 [[nodiscard]] std::string DescribeMoment(const FoundMoment& found, const Session& session);
+/// "2 moments in 600 steps: tunnel, non-finite".
+[[nodiscard]] std::string Summarize(const FindReport& report);
 /// {"schema": 1, "input", "command", "steps", "conditions": […], "moments": [{"condition", "step", …}]}.
 [[nodiscard]] std::string WriteFindJson(const FindReport& report, const Session& session);
 /// A test case a condition; it fails with the moments that it found.

@@ -15,8 +15,8 @@ namespace testbed {
 std::string ByteStream::Pack() const {
     uLongf size = compressBound(static_cast<uLong>(m_bytes.size()));
     std::vector<unsigned char> packed(size);
-    if (compress2(packed.data(), &size, m_bytes.data(), static_cast<uLong>(m_bytes.size()), Z_BEST_COMPRESSION) !=
-        Z_OK) {
+    // Level 9 takes four times as long and saves some percent.
+    if (compress2(packed.data(), &size, m_bytes.data(), static_cast<uLong>(m_bytes.size()), 6) != Z_OK) {
         throw FileError("out of memory while packing a page");
     }
     packed.resize(size);

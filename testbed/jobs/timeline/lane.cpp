@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/progress.h"
 #include "testbed/options/options.h"
 
 namespace testbed {
@@ -152,17 +153,20 @@ KeptTrees ParseKeptTrees(std::string_view text) {
 LaneData RecordLane(Session& session, const std::string& name, Conditions conditions, const Grid& grid,
                     BodyRows& bodies, const LaneOptions& options) {
     const bool hasContacts = options.contacts && session.HasContacts();
-    Watch watch(session.GetScene(), std::move(conditions));
+    Watch watch(session.GetScene(), std::move(conditions), session.GetTime());
     MotionData motion(session.GetScene().bodies.size(), grid);
     ContactData contacts;
     JointData joints;
     Series series(session.HasTimes(), session.HasContacts());
     Trees trees(options.trees, grid);
     Json steps = Json::array(), times = Json::array();
-    double time = 0.0, timeStep = 0.0;
+    double timeStep = 0.0;
+    Progress progress(name, std::max(1, session.GetLastStep() - session.GetStep()));
     for (bool goesOn = true; goesOn; goesOn = session.Step()) {
-        if (!steps.empty()) timeStep = session.GetTimeStep();
-        time += timeStep;
+        if (!steps.empty()) {
+            timeStep = session.GetTimeStep();
+            progress.Advance(1);
+        }
         const double milliseconds = session.GetStepMilliseconds();
         const bool wantsTree = options.trees.IsAsked() && trees.Wants(session.GetStep(), milliseconds);
         Snapshot snapshot = session.Capture(wantsTree);
@@ -173,7 +177,7 @@ LaneData RecordLane(Session& session, const std::string& name, Conditions condit
         series.Add(snapshot, bodies);
         if (wantsTree) trees.Keep(snapshot, milliseconds);
         steps.push_back(session.GetStep());
-        times.push_back(std::round(time * 1e6) / 1e6);
+        times.push_back(std::round(session.GetTime() * 1e6) / 1e6);
         watch.Show(std::move(snapshot), timeStep);
     }
     LaneData lane;

@@ -74,6 +74,14 @@ TEST(CaseLines, WrongFilesAreNamedWithTheirLine) {
     EXPECT_NE(MessageOf({first, {"b.jsonl", MakeLines({.index = 2, .count = 2}, "bench", 24)}}).find("another run"),
               std::string::npos);
     EXPECT_TRUE(MessageOf({first, {"b.jsonl", "{\"command\": \"bench\"\n"}}).starts_with("b.jsonl:1: not a line"));
+    // A run of one case, whose lines are twice in one file.
+    const std::string one = R"({"command":"bench","case":0,"cases":1,"engine":"scree","ms":1.5})";
+    const std::string other = R"({"command":"bench","case":0,"cases":1,"engine":"box2d","ms":1.5})";
+    const std::string again = R"({"command":"bench","case":0,"cases":1,"engine":"scree","ms":1.25})";
+    EXPECT_EQ(MessageOf({{"b.jsonl", one + "\n" + other + "\n"}}), "no error");
+    EXPECT_NE(MessageOf({{"b.jsonl", one + "\n" + other + "\n" + again + "\n"}})
+                  .find("b.jsonl:3: case 0 is in this file twice"),
+              std::string::npos);
     EXPECT_TRUE(MessageOf({{"b.jsonl", R"({"command":"bench","case":9,"cases":9})"}}).starts_with("b.jsonl:1: case 9"));
 }
 

@@ -133,8 +133,18 @@ TEST_F(Find, TheHiddenTunnelOfALongSessionIsNamed) {
     Expect("stirred.track --speed 100", exitDiffers, "speed: escapee (137): as fast as");
     Expect("stirred.track --escape=-11,-1,11,21", exitDiffers,
            fmt::format("step {}, {:.2f} s: escape: escapee (137)", hidden, hidden / 60.0));
+    // A part of it, with its times.
+    Expect(fmt::format("stirred.track --tunnel --steps {}:{}", hidden, hidden + 9), exitDiffers,
+           fmt::format("step {}, {:.2f} s: tunnel: escapee (137)", hidden, hidden / 60.0));
+    Expect(fmt::format("stirred.track --tunnel --steps {}:{}", hidden + 1, hidden + 9), exitDone,
+           "0 moments in 9 steps");
+    Expect(fmt::format("stirred.track --tunnel --steps {}", hidden - 1), exitDone,
+           fmt::format("0 moments in {} steps", hidden - 1));
+    Expect(fmt::format("stirred.track --steps {}:{}", steps + 1, steps + 2), exitUsage,
+           fmt::format("the last step is {}", steps));
+    Expect("stirred.track --steps 1:9:2", exitUsage, "give first:last");
     Expect("stirred.track --overlap 2", exitDone, fmt::format("0 moments in {} steps: overlap", steps));
-    Expect("stirred.track", exitDiffers, fmt::format("1 moments in {} steps: tunnel, non-finite", steps));
+    Expect("stirred.track", exitDiffers, fmt::format("1 moment in {} steps: tunnel, non-finite", steps));
     const ProgramResult page = folder.Run("timeline stirred.track --contacts off -o page.html");
     EXPECT_EQ(page.exitCode, exitDone) << page.output;
     EXPECT_NE(folder.Read("page.html").find(fmt::format("step {}: tunnel: escapee (137), walls (0)", hidden)),
@@ -173,7 +183,7 @@ TEST_F(Find, TwoFilesDivergeWhereTheyDo) {
     ASSERT_EQ(folder.Run("convert pyramid --size 5 a.track --steps 80").exitCode, 0);
     ASSERT_EQ(folder.Run("convert pyramid --size 5 b.track --steps 80 --engine box2d").exitCode, 0);
     Expect("a.track --diverge a.track", exitDone, "0 moments in 80 steps: diverge");
-    Expect("a.track --diverge b.track", exitDiffers, "1 moments in 80 steps: diverge");
+    Expect("a.track --diverge b.track", exitDiffers, "1 moment in 80 steps: diverge");
     Expect("a.track --from 10 --steps 20 --diverge box2d --distance 100", exitDone, "0 moments in 20 steps");
 }
 

@@ -93,6 +93,20 @@ TEST(Timeline, TakesAtMostTwelveBytesAStepOfABody) {
               12 * changes);
 }
 
+TEST(Timeline, APartOfASessionKeepsItsStepsAndTimes) {
+    const ScratchFolder folder;
+    ASSERT_EQ(folder.Run("convert pyramid session.track --size 4 --steps 60").exitCode, exitDone);
+    for (const std::string input : {"session.track", "pyramid --size 4 --set preset=like-box2d"}) {
+        const ProgramResult run = folder.Run("timeline " + input + " --steps 31:40 -o page.html");
+        ASSERT_EQ(run.exitCode, exitDone) << run.output;
+        EXPECT_NE(run.output.find("10 steps, "), std::string::npos) << run.output;
+        const std::string page = folder.Read("page.html");
+        EXPECT_NE(page.find(R"("steps":[30,31,32,33,34,35,36,37,38,39,40])"), std::string::npos) << input;
+        EXPECT_NE(page.find(R"("times":[0.5,0.516667,)"), std::string::npos) << input;
+    }
+    EXPECT_EQ(folder.Run("timeline session.track --steps 61:70 -o page.html").exitCode, exitUsage);
+}
+
 TEST(Timeline, WhatCannotBeMeantIsRefused) {
     const ScratchFolder folder;
     EXPECT_EQ(folder.Run("timeline").exitCode, exitUsage);
