@@ -65,38 +65,6 @@ TEST(Standing, ASymmetricColumnStaysUpright) {
     }
 }
 
-/// The largest overlap of two neighbours in a flush column after some seconds, by their height.
-double DeepestShare(int count, double width, double height, int substeps) {
-    Lab<Ours> lab;
-    lab.Ground(0.6);
-    std::vector<Body*> boxes;
-    for (int i = 0; i < count; ++i) boxes.push_back(AddBlock(lab, 0.0, height * (i + 0.5), width, height));
-    double deepest = 0.0;
-    for (int i = 0; i < 8 * stepRate; ++i) {
-        StepSoft(lab, substeps);
-        if (i < 2 * stepRate) continue;  // while the load comes up
-        for (size_t k = 1; k < boxes.size(); ++k) {
-            deepest = std::max(deepest, height - (Centre(boxes[k]).y - Centre(boxes[k - 1]).y));
-        }
-    }
-    return deepest / height;
-}
-
-/// Whatever a contact bears, its spring holds it within a tenth of the bodies; more sub-steps hold it closer.
-TEST(Standing, TallColumnsDoNotSinkIntoThemselves) {
-    Dice dice(15);
-    for (const int least : {60, 80, 100}) {
-        const int count = least + static_cast<int>(dice.In(0.0, 25.0));
-        const double width = dice.In(0.7, 1.1), height = dice.In(0.55, 0.8);
-        double before = 0.1;
-        for (const int substeps : marks) {
-            const double share = DeepestShare(count, width, height, substeps);
-            EXPECT_LT(share, before) << count << " " << substeps;
-            before = share;
-        }
-    }
-}
-
 struct Column {
     int count;
     double width, height, gap;  ///< of a box, and between two at the start, m

@@ -36,7 +36,6 @@ struct alignas(32) ContactBlock {
     /// Speed that the normal row asks for, m/s: restitution (sequential impulses), or how fast the gap may still close
     /// (soft step).
     Row bias[2];
-    Row give;  ///< soft step: how much softer than rigid the contact is, by how much its spring is without a load
     Row totalNormal[2], totalTangent;  ///< soft step: sums over the sub-steps, N·s
 };
 
@@ -62,9 +61,6 @@ struct FillSource {
     bool onMoverSurface;        ///< where friction with the unmovable acts (BlockInput)
     float* steady = nullptr;    ///< by contact: SteadyContact; null: every contact is as its manifold says
     float leastInitial = 0.0f;  ///< smaller initial overlap is left to springs, m
-    /// How deep an impulse in each sub-step presses a spring without a load, by the speed that it would give, and by
-    /// the depth from which on springs stiffen, s/m. Between two movers, and with what cannot be pushed.
-    float depthBySpeed[2] = {0.0f, 0.0f};
 };
 
 /// What filling is told of the contacts of one block; its bodies and slots are set.

@@ -51,8 +51,7 @@ FillSource SourceOf(const BlockInput& input) {
             input.restitution,
             input.onMoverSurface,
             input.steady != nullptr ? &input.steady->data()->turnA : nullptr,
-            linearSlop * input.lengthScale,
-            {input.depthBySpeed[0], input.depthBySpeed[1]}};
+            linearSlop * input.lengthScale};
 }
 
 /// Where the bodies of a block are, far from the origin.

@@ -39,7 +39,6 @@ struct BlockInput {
     /// Friction with the unmovable acts on the mover's own surface, so that disks roll by their radius, instead of
     /// halfway between both surfaces.
     bool onMoverSurface = false;
-    float depthBySpeed[2] = {0.0f, 0.0f};  ///< soft step: as in FillSource
     const ContactKernels& kernels = GetContactKernels();
 };
 

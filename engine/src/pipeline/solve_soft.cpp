@@ -185,18 +185,9 @@ public:
         m_s.before.resize(m_s.jointed.size());
         m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
-        m_s.blocks.Build({Pool(),
-                          m_bodies,
-                          fixtures,
-                          m_tables.contacts,
-                          m_islands.contacts,
-                          SubstepScale(),
-                          m_settings.kernels.restitution,
-                          m_settings.lengthScale,
-                          true,
-                          &m_tables.contacts.steady,
-                          true,
-                          {DepthBySpeed(ContactHertz()), DepthBySpeed(2.0f * ContactHertz())}});
+        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
+                          m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady,
+                          true});
         PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
@@ -371,18 +362,6 @@ private:
                 .pushSpeed = m_settings.contactPushSpeed,
                 .between = MakeSoftSpring(hertz),
                 .fixed = MakeSoftSpring(2.0f * hertz)};
-    }
-    /// Springs that bear more than what presses them so deep are stiffer, m. The shorter sub-steps are, the more of
-    /// them there are to bring a wide pile of stiff springs to rest.
-    [[nodiscard]] float StiffensFrom() const {
-        constexpr float usualTurns = 0.125f;            // of a contact's spring in a sub-step
-        constexpr float atUsual = 4.0f, least = 0.25f;  // slops
-        const float turns = ContactHertz() * m_h / usualTurns;
-        return Max(atUsual * turns * turns, least) * m_settings.Slop();
-    }
-    [[nodiscard]] float DepthBySpeed(float hertz) const {
-        const SoftSpring spring = MakeSoftSpring(hertz);
-        return (spring.stiffness - 1.0f) / (spring.biasRate * StiffensFrom());
     }
     [[nodiscard]] SoftSpring MakeSoftSpring(float hertz) const {
         const float turn = 2.0f * pi * hertz * m_h;
