@@ -35,7 +35,8 @@ struct CaptureParts {
 /// What a run must keep for captures beyond its world.
 struct RunNeeds {
     bool sweptBoxes = false;  ///< the boxes before each step, for FixtureState::swept; untimed, O(fixtures)
-    LoopMeter* loops = nullptr;  ///< runs and times the loops of our engine, in a task for each thread; outlives the run
+    LoopMeter* loops =
+        nullptr;  ///< runs and times the loops of our engine, in a task for each thread; outlives the run
 };
 
 /// What one step dealt with; the same words for every engine.

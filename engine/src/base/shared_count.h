@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Counting into plain numbers from several threads: sums, maxima and bits, which are the same in any order. std::atomic_ref,
-// or the compiler's own form where the standard library has none yet (libc++ before 19).
+// Counting into plain numbers from several threads: sums, maxima and bits, which are the same in any order.
+// std::atomic_ref, or the compiler's own form where the standard library has none yet (libc++ before 19).
 
 #pragma once
 

@@ -91,8 +91,8 @@ public:
     }
     /// Whether UpdateMoving is there for what moves.
     [[nodiscard]] virtual bool SharesUpdates() const { return false; }
-    /// Update for fixtures that move and do not rest; several threads may call it at once for different fixtures. Returns
-    /// whether any box is another one, which NoteUpdated must then be told once.
+    /// Update for fixtures that move and do not rest; several threads may call it at once for different fixtures.
+    /// Returns whether any box is another one, which NoteUpdated must then be told once.
     [[nodiscard]] virtual bool UpdateMoving(std::span<const BoxUpdate> /*updates*/) { return false; }
     virtual void NoteUpdated(bool /*haveChanged*/) {}
     /// O(1).

@@ -190,8 +190,7 @@ private:
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order. Returns how many contacts that are
 /// passed touch.
-int ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, bool isQuick, TOIStats& work,
-                 NarrowPhaseScratch& scratch) {
+int ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, bool isQuick, TOIStats& work, NarrowPhaseScratch& scratch) {
     const size_t rows = t.contacts.flags.size();
     scratch.findings.assign(rows, NarrowPhaseScratch::nothing);
     if (keepsOld) EnsureRows(scratch.old, rows);

@@ -51,8 +51,7 @@ struct Counted {
 void RunCounted(const scenes::Scene& scene, RunSpec spec, int steps, Counted& counted) {
     LoopMeter meter;
     spec.threads = counted.cores;
-    const std::unique_ptr<InteractiveRun> run =
-        MakeRun(scene, spec, {.loops = counted.cores > 1 ? &meter : nullptr});
+    const std::unique_ptr<InteractiveRun> run = MakeRun(scene, spec, {.loops = counted.cores > 1 ? &meter : nullptr});
     for (int i = 0; i < steps; ++i) {
         meter.Begin();
         run->Step();

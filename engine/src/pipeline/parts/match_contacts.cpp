@@ -18,8 +18,8 @@ namespace {
 /// Below this many pairs their contacts are not worth looking for on several threads.
 constexpr int leastPairsToShare = 1024;
 
-/// Finds and marks the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the pairs
-/// leave it: a pair that is gone or new is one such place, the start of a worker's range another.
+/// Finds and marks the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash
+/// where the pairs leave it: a pair that is gone or new is one such place, the start of a worker's range another.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts,
                   std::vector<ContactIndex>& found) {
     EnsureRows(found, pairs.size());

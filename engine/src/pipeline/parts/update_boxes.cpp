@@ -107,8 +107,7 @@ float UpdateShared(const BodyTable& bodies, const FixtureTable& fixtures, TaskPo
 
 template <bool isFar>
 float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
-                  std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool,
-                  BroadPhase& broadPhase) {
+                  std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool, BroadPhase& broadPhase) {
     float farthest = 0.0f;
     BoxBatch<isFar> batch(bodies, fixtures, broadPhase);
     if (pool.IsWide() && broadPhase.SharesUpdates()) {
