@@ -54,7 +54,7 @@ TEST(Cores, TheMeterRunsEveryTaskAtOnceAndCountsLoops) {
 }
 
 TEST(Cores, CountingLeavesTheStatesAsTheyAre) {
-    const scenes::Scene scene = scenes::Build("falling-squares", 20);
+    const scenes::Scene scene = scenes::Build("falling-squares", 60);  // enough bodies for loops to be shared
     const auto hashOf = [&](int threads, LoopMeter* meter) {
         RunSpec spec = MakeSpec("scree");
         spec.threads = threads;
