@@ -34,6 +34,7 @@ static const std::size_t blockBytes = 256u << 10;
 struct Item {
     std::int64_t number;
     Bytes bytes;
+    std::int64_t was;  ///< of the body whose place it took; -1: none
 };
 
 /// What happened to objects besides moving.
@@ -50,8 +51,8 @@ struct Events {
         Append(created, later.created);
         Append(joints, later.joints);
         Append(names, later.names);
-        Remove(created, destroyed, later.destroyed);
-        Remove(joints, destroyedJoints, later.destroyedJoints);
+        Remove(created, destroyed, later.destroyed, &names);
+        Remove(joints, destroyedJoints, later.destroyedJoints, nullptr);
     }
 
     void Write(CborWriter& out) const {
@@ -66,17 +67,36 @@ private:
     static void Append(std::vector<Item>& items, std::vector<Item>& later) {
         for (std::size_t i = 0; i < later.size(); ++i) items.push_back(std::move(later[i]));
     }
-    static void Remove(std::vector<Item>& made, std::vector<std::int64_t>& gone,
-                       const std::vector<std::int64_t>& later) {
+    static void Remove(std::vector<Item>& made, std::vector<std::int64_t>& gone, const std::vector<std::int64_t>& later,
+                       std::vector<Item>* names) {
         for (std::size_t i = 0; i < later.size(); ++i) {
-            bool wasMade = false;
-            for (std::size_t k = 0; k < made.size() && !wasMade; ++k) {
-                if (made[k].number != later[i]) continue;
-                made.erase(made.begin() + static_cast<std::ptrdiff_t>(k));
-                wasMade = true;
+            // Joints name a body by the number that it had when they were made: while another has its place, it stays.
+            if (Find(made, later[i]) == made.size() || IsReplaced(made, later[i])) {
+                gone.push_back(later[i]);
+                continue;
             }
-            if (!wasMade) gone.push_back(later[i]);
+            std::int64_t number = later[i];
+            for (std::size_t k = Find(made, number); k < made.size(); k = Find(made, number)) {
+                gone.erase(std::remove(gone.begin(), gone.end(), number), gone.end());
+                const std::int64_t before = made[k].was;
+                made.erase(made.begin() + static_cast<std::ptrdiff_t>(k));
+                for (std::size_t name = 0; names != nullptr && (name = Find(*names, number)) < names->size();)
+                    names->erase(names->begin() + static_cast<std::ptrdiff_t>(name));
+                number = before;
+            }
         }
+    }
+    /// Its place, or the end.
+    static std::size_t Find(const std::vector<Item>& items, std::int64_t number) {
+        std::size_t k = 0;
+        while (k < items.size() && items[k].number != number) ++k;
+        return k;
+    }
+    static bool IsReplaced(const std::vector<Item>& items, std::int64_t number) {
+        for (std::size_t k = 0; k < items.size(); ++k) {
+            if (items[k].was == number) return true;
+        }
+        return false;
     }
     static void WriteItems(CborWriter& out, const char* key, const std::vector<Item>& items) {
         if (items.empty()) return;

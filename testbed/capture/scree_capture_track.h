@@ -254,7 +254,7 @@ private:
                 out.Value(m_table->numbers[k]);
                 out.Value(m_namesToCome[i].second);
                 out.EndArray();
-                m_events.names.push_back(Item{m_table->numbers[k], std::move(out.GetBytes())});
+                m_events.names.push_back(Item{m_table->numbers[k], std::move(out.GetBytes()), -1});
             }
         }
         m_namesToCome.clear();
@@ -324,7 +324,7 @@ private:
             out.Key("body");
             SceneWriter<Api, CborWriter>(out).WriteBody(*slot.body);
             out.EndMap();
-            m_events.created.push_back(Item{number, std::move(out.GetBytes())});
+            m_events.created.push_back(Item{number, std::move(out.GetBytes()), replaced[i]});
         }
         m_slots.swap(slots);
         m_table = table;
@@ -365,7 +365,7 @@ private:
             out.Key("joint");
             SceneWriter<Api, CborWriter>(out).WriteJoint(*made[i].second, bodies, joints);
             out.EndMap();
-            m_events.joints.push_back(Item{slots[made[i].first].number, std::move(out.GetBytes())});
+            m_events.joints.push_back(Item{slots[made[i].first].number, std::move(out.GetBytes()), -1});
         }
         m_joints.swap(slots);
     }

@@ -60,8 +60,7 @@ TEST(ScreeCapture, AWrittenSceneIsTheSameWorld) {
 
 /// A small world in which a program destroys, makes and changes objects between steps, recorded with everything on.
 std::string RecordBusyWorld(const std::string& path, scree_capture::Options options, int steps,
-                            std::vector<std::map<std::uintptr_t, BodyBits>>& history, int* skipped = nullptr,
-                            bool makesJoints = true) {
+                            std::vector<std::map<std::uintptr_t, BodyBits>>& history, int* skipped = nullptr) {
     scree::World world(scree::Vec2{0.0f, -10.0f});
     std::mt19937 random(5);
     std::vector<scree::Body*> bodies;
@@ -110,7 +109,6 @@ std::string RecordBusyWorld(const std::string& path, scree_capture::Options opti
                 break;
             }
             case 3: {
-                if (!makesJoints) break;
                 scree::RevoluteJointDef def;
                 def.Initialize(bodies[one], bodies[(one + 1) % bodies.size()], bodies[one]->GetPosition());
                 world.CreateJoint(&def);
@@ -126,6 +124,7 @@ std::string RecordBusyWorld(const std::string& path, scree_capture::Options opti
             world.DestroyBody(bodies.front());
             bodies.erase(bodies.begin());
         }
+        if (step % 5 == 0) track.Name(bodies.back(), "newest");
         if (step == 7) track.Mark("the seventh");
         world.Step(1.0f / 60.0f, 6, 2);
         track.Step(1.0f / 60.0f);
@@ -194,8 +193,6 @@ TEST(ScreeCapture, ObjectsThatComeAndGoAreThereWhenTheyWere) {
     EXPECT_GT(joints, 100);
 }
 
-/// Without joints. Known fault: a joint that was made in a step that is left out names the body that it was made on,
-/// also if that body got another fixture, and with it another number, in a later one. Such a track cannot be read.
 TEST(ScreeCapture, StepsThatFindNoRoomAreLeftOutAndTheOthersAreWhole) {
     const ScratchFolder folder;
     for (const std::size_t memory : {std::size_t{0}, std::size_t{1}, std::size_t{6000}, std::size_t{100000}}) {
@@ -205,8 +202,7 @@ TEST(ScreeCapture, StepsThatFindNoRoomAreLeftOutAndTheOthersAreWhole) {
         options.contacts = true;
         options.memory = memory;
         int skipped = 0;
-        const std::string bytes =
-            RecordBusyWorld(folder.GetPath() / "full.track", options, 600, history, &skipped, false);
+        const std::string bytes = RecordBusyWorld(folder.GetPath() / "full.track", options, 600, history, &skipped);
         TrackFile track(bytes, "full.track");
         EXPECT_EQ(track.GetInfo().damage, "");
         int written = 0;
@@ -215,7 +211,13 @@ TEST(ScreeCapture, StepsThatFindNoRoomAreLeftOutAndTheOthersAreWhole) {
             ASSERT_TRUE(BitsOfScene(track.SceneAt(step)) == history[static_cast<std::size_t>(step)]) << step;
         }
         EXPECT_EQ(written + skipped, 600);
-        EXPECT_EQ(written > 0, memory > 0);
+        if (memory == 0) {
+            EXPECT_EQ(written, 0);
+        }
+        // With a single byte a step finds room only while nothing at all waits: maybe never on a busy machine.
+        if (memory > 1) {
+            EXPECT_GT(written, 0);
+        }
     }
 }
 
