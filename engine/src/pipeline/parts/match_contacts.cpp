@@ -18,8 +18,9 @@ namespace {
 /// Below this many pairs their contacts are not worth looking for on several threads.
 constexpr int leastPairsToShare = 1024;
 
-/// Finds and marks the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash
-/// where the pairs leave it: a pair that is gone or new is one such place, the start of a worker's range another.
+/// Finds the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the
+/// pairs leave it: a pair that is gone or new is one such place, the start of a worker's range another. Then marks them
+/// all: finding reads flags of rows that other workers would mark.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts,
                   std::vector<ContactIndex>& found) {
     EnsureRows(found, pairs.size());
@@ -32,9 +33,13 @@ void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& con
             if (!contacts.IsRowOf(contact, a, b)) contact = contacts.Find(a, b);
             found[i] = contact;
             if (IsNone(contact)) continue;
-            SetSharedBits(contacts.flags[contact], ContactFlag::marked);
             if (*follower != contact) *follower = contact;
             follower = &contacts.successor[contact];
+        }
+    });
+    pool.For(static_cast<int>(pairs.size()), leastPairsToShare, [&](int begin, int end, int /*worker*/) {
+        for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
+            if (IsSome(found[i])) SetSharedBits(contacts.flags[found[i]], ContactFlag::marked);
         }
     });
 }
