@@ -190,9 +190,9 @@ void ContactBlocks::MakeRanges() {
     }
 }
 
-void ContactBlocks::FetchAhead(const BlockInput& input, size_t block) const {
+void ContactBlocks::FetchAhead(const BlockInput& input, size_t block, size_t end) const {
     // Contacts of a colour are far apart: ask for their rows here four blocks ahead, for those of the tables two ahead,
-    // and for the bodies of the next block.
+    // and for the bodies of the next block. Rows of blocks from `end` on are not read: another worker may write them.
     const auto contactAt = [&](size_t lane) { return &At(std::max(m_order[lane], 0)); };
     for (size_t l = block * blockLanes; l < (block + 1) * blockLanes; ++l) {
         Prefetch(contactAt(l + blocksAhead * blockLanes));
@@ -200,6 +200,7 @@ void ContactBlocks::FetchAhead(const BlockInput& input, size_t block) const {
         Prefetch(&input.contacts.manifold[far]);
         Prefetch(&input.contacts.material[far]);
         if (input.steady != nullptr) Prefetch(&(*input.steady)[far]);
+        if (block + 1 == end || m_order[l + blockLanes] < 0) continue;
         const SidedContact* next = contactAt(l + blockLanes);
         for (const BodyIndex body : {next->a, next->b}) {
             Prefetch(&input.bodies.transform[body]);
@@ -273,7 +274,7 @@ FillFindings ContactBlocks::FillRange(const BlockInput& input, size_t begin, siz
                                   [](int32_t block, const BlockRange& r) { return block < r.end; });
     for (size_t k = begin; k < end; ++k) {
         if (static_cast<int32_t>(k) == range->end) ++range;
-        FetchAhead(input, k);
+        FetchAhead(input, k, end);
         lanes.isFar = input.bodies.IsFar();
         lanes.areKept = range->kind.twoPoints && input.steady != nullptr && AreKept(input, k);
         lanes.areKept && !m_isFresh ? NameContacts(k, lanes) : NameLanes(input, k, lanes);

@@ -107,7 +107,7 @@ private:
     void NameLanes(const BlockInput& input, size_t block, FillLanes& lanes);
     void StoreRange(size_t begin, size_t end, float scale, Column<ContactIndex, Manifold>& manifold) const;
     FillFindings FillRange(const BlockInput& input, size_t begin, size_t end);
-    void FetchAhead(const BlockInput& input, size_t block) const;
+    void FetchAhead(const BlockInput& input, size_t block, size_t end) const;
     /// By position in the list.
     [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }
 
