@@ -92,6 +92,14 @@ template Parsed<double> ParseNumber(std::string_view text);
 
 std::string BeforeCure(const std::string& problem) { return problem.empty() ? problem : problem + "; "; }
 
+std::string QuoteForShell(std::string_view word) {
+    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+    if (!word.empty() && word.find_first_not_of(letters) == std::string_view::npos) return std::string(word);
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 std::string FormatHash(uint64_t hash) { return fmt::format("{:016x}", hash); }
 
 Parsed<uint64_t> ParseHash(std::string_view text) {

@@ -51,6 +51,9 @@ extern template Parsed<double> ParseNumber(std::string_view text);
 /// "PROBLEM; " for a message that goes on with what to give instead; nothing for none.
 [[nodiscard]] std::string BeforeCure(const std::string& problem);
 
+/// A word as a shell takes it: quoted unless it consists of letters, digits and signs that mean nothing to a shell.
+[[nodiscard]] std::string QuoteForShell(std::string_view word);
+
 /// 64 bits as they are written where numbers cannot hold them: 16 hexadecimal digits.
 [[nodiscard]] std::string FormatHash(uint64_t hash);
 [[nodiscard]] Parsed<uint64_t> ParseHash(std::string_view text);

@@ -56,10 +56,10 @@ def lighter(line):
     if command == 'requires':
         extra.append('--quick' if '--quick' not in line else '')
         extra.append('--steps 5' if '--steps' not in line and re.search(r'requires (?!-)\S', line) else '')
-    if command == 'snapshot' and '--scenes' not in line and not re.search(r'snapshot (list|accept)', line):
-        line = line.replace("'^tiles/'", "'^pyramid/'")
+    if command == 'snapshot' and '--scenes' not in line and not re.search(r'snapshot (list|merge)', line):
+        line = line.replace("'^tiles/'", "'^box-stack/'" if 'snapshot accept' in line else "'^pyramid/'")
         extra.append('--references references' if '--references' not in line else '')
-        extra.append("-g '^box-stack/'" if ' -g' not in line else '')
+        extra.append("-g '^box-stack/'" if ' -g' not in line and 'snapshot accept' not in line else '')
     extra = ' '.join(word for word in extra if word)
     head, mark, tail = line.partition(' ::: ')  # arguments of parallel come last
     return f'{head} {extra}{mark}{tail}'

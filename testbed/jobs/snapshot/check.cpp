@@ -18,6 +18,7 @@
 #include "testbed/base/filter.h"
 #include "testbed/base/json_print.h"
 #include "testbed/base/progress.h"
+#include "testbed/base/text.h"
 #include "testbed/jobs/snapshot/reference_folder.h"
 #include "testbed/jobs/snapshot/report.h"
 #include "testbed/jobs/snapshot/structure.h"
@@ -64,9 +65,14 @@ std::string DescribeStructureChange(const Json& expected, const Json& actual) {
     return change["equal"].get<bool>() ? std::string() : PrintJson(change);
 }
 
-void JudgePair(SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture) {
+/// Null: the sidecar has none.
+Json GetStateHash(const Json& sidecar) { return sidecar.contains("state_hash") ? sidecar["state_hash"] : Json(); }
+
+void JudgePair(SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture, StateRule rule) {
     const Image &expected = reference.image, &actual = picture.image;
+    const Json before = GetStateHash(reference.sidecar), after = GetStateHash(picture.sidecar);
     result.structure = DescribeStructureChange(reference.sidecar, picture.sidecar);
+    result.isStateChanged = !result.structure.empty() || before != after;
     if (expected.width != actual.width || expected.height != actual.height) {
         result.status = SnapshotStatus::size;
         result.message = fmt::format("{}x{} pixels, the reference has {}x{}", actual.width, actual.height,
@@ -76,14 +82,20 @@ void JudgePair(SnapshotResult& result, const Reference& reference, const Snapsho
     result.pixels = ComparePixels(expected, actual, result.rule);
     result.status = result.pixels.changed == 0 ? SnapshotStatus::equal : SnapshotStatus::changed;
     result.message = DescribePixels(result);
-    if (result.status == SnapshotStatus::equal && !result.structure.empty()) {
+    if (result.status != SnapshotStatus::equal || !result.isStateChanged) return;
+    if (rule == StateRule::exact) {
+        result.status = SnapshotStatus::state;
+        result.message +=
+            fmt::format("; the state hash is {}, the reference has {}", PrintJson(after), PrintJson(before));
+        if (before == after) result.message += "; bodies, tree nodes or contacts differ, as the report shows";
+    } else {
         result.message += "; the state below the pixels changed";
     }
 }
 
 std::string UpdateCommand(const SnapshotJob& job, const std::string& id, const char* mode) {
     if (job.making.spec != SnapshotMaking{}.spec) return {};  // references are made in one way
-    return fmt::format("{} --update {} -g '^{}$'", job.updateCommand, mode, PatternOf(id));
+    return fmt::format("{} --update {} -g '^{}$'", FormatSnapshotCommand(job, "update"), mode, PatternOf(id));
 }
 
 void Judge(const SnapshotJob& job, SnapshotResult& result, const Reference& reference, const SnapshotPicture& picture) {
@@ -97,7 +109,7 @@ void Judge(const SnapshotJob& job, SnapshotResult& result, const Reference& refe
         result.status = SnapshotStatus::deleted;
         result.message = fmt::format("the reference's {} is gone", reference.hasImage ? "sidecar" : "picture");
     } else {
-        JudgePair(result, reference, picture);
+        JudgePair(result, reference, picture, job.state);
         if (result.status == SnapshotStatus::equal) result.update.clear();
     }
 }
@@ -114,11 +126,10 @@ private:
     void CheckScene(std::span<const SnapshotCase> cases, std::size_t firstNumber);
     void CheckPicture(const SnapshotCase& snapshotCase, const SnapshotPicture& picture, std::size_t number);
     void CheckOrphan(const std::string& id, std::size_t number);
-    [[nodiscard]] bool IsAccepted(const SnapshotResult& result) const;
     void Report(SnapshotResult& result, const ReportedPair& pair);
     void Keep(SnapshotResult result, std::size_t number) {
         m_outcome.results.push_back(std::move(result));
-        m_outcome.caseNumbers.push_back(number);
+        m_outcome.results.back().number = number;
     }
 
     const SnapshotJob& m_job;
@@ -127,24 +138,8 @@ private:
     SnapshotOutcome m_outcome;
 };
 
-bool Checker::IsAccepted(const SnapshotResult& result) const {
-    const bool isMissing = result.status == SnapshotStatus::missing;
-    const bool isSame = result.status == SnapshotStatus::equal && result.structure.empty();
-    switch (m_job.update) {
-        case UpdateMode::none:
-            return false;
-        case UpdateMode::missing:
-            return isMissing;
-        case UpdateMode::changed:
-            return !isMissing && !isSame && result.status != SnapshotStatus::orphan;
-        case UpdateMode::all:
-            return !isSame;
-    }
-    return false;
-}
-
 void Checker::Report(SnapshotResult& result, const ReportedPair& pair) {
-    if (result.status == SnapshotStatus::equal) return;
+    if (result.status == SnapshotStatus::equal && !result.isStateChanged) return;
     if (!m_report) m_report.emplace(m_job.report);
     m_report->Add(result, pair);
 }
@@ -164,13 +159,15 @@ void Checker::CheckPicture(const SnapshotCase& snapshotCase, const SnapshotPictu
     result.simulateMs = picture.simulateMs;
     result.renderMs = picture.renderMs;
     result.compareMs = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    if (IsAccepted(result)) {
-        WriteReference(m_job.references, result.id, picture.image, picture.sidecar, reference.sidecar);
+    if (IsAccepted(m_job.update, result)) {
+        ReferenceChange change(m_job.references);
+        change.Write(result.id, picture.image, picture.sidecar, reference.sidecar);
+        change.Finish();
         m_outcome.rewritten.push_back(result.id);
         result = MakeResult(snapshotCase);
         result.message = "accepted";
     } else {
-        if (result.status == SnapshotStatus::equal && !result.structure.empty()) ++m_outcome.structureOnly;
+        if (result.status == SnapshotStatus::equal && result.isStateChanged) ++m_outcome.structureOnly;
         Report(result, {.expected = reference.hasImage ? &reference.image : nullptr,
                         .actual = &picture.image,
                         .expectedSidecar = reference.hasSidecar ? FormatSidecar(reference.sidecar) : "",
@@ -209,8 +206,10 @@ void Checker::CheckOrphan(const std::string& id, std::size_t number) {
     result.status = SnapshotStatus::orphan;
     result.message = "a reference that the catalogue of snapshots does not have";
     result.update = UpdateCommand(m_job, id, "all");
-    if (IsAccepted(result)) {
-        RemoveReference(m_job.references, id);
+    if (IsAccepted(m_job.update, result)) {
+        ReferenceChange change(m_job.references);
+        change.Remove(id);
+        change.Finish();
         m_outcome.removed.push_back(id);
         return;
     }
@@ -238,9 +237,9 @@ SnapshotOutcome Checker::Run() {
         ++number;
     }
     if (m_report) {
-        m_outcome.page = m_report->Finish(
-            {m_job.command, GetBackendName(m_maker.GetBackend()), m_maker.GetRendererName(), m_maker.GetVersion()},
-            m_outcome.results);
+        m_outcome.page = m_report->Finish({m_job.command, GetBackendName(m_maker.GetBackend()),
+                                           m_maker.GetRendererName(), m_maker.GetVersion(), m_outcome.caseCount},
+                                          m_outcome.results);
     }
     return std::move(m_outcome);
 }
@@ -251,6 +250,30 @@ std::vector<SnapshotCase> SelectCases(std::vector<SnapshotCase> catalog, const s
     const std::regex expression = CompileFilter(pattern);
     std::erase_if(catalog, [&](const SnapshotCase& c) { return !std::regex_search(c.GetId(), expression); });
     return catalog;
+}
+
+std::string FormatSnapshotCommand(const SnapshotJob& job, std::string_view action) {
+    return fmt::format("{} snapshot {}{}", job.program, action, job.place);
+}
+
+std::string FormatPattern(const std::string& pattern) {
+    return pattern.empty() ? std::string() : " -g " + QuoteForShell(pattern);
+}
+
+bool IsAccepted(UpdateMode mode, const SnapshotResult& result) {
+    const bool isMissing = result.status == SnapshotStatus::missing;
+    const bool isSame = result.status == SnapshotStatus::equal && !result.isStateChanged;
+    switch (mode) {
+        case UpdateMode::none:
+            return false;
+        case UpdateMode::missing:
+            return isMissing;
+        case UpdateMode::changed:
+            return !isMissing && !isSame && result.status != SnapshotStatus::orphan;
+        case UpdateMode::all:
+            return !isSame;
+    }
+    return false;
 }
 
 SnapshotOutcome CheckSnapshots(const SnapshotJob& job, PictureMaker& maker) { return Checker(job, maker).Run(); }

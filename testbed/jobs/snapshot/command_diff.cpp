@@ -134,12 +134,13 @@ int RunDiff(const DiffArguments& arguments) {
     std::vector<SnapshotResult> results;
     for (const DiffPair& pair : pairs) {
         results.push_back(ComparePair(pair, arguments.tolerance, report));
+        results.back().number = results.size() - 1;
         if (results.back().status != SnapshotStatus::equal || pairs.size() == 1) {
             fmt::print("{}", FormatResult(results.back()));
         }
     }
     std::filesystem::path page;
-    if (report) page = report->Finish({"scree diff", "", "", ""}, results);
+    if (report) page = report->Finish({"scree diff", "", "", "", pairs.size()}, results);
     if (pairs.size() > 1) fmt::print("{} pictures: {}\n", pairs.size(), FormatCounts(results));
     if (report) fmt::print("report: {}\n", page.string());
     return IsClean(results) ? exitDone : exitDiffers;

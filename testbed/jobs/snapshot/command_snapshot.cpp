@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree snapshot check | update | verify | list`: pictures of every scene against references.
+// `scree snapshot check | update | accept | merge | verify | list`: pictures of every scene against references.
 
 #include <fmt/format.h>
 
@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <initializer_list>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -21,9 +22,13 @@
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/shard.h"
+#include "testbed/base/text.h"
 #include "testbed/engines/panes.h"
+#include "testbed/jobs/snapshot/accept.h"
+#include "testbed/jobs/snapshot/artifact.h"
 #include "testbed/jobs/snapshot/check.h"
 #include "testbed/jobs/snapshot/commands.h"
+#include "testbed/jobs/snapshot/merge.h"
 #include "testbed/jobs/snapshot/reference_folder.h"
 #include "testbed/jobs/snapshot/report.h"
 #include "testbed/jobs/snapshot/scene_folder.h"
@@ -43,8 +48,10 @@ using Json = nlohmann::ordered_json;
 
 struct SnapshotArguments {
     std::string action;
+    std::vector<std::string> artifacts;
     std::string pattern;
     std::string update;
+    std::string state = "close";
     std::string scenes;
     std::string references;
     std::string report;
@@ -55,8 +62,9 @@ struct SnapshotArguments {
     PictureArguments picture;  ///< of these only the backend
 };
 
-constexpr std::array<std::string_view, 4> actionNames = {"check", "update", "verify", "list"};
+constexpr std::array<std::string_view, 6> actionNames = {"check", "update", "accept", "merge", "verify", "list"};
 constexpr std::array<std::string_view, 3> updateNames = {"missing", "changed", "all"};
+constexpr std::array<std::string_view, 2> stateNames = {"close", "exact"};
 /// Where a check without --report leaves what differs.
 constexpr const char* defaultReport = "out/snapshots";
 
@@ -64,13 +72,17 @@ constexpr const char* defaultReport = "out/snapshots";
 struct Catalog {
     std::vector<SnapshotCase> cases;
     std::string references;
-    std::string updateCommand;
+    std::string program;  ///< that a reader is told to run
+    std::string place;    ///< options that name scenes and references
 };
 
 Catalog ChooseCatalog(const SnapshotArguments& arguments) {
     if (arguments.scenes.empty()) {
-        Catalog catalog{GetSnapshotCatalog(), arguments.references, "testbed/run snapshot update"};
-        if (!catalog.references.empty()) return catalog;
+        Catalog catalog{GetSnapshotCatalog(), arguments.references, "testbed/run", ""};
+        if (!catalog.references.empty()) {
+            catalog.place = " --references " + QuoteForShell(catalog.references);
+            return catalog;
+        }
         catalog.references = SCREE_REFERENCE_FOLDER;
         if (!fs::exists(catalog.references)) {
             throw UsageError(
@@ -81,17 +93,24 @@ Catalog ChooseCatalog(const SnapshotArguments& arguments) {
     }
     const std::string references =
         arguments.references.empty() ? (fs::path(arguments.scenes) / "references").string() : arguments.references;
-    return {ReadSceneFolder(arguments.scenes), references,
-            fmt::format("scree snapshot update --scenes '{}' --references '{}'", arguments.scenes, references)};
+    return {ReadSceneFolder(arguments.scenes), references, "scree",
+            fmt::format(" --scenes {} --references {}", QuoteForShell(arguments.scenes), QuoteForShell(references))};
 }
 
 UpdateMode ParseUpdate(const SnapshotArguments& arguments) {
-    const std::string text = arguments.action == "update" && arguments.update.empty() ? "all" : arguments.update;
+    const bool accepts = arguments.action == "update" || arguments.action == "accept";
+    const std::string text = accepts && arguments.update.empty() ? "all" : arguments.update;
     if (text.empty()) return UpdateMode::none;
     const auto place = std::ranges::find(updateNames, text);
     if (place == updateNames.end()) throw UsageError(DescribeUnknown("kind of --update", text, updateNames));
     constexpr std::array modes{UpdateMode::missing, UpdateMode::changed, UpdateMode::all};
     return modes[static_cast<std::size_t>(place - updateNames.begin())];
+}
+
+StateRule ParseState(const std::string& text) {
+    const auto place = std::ranges::find(stateNames, text);
+    if (place == stateNames.end()) throw UsageError(DescribeUnknown("kind of --state", text, stateNames));
+    return text == "exact" ? StateRule::exact : StateRule::close;
 }
 
 /// Files that the user named get their folder made first: an unwritable place is known before the work.
@@ -114,13 +133,21 @@ void PrintOutcome(const SnapshotOutcome& outcome, const SnapshotJob& job) {
     fmt::print("\n");
     if (outcome.structureOnly > 0) {
         fmt::print(
-            "{} equal in their pixels alone: the state changed by less (`snapshot update` renews the sidecars)\n",
+            "{} equal in their pixels alone: the state changed by less (--state exact fails for it, `snapshot update` "
+            "renews the sidecars)\n",
             outcome.structureOnly);
     }
     if (job.making.spec != SnapshotMaking{}.spec) {
         fmt::print("made with --set, unlike the references: nothing of it is to be accepted\n");
     }
-    if (!outcome.page.empty()) fmt::print("report: {}\n", outcome.page.string());
+    if (outcome.page.empty()) return;
+    fmt::print("report: {}\n", outcome.page.string());
+    const auto canBeAccepted = [](const SnapshotResult& result) { return !result.update.empty(); };
+    if (std::ranges::none_of(outcome.results, canBeAccepted)) return;
+    fmt::print("to accept all that is in the report: {} {}\n", FormatSnapshotCommand(job, "accept"),
+               QuoteForShell(job.report.string()));
+    fmt::print("to make all again and accept them: {}{}\n", FormatSnapshotCommand(job, "update"),
+               FormatPattern(job.pattern));
 }
 
 SnapshotMaking MakeMaking(const SnapshotArguments& arguments) {
@@ -131,7 +158,9 @@ int RunCheck(const SnapshotArguments& arguments, const Request& request) {
     Catalog catalog = ChooseCatalog(arguments);
     SnapshotJob job;
     job.catalog = std::move(catalog.cases);
-    job.updateCommand = std::move(catalog.updateCommand);
+    job.program = std::move(catalog.program);
+    job.place = std::move(catalog.place);
+    job.state = ParseState(arguments.state);
     job.references = catalog.references;
     job.pattern = arguments.pattern;
     job.shard = ParseShard(arguments.shard.shard);
@@ -152,9 +181,7 @@ int RunCheck(const SnapshotArguments& arguments, const Request& request) {
     PictureMaker maker(backend, request.contextOptions);
     const SnapshotOutcome outcome = CheckSnapshots(job, maker);
     CaseLines lines("snapshot " + arguments.action, outcome.caseCount);
-    for (std::size_t i = 0; i < outcome.results.size(); ++i) {
-        lines.Add(outcome.caseNumbers[i], DescribeResult(outcome.results[i]));
-    }
+    for (const SnapshotResult& result : outcome.results) lines.Add(result.number, DescribeResult(result));
     if (!arguments.shard.json.empty()) WriteTextFile(arguments.shard.json, lines.GetText());
     if (!arguments.junit.empty()) WriteTextFile(arguments.junit, WriteJunit(job.command, outcome.results));
     if (arguments.annotations) {
@@ -164,6 +191,50 @@ int RunCheck(const SnapshotArguments& arguments, const Request& request) {
     }
     PrintOutcome(outcome, job);
     return IsClean(outcome.results) ? exitDone : exitDiffers;
+}
+
+std::vector<SnapshotArtifact> ReadGivenArtifacts(const SnapshotArguments& arguments) {
+    if (arguments.artifacts.empty()) {
+        throw UsageError(
+            fmt::format("snapshot {}: give the folder that `snapshot check` wrote its report to", arguments.action));
+    }
+    return ReadArtifacts(arguments.artifacts);
+}
+
+int RunAccept(const SnapshotArguments& arguments) {
+    const std::vector<SnapshotArtifact> artifacts = ReadGivenArtifacts(arguments);
+    Catalog catalog = ChooseCatalog(arguments);
+    const AcceptOutcome outcome = AcceptArtifacts({.catalog = std::move(catalog.cases),
+                                                   .references = catalog.references,
+                                                   .pattern = arguments.pattern,
+                                                   .update = ParseUpdate(arguments)},
+                                                  artifacts);
+    for (const std::string& id : outcome.rewritten) fmt::print("written  {}\n", id);
+    for (const std::string& id : outcome.removed) fmt::print("removed  {}\n", id);
+    for (const std::string& id : outcome.already) fmt::print("already  {}\n", id);
+    for (const SnapshotResult& result : outcome.left) {
+        fmt::print("left     {}, {}: {}\n", result.id, GetStatusName(result.status), result.message);
+    }
+    fmt::print("{} written, {} removed, {} already as in the artifact, {} left; references: {}\n",
+               outcome.rewritten.size(), outcome.removed.size(), outcome.already.size(), outcome.left.size(),
+               catalog.references);
+    return outcome.left.empty() ? exitDone : exitDiffers;
+}
+
+int RunMerge(const SnapshotArguments& arguments) {
+    const std::vector<SnapshotArtifact> artifacts = ReadGivenArtifacts(arguments);
+    CheckWritable(arguments.junit);
+    const MergedReport merged =
+        MergeReports(artifacts, arguments.report.empty() ? defaultReport : arguments.report.c_str());
+    const std::vector<SnapshotResult>& results = merged.written.results;
+    if (!arguments.junit.empty()) WriteTextFile(arguments.junit, WriteJunit(merged.written.origin.command, results));
+    fmt::print("{} of {} snapshots: {}\nreport: {}\n", results.size(), merged.written.origin.caseCount,
+               FormatCounts(results), merged.page.string());
+    if (!merged.missing.empty()) {
+        fmt::print(stderr, "scree: {} of {} cases are in no report, the first is case {}: did every shard finish?\n",
+                   merged.missing.size(), merged.written.origin.caseCount, merged.missing.front());
+    }
+    return IsClean(results) && merged.missing.empty() ? exitDone : exitDiffers;
 }
 
 /// Cases of the shard, and their numbers in the whole run.
@@ -257,16 +328,43 @@ int RunList(const SnapshotArguments& arguments) {
     return exitDone;
 }
 
+/// Throws UsageError for an option that the action does not take.
+void CheckOptions(const SnapshotArguments& arguments) {
+    struct Option {
+        const char* name;
+        bool isGiven;
+        std::initializer_list<std::string_view> actions;
+    };
+    const Option options[] = {
+        {"ARTIFACT", !arguments.artifacts.empty(), {"accept", "merge"}},
+        {"-g", !arguments.pattern.empty(), {"check", "update", "accept", "verify", "list"}},
+        {"--update", !arguments.update.empty(), {"check", "update", "accept"}},
+        {"--state", arguments.state != "close", {"check", "update"}},
+        {"--scenes", !arguments.scenes.empty(), {"check", "update", "accept", "verify", "list"}},
+        {"--references", !arguments.references.empty(), {"check", "update", "accept", "verify", "list"}},
+        {"--report", !arguments.report.empty(), {"check", "update", "merge"}},
+        {"--junit", !arguments.junit.empty(), {"check", "update", "merge"}},
+        {"--annotations", arguments.annotations, {"check", "update"}},
+        {"--set", !arguments.settings.sets.empty(), {"check", "update", "verify"}},
+        {"--shard", arguments.shard.shard != ShardArguments{}.shard, {"check", "update", "verify", "list"}},
+        {"--json", !arguments.shard.json.empty(), {"check", "update", "verify", "list"}},
+    };
+    for (const Option& option : options) {
+        if (!option.isGiven || std::ranges::find(option.actions, arguments.action) != option.actions.end()) continue;
+        throw UsageError(fmt::format("snapshot {} takes no {}; it belongs to {}", arguments.action, option.name,
+                                     fmt::join(option.actions, ", ")));
+    }
+}
+
 int RunSnapshot(const SnapshotArguments& arguments, const Request& request) {
     const auto isAction = [&](std::string_view name) { return arguments.action == name; };
     if (std::ranges::none_of(actionNames, isAction)) {
         throw UsageError(DescribeUnknown("action of snapshot", arguments.action, actionNames));
     }
-    const bool compares = isAction("check") || isAction("update");
-    if (!compares && (!arguments.update.empty() || !arguments.report.empty() || !arguments.junit.empty())) {
-        throw UsageError("--update, --report and --junit belong to snapshot check and update");
-    }
+    CheckOptions(arguments);
     if (isAction("list")) return RunList(arguments);
+    if (isAction("accept")) return RunAccept(arguments);
+    if (isAction("merge")) return RunMerge(arguments);
     return SkipMissingBackend(arguments.picture, [&] {
         return isAction("verify") ? RunVerify(arguments, request) : RunCheck(arguments, request);
     });
@@ -280,13 +378,21 @@ void AddSnapshotCommand(CLI::App& app, Request& request) {
     auto arguments = std::make_shared<SnapshotArguments>();
     command
         ->add_option("ACTION", arguments->action,
-                     "check: compare with the references; update: make the differences the new references; verify: "
-                     "make each picture twice, with 1 and 2 threads and on every backend; list: show all")
+                     "check: compare with the references; update: make the differences the new references; accept: "
+                     "take these out of the report of a check instead; merge: join the reports of shards; verify: make "
+                     "each picture twice, with 1 and 2 threads and on every backend; list: show all")
         ->required();
+    command->add_option("ARTIFACT", arguments->artifacts,
+                        "accept, merge: folders of reports, or a folder with some below it, as CI kept them");
     command->add_option("-g,--grep", arguments->pattern, "Only snapshots whose scene/name matches")->type_name("REGEX");
     command->add_option("--update", arguments->update,
                         "Which differences to accept: missing, changed or all (also removes references that no "
-                        "snapshot has); update without it: all");
+                        "snapshot has); update and accept without it: all");
+    command
+        ->add_option("--state", arguments->state,
+                     "What must agree beside the pixels. exact: state hashes, to the bit; close: nothing, a state "
+                     "that differs by less than a pixel passes and is counted")
+        ->capture_default_str();
     command
         ->add_option("--scenes", arguments->scenes,
                      "Pictures of scene files, tracks and recordings in this folder, in place of the built-in scenes; "

@@ -43,7 +43,7 @@ PixelArea ParseArea(const Json& json, const std::string& source) {
     return area;
 }
 
-void Remove(const fs::path& path) {
+void RemoveFile(const fs::path& path) {
     std::error_code error;
     fs::remove(path, error);
     if (error) throw FileError(fmt::format("cannot remove {}: {}", path.string(), error.message()));
@@ -93,19 +93,28 @@ std::string FormatSidecar(const Json& sidecar) {
     return text + "\n}\n";
 }
 
-void WriteReference(const fs::path& folder, const std::string& id, const Image& image, Json sidecar,
-                    const Json& oldSidecar) {
+void ReferenceChange::Write(const std::string& id, const Image& image, Json sidecar, const Json& oldSidecar) {
     if (oldSidecar.is_object() && oldSidecar.contains("compare")) sidecar["compare"] = oldSidecar["compare"];
-    OutputFolder output(folder);
-    WriteImage(output, id + ".png", image);
-    output.WriteText(id + ".json", FormatSidecar(sidecar));
+    const OutputFolder output(m_folder);
+    const auto write = [&](const char* extension, std::string_view content) {
+        m_files.push_back(output.Begin(id + extension));
+        m_files.back().Write(content);
+    };
+    const std::vector<unsigned char> png = EncodePng(image);
+    write(".png", std::string_view(reinterpret_cast<const char*>(png.data()), png.size()));
+    write(".json", FormatSidecar(sidecar));
 }
 
-void RemoveReference(const fs::path& folder, const std::string& id) {
-    Remove(PathOf(folder, id, ".png"));
-    Remove(PathOf(folder, id, ".json"));
-    const fs::path parent = PathOf(folder, id, ".png").parent_path();
-    if (fs::is_empty(parent)) Remove(parent);
+void ReferenceChange::Finish() {
+    for (NewFile& file : m_files) file.Finish();
+    m_files.clear();
+    for (const std::string& id : m_removed) {
+        RemoveFile(PathOf(m_folder, id, ".png"));
+        RemoveFile(PathOf(m_folder, id, ".json"));
+        const fs::path parent = PathOf(m_folder, id, ".png").parent_path();
+        if (fs::is_empty(parent)) RemoveFile(parent);
+    }
+    m_removed.clear();
 }
 
 std::set<std::string> ListReferences(const fs::path& folder) {

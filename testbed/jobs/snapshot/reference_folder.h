@@ -13,7 +13,10 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
+#include "testbed/base/new_file.h"
 #include "testbed/jobs/snapshot/result.h"
 #include "testbed/picture/image.h"
 
@@ -34,12 +37,24 @@ struct Reference {
 /// in messages. Throws FileError.
 [[nodiscard]] CompareRule ParseRule(const nlohmann::ordered_json& sidecar, const std::string& source);
 
-/// Writes picture and sidecar, keeping the rule of the old sidecar. Throws FileError.
-void WriteReference(const std::filesystem::path& folder, const std::string& id, const Image& image,
-                    nlohmann::ordered_json sidecar, const nlohmann::ordered_json& oldSidecar);
+/// Changes of the folder that are made together: until Finish, references are what they were.
+class ReferenceChange {
+public:
+    explicit ReferenceChange(std::filesystem::path folder) : m_folder(std::move(folder)) {}
 
-/// Removes picture and sidecar, and the folder of the scene when it is empty then. Throws FileError.
-void RemoveReference(const std::filesystem::path& folder, const std::string& id);
+    /// Picture and sidecar, keeping the rule of the old sidecar. Writes them under temporary names. Throws FileError.
+    void Write(const std::string& id, const Image& image, nlohmann::ordered_json sidecar,
+               const nlohmann::ordered_json& oldSidecar);
+    /// Picture and sidecar, and the folder of the scene when it is empty then.
+    void Remove(const std::string& id) { m_removed.push_back(id); }
+    /// Gives the files their names and removes what is to go. Throws FileError.
+    void Finish();
+
+private:
+    std::filesystem::path m_folder;
+    std::vector<NewFile> m_files;
+    std::vector<std::string> m_removed;
+};
 
 /// Ids of all pictures and sidecars below the folder's first level; empty when the folder does not exist.
 [[nodiscard]] std::set<std::string> ListReferences(const std::filesystem::path& folder);

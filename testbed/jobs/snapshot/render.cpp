@@ -40,6 +40,7 @@ PictureOptions MakeOptions(const SnapshotCase& snapshotCase) {
     if (snapshotCase.kind == "overlap") {
         options.layers = Layers{};  // the counts alone
         options.style = Style::heat;
+        options.opacity = 0.04;  // what page.cpp takes where a sidecar has none
         options.nodes = ParseNodeSelection(snapshotCase.layers);
     } else {
         options.layers = ParseLayers(snapshotCase.layers);
@@ -48,21 +49,15 @@ PictureOptions MakeOptions(const SnapshotCase& snapshotCase) {
     return options;
 }
 
-Json DescribeCase(const SnapshotCase& snapshotCase, const Snapshot& snapshot, const PictureMaker& maker) {
-    return {{"schema", 1},
-            {"kind", snapshotCase.kind},
-            {"scene", snapshotCase.scene},
-            {"name", snapshotCase.name},
-            {"size", snapshotCase.size},
-            {"step", snapshotCase.step},
-            {"layers", snapshotCase.layers},
-            {"theme", snapshotCase.theme},
-            {"backend", GetBackendName(maker.GetBackend())},
-            {"gl_renderer", maker.GetRendererName()},
-            {"engine", snapshot.engine},
-            {"broad_phase", snapshot.broadPhase},
-            {"touching", snapshot.touchingCount},
-            {"state_hash", FormatHash(snapshot.stateHash)}};
+Json DescribeSidecar(const SnapshotCase& snapshotCase, const Snapshot& snapshot, const PictureMaker& maker) {
+    Json sidecar = DescribeCase(snapshotCase);
+    sidecar.update({{"backend", GetBackendName(maker.GetBackend())},
+                    {"gl_renderer", maker.GetRendererName()},
+                    {"engine", snapshot.engine},
+                    {"broad_phase", snapshot.broadPhase},
+                    {"touching", snapshot.touchingCount},
+                    {"state_hash", FormatHash(snapshot.stateHash)}});
+    return sidecar;
 }
 
 SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& snapshot, PictureMaker& maker) {
@@ -70,7 +65,7 @@ SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& sn
     PictureOptions options = MakeOptions(snapshotCase);
     const PaneInput input{&snapshot, {}};
     SnapshotPicture picture;
-    picture.sidecar = DescribeCase(snapshotCase, snapshot, maker);
+    picture.sidecar = DescribeSidecar(snapshotCase, snapshot, maker);
     if (snapshotCase.kind == "overlap") {
         // A scale that ends at the largest count would recolour the whole picture when that count changes by one.
         const Camera camera = ChooseCamera(std::array<const Snapshot*, 1>{&snapshot}, options);
@@ -94,6 +89,17 @@ SnapshotPicture MakePicture(const SnapshotCase& snapshotCase, const Snapshot& sn
 }
 
 }  // namespace
+
+Json DescribeCase(const SnapshotCase& snapshotCase) {
+    return {{"schema", 1},
+            {"kind", snapshotCase.kind},
+            {"scene", snapshotCase.scene},
+            {"name", snapshotCase.name},
+            {"size", snapshotCase.size},
+            {"step", snapshotCase.step},
+            {"layers", snapshotCase.layers},
+            {"theme", snapshotCase.theme}};
+}
 
 void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotMaking& making, PictureMaker& maker,
                      const std::function<void(const SnapshotCase&, SnapshotPicture)>& take) {

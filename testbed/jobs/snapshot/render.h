@@ -31,6 +31,9 @@ struct SnapshotMaking {
     std::function<void(scenes::Scene&)> perturb = {};   ///< applied to every scene before it is loaded
 };
 
+/// What a sidecar says of its case, and what it has to say for a picture of this case.
+[[nodiscard]] nlohmann::ordered_json DescribeCase(const SnapshotCase& snapshotCase);
+
 /// Calls `take` for every case in order; the cases are of one scene and settings, sorted by step.
 void RenderSnapshots(std::span<const SnapshotCase> cases, const SnapshotMaking& making, PictureMaker& maker,
                      const std::function<void(const SnapshotCase&, SnapshotPicture)>& take);

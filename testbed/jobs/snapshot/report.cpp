@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/input.h"
 #include "testbed/base/output.h"
 #include "testbed/jobs/snapshot/page.h"
 #include "testbed/picture/image_compare.h"
@@ -24,8 +25,6 @@ namespace testbed {
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr const char* resultsName = "results.json";
 
 /// The five characters that XML reserves.
 std::string EscapeXml(std::string_view text) {
@@ -102,7 +101,7 @@ SnapshotReport::SnapshotReport(fs::path folder) : m_folder(std::move(folder)) {
 }
 
 void SnapshotReport::Add(SnapshotResult& result, const ReportedPair& pair) {
-    if (result.status == SnapshotStatus::equal) return;
+    if (result.status == SnapshotStatus::equal && !result.isStateChanged) return;
     OutputFolder output(m_folder);
     if (pair.expected != nullptr) {
         result.expected = WriteSide(output, "expected/" + result.id, *pair.expected, pair.expectedSidecar);
@@ -113,6 +112,19 @@ void SnapshotReport::Add(SnapshotResult& result, const ReportedPair& pair) {
     if (result.status != SnapshotStatus::changed) return;
     result.difference = "diff/" + result.id + ".png";
     WriteImage(output, result.difference, MakeDifferencePicture(*pair.expected, *pair.actual, result.rule));
+}
+
+void SnapshotReport::Copy(const SnapshotResult& result, const fs::path& from) {
+    OutputFolder output(m_folder);
+    const auto copy = [&](const std::string& name) {
+        if (!name.empty()) output.WriteText(name, ReadText(from / name, "copy the whole report again"));
+    };
+    for (const std::optional<SnapshotSide>& side : {result.expected, result.actual}) {
+        if (!side) continue;
+        copy(side->image);
+        copy(side->sidecar);
+    }
+    copy(result.difference);
 }
 
 fs::path SnapshotReport::Finish(const SnapshotOrigin& origin, std::span<const SnapshotResult> results) {

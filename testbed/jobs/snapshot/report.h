@@ -16,6 +16,9 @@
 
 namespace testbed {
 
+/// The file of all results in a report.
+inline constexpr const char* resultsName = "results.json";
+
 /// One comparison as files: what is left of it in the report folder.
 struct ReportedPair {
     const Image* expected = nullptr;  ///< null: there is none
@@ -29,8 +32,10 @@ public:
     /// Throws FileError.
     explicit SnapshotReport(std::filesystem::path folder);
 
-    /// Writes the files of a result that is not equal, and enters their names into it.
+    /// Writes the files of a result that is not equal or whose state changed, and enters their names into it.
     void Add(SnapshotResult& result, const ReportedPair& pair);
+    /// Copies the files of a result of another report.
+    void Copy(const SnapshotResult& result, const std::filesystem::path& from);
     /// Writes results.json and the page that shows all this; returns the page's path.
     std::filesystem::path Finish(const SnapshotOrigin& origin, std::span<const SnapshotResult> results);
     [[nodiscard]] const std::filesystem::path& GetFolder() const { return m_folder; }

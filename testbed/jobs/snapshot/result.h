@@ -6,13 +6,14 @@
 //
 //     {"schema": 1, "command": "scree snapshot check", "clean": false,
 //      "renderer": {"backend": "osmesa", "gl_renderer": "llvmpipe …", "gl_version": "4.5 …"},
-//      "counts": {"equal": 170, "changed": 1, "size": 0, "missing": 1, "new": 0, "deleted": 0, "orphan": 0,
-//                 "failed": 0},
+//      "cases": 172,
+//      "counts": {"equal": 170, "changed": 1, "size": 0, "state": 0, "missing": 1, "new": 0, "deleted": 0,
+//                 "orphan": 0, "failed": 0},
 //      "results": [{
-//        "id": "tiles/step-0090-bvh", "scene": "tiles", "name": "step-0090-bvh", "size": 20, "step": 90,
+//        "case": 17, "id": "tiles/step-0090-bvh", "scene": "tiles", "name": "step-0090-bvh", "size": 20, "step": 90,
 //        "kind": "overlap | render", "layers": "bodies,contacts",
-//        "status": "equal | changed | size | missing | new | deleted | orphan | failed",
-//        "message": "…",
+//        "status": "equal | changed | size | state | missing | new | deleted | orphan | failed",
+//        "message": "…", "state_changed": true,
 //        "rule": {"tolerance": 0, "mask": [[x0, y0, x1, y1], …], "source": "default | tests/snapshots/….json",
 //                 "reason": "…", "masked_pixels": 0, "tolerated_pixels": 0},
 //        "expected": {"image": "expected/….png", "sidecar": "expected/….json", "width": 480, "height": 300} | null,
@@ -34,7 +35,9 @@
 //
 // `renderer` is that of the actual pictures. The fields from `scene` to `layers` are absent in `scree diff`. `message`
 // is one line for a reader, with the cure; `update` is the command that accepts the picture. `image` and `sidecar` are
-// null where no file was left. `box` is half-open, in pixels.
+// null where no file was left. `box` is half-open, in pixels. `cases` is how many the whole run has, `case` which of
+// them it is: with --shard, `results` has only some. `state_changed`: the state hash or the structure differs; such a
+// case leaves its files even if its pixels are equal.
 // In a change, `expected` and `actual` may be null too when the sidecars keep only hashes. Bodies and nodes also have
 // `block`: above 1, so many neighbours share a hash, and all of a block that changed count as changed. A `list` holds
 // the first maxListed entries, the counts hold all. Lengths are m, angles rad, rounded as the sidecars store them.
@@ -44,6 +47,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
@@ -59,14 +63,15 @@ enum class SnapshotStatus {
     equal,    ///< all pixels that count agree within the tolerance
     changed,  ///< same size, other pixels
     size,     ///< other width or height
+    state,    ///< `--state exact`: no pixel counts as another, but the state hash or the structure is another
     missing,  ///< the catalogue has the picture, the references have not
     added,    ///< `scree diff`: only in the second folder; named "new"
     deleted,  ///< `scree diff`: only in the first folder; references: the sidecar is there, the picture is not
     orphan,   ///< a reference that the catalogue does not have
     failed,   ///< could not be made or read
 };
-inline constexpr std::array<std::string_view, 8> snapshotStatusNames = {"equal", "changed", "size",   "missing",
-                                                                        "new",   "deleted", "orphan", "failed"};
+inline constexpr std::array<std::string_view, 9> snapshotStatusNames = {
+    "equal", "changed", "size", "state", "missing", "new", "deleted", "orphan", "failed"};
 
 [[nodiscard]] inline std::string_view GetStatusName(SnapshotStatus status) {
     return snapshotStatusNames[static_cast<std::size_t>(status)];
@@ -84,6 +89,7 @@ struct SnapshotResult {
     int size = 0, step = 0;
     SnapshotStatus status = SnapshotStatus::equal;
     std::string message;
+    bool isStateChanged = false;  ///< another state hash or structure
     CompareRule rule;
     PixelDifference pixels;
     std::optional<SnapshotSide> expected, actual;
@@ -91,6 +97,7 @@ struct SnapshotResult {
     std::string structure;   ///< JSON text of the field, empty: null
     std::string update;      ///< the command that accepts the picture
     double simulateMs = 0, renderMs = 0, compareMs = 0;
+    std::size_t number = 0;  ///< of the case in the whole run
 };
 
 /// Number of entries in the lists of `structure`.
@@ -99,6 +106,7 @@ inline constexpr std::size_t maxListed = 50;
 /// What made `actual`.
 struct SnapshotOrigin {
     std::string command, backend, renderer, version;
+    std::size_t caseCount = 0;  ///< of the whole run
 };
 
 /// One entry of `results`; also the fields of a line of `--json`.
@@ -106,6 +114,15 @@ struct SnapshotOrigin {
 
 /// The whole results.json.
 [[nodiscard]] std::string WriteResults(const SnapshotOrigin& origin, std::span<const SnapshotResult> results);
+
+/// What a results.json says.
+struct WrittenResults {
+    SnapshotOrigin origin;
+    std::vector<SnapshotResult> results;
+};
+
+/// Throws FileError that names `file` for what WriteResults cannot have written, and for files outside of the report.
+[[nodiscard]] WrittenResults ReadResults(const std::filesystem::path& file);
 
 /// Whether all results are `equal`.
 [[nodiscard]] bool IsClean(std::span<const SnapshotResult> results);

@@ -54,7 +54,7 @@ public:
         throw FileError(fmt::format("{}{}{}: {}", m_place, key.empty() ? "" : m_separator, key, problem));
     }
     void CheckKeys(std::span<const std::string_view> keys) const {
-        if (!m_json.is_object()) Refuse("", "is no object");
+        if (!m_json.is_object()) Refuse("", "is not an object");
         for (const auto& [key, value] : m_json.items()) {
             if (std::ranges::find(keys, key) == keys.end()) Refuse("", DescribeUnknown("key", key, keys));
         }
@@ -62,7 +62,7 @@ public:
     [[nodiscard]] bool Has(const char* key) const { return m_json.contains(key); }
     [[nodiscard]] std::string Text(const char* key, std::string_view otherwise) const {
         if (!Has(key)) return std::string(otherwise);
-        if (!m_json[key].is_string()) Refuse(key, "is no text in quotes");
+        if (!m_json[key].is_string()) Refuse(key, "is not a text in quotes");
         return m_json[key].get<std::string>();
     }
     [[nodiscard]] std::vector<int> Steps() const {
@@ -107,8 +107,8 @@ bool IsScene(const fs::path& file) {
 /// Paths of the scenes and motions below a folder, relative to it, sorted.
 std::vector<std::string> ListScenes(const fs::path& folder) {
     if (!fs::is_directory(folder)) {
-        throw FileError(
-            fmt::format("{}: no such folder; --scenes DIR names one with {}", folder.string(), DescribeFileKinds()));
+        throw FileError(fmt::format("{}: there is no such folder; --scenes DIR names one with {}", folder.string(),
+                                    DescribeFileKinds()));
     }
     std::vector<std::string> files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
@@ -254,7 +254,7 @@ std::vector<SnapshotCase> ReadSceneFolder(const fs::path& folder) {
     }
     if (root.Has("image")) root.Check("image", [&] { cases.SetImage(root.Text("image", "")); });
     if (!root.Has("snapshots") || !settings["snapshots"].is_array() || settings["snapshots"].empty()) {
-        root.Refuse("snapshots", R"(is no list; give [{"scene": "*"}] for a picture of each scene)");
+        root.Refuse("snapshots", R"(is not a list; give [{"scene": "*"}] for a picture of each scene)");
     }
     for (std::size_t i = 0; i < settings["snapshots"].size(); ++i) {
         cases.Add(Reader(settings["snapshots"][i], fmt::format("{}: snapshots[{}]", path.string(), i), "."));

@@ -85,6 +85,18 @@ TEST(Text, HashesReadBack) {
     EXPECT_EQ(ParseHash("12g").problem, "'12g' is not a hash in hexadecimal digits");
 }
 
+TEST(Text, AShellReadsBackWhatWasQuoted) {
+    EXPECT_EQ(QuoteForShell("out/a-b_1.zip"), "out/a-b_1.zip");
+    for (const std::string word : {"", "a b", "it's", "^x$", "a\"b\\", "$(false)", "'", "äö", "~", "a\nb"}) {
+        FILE* pipe = popen(("printf %s " + QuoteForShell(word)).c_str(), "r");
+        ASSERT_NE(pipe, nullptr);
+        std::string back;
+        for (int c = 0; (c = std::fgetc(pipe)) != EOF;) back += static_cast<char>(c);
+        pclose(pipe);
+        EXPECT_EQ(back, word);
+    }
+}
+
 TEST(Text, WhatIsNoNumberSaysWhy) {
     for (const auto& [text, problem] : std::vector<std::pair<std::string, std::string>>{
              {"", "a whole number is missing"},

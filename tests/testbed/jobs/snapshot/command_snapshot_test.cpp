@@ -41,14 +41,14 @@ TEST(SnapshotProgram, CheckPrintsTheCommandThatThenMakesItClean) {
     EXPECT_TRUE(scratch.Has("out/snapshots/results.json"));
     EXPECT_NE(scratch.Read("j.xml").find("type=\"missing\""), std::string::npos);
 
-    // Every printed command, on these references instead of the checkout's.
+    // Every printed command.
     std::istringstream lines(missing.output);
     const std::string mark = "to accept: testbed/run ";
     int count = 0;
     for (std::string line; std::getline(lines, line);) {
         const std::size_t at = line.find(mark);
         if (at == std::string::npos || line.starts_with("::error")) continue;
-        const ProgramResult update = scratch.Run(line.substr(at + mark.size()) + " --backend cpu --references r");
+        const ProgramResult update = scratch.Run(line.substr(at + mark.size()) + " --backend cpu");
         EXPECT_EQ(update.exitCode, exitDone) << update.output;
         ++count;
     }

@@ -70,7 +70,7 @@ TEST_F(SceneFolder, WhatIsAskedForIsDrawnInTheOrderInWhichScenesRun) {
 }
 
 TEST_F(SceneFolder, FaultsAreNamedAtTheirPlace) {
-    ExpectFault("3", ": is no object");
+    ExpectFault("3", ": is not an object");
     ExpectFault(R"({"scene": "drp.scene.json"})",
                 ".scene: unknown scene 'drp.scene.json'; did you mean 'drop.scene.json'?");
     ExpectFault(R"({"steps": [3]})", ".scene: is missing");
@@ -79,7 +79,7 @@ TEST_F(SceneFolder, FaultsAreNamedAtTheirPlace) {
     ExpectFault(R"({"scene": "fall.track", "steps": [31]})", ".steps: fall has no step 31");
     ExpectFault(R"({"scene": "*", "kind": "rendr"})", ".kind: unknown kind of picture 'rendr'");
     ExpectFault(R"({"scene": "*", "layers": "bodis"})", ".layers: ");
-    ExpectFault(R"({"scene": "*", "theme": 3})", ".theme: is no text in quotes");
+    ExpectFault(R"({"scene": "*", "theme": 3})", ".theme: is not a text in quotes");
     ExpectFault(R"({"scene": "*", "settings": "solver=sft"})", ".settings: ");
     ExpectFault(R"({"scene": "*", "name": "../x"})", ".name: '../x' is not one of letters");
     Ask(R"({"scene": "drop.scene.json"}, {"scene": "drop.scene.json", "theme": "light"})");
@@ -95,10 +95,10 @@ TEST_F(SceneFolder, FaultsAreNamedAtTheirPlace) {
 TEST_F(SceneFolder, ThePrintedCommandAcceptsADifference) {
     const ProgramResult missing = folder.Run("snapshot check --scenes levels");
     EXPECT_EQ(missing.exitCode, exitDiffers) << missing.output;
-    EXPECT_NE(missing.output.find(
-                  "scree snapshot update --scenes 'levels' --references 'levels/references' --update missing -g "
-                  "'^more/it.s/step-0020-render$'"),
-              std::string::npos)
+    EXPECT_NE(
+        missing.output.find("scree snapshot update --scenes levels --references levels/references --update missing -g "
+                            "'^more/it.s/step-0020-render$'"),
+        std::string::npos)
         << missing.output;
     EXPECT_EQ(folder
                   .Run("snapshot update --scenes levels --references 'levels/references' --update missing -g "
