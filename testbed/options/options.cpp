@@ -203,7 +203,11 @@ void AddLookOptions(CLI::App& app, PictureArguments& arguments) {
         ->capture_default_str();
     app.add_option("--theme", arguments.theme, "Colours for a dark or a light background: dark or light")
         ->capture_default_str();
-    app.add_option("--opacity", arguments.opacity, "Opacity of one layer in the style alpha, above 0, at most 1")
+    app.add_option(
+           "--opacity", arguments.opacity,
+           "Opacity of one layer in the style alpha, above 0, at most 1; auto: 0.04, or less where counts above 95 "
+           "would become one colour")
+        ->type_name("NUMBER")
         ->capture_default_str();
     app.add_option("--scale-max", arguments.scaleMax, "Count at the end of the colour scale: auto or a number")
         ->capture_default_str();
@@ -224,7 +228,14 @@ PictureOptions MakePictureOptions(const PictureArguments& arguments) {
     options.nodes = ParseNodeSelection(arguments.nodes);
     options.style = ParseStyle(arguments.style);
     options.theme = ParseTheme(arguments.theme);
-    options.opacity = arguments.opacity;
+    if (arguments.opacity != "auto") {
+        const Parsed<double> opacity = ParseNumber<double>(arguments.opacity);
+        if (!opacity) {
+            throw UsageError(fmt::format("--opacity {}: {}give auto or a number above 0, at most 1", arguments.opacity,
+                                         BeforeCure(opacity.problem)));
+        }
+        options.opacity = *opacity;
+    }
     options.querySize = arguments.querySize;
     options.camera = ParseCamera(arguments.camera);
     if (arguments.scaleMax != "auto") {

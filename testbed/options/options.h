@@ -88,7 +88,7 @@ struct PictureArguments {
     std::string nodes = "internal";
     std::string style = "alpha";
     std::string theme = "dark";
-    double opacity = 0.04;
+    std::string opacity = "auto";
     std::string scaleMax = "auto";
     double querySize = 0;
     std::string image = "1920x1080";

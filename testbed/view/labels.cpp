@@ -36,8 +36,8 @@ uint32_t GetBarEnd(uint32_t scaleMax, const PictureOptions& options, const std::
 
 /// A line across the bar, with `text` above it.
 void AddMean(ColorBar& bar, double mean, std::string text, uint32_t scaleMax, const PictureOptions& options) {
-    const uint32_t end =
-        GetBarEnd(scaleMax, options, MakePalette(options.style, options.opacity, scaleMax, options.theme));
+    const uint32_t end = GetBarEnd(scaleMax, options,
+                                   MakePalette(options.style, GetOpacity(options, scaleMax), scaleMax, options.theme));
     bar.marks.push_back({GetScalePosition(options.style, mean, end), std::move(text), false});
 }
 
@@ -140,7 +140,7 @@ std::string MakeStatsText(const OverlapStats& stats, const std::string& note) {
 }
 
 ColorBar MakeCountBar(const PixelBox& box, uint32_t scaleMax, const PictureOptions& options) {
-    std::vector<Color> palette = MakePalette(options.style, options.opacity, scaleMax, options.theme);
+    std::vector<Color> palette = MakePalette(options.style, GetOpacity(options, scaleMax), scaleMax, options.theme);
     const uint32_t end = GetBarEnd(scaleMax, options, palette);
     const Style style = options.style;
     const auto color = [palette = std::move(palette), style, end](double position) {

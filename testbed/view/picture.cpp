@@ -12,6 +12,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "testbed/base/text.h"
 #include "testbed/gl/renderer.h"
 #include "testbed/picture/font.h"
 #include "testbed/view/annotate.h"
@@ -65,8 +66,8 @@ void CheckOptions(const PictureOptions& options) {
     check(
         options.width >= minSize && options.width <= maxSize && options.height >= minSize && options.height <= maxSize,
         fmt::format("--image {}x{}: each side is {} to {} pixels", options.width, options.height, minSize, maxSize));
-    check(options.opacity > 0 && options.opacity <= 1,
-          fmt::format("--opacity {}: more than 0, at most 1", options.opacity));
+    check(!options.opacity || (*options.opacity > 0 && *options.opacity <= 1),
+          fmt::format("--opacity {}: auto, or more than 0 and at most 1", options.opacity.value_or(0)));
     check(!options.scaleMax || (*options.scaleMax >= 1 && *options.scaleMax <= maxScale),
           fmt::format("--scale-max {}: auto, or 1 to {}", options.scaleMax.value_or(0), maxScale));
     check(std::isfinite(options.querySize) && options.querySize >= 0,
@@ -78,6 +79,18 @@ void CheckOptions(const PictureOptions& options) {
     check(std::max(options.width, options.height) * factor <= maxSamples,
           fmt::format("--image {}x{} with supersampling {}: at most {} samples on a side", options.width,
                       options.height, factor, maxSamples));
+}
+
+double GetOpacity(const PictureOptions& options, uint32_t scaleMax) {
+    // As in the dissertation's figures up to the count at which 2 % of the background are left: 0.96^95.
+    constexpr double usual = 0.04, logarithm = -3.912023;  // of 2 %
+    constexpr uint32_t mostUsual = 95;
+    if (options.opacity) return *options.opacity;
+    if (scaleMax <= mostUsual) return usual;
+    // 1 − (2 %)^(1/n) by its series: std::exp may differ in the last bit between libraries. Three digits can be typed.
+    const double exponent = logarithm / scaleMax;
+    const double opacity = -exponent * (1 + exponent / 2 * (1 + exponent / 3 * (1 + exponent / 4)));
+    return *ParseNumber<double>(fmt::format("{:.3g}", opacity));
 }
 
 DifferenceStats MeasureDifference(const CountImage& first, const CountImage& second) {
@@ -239,7 +252,8 @@ OverlapResult PictureMaker::MakeOverlap(std::span<const PaneInput> inputs, const
         result.panes.push_back(std::move(pane));
     }
     result.scaleMax = options.scaleMax.value_or(std::max(result.scaleMax, 1u));
-    const std::vector<Color> palette = MakePalette(options.style, options.opacity, result.scaleMax, options.theme);
+    const std::vector<Color> palette =
+        MakePalette(options.style, GetOpacity(options, result.scaleMax), result.scaleMax, options.theme);
     for (size_t i = 0; i < inputs.size(); ++i) {
         OverlapPane& pane = result.panes[i];
         const Snapshot& snapshot = *inputs[i].snapshot;

@@ -32,7 +32,7 @@ struct PictureOptions {
     int width = 1920, height = 1080;  ///< of a pane picture, 64…8192 pixels
     NodeSelection nodes;
     Style style = Style::alpha;
-    double opacity = 0.04;                 ///< of one layer in the alpha style, 0 < a ≤ 1
+    std::optional<double> opacity;         ///< of one layer in the alpha style, 0 < a ≤ 1; none: as scaleMax needs it
     std::optional<uint32_t> scaleMax;      ///< count at the colour scale's end; none: the largest of all panes
     std::optional<int64_t> differenceMax;  ///< where the colours of differences end; none: the largest of each picture
     double querySize = 0;                  ///< every node grows by half of it on each side, m, ≥ 0
@@ -47,6 +47,10 @@ struct PictureOptions {
 
 /// Throws std::invalid_argument with the option's command-line name for a value outside its range.
 void CheckOptions(const PictureOptions& options);
+
+/// Opacity of one layer in the alpha style: the one of the options, else chosen so that the highest count is told from
+/// those below it. The same on every machine.
+[[nodiscard]] double GetOpacity(const PictureOptions& options, uint32_t scaleMax);
 
 /// Numbers of one count picture, over all its pixels.
 struct OverlapStats {

@@ -81,7 +81,7 @@ std::string WriteSidecar(const PictureOrigin& origin, const PictureOptions& opti
         document["nodes"] = GetNodeSelectionName(options.nodes);
         document["query_size"] = options.querySize;
         document["style"] = GetStyleName(options.style);
-        document["opacity"] = options.opacity;
+        document["opacity"] = GetOpacity(options, record.scaleMax);
         document["scale_max"] = record.scaleMax;
     }
     if (record.difference != nullptr) {

@@ -24,7 +24,8 @@ TEST(Labels, TicksOfACountScaleStandAtTheirNumbers) {
         options.style = *rc::gen::element(Style::alpha, Style::heat, Style::bands, Style::log);
         const auto scaleMax = static_cast<uint32_t>(*rc::gen::inRange(1, 3000));
         const ColorBar bar = MakeCountBar({0, 0, 500, 10}, scaleMax, options);
-        const std::vector<Color> palette = MakePalette(options.style, options.opacity, scaleMax, options.theme);
+        const std::vector<Color> palette =
+            MakePalette(options.style, GetOpacity(options, scaleMax), scaleMax, options.theme);
         uint32_t end = 0;
         for (const BarMark& mark : bar.marks) {
             const std::string digits = mark.text.starts_with("≥ ") ? mark.text.substr(4) : mark.text;

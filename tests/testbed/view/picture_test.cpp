@@ -163,6 +163,30 @@ TEST(Picture, ASnapshotWithNothingInItIsBackground) {
     for (const Color& color : result.differences[0].image.pixels) ASSERT_EQ(color, backgroundColor);
 }
 
+// A scale whose upper half is one colour tells nothing about the places that matter most.
+TEST(Picture, TheHighestCountsStayApartWithoutAnOpacity) {
+    for (const uint32_t end : {1u, 10u, 95u, 96u, 148u, 400u, 3000u, 100'000u}) {
+        const PictureOptions options;
+        const double opacity = GetOpacity(options, end);
+        EXPECT_GT(opacity, 0);
+        EXPECT_LE(opacity, 0.04);
+        const std::vector<Color> palette = MakePalette(Style::alpha, opacity, end);
+        // Places of half the highest count, of three quarters and of all of it: the red of the background is 51.
+        const int half = palette[end / 2].g, most = palette[end * 3 / 4].g, all = palette[end].g;
+        if (end > 2) EXPECT_GE(half - all, 5) << end;
+        if (end > 10) EXPECT_GE(most - all, 1) << end;
+    }
+    for (const uint32_t end : {1u, 50u, 95u}) EXPECT_EQ(GetOpacity({}, end), 0.04) << end;
+    for (uint32_t end = 96; end < 2000; ++end) {
+        // Three digits are within 0.5 %, and so the power within 2 %.
+        EXPECT_NEAR(std::pow(1 - GetOpacity({}, end), end), 0.02, 0.02 * 0.02) << end;
+        EXPECT_LE(GetOpacity({}, end), GetOpacity({}, end - 1)) << end;
+    }
+    PictureOptions typed;
+    typed.opacity = 0.3;
+    EXPECT_EQ(GetOpacity(typed, 1000), 0.3);
+}
+
 TEST(Picture, BadOptionsAreNamed) {
     const auto expectProblem = [](const auto& change, const std::string& name) {
         PictureOptions options;
