@@ -44,6 +44,7 @@
 #pragma once
 
 #include <array>
+#include <cerrno>
 #include <cfloat>
 #include <clocale>
 #include <cmath>
@@ -52,6 +53,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 #ifdef SCREE_CAPTURE_ZLIB
@@ -409,7 +411,7 @@ public:
     explicit Output(const std::string& path) {
         m_file = std::fopen(path.c_str(), "wb");
         if (m_file == nullptr) {
-            m_error = path + ": cannot be written";
+            m_error = path + ": cannot be written: " + std::generic_category().message(errno);
             return;
         }
         Write(trackMagic, sizeof trackMagic);
@@ -467,7 +469,7 @@ private:
     void Write(const unsigned char* data, std::size_t size) {
         if (m_error.empty() && std::fwrite(data, 1, size, m_file) != size) Fail();
     }
-    void Fail() { m_error = "the track cannot be written to its end: is the disk full?"; }
+    void Fail() { m_error = "the track cannot be written to its end: " + std::generic_category().message(errno); }
 
     std::FILE* m_file = nullptr;
     std::string m_error;

@@ -134,7 +134,9 @@ protected:
     void EditBody(int body, const BodyEdit& edit) override {
         ApplyEdit(*m_bodies[static_cast<size_t>(body)], edit, [](Vec2 v) { return ToB2(v); });
     }
-    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene<scree_capture::Api>(*m_world); }
+    [[nodiscard]] scenes::Scene DescribeWorld() const override {
+        return DescribeAsScene<scree_capture::box2d_engine::Api>(*m_world);
+    }
 
 private:
     /// The tangent speed of a contact is that of both surfaces together: it does not depend on which of them is A.
@@ -164,7 +166,7 @@ private:
     std::vector<bool> m_wasAwake;       ///< by body index, after the step that was counted last
     b2Body* m_dragGround = nullptr;     ///< carries the spring that drags
     b2MouseJoint* m_drag = nullptr;
-    TrackOutput<scree_capture::Track, b2World> m_track;  ///< ends before the world
+    TrackOutput<scree_capture::box2d_engine::Track, b2World> m_track;  ///< ends before the world
 };
 
 void Box2dRun::CreateFixture(b2Body& body, int sceneIndex) {

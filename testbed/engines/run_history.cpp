@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "testbed/base/new_file.h"
+#include "testbed/engines/record_track.h"
 #include "testbed/engines/track_run.h"
 #include "testbed/input/track_file.h"
 
@@ -229,13 +229,8 @@ scenes::Scene RunHistory::MakeScene() {
 
 void RunHistory::WriteTrack(const std::string& path) const {
     if (IsMotion()) throw std::invalid_argument("this is a recorded motion already");
-    NewFile file(path);
-    file.Write("");  // tells at once if it cannot be written
-    std::unique_ptr<InteractiveRun> run = m_make();
-    run->Record(file.GetPlace().string());
-    Play(*run, m_lastStep);
-    run->EndRecord();
-    file.Finish();
+    const std::unique_ptr<InteractiveRun> run = m_make();
+    RecordTrack(path, *run, [&] { Play(*run, m_lastStep); });
 }
 
 }  // namespace testbed

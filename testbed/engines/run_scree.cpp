@@ -140,7 +140,9 @@ protected:
     void EditBody(int body, const BodyEdit& edit) override {
         ApplyEdit(*m_bodies[static_cast<size_t>(body)], edit, [](Vec2 v) { return ToScree(v); });
     }
-    [[nodiscard]] scenes::Scene DescribeWorld() const override { return DescribeAsScene<scree_capture::Api>(*m_world); }
+    [[nodiscard]] scenes::Scene DescribeWorld() const override {
+        return DescribeAsScene<scree_capture::own_engine::Api>(*m_world);
+    }
 
 private:
     /// Handles by the indices of the scene. The lists of an image may be longer than those now, where it lies ahead.
@@ -176,7 +178,7 @@ private:
     mutable std::shared_ptr<const Lists> m_lists;  ///< a copy of these four for images; null: they have changed
     scree::Body* m_dragGround = nullptr;           ///< carries the spring that drags
     scree::MouseJoint* m_drag = nullptr;
-    TrackOutput<scree_capture::Track, scree::World> m_track;  ///< ends before the world
+    TrackOutput<scree_capture::own_engine::Track, scree::World> m_track;  ///< ends before the world
 };
 
 void ScreeRun::AddProxy(ScreeProxy proxy) {
@@ -199,9 +201,10 @@ void ScreeRun::CheckSettings() const {
 }
 
 void ScreeRun::FindObjects() {
-    using Writer = scree_capture::detail::SceneWriter<scree_capture::Api, scree_capture::detail::JsonWriter>;
+    using Writer =
+        scree_capture::detail::SceneWriter<scree_capture::own_engine::Api, scree_capture::detail::JsonWriter>;
     for (scree::Body* body = m_world->GetBodyList(); body; body = body->GetNext()) m_bodies.push_back(body);
-    scree_capture::Api::SortByAge(m_bodies);
+    scree_capture::own_engine::Api::SortByAge(m_bodies);
     for (size_t i = 0; i < m_bodies.size(); ++i) {
         m_bodies[i]->SetUserData({i});
         int sceneIndex = GetScene().bodies[i].firstFixture;

@@ -44,7 +44,7 @@ scenes::Scene SceneOf(scree::World& world, const scree::RecordedStep& step, std:
     }
     scree_capture::detail::JsonWriter text;
     scree_capture::detail::Numbers bodies, joints;
-    (void)scree_capture::detail::WriteWorld<scree_capture::Api>(text, world, options, bodies, joints);
+    (void)scree_capture::detail::WriteWorld<scree_capture::own_engine::Api>(text, world, options, bodies, joints);
     scenes::Scene scene = ReadScene(text.GetText(), source);
     if (step.timeStep > 0.0f) scene.timeStep = step.timeStep;
     return scene;
@@ -76,7 +76,7 @@ private:
     [[nodiscard]] std::string GetPath() const { return (m_folder.GetPath() / "replay.track").string(); }
 
     TemporaryFolder m_folder{"scree-replay"};
-    scree_capture::Track m_track;
+    scree_capture::own_engine::Track m_track;
 };
 
 std::string DescribeEnd(const scree::ReplayReport& report) {
@@ -96,8 +96,9 @@ SavedWorld ReadWorldImage(std::string_view bytes, std::string_view source) {
     scree::SnapshotError error = scree::SnapshotError::ok;
     const std::unique_ptr<scree::World> world = scree::LoadWorld(AsBytes(bytes), &error);
     if (world == nullptr) {
-        throw FileError(fmt::format("{}: no image of a world: {}; give what scree::SaveWorld of this version wrote",
-                                    source, scree::GetName(error)));
+        throw FileError(
+            fmt::format("{}: not an image of a world: {}; give a file that scree::SaveWorld of this version wrote",
+                        source, scree::GetName(error)));
     }
     return Describe(*world, {}, source);
 }
@@ -106,7 +107,8 @@ Replayed ReplayRecording(std::string_view bytes, std::string_view source, const 
     scree::Player player(AsBytes(bytes));
     if (player.GetWorld() == nullptr) {
         throw FileError(
-            fmt::format("{}: no recording: the world at its start: {}; give what scree::StartRecording or "
+            fmt::format("{}: not a recording, for the world at its start cannot be read: {}; give a file that "
+                        "scree::StartRecording or "
                         "SCREE_RECORD of this version wrote",
                         source, scree::GetName(player.GetReport().image)));
     }

@@ -16,6 +16,7 @@
 #include "testbed/base/input.h"
 #include "testbed/base/new_file.h"
 #include "testbed/base/progress.h"
+#include "testbed/engines/record_track.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/jobs/files/commands.h"
@@ -44,17 +45,14 @@ void RecordRun(const ConvertArguments& arguments) {
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : comparisonBase;
     const RunSpec spec = ParseSpec(arguments.engine, GetTypedSettings(arguments.settings), base);
     const std::unique_ptr<InteractiveRun> run = MakeRun(input.Start(), spec);
-    NewFile track(arguments.out);
-    track.Write("");  // tells at once, and by the name that was given, if it cannot be written
-    run->Record(track.GetPlace().string());
     const int steps = arguments.steps.value_or(input.steps);
     Progress progress(arguments.in, std::max(1, steps));
-    for (int i = 0; i < steps; ++i) {
-        run->Step();
-        progress.Advance(1);
-    }
-    run->EndRecord();
-    track.Finish();
+    RecordTrack(arguments.out, *run, [&] {
+        for (int i = 0; i < steps; ++i) {
+            run->Step();
+            progress.Advance(1);
+        }
+    });
 }
 
 void MakeTrack(const ConvertArguments& arguments) {

@@ -135,6 +135,23 @@ TEST(Outputs, ADashIsStandardOutputAndAllElseGoesToStandardError) {
     EXPECT_EQ(folder.Read("again.jsonl"), lines);
 }
 
+TEST(Outputs, ATrackOnAFullDiskTellsTheReasonAndTheNameThatWasGiven) {
+    const ScratchFolder folder;
+    const std::string convert = "convert tiles session.track --size 8 --steps 60";
+    const ProgramResult limited = folder.Run(convert, "ulimit -f 4;");
+    EXPECT_EQ(limited.exitCode, exitIo) << limited.output;
+    EXPECT_NE(limited.output.find("cannot write session.track: the track cannot be written to its end: File too large"),
+              std::string::npos)
+        << limited.output;
+    EXPECT_EQ(FilesBelow(folder.GetPath()), std::set<std::string>());
+    // A device is written in place; as a link to it its name says the kind of file.
+    fs::create_symlink("/dev/full", folder.GetPath() / "session.track");
+    const ProgramResult full = folder.Run(convert);
+    EXPECT_EQ(full.exitCode, exitIo) << full.output;
+    EXPECT_NE(full.output.find("cannot write session.track: No space left on device"), std::string::npos)
+        << full.output;
+}
+
 TEST(Outputs, AFullDiskIsAnErrorWithItsReasonWhereverItStrikes) {
     // A limit of file sizes stands for the disk; in blocks of 512 bytes.
     for (const int blocks : {1, 4, 16, 40}) {
