@@ -65,7 +65,7 @@ std::string WithoutTimes(Json line) {
 }
 
 void Merger::AddMade(const CaseFile& file, std::size_t lineNumber, const Json& own) {
-    if (!own.is_object()) Refuse(file, lineNumber, "\"made\" is no object");
+    if (!own.is_object()) Refuse(file, lineNumber, "\"made\" is not an object");
     if (std::ranges::find(made, own) != made.end()) return;
     const std::string problem = made.empty() ? "" : FindOtherBuild(own, made.front());
     if (!problem.empty()) {

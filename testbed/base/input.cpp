@@ -25,7 +25,7 @@ std::string ReadText(const std::filesystem::path& file, std::string_view cure) {
 
 nlohmann::ordered_json ReadJsonObject(const std::filesystem::path& file) {
     nlohmann::ordered_json json = nlohmann::ordered_json::parse(ReadText(file, "check its path"), nullptr, false);
-    if (!json.is_object()) throw FileError(fmt::format("{} is no JSON object", file.string()));
+    if (!json.is_object()) throw FileError(fmt::format("{}: not a JSON object", file.string()));
     return json;
 }
 

@@ -20,7 +20,7 @@ void ParseJsonLines(const std::string& file, std::string_view text, std::string_
     ForEachLine(text, [&](std::size_t number, std::string_view line) {
         try {
             const auto object = nlohmann::ordered_json::parse(line);
-            if (!object.is_object()) throw std::invalid_argument("no JSON object");
+            if (!object.is_object()) throw std::invalid_argument("not a JSON object");
             read(object);
         } catch (const std::exception& error) {  // of the parser, of a missing field, or of a value that is none
             throw FileError(

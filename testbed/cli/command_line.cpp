@@ -91,7 +91,7 @@ std::string DescribeNoNumber(const CLI::App& chosen, const CLI::ConversionError&
             fmt::format("Could not convert: {} = {}", option->get_name(), fmt::join(option->results(), ","))) {
             continue;
         }
-        return fmt::format("{} {}: that is no {}", option->get_name(), fmt::join(option->results(), " "),
+        return fmt::format("{} {}: that is not a {}", option->get_name(), fmt::join(option->results(), " "),
                            option->get_type_name() == "FLOAT" ? "number" : "whole number, or too large");
     }
     return error.what();

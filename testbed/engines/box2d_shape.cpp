@@ -44,7 +44,7 @@ Box2dShape MakeBox2dShape(const scenes::Shape& shape) {
             return edge;
         }
         case scenes::ShapeType::chain:
-            throw std::invalid_argument("a chain is no single shape: take its children");
+            throw std::invalid_argument("a chain is not a single shape: take its children");
         default:
             break;
     }

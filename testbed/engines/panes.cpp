@@ -84,7 +84,10 @@ RunSpec ApplyCommon(std::string_view engine, std::span<const TypedSetting> commo
 void CheckHad(std::span<const TypedSetting> common, const std::vector<bool>& isHad) {
     for (std::size_t i = 0; i < common.size(); ++i) {
         if (!isHad[i] && !common[i].isOptional)
-            throw UsageError(fmt::format("{}: no engine of the run has it", common[i].source));
+            throw UsageError(
+                fmt::format("{}: none of the engines of this run has this setting; see `scree env` for engines and "
+                            "--help for settings",
+                            common[i].source));
     }
 }
 

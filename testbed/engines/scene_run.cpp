@@ -85,7 +85,7 @@ void SceneRun::Record(const std::string&) {
 }
 
 void SceneRun::EditBody(int, const BodyEdit&) {
-    throw std::invalid_argument(m_spec.engine + " has no edits of bodies here: scree and box2d have");
+    throw std::invalid_argument(m_spec.engine + " cannot edit bodies here; scree and box2d can");
 }
 
 void SceneRun::Edit(int body, const BodyEdit& edit) {

@@ -149,7 +149,7 @@ JsonNode ParseJson(std::string_view text, std::string_view source) {
         what = position > text.size() ? "the text ends too early"
                                       : fmt::format("unexpected {}", QuoteJson(text.substr(position - 1, 1)));
     }
-    throw FileError(fmt::format("{}{}: no valid JSON: {}", source, place, what));
+    throw FileError(fmt::format("{}{}: not valid JSON: {}", source, place, what));
 }
 
 std::string QuoteJson(std::string_view text) { return PrintJson(nlohmann::json(text)); }

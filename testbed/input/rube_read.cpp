@@ -101,7 +101,7 @@ private:
                 Notice("custom properties are left out", place);
             } else if (key != "path" && key != "name" && std::ranges::find(known, key) == known.end()) {
                 const bool isNamed = m_notices.size() < mostNotices;
-                Notice(isNamed ? fmt::format("'{}' is no key of the format and is left out", key.substr(0, 60))
+                Notice(isNamed ? fmt::format("'{}' is not a key of the format and is left out", key.substr(0, 60))
                                : "has keys that the format has not, which are left out",
                        place);
             }
@@ -133,7 +133,7 @@ private:
                                                                "sampler",
                                                                "object"};
         if (root.Find("body") == nullptr && root.Find("gravity") == nullptr) {
-            m_values.Fail(top, "no world of R.U.B.E.: it has to hold \"gravity\" and \"body\"");
+            m_values.Fail(top, "not a world of R.U.B.E.: it has to hold \"gravity\" and \"body\"");
         }
         CheckKeys(root, top, keys);
         m_scene.name = NameOfScene(m_source);

@@ -247,8 +247,8 @@ private:
         const std::string place = fmt::format("joints[{}]", index);
         const int bodies = m_scene.InitialBodyCount();
         for (const auto& [key, body] : {std::pair{".bodyA", joint.bodyA}, {".bodyB", joint.bodyB}}) {
-            Require(body >= 0 && body < bodies, place + key, "{} is no body that exists from the start, 0 to {}", body,
-                    bodies - 1);
+            Require(body >= 0 && body < bodies, place + key, "{} is not a body that exists from the start, 0 to {}",
+                    body, bodies - 1);
         }
         Require(joint.bodyA != joint.bodyB, place + ".bodyB", "give another body than bodyA");
         using scenes::Joint;

@@ -86,7 +86,7 @@ public:
         const std::string_view all = m_data.bytes;
         if (!IsTrack(all)) {
             throw FileError(
-                fmt::format("{}: no track: it has to begin with the 8 bytes of one; give a file that a "
+                fmt::format("{}: not a track: it does not begin with the 8 bytes of every track; give a file that a "
                             "scree_capture header has recorded",
                             m_data.source));
         }
@@ -94,7 +94,8 @@ public:
         while (at < all.size() && m_data.info.damage.empty()) at = ReadRecord(at);
         if (!m_hasHeader) {
             const std::string& why = m_data.info.damage;
-            throw FileError(fmt::format("{}: {}; record it again", m_data.source, why.empty() ? "no record" : why));
+            throw FileError(fmt::format("{}: {}; record it again", m_data.source,
+                                        why.empty() ? "it ends before its first record" : why));
         }
         if (!m_data.info.damage.empty()) {
             m_data.info.damage +=

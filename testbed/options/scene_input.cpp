@@ -198,7 +198,7 @@ RunStart SceneInput::Start() const {
 }
 
 InputFile ReadInputFile(const std::string& path, const InputArguments& arguments) {
-    if (!fs::exists(path)) throw FileError(fmt::format("{}: no such file", path));
+    if (!fs::exists(path)) throw FileError(fmt::format("{}: there is no such file; check its path", path));
     InputFile file{.path = path};
     if (!arguments.format.empty()) {
         file.kind = ParseFileKind(arguments.format);
@@ -212,8 +212,8 @@ InputFile ReadInputFile(const std::string& path, const InputArguments& arguments
     const std::optional<FileKind> found = KindOfBytes(file.bytes);
     if (found && *found != file.kind) {
         const FileKindInfo& other = GetInfo(*found);
-        throw FileError(fmt::format("{}: no {}: it begins like {}; --format {} reads it as that", path, info.name,
-                                    other.what, other.name));
+        throw FileError(fmt::format("{}: by its content it is {}, not {}; --format {} reads it as that", path,
+                                    other.what, info.what, other.name));
     }
     return file;
 }

@@ -37,7 +37,7 @@ Shape MakeShape(const scenes::Scene& scene, const scenes::Shape& original) {
         case scenes::ShapeType::edge:
             return b2Segment{ToB2(shape.vertices[0]), ToB2(shape.vertices[1])};
         default:
-            throw std::invalid_argument("a chain is no single shape: take its children");
+            throw std::invalid_argument("a chain is not a single shape: take its children");
     }
 }
 

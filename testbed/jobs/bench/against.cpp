@@ -115,7 +115,9 @@ std::vector<ordered_json> RunBuild(const fs::path& program, const std::string& s
                 fmt::format("{} bench {}: a row cannot be read: {}", program.string(), scene, error.what()));
         }
     }
-    if (rows.empty()) throw FileError(fmt::format("{} bench {}: no rows", program.string(), scene));
+    if (rows.empty())
+        throw FileError(
+            fmt::format("{} bench {}: it wrote no measurements; run it to see why", program.string(), scene));
     return rows;
 }
 
@@ -151,9 +153,10 @@ fs::path FindBuiltProgram(const fs::path& given) {
          {given, given / "testbed/scree", given / "build/release/testbed/scree", given / "bin/scree"}) {
         if (fs::is_regular_file(path) && access(path.c_str(), X_OK) == 0) return fs::absolute(path);
     }
-    throw UsageError(fmt::format(
-        "--against {}: no program; give a build folder (with testbed/scree), a checkout that was built, or the file",
-        given.string()));
+    throw UsageError(
+        fmt::format("--against {}: there is no program `scree`; give a build folder (with testbed/scree), a checkout "
+                    "that was built, or the file",
+                    given.string()));
 }
 
 MedianInterval FindMedianInterval(std::span<const double> values) {

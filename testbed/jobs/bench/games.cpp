@@ -204,7 +204,7 @@ std::vector<const GameCase*> ChooseCases(const std::vector<std::string>& names) 
         if (std::ranges::none_of(chosen, [&](const GameCase* game) { return game->name == name; })) {
             std::string known;
             for (const GameCase& game : GetGameCases()) known += (known.empty() ? "" : ", ") + game.name;
-            throw UsageError(fmt::format("--games: no case {}; there are {}", name, known));
+            throw UsageError(fmt::format("--games: there is no case {}; choose from {}", name, known));
         }
     }
     return chosen;

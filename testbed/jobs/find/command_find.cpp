@@ -100,7 +100,7 @@ void WritePageOf(const FindReport& report, const Session& session, const FindArg
 /// Refuses a link into nothing before the work.
 void CheckTimeline(const FindArguments& arguments) {
     if (arguments.timeline.empty() || std::filesystem::exists(arguments.timeline)) return;
-    throw UsageError(fmt::format("--timeline {0}: no such file; `scree timeline {1} -o {0}` makes it",
+    throw UsageError(fmt::format("--timeline {0}: there is no such file; `scree timeline {1} -o {0}` makes it",
                                  arguments.timeline, arguments.session.input));
 }
 

@@ -30,7 +30,7 @@ TEST(JsonLines, AreReadInOrder) {
 
 TEST(JsonLines, ABadLineIsNamed) {
     for (const auto& [line, problem] : std::vector<std::pair<std::string, std::string>>{
-             {"{", "parse error"}, {"[1]", "no JSON object"}, {"{}", "'n' not found"}, {"{\"n\": \"x\"}", "type"}}) {
+             {"{", "parse error"}, {"[1]", "not a JSON object"}, {"{}", "'n' not found"}, {"{\"n\": \"x\"}", "type"}}) {
         try {
             (void)ReadNumbers("{\"n\": 1}\n" + line);
             ADD_FAILURE() << line;

@@ -103,7 +103,7 @@ TEST_F(SceneFiles, WhatCannotBeMeantIsRefused) {
         int exitCode;
         std::string says;
     } cases[] = {
-        {"overlap levels/level-6.scene.json", exitIo, "levels/level-6.scene.json: no such file"},
+        {"overlap levels/level-6.scene.json", exitIo, "levels/level-6.scene.json: there is no such file"},
         {"overlap levels", exitUsage, "*.scene.json"},
         {"overlap levels/", exitUsage, "*.scene.json"},
         {"overlap levels --format scene", exitIo, "levels: a folder; give a *.scene.json file"},

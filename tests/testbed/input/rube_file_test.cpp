@@ -563,7 +563,7 @@ TEST(RubeFile, WhatNoSceneSaysIsToldOnceAKind) {
     EXPECT_TRUE(Tells(world, "subStepping: belongs to a run"));
     EXPECT_TRUE(Tells(world, "body[1]: not active"));
     EXPECT_TRUE(Tells(world, "joint[0]: joins a body that is not active"));
-    EXPECT_TRUE(Tells(world, "body[2]: 'gravtyScale' is no key"));
+    EXPECT_TRUE(Tells(world, "body[2]: 'gravtyScale' is not a key"));
     EXPECT_EQ(world.scene.bodies[1].type, scenes::BodyType::isStatic);
     EXPECT_EQ(world.scene.bodies[1].fixtureCount, 0);
     EXPECT_EQ(world.scene.bodies[2].fixtureCount, 1);

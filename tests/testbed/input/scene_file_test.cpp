@@ -256,11 +256,11 @@ TEST(SceneFile, AmountsOfJointsMayBeTheLargestNumber) {
 }
 
 TEST(SceneFile, TextThatIsNoJsonIsNamedByLineAndColumn) {
-    EXPECT_EQ(ErrorOf("{\n  \"format\": oops"), "some/world.scene.json:2:13: no valid JSON: unexpected \"o\"");
+    EXPECT_EQ(ErrorOf("{\n  \"format\": oops"), "some/world.scene.json:2:13: not valid JSON: unexpected \"o\"");
     EXPECT_NE(ErrorOf("").find("ends too early"), std::string::npos);
     EXPECT_NE(ErrorOf(R"({"format": "scree-scene", "format": "x"})").find("stands twice"), std::string::npos);
     EXPECT_NE(ErrorOf(std::string(100000, '[')).find("deeper than"), std::string::npos);
-    EXPECT_NE(ErrorOf(R"({"version": 1e999})").find("no valid JSON"), std::string::npos);
+    EXPECT_NE(ErrorOf(R"({"version": 1e999})").find("not valid JSON"), std::string::npos);
 }
 
 /// Something hostile in the place of a number, where it is most likely to be read.

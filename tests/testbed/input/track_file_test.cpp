@@ -206,7 +206,7 @@ TEST(TrackFile, ASceneOfAStepHoldsWhatWasThere) {
 
 TEST(TrackFile, ErrorsNameThePlaceAndTheCure) {
     const std::string bytes = RecordSample(12);
-    EXPECT_NE(TrackErrorOf("").find("no track"), std::string::npos);
+    EXPECT_NE(TrackErrorOf("").find("not a track"), std::string::npos);
     EXPECT_NE(TrackErrorOf("PNG").find("recorded"), std::string::npos);
     const auto change = [&](std::size_t record, const std::string& from, const std::string& to) {
         Records records(bytes);

@@ -92,7 +92,7 @@ TEST(Against, WhatCannotBeComparedIsRefused) {
     const ScratchFolder folder;
     const ProgramResult missing = folder.Run("bench pyramid --against nowhere");
     EXPECT_EQ(missing.exitCode, exitUsage);
-    EXPECT_NE(missing.output.find("no program"), std::string::npos) << missing.output;
+    EXPECT_NE(missing.output.find("there is no program"), std::string::npos) << missing.output;
     EXPECT_EQ(folder.Run("bench pyramid --targets --against " SCREE_PROGRAM).exitCode, exitUsage);
     EXPECT_EQ(folder.Run("bench pyramid --at-least 0.9").exitCode, exitUsage);
     EXPECT_EQ(folder.Run("bench no-such-scene --against " SCREE_PROGRAM).exitCode, exitUsage);

@@ -244,9 +244,12 @@ TEST_F(Files, WhatCannotBeMeantIsRefusedInALine) {
         {"metrics heap.track --poses track --from 60", exitUsage, "no step after 60"},
         {"metrics heap.world --from 3", exitUsage, "--from 3: heap.world is one moment"},
         {"metrics tiles --poses track", exitUsage, "--poses track: tiles has no motion"},
-        {"metrics wrong.track", exitIo, "no track: it begins like a saved world of our engine; --format image"},
-        {"metrics heap.track --format recording", exitIo, "it begins like a world and its motion; --format track"},
-        {"metrics empty.recording", exitIo, "empty.recording: no recording: the world at its start: not a snapshot"},
+        {"metrics wrong.track", exitIo,
+         "by its content it is a saved world of our engine, not a world and its motion; --format image"},
+        {"metrics heap.track --format recording", exitIo,
+         "by its content it is a world and its motion, not a program's calls of our engine; --format track"},
+        {"metrics empty.recording", exitIo,
+         "empty.recording: not a recording, for the world at its start cannot be read: not a snapshot"},
         {"info notes.txt", exitIo, "neither ends nor begins like any of *.scene.json"},
         {"info", exitUsage, "which file?"},
         {"convert heap.track", exitUsage, "scree convert IN OUT"},
@@ -293,7 +296,7 @@ TEST_F(Files, DamagedImagesAndRecordingsEndInAReasonAndNoHarm) {
                 (void)TrackFile(replayed.track, "x.track");
             }
         } catch (const FileError& error) {
-            EXPECT_NE(std::string(error.what()).find("; give what scree::"), std::string::npos) << error.what();
+            EXPECT_NE(std::string(error.what()).find("; give a file that scree::"), std::string::npos) << error.what();
             ++refused;
         }
     }

@@ -337,7 +337,7 @@ TEST(Trade, TheCommandRefusesScenesThatItCannotMeasure) {
     };
     refuse("still.scene.json", exitUsage, "nothing moves in it");
     refuse("bad.scene.json", exitIo, "bad.scene.json");
-    refuse("none.scene.json", exitIo, "none.scene.json: no such file");
+    refuse("none.scene.json", exitIo, "none.scene.json: there is no such file");
     refuse("pyramit", exitUsage, "did you mean 'pyramid'");
     refuse("pyramid -g column", exitUsage, "-g chooses laws");
     refuse("pyramid --from x.jsonl", exitUsage, "--from measures nothing");
