@@ -64,55 +64,102 @@ const drawBodies = (pen, lane, view, asOutline) => {
   pen.setTransform(1, 0, 0, 1, 0, 0);
 };
 
-/** Bodies by WebGL2: all shapes once as triangles and lines, poses in a texture. */
+/** Where a body is, from the texture of poses, and its colour. */
+const poseSource = `#version 300 es
+  precision highp float;
+  uniform highp sampler2D poses;
+  uniform vec4 view;  // centre, and factors to the canvas
+  uniform vec4 inks[5];
+  flat out vec4 ink;
+  vec4 placed(int index, vec2 point) {
+    int row = index / 1024 * 2, column = index % 1024;
+    vec4 pose = texelFetch(poses, ivec2(column, row), 0);
+    float kind = texelFetch(poses, ivec2(column, row + 1), 0).x;
+    ink = kind < 0.0 ? vec4(0.0) : inks[int(kind)];
+    vec2 place = pose.xy + vec2(pose.z * point.x - pose.w * point.y, pose.w * point.x + pose.z * point.y);
+    return kind < 0.0 ? vec4(2.0, 2.0, 0.0, 1.0) : vec4((place - view.xy) * view.zw, 0.0, 1.0);
+  }`;
+const plainSource = `#version 300 es
+  precision mediump float;
+  flat in vec4 ink;
+  uniform float alpha;
+  out vec4 color;
+  void main() { color = vec4(ink.rgb * alpha, alpha); }`;
+/** Corners of polygons and ends of edges. */
+const cornerSource = `${poseSource}
+  layout(location = 0) in vec2 point;
+  layout(location = 1) in float body;
+  void main() { gl_Position = placed(int(body), point); }`;
+/** A circle is the triangle around it: a corner costs more than the pixels of a small circle. Its edge is round at any zoom. */
+const circleSource = `${poseSource}
+  layout(location = 0) in vec3 circle;  // centre in the body, radius
+  layout(location = 1) in float body;
+  uniform float pixel;  // m
+  out vec2 offset;      // from the centre, pixels
+  flat out float radius;
+  void main() {
+    int number = gl_VertexID % 3;
+    vec2 corner = number == 0 ? vec2(0.0, 2.0) : vec2(number == 1 ? -1.7320508 : 1.7320508, -1.0);
+    vec2 away = corner * (circle.z + pixel);
+    offset = away / pixel;
+    radius = circle.z / pixel;
+    gl_Position = placed(int(body), circle.xy + away);
+  }`;
+const discSource = `#version 300 es
+  precision highp float;
+  flat in vec4 ink;
+  in vec2 offset;
+  flat in float radius;
+  uniform float alpha;  // of the inside
+  uniform float thick;  // of lines, pixels
+  out vec4 color;
+  float covers(float away) { return clamp(0.5 * thick + 0.5 - away, 0.0, 1.0); }
+  void main() {
+    float distance = length(offset);
+    float line = covers(abs(distance - radius));
+    if (offset.x > 0.0 && distance < radius) line = max(line, covers(abs(offset.y)));
+    float share = max(line, alpha * clamp(radius + 0.5 - distance, 0.0, 1.0));
+    color = vec4(ink.rgb * share, share);
+  }`;
+/** Contacts: squares of one colour. */
+const squareSource = `#version 300 es
+  layout(location = 0) in vec2 place;
+  uniform vec4 view;
+  uniform float wide;
+  uniform vec4 inks[5];
+  flat out vec4 ink;
+  void main() {
+    ink = inks[0];
+    gl_PointSize = wide;
+    gl_Position = vec4((place - view.xy) * view.zw, 0.0, 1.0);
+  }`;
+
+/** Bodies and contacts by WebGL2: all shapes once as triangles, lines and circles, poses in a texture. */
 class Painter {
   constructor(canvas) {
     const gl = this.gl = canvas.getContext('webgl2', {antialias: bodyCount <= mostByCanvas, premultipliedAlpha: true});
     if (!gl) throw new Error('no WebGL2');
-    const vertex = `#version 300 es
-      layout(location = 0) in vec2 point;
-      layout(location = 1) in float body;
-      uniform highp sampler2D poses;
-      uniform vec4 view;  // centre, and factors to the canvas
-      uniform vec4 inks[5];
-      uniform float alpha;
-      flat out vec4 ink;
-      void main() {
-        int index = int(body), row = index / 1024 * 2, column = index % 1024;
-        vec4 pose = texelFetch(poses, ivec2(column, row), 0);
-        float kind = texelFetch(poses, ivec2(column, row + 1), 0).x;
-        vec2 place = pose.xy + vec2(pose.z * point.x - pose.w * point.y, pose.w * point.x + pose.z * point.y);
-        ink = kind < 0.0 ? vec4(0.0) : vec4(inks[int(kind)].rgb * alpha, alpha);
-        gl_Position = kind < 0.0 ? vec4(2.0, 2.0, 0.0, 1.0) : vec4((place - view.xy) * view.zw, 0.0, 1.0);
-      }`;
-    const fragment = `#version 300 es
-      precision mediump float;
-      flat in vec4 ink;
-      out vec4 color;
-      void main() { color = ink; }`;
-    const program = this.program = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
-      gl.attachShader(program, shader);
-    }
-    gl.linkProgram(program);
-    gl.useProgram(program);
-    this.places = Object.fromEntries(['view', 'inks', 'alpha'].map((name) => [name, gl.getUniformLocation(program, name)]));
-    const triangles = [], lines = [];
+    this.corners = this.link(cornerSource, plainSource);
+    this.discs = this.link(circleSource, discSource);
+    this.squares = this.link(squareSource, plainSource);
+    const triangles = [], lines = [], circles = [];
     data.bodies.forEach((told, body) => {
       for (const shape of told.shapes) {
-        const corners = this.corners(shape), count = corners.length / 2, isClosed = count > 2;
+        if (shape.r !== undefined) {
+          // No instances: software makes a draw call of each.
+          for (let i = 0; i < 3; ++i) circles.push(shape.x, shape.y, shape.r, body);
+          continue;
+        }
+        const corners = shape.v, count = corners.length / 2, isClosed = count > 2;
         const put = (list, i) => list.push(corners[2 * i], corners[2 * i + 1], body);
         for (let i = 2; i < count; ++i) put(triangles, 0), put(triangles, i - 1), put(triangles, i);
         for (let i = 0; i < count - (isClosed ? 0 : 1); ++i) put(lines, i), put(lines, (i + 1) % count);
-        if (shape.r !== undefined) lines.push(shape.x, shape.y, body, shape.x + shape.r, shape.y, body);
       }
     });
-    this.triangles = this.load(triangles);
-    this.lines = this.load(lines);
+    this.triangles = this.load(triangles, [2, 1]);
+    this.lines = this.load(lines, [2, 1]);
+    this.circles = this.load(circles, [3, 1]);
+    this.points = this.load([], [2]);
     this.rows = Math.ceil(bodyCount / 1024) * 2;
     this.poses = new Float32Array(1024 * this.rows * 4);
     gl.bindTexture(gl.TEXTURE_2D, gl.createTexture());
@@ -122,33 +169,48 @@ class Painter {
     gl.enable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   }
-  corners(shape) {
-    if (shape.r === undefined) return shape.v;
-    const corners = [];
-    for (let i = 0; i < 20; ++i) corners.push(shape.x + shape.r * Math.cos(i * Math.PI / 10), shape.y + shape.r * Math.sin(i * Math.PI / 10));
-    return corners;
+  link(vertex, fragment) {
+    const {gl} = this, program = gl.createProgram();
+    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
+    return {program, place: (name) => gl.getUniformLocation(program, name)};
   }
-  load(numbers) {
-    const gl = this.gl, array = gl.createVertexArray();
+  /** Numbers one after the other for attributes of these sizes. */
+  load(numbers, sizes) {
+    const gl = this.gl, array = gl.createVertexArray(), buffer = gl.createBuffer(), all = sizes.reduce((a, b) => a + b);
     gl.bindVertexArray(array);
-    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(numbers), gl.STATIC_DRAW);
-    gl.vertexAttribPointer(0, 2, gl.FLOAT, false, 12, 0);
-    gl.vertexAttribPointer(1, 1, gl.FLOAT, false, 12, 8);
-    gl.enableVertexAttribArray(0);
-    gl.enableVertexAttribArray(1);
-    return {array, count: numbers.length / 3};
+    sizes.forEach((size, i) => {
+      gl.vertexAttribPointer(i, size, gl.FLOAT, false, 4 * all, 4 * sizes.slice(0, i).reduce((a, b) => a + b, 0));
+      gl.enableVertexAttribArray(i);
+    });
+    return {array, buffer, count: numbers.length / all};
   }
   clear(view) {
     this.gl.viewport(0, 0, view.width, view.height);
     this.gl.clearColor(0, 0, 0, 0);
     this.gl.clear(this.gl.COLOR_BUFFER_BIT);
   }
+  /** Begins with a program; positions are relative to the middle of the view, so that a float suffices far from the origin. */
+  use(linked, view, inks, alpha) {
+    const {gl} = this;
+    gl.useProgram(linked.program);
+    gl.uniform4f(linked.place('view'), 0, 0, 2 * view.scale / view.width, 2 * view.scale / view.height);
+    gl.uniform4fv(linked.place('inks'), inks.flatMap((ink) => [1, 3, 5].map((i) => parseInt(ink.slice(i, i + 2), 16) / 255).concat(1)));
+    gl.uniform1f(linked.place('alpha'), alpha);
+  }
   draw(lane, view, asOutline) {
     const gl = this.gl, {poses} = this, {x, y, angle, flags} = lane.now;
     const kinds = {static: 0, kinematic: 1, dynamic: 2};
     for (let body = 0; body < bodyCount; ++body) {
-      // Relative to the middle of the view, so that a float suffices far from the origin.
       const at = ((body >> 10) * 2048 + (body & 1023)) * 4;
       poses[at] = toX(x[body]) - view.x;
       poses[at + 1] = toY(y[body]) - view.y;
@@ -158,17 +220,37 @@ class Painter {
       poses[at + 4096] = !(flags[body] & isThere) ? -1 : asOutline ? 4 : kind === 2 && !(flags[body] & isAwake) ? 3 : kind;
     }
     gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 1024, this.rows, gl.RGBA, gl.FLOAT, poses);
-    gl.uniform4f(this.places.view, 0, 0, 2 * view.scale / view.width, 2 * view.scale / view.height);
-    const inks = [colors.static, colors.kinematic, colors.awake, colors.asleep, colors.other];
-    gl.uniform4fv(this.places.inks, inks.flatMap((ink) => [1, 3, 5].map((i) => parseInt(ink.slice(i, i + 2), 16) / 255).concat(1)));
-    for (const [kind, list, alpha] of [[gl.TRIANGLES, this.triangles, asOutline ? 0 : 0.28], [gl.LINES, this.lines, 1]]) {
+    const inks = [colors.static, colors.kinematic, colors.awake, colors.asleep, colors.other], inside = asOutline ? 0 : 0.28;
+    for (const [kind, list, alpha] of [[gl.TRIANGLES, this.triangles, inside], [gl.LINES, this.lines, 1]]) {
       if (alpha === 0 || list.count === 0) continue;
-      gl.uniform1f(this.places.alpha, alpha);
+      this.use(this.corners, view, inks, alpha);
       gl.bindVertexArray(list.array);
       gl.drawArrays(kind, 0, list.count);
     }
+    if (this.circles.count === 0) return;
+    this.use(this.discs, view, inks, inside);
+    gl.uniform1f(this.discs.place('pixel'), 1 / view.scale);
+    gl.uniform1f(this.discs.place('thick'), view.ratio);
+    gl.bindVertexArray(this.circles.array);
+    gl.drawArrays(gl.TRIANGLES, 0, this.circles.count);
+  }
+  /** The points of contacts that are not chosen. */
+  drawContacts(lane, view) {
+    const {gl} = this, places = [];
+    for (const contact of lane.contactsNow()) {
+      for (const point of contact.points) places.push(point.x - view.x, point.y - view.y);
+    }
+    if (places.length === 0) return;
+    this.use(this.squares, view, Array(5).fill(colors.kinematic), 1);
+    gl.uniform1f(this.squares.place('wide'), 2 * halfOfContact(view));
+    gl.bindVertexArray(this.points.array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, this.points.buffer);
+    gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(places), gl.DYNAMIC_DRAW);
+    gl.drawArrays(gl.POINTS, 0, places.length / 2);
   }
 }
+/** Of the edge of the square that marks a contact, pixels. */
+const halfOfContact = (view) => Math.max(1.5, Math.min(3, view.scale * 0.05)) * view.ratio;
 
 /** The box of a body now, m; null: it has no shape. */
 const boxOf = (lane, body) => {
@@ -185,8 +267,8 @@ const boxOf = (lane, body) => {
   return box;
 };
 
-/** What lies over the bodies. `chosen`: {bodies, contact, joint}; `trails` by body. */
-const drawLayers = (pen, lane, view, layers, chosen, trails, levels) => {
+/** What lies over the bodies. `chosen`: {bodies, contact, joint}; `trails` by body. `isMarked`: a Painter has drawn the contacts. */
+const drawLayers = (pen, lane, view, layers, chosen, trails, levels, isMarked) => {
   const {width, height, scale, x, y, ratio} = view;
   const toScreen = (wx, wy) => [width / 2 + (wx - x) * scale, height / 2 - (wy - y) * scale];
   const line = (ax, ay, bx, by) => { pen.moveTo(...toScreen(ax, ay)); pen.lineTo(...toScreen(bx, by)); };
@@ -271,7 +353,7 @@ const drawLayers = (pen, lane, view, layers, chosen, trails, levels) => {
     }
     pen.stroke();
   }
-  if (layers.has('contacts') || layers.has('impulses')) drawContacts(pen, lane, view, layers, chosen, toScreen, isSeen);
+  if (layers.has('contacts') || layers.has('impulses')) drawContacts(pen, lane, view, layers, chosen, toScreen, isSeen, isMarked);
   for (const body of chosen.bodies) {
     if (!lane.isThere(body)) continue;
     const cos = Math.cos(lane.angle(body)) * scale, sin = Math.sin(lane.angle(body)) * scale, [px, py] = toScreen(lane.x(body), lane.y(body));
@@ -294,8 +376,9 @@ const drawLayers = (pen, lane, view, layers, chosen, trails, levels) => {
     pen.textAlign = 'left';
   }
 };
-const drawContacts = (pen, lane, view, layers, chosen, toScreen, isSeen) => {
-  const contacts = lane.contactsNow(), {scale, ratio} = view;
+const drawContacts = (pen, lane, view, layers, chosen, toScreen, isSeen, isMarked) => {
+  if (isMarked && !layers.has('impulses') && !chosen.contact) return;
+  const contacts = lane.contactsNow(), {ratio} = view;
   const isChosen = (contact) => chosen.contact && contact.a === chosen.contact[0] && contact.b === chosen.contact[1];
   if (layers.has('impulses')) {
     // The largest impulse is drawn a tenth of the view long.
@@ -314,8 +397,8 @@ const drawContacts = (pen, lane, view, layers, chosen, toScreen, isSeen) => {
     }
     pen.stroke();
   }
-  const half = Math.max(1.5, Math.min(3, scale * 0.05)) * ratio;
-  for (const [ink, test] of [[colors.kinematic, (contact) => !isChosen(contact)], [colors.chosen, isChosen]]) {
+  const half = halfOfContact(view), others = isMarked ? [] : [[colors.kinematic, (contact) => !isChosen(contact)]];
+  for (const [ink, test] of [...others, [colors.chosen, isChosen]]) {
     pen.fillStyle = ink;
     for (const contact of contacts) {
       if (!test(contact)) continue;

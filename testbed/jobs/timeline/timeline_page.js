@@ -82,8 +82,9 @@ const drawView = (view) => {
       else drawBodies(pen, lane, size, i > 0);
     });
   }
-  const lane = view.group[0];
-  drawLayers(pen, lane, size, look.layers, chosen, trails[lane.number] || [], look.levels);
+  const lane = view.group[0], hasContacts = look.layers.has('contacts') || look.layers.has('impulses');
+  if (view.painter && hasContacts) view.painter.drawContacts(lane, size);
+  drawLayers(pen, lane, size, look.layers, chosen, trails[lane.number] || [], look.levels, view.painter !== null);
 };
 const draw = () => {
   isDirty = false;

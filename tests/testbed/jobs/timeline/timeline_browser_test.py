@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# Drives pages of timelines like a reader. Arguments: the test (reads, engines, fast) and its page.
+# Drives pages of timelines like a reader. Arguments: the test (reads, engines, alike, fast) and its page.
 
 import os
 import sys
@@ -126,10 +126,39 @@ def engines(browser, page):
     browser.wait('location.hash.includes("engines=over")')
 
 
+def inked(browser, canvas):
+    """How many pixels are not empty in the frame after a step on, and how many full ones their ink would make."""
+    browser.run('(() => { document.body.dispatchEvent(new KeyboardEvent("keydown", {key: "ArrowRight", bubbles: true}));'
+                ' requestAnimationFrame(() => {'  # after the page's own, while the frame is still there
+                f' const c = document.createElement("canvas"), from = document.querySelector("{canvas}");'
+                ' c.width = from.width; c.height = from.height; const pen = c.getContext("2d"); pen.drawImage(from, 0, 0);'
+                ' const d = pen.getImageData(0, 0, c.width, c.height).data; let n = 0, sum = 0;'
+                ' for (let i = 3; i < d.length; i += 4) n += d[i] > 0, sum += d[i] / 255;'
+                ' window.inked = [n, sum]; }); return 0; })()')
+    browser.wait('window.inked !== undefined')
+    return browser.run('window.inked')
+
+
+def alike(browser, page):
+    """Circles, polygons and contacts cover the same pixels by WebGL2 as by Canvas 2D, within what edges differ by."""
+    # Squares lie between pixels: by Canvas 2D their edges touch more of these, with as much ink.
+    for layers, share in (('bodies', 0.05), ('contacts', 0.2)):
+        found = []
+        for renderer, canvas in (('canvas', '.over'), ('webgl', '.under')):
+            browser.open('file://' + page + f'?{renderer}{layers}#renderer={renderer}&step=30&layers={layers}')
+            browser.wait(BUSY)
+            expect('the renderer', browser.run('document.getElementById("timeline").dataset.renderer'), renderer)
+            found.append(inked(browser, f'#views {canvas}'))
+        print(layers, *found)
+        (pixels, ink), (others, other) = found
+        if pixels < 50 or abs(pixels - others) > share * pixels or abs(ink - other) > 0.03 * ink:
+            sys.exit(f'{layers}: canvas and webgl differ: pixels, ink {found}')
+
+
 def fast(browser, page):
     """Frames a second while it plays: each by Canvas 2D and by WebGL2, as the address asks."""
     for renderer in ('canvas', 'webgl'):
-        browser.open('file://' + page + f'?{renderer}#renderer={renderer}&speed=0.5')
+        browser.open('file://' + page + f'?{renderer}#renderer={renderer}&speed=1')
         browser.wait(BUSY)
         expect('the renderer', browser.run('document.getElementById("timeline").dataset.renderer'), renderer)
         browser.click('#play')
@@ -143,7 +172,7 @@ def fast(browser, page):
 
 def main(test, page):
     with tempfile.TemporaryDirectory() as profile, webdriver.Browser(profile) as browser:
-        {'reads': reads, 'engines': engines, 'fast': fast}[test](browser, page)
+        {'reads': reads, 'engines': engines, 'alike': alike, 'fast': fast}[test](browser, page)
         log = [entry for entry in browser.log('browser') if entry.get('level') == 'SEVERE']
         if log:
             sys.exit(f'the page complains: {log}')
