@@ -190,7 +190,8 @@ TEST_F(SnapshotAccept, RefusesWhatDoesNotBelongAndChangesNothing) {
     });
     expectRefused("actual/" + m_ids[1] + ".png is not there",
                   [&] { fs::remove(report / "actual" / (m_ids[1] + ".png")); });
-    expectRefused("is not a PNG picture", [&] { std::ofstream(report / "actual" / (m_ids[1] + ".png")) << "no picture"; });
+    expectRefused("is not a PNG picture",
+                  [&] { std::ofstream(report / "actual" / (m_ids[1] + ".png")) << "no picture"; });
     const auto setResult = [&](const char* key, const Json& value) {
         return [&, key, value] {
             ChangeJson(report / "results.json", [&](Json& json) {
