@@ -20,8 +20,8 @@ struct Spring {
     float stiffness, damping;
 };
 
-/// The spring on which `mass` (kg, or an inertia in kg·m² for an angular one) oscillates at `hertz` with a damping
-/// ratio (0 none, 1 critical): k = m ω², d = 2 m ζ ω.
+/// The spring on which `mass` oscillates at `hertz` with a damping ratio (0 none, 1 critical): k = m ω², d = 2 m ζ ω.
+/// `mass` is in kg, or an inertia in kg·m² for an angular one.
 [[nodiscard]] Spring MakeSpring(double mass, double hertz, double dampingRatio);
 /// What two masses or inertias on a spring between them move like: a·b / (a + b).
 [[nodiscard]] constexpr double Reduced(double a, double b) { return a * b / (a + b); }

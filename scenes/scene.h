@@ -24,24 +24,20 @@ struct Vec2 {
 
 enum class BodyType : std::uint8_t { isStatic, kinematic, dynamic };
 
-/// circle: center, radius. box: halfExtents, center, angle (what SetAsBox takes). polygon: vertices. edge: vertices.
-/// chain: a range of Scene::chainVertices, and vertices as its ghosts.
-/// The further convex shapes, which our engine has and Box2D gets as polygons of 8 vertices (outline.h). capsule: the
-/// ends as vertices, radius. roundedPolygon: vertices, radius. largePolygon: a range of Scene::chainVertices. ellipse:
-/// halfExtents as semi-axes, center, angle. sector of a disk: center as its tip, radius, opening, angle of its middle.
-/// supported: support, radius around the body's origin.
+/// The kind of a shape, and the fields of Shape that it reads. From capsule on they are the further convex shapes,
+/// which our engine has and Box2D gets as polygons of 8 vertices (outline.h).
 enum class ShapeType : std::uint8_t {
-    circle,
-    box,
-    polygon,
-    edge,
-    chain,
-    capsule,
-    roundedPolygon,
-    largePolygon,
-    ellipse,
-    sector,
-    supported
+    circle,          ///< center, radius
+    box,             ///< halfExtents, center, angle: what SetAsBox takes
+    polygon,         ///< vertices
+    edge,            ///< vertices
+    chain,           ///< a range of Scene::chainVertices, and vertices as its ghosts
+    capsule,         ///< the ends as vertices, radius
+    roundedPolygon,  ///< vertices, radius
+    largePolygon,    ///< a range of Scene::chainVertices
+    ellipse,         ///< halfExtents as semi-axes, center, angle
+    sector,          ///< of a disk: center as its tip, radius, opening, angle of its middle
+    supported        ///< support, radius around the body's origin
 };
 
 /// The point of a convex shape that is farthest along a direction of length 1, both in body coordinates.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Character corner cases: figures that must not catch where a surface has seams. Four tracks above each other, of
-// two-sided edges, of a chain, of square tiles, and of a chain with ramps and steps; on each slide a box, a capsule, a
+// Character corner cases: figures that must not catch where a surface has seams. Four tracks lie above each other: of
+// two-sided edges, of a chain, of square tiles, and of a chain with ramps and steps. On each slide a box, a capsule, a
 // ball and a hexagon without friction or rotation. Above them one stands on a moving platform, one on a lift.
 
 #include <vector>

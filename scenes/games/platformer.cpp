@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Platformer: a long level of a chain, with blocks in the air, sensors and crates; n figures, the last bodies, run over
-// it, each a box on a ball that cannot turn.
+// Platformer: a long level of a chain, with blocks in the air, sensors and crates. n figures, the last bodies, run over
+// it. Each is a box on a ball that cannot turn.
 
 #include "scenes/games/terrain.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Distance joints: five boxes hang from a beam by a rod, a rope, a spring, a damped spring, and a spring that may only
-// go from 2 m to 5 m.
+// Distance joints: five boxes hang from a beam. They hang by a rod, a rope, a spring, a damped spring, and a spring
+// that may only go from 2 m to 5 m.
 
 #include "scenes/build.h"
 #include "scenes/build_joints.h"

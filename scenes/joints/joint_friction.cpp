@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Friction joints, seen from above: six pucks leave a line at 6 m/s, each held to the ground by a friction joint; puck
+// Friction joints, seen from above: six pucks leave a line at 6 m/s, each held to the ground by a friction joint. Puck
 // i is braked by 2 + 2i m/s² and goes 36 / (2 (2 + 2i)) m. They also spin, with as much braking of the spin.
 
 #include "scenes/build.h"

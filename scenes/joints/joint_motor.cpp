@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Motor joints: three boxes start 3 m beside and half a turn off the poses they are driven to, held against gravity by
-// ample force, by just enough of it, and by too little; a fourth rides on a box that is driven along with it.
+// Motor joints: three boxes start 3 m beside and half a turn off the poses they are driven to. They are held against
+// gravity by ample force, by just enough of it, and by too little. A fourth rides on a box that is driven along with
+// it.
 
 #include "scenes/build.h"
 #include "scenes/build_joints.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Mouse joints: a bar gripped at one end is pulled up, a box gripped at its corner swings to its target, a ball is
+// Mouse joints. A bar gripped at one end is pulled up, and a box gripped at its corner swings to its target. A ball is
 // pulled by too little force to lift it, and a box is torn out of a stack.
 
 #include "scenes/build.h"

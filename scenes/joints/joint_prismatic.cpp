@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Prismatic joints: a block slides down an inclined axis to its limit, another goes up by a motor, a third is driven
-// from side to side of its range, and a fourth hangs from the third.
+// Prismatic joints: a block slides down an inclined axis to its limit, and another goes up by a motor. A third is
+// driven from side to side of its range, and a fourth hangs from the third.
 
 #include "scenes/build.h"
 #include "scenes/build_joints.h"

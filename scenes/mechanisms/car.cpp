@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Car: two wheels on sprung wheel joints, the rear one driven, on a chain with bumps and a hill; then a seesaw, a
+// Car: two wheels on sprung wheel joints, the rear one driven, on a chain with bumps and a hill. Then come a seesaw, a
 // bridge of planks and a stack of boxes. After Box2D's testbed.
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Gears: a train of n wheels of 1 m and 2 m radius in turn on revolute joints, coupled by gear joints, the first driven
-// by a motor; the last lifts a rack on a prismatic joint. The teeth are drawn, not felt. Size → scene.
+// Gears: a train of n wheels of 1 m and 2 m radius in turn on revolute joints, coupled by gear joints. The first is
+// driven by a motor, and the last lifts a rack on a prismatic joint. The teeth are drawn, not felt. Size → scene.
 
 #include "scenes/build.h"
 #include "scenes/build_joints.h"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Convex shapes: n rows of six bodies, one of each further shape (capsule, rounded box, polygon of twelve corners,
-// ellipse, slice of a disk, and a lens given by its support function), fall onto a floor between walls. Size → scene.
+// Convex shapes: n rows of six bodies, one of each further shape, fall onto a floor between walls. The shapes are
+// capsule, rounded box, polygon of twelve corners, ellipse, slice of a disk, and a lens given by its support function.
+// Size → scene.
 
 #include <array>
 

@@ -22,8 +22,8 @@ inline constexpr int fallingColumns = 15;
 [[nodiscard]] constexpr int FallingBlocks(int n) { return std::max(1, (n + fallingBlockSize - 1) / fallingBlockSize); }
 
 /// Builds ground and columns; `addFalling(i, j, n, a, origin)` adds the body of column i and row j for a block at
-/// `origin`. Blocks stand on a grid of pitch 210 m × 1800 m (a block is 200 m × 1720 m), about as wide as it is high so
-/// that coordinates stay small; one block always has its origin at (0, 0).
+/// `origin`. Blocks stand on a grid of pitch 210 m × 1800 m (a block is 200 m × 1720 m). The grid is about as wide as
+/// it is high so that coordinates stay small. One block always has its origin at (0, 0).
 template <typename AddFalling>
 void BuildFallingColumns(Scene& scene, int n, AddFalling addFalling) {
     const int blocks = FallingBlocks(n);

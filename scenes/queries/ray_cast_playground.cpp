@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Ray-cast playground: shapes of every kind to cast rays at. n bodies drift without gravity and bounce inside a loop,
-// among static shapes, one-sided edges, a sensor and two turning kinematic bars. Size → scene.
+// Ray-cast playground: shapes of every kind to cast rays at. n bodies drift without gravity and bounce inside a loop.
+// In it are static shapes, one-sided edges, a sensor and two turning kinematic bars. Size → scene.
 
 #include <algorithm>
 #include <array>

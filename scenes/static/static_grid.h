@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The arrangement shared by the two mostly-static scenes: an n × n grid of unit cells, static boxes in those more than
-// 3 off the diagonal, and a dynamic circle in each diagonal cell, which slides down the corridor. Size → a call per
+// The arrangement shared by the two mostly-static scenes: an n × n grid of unit cells. Static boxes are in those more
+// than 3 off the diagonal. In each diagonal cell is a dynamic circle, which slides down the corridor. Size → a call per
 // cell.
 
 #pragma once

@@ -3,7 +3,7 @@
 //
 // Results of a command with many cases as JSON lines, one object a line, each beginning with
 //     {"command": "snapshot check", "case": 17, "cases": 172, …
-// where `case` is the case's number in the whole, unsharded run and `cases` how many there are: so the files of all
+// `case` is the case's number in the whole, unsharded run, and `cases` is how many there are. So the files of all
 // shards can be joined in the order of an unsharded run, and what is missing or twice is seen. A case may have several
 // lines; they keep their order. Wall times belong into one field named "ms", for all else is the same in every run.
 

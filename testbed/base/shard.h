@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `--shard I/N`: a command with many independent cases takes every N-th of them, so that N processes on one machine or
-// many share the work. Cases are numbered from 0 in the order of the whole, unsharded run; every case writes one or
-// more JSON lines that carry its number (base/case_lines.h), and `scree merge` joins the files of all shards.
+// `--shard I/N`: a command with many independent cases takes every N-th of them. So N processes on one machine or many
+// share the work. Cases are numbered from 0 in the order of the whole, unsharded run. Every case writes one or more
+// JSON lines that carry its number (base/case_lines.h), and `scree merge` joins the files of all shards.
 //
 //     std::string shardText; std::string json;              // in the arguments of the command
 //     AddShardOptions(*command, arguments.shard);           // --shard I/N and --json FILE

@@ -8,8 +8,9 @@
 //   scree_capture::WriteScene(world, "level.scene.json");  // one moment
 //
 // A scene does not hold masses set by hand, restitution thresholds and disabled bodies. A body that was destroyed and
-// another that was made at the same address between two steps are taken for one if nothing else in the world's list
-// changed; Track::Refresh tells them apart. With scree's headers for Box2D programs there are no nodes of the tree.
+// another that was made at the same address between two steps may be taken for one. That happens if nothing else in the
+// world's list changed; Track::Refresh tells them apart. With scree's headers for Box2D programs there are no nodes of
+// the tree.
 
 #pragma once
 

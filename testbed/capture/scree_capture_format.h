@@ -36,10 +36,12 @@
 // finite, the prediction is the last position. h is dt unless given. In a step with `key` all bodies are first set back
 // to how they were created, and h is 0.
 //
-// `contacts` holds for each touching contact: the varints body, fixture, child of A, then of B; a byte (number of
-// points + 4 if a sensor); the normal; of each point x, y, separation, normal and tangent impulse, as floats.
-// `nodes` is the tree in pre-order: a node, the subtree of its first child, that of its second. For each
-// node: a byte (1: leaf), the box (lower x, y, upper x, y), and of a leaf the varints body, fixture, child.
+// `contacts` holds for each touching contact the varints body, fixture, child of A, then of B. Then come a byte (number
+// of points + 4 if a sensor) and the normal. Of each point come x, y, separation, normal and tangent impulse, as
+// floats.
+//
+// `nodes` is the tree in pre-order: a node, the subtree of its first child, that of its second. For each node it has a
+// byte (1: leaf), the box (lower x, y, upper x, y), and of a leaf the varints body, fixture, child.
 
 #pragma once
 

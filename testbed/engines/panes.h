@@ -40,11 +40,11 @@ struct TypedSetting {
     bool isOptional = false;  ///< no fault where no engine of the run has it
 };
 
-/// The panes in the order typed. Every pane starts from its engine's own defaults, then `base` (as PrintSettings writes
-/// it) and then `common` apply as far as its engine has them, then its own settings. A pane without a name gets its
-/// engine's, and its own settings where another pane has that: scree:solver=soft@8 is scree-soft-8, and a second scree
-/// is scree-2. Throws UsageError for what cannot be read, for a setting that no pane (or not the pane that names it)
-/// can have, and for two panes that were given one name.
+/// The panes in the order typed. Every pane starts from its engine's own defaults. Then `base` (as PrintSettings writes
+/// it) and `common` apply as far as its engine has them, then its own settings. A pane without a name gets its
+/// engine's, and its own settings where another pane has that. So scree:solver=soft@8 is scree-soft-8, and a second
+/// scree is scree-2. Throws UsageError for what cannot be read, and for a setting that no pane (or not the pane that
+/// names it) can have. It also throws for two panes that were given one name.
 [[nodiscard]] std::vector<Pane> ParsePanes(std::string_view text, std::span<const TypedSetting> common = {},
                                            std::string_view base = {});
 
@@ -52,8 +52,8 @@ struct TypedSetting {
 [[nodiscard]] RunSpec ParseSpec(std::string_view engine, std::span<const TypedSetting> common,
                                 std::string_view base = {});
 
-/// Index of the pane that the others are compared with: the one of that name, UsageError with the nearest one if there
-/// is none; for an empty name the first of Box2D 2.4, else of Box2D 3, else the first.
+/// Index of the pane that the others are compared with: the one of that name. UsageError with the nearest one if there
+/// is none. For an empty name it is the first of Box2D 2.4, else of Box2D 3, else the first.
 [[nodiscard]] std::size_t FindBaseline(std::span<const Pane> panes, std::string_view name = {});
 
 }  // namespace testbed

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A Snapshot is what one engine's world looks like after a step, in one form for every engine: the only thing that the
-// views, the metrics and the reports know of an engine. Bodies and fixtures keep the indices of scenes::Scene.
+// A Snapshot is what one engine's world looks like after a step, in one form for every engine. It is the only thing
+// that the views, the metrics and the reports know of an engine. Bodies and fixtures keep the indices of scenes::Scene.
 
 #pragma once
 
@@ -59,7 +59,7 @@ struct ContactState {
     float normalImpulses[2];  ///< N·s
     float tangentImpulses[2];
     /// The group in which the solver works on it: contacts of one colour share no dynamic body. −1: the engine does not
-    /// tell, or the solver does not see this contact.
+    /// tell. It is also −1 where the solver does not see this contact.
     int color = -1;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Implementation of state_hash.h. Each 32-bit word is mixed in by xor and the finaliser of SplitMix64, so that every
-// bit and the order count (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", OOPSLA 2014).
+// bit and the order count. Source: Steele, Lea, Flood: "Fast splittable pseudorandom number generators", OOPSLA 2014.
 
 #include "testbed/engines/state_hash.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// How far states of a scene are from exact ones, measured alike for all engines: bodies are put into a world of ours
+// How far states of a scene are from exact ones, measured alike for all engines. Bodies are put into a world of ours
 // where an engine left them, and World::MeasureErrors tells overlap and joint gaps. Energy and distances are summed in
 // double.
 

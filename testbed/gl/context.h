@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// OpenGL 3.3 core contexts without a screen: OSMesa or EGL on Mesa's surfaceless platform, opened at run time with
-// dlopen so that the program starts, and says what is missing, on a machine that has neither. Nothing here draws.
+// OpenGL 3.3 core contexts without a screen: OSMesa or EGL on Mesa's surfaceless platform. They are opened at run time
+// with dlopen, so that the program starts on a machine that has neither, and says what is missing. Nothing here draws.
 
 #pragma once
 

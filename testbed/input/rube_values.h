@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Values of R.U.B.E. files: numbers may be the bits of a float in hexadecimal, the zero vector may be the number 0, and
-// what is missing is zero, false or empty.
+// Values of R.U.B.E. files. Numbers may be the bits of a float in hexadecimal, and the zero vector may be the number 0.
+// What is missing is zero, false or empty.
 
 #pragma once
 

@@ -24,7 +24,8 @@ inline constexpr int sceneVersion = 1;
 
 /// The scene in a text. `source` names it in messages and, by its file name, a scene that has no name. Throws FileError
 /// with the place (`bodies[12].fixtures[0].shape.vertices`) and the cure for anything that is not a scene both engines
-/// can make: wrong keys or types, numbers that are not finite or out of range, shapes without area, joints of no body.
+/// can make. Such are wrong keys or types, numbers that are not finite or out of range, shapes without area, and joints
+/// of no body.
 [[nodiscard]] scenes::Scene ReadScene(std::string_view text, std::string_view source);
 
 /// The same from a tree of any syntax; what stands below "user" is left out.

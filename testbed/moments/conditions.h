@@ -16,7 +16,7 @@
 namespace testbed {
 
 /// A dynamic body whose middle went through a static shape with which it collides, and that did not come back within
-/// half a second: pushed out is no tunnelling, nor is being put elsewhere by the program.
+/// half a second. A body that is pushed out has not tunnelled, nor has one that the program puts elsewhere.
 [[nodiscard]] std::unique_ptr<Condition> MakeTunnelCondition();
 /// Two bodies deeper in each other than `depth` for longer than `longer` s, by their contacts.
 [[nodiscard]] std::unique_ptr<Condition> MakeOverlapCondition(double depth, double longer);
@@ -32,8 +32,8 @@ namespace testbed {
 [[nodiscard]] std::unique_ptr<Condition> MakeSpikeCondition(double factor);
 /// Anchors of a revolute or weld joint farther apart than this.
 [[nodiscard]] std::unique_ptr<Condition> MakeJointGapCondition(double gap);
-/// A body that stays where it is and yet shakes: within a second it leaves a box of a twentieth of its size in neither
-/// direction, turns back ten times or more, and goes faster than 1 cm/s on average.
+/// A body that stays where it is and yet shakes. Within a second it leaves a box of a twentieth of its size in neither
+/// direction. It turns back ten times or more, and goes faster than 1 cm/s on average.
 [[nodiscard]] std::unique_ptr<Condition> MakeJitterCondition();
 /// A body that is awake for this long although it stays within its own size.
 [[nodiscard]] std::unique_ptr<Condition> MakeAwakeCondition(double seconds);
@@ -41,9 +41,9 @@ namespace testbed {
 [[nodiscard]] std::unique_ptr<Condition> MakePileOnCondition(int contacts);
 /// Steps on end after which an expression holds, with the bodies that it names. `name` is what its moments are called.
 [[nodiscard]] std::unique_ptr<Condition> MakeWhenCondition(const std::string& name, Expression expression);
-/// The first step after which a body is not where it is in another session, by more than `distance` m (0: any bit of
-/// pose or velocity), with the one that differs most. `other` gives the other session's state after the same step, null
-/// behind its end.
+/// The first step after which a body is not where it is in another session, with the one that differs most. It differs
+/// by more than `distance` m (0: any bit of pose or velocity). `other` gives the other session's state after the same
+/// step, null behind its end.
 [[nodiscard]] std::unique_ptr<Condition> MakeDivergeCondition(double distance,
                                                               std::function<const Snapshot*(int step)> other);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What the command line asks for: a command adds itself to the parser; when the user chose it, it puts what is to be
+// What the command line asks for. A command adds itself to the parser. When the user chose it, it puts what is to be
 // done into the request, to be run after parsing succeeded.
 
 #pragma once

@@ -128,8 +128,8 @@ struct Page {
     std::string style{}, script{};  ///< added to those of every page; may not contain "</"
 };
 
-/// The page as text. Throws FileError for a figure's file that cannot be read, std::invalid_argument for a row that is
-/// not as long as its columns, a figure with neither svg nor file, and a style or script with "</".
+/// The page as text. Throws FileError for a figure's file that cannot be read. Throws std::invalid_argument for a row
+/// that is not as long as its columns, a figure with neither svg nor file, and a style or script with "</".
 [[nodiscard]] std::string MakePage(const Page& page);
 
 /// Writes it whole (temporary name, then rename). Throws FileError, and what MakePage throws.

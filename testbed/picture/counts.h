@@ -20,7 +20,7 @@ struct PixelRect {
 };
 
 /// The pixels of a width × height picture whose centres lie in the rectangle, half-open: x0 ≤ centre < x1, y likewise.
-/// {0, 0, 0, 0} when there are none, also for reversed rectangles and NaN.
+/// The result is {0, 0, 0, 0} when there are none, also for reversed rectangles and NaN.
 [[nodiscard]] PixelBox SnapRect(const PixelRect& rect, int width, int height);
 
 /// How many rectangles cover each pixel's centre, by the same rule. O(rectangles + pixels).

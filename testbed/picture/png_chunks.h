@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The parts that PNG files are made of, for still and animated ones: chunks, rows with their filter bytes, and the
-// deflate stream around them (PNG specification, third edition, sections 5, 9 and 10).
+// The parts that PNG files are made of, for still and animated ones. They are chunks, rows with their filter bytes, and
+// the deflate stream around them (PNG specification, third edition, sections 5, 9 and 10).
 
 #pragma once
 

@@ -30,8 +30,8 @@ struct BarMark {
     bool isTick = true;
 };
 
-/// Multiples of 1, 2 or 5 times a power of ten from 0 on, `end` ≥ 1 last; at most `intervals` ≥ 2 between them, none of
-/// them narrower than half of the others.
+/// Multiples of 1, 2 or 5 times a power of ten from 0 on, `end` ≥ 1 last. There are at most `intervals` ≥ 2 between
+/// them, none of them narrower than half of the others.
 [[nodiscard]] std::vector<int64_t> ChooseTicks(int64_t end, int intervals);
 /// For logarithmic scales: 0, then 1, 2 and 5 times powers of ten, `end` last.
 [[nodiscard]] std::vector<int64_t> ChooseLogarithmicTicks(int64_t end);

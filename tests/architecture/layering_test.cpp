@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Includes point one way: base ← geometry ← broad_phase ← state ← constraints ← pipeline ← world in the engine, and in
-// the testbed base, capture ← input, picture ← engines ← moments, gl, page ← view ← options ← jobs ← cli, where no job
-// includes another. Scenes know nothing of this project, pictures and views no engine, and only engines/, what records
-// one and what abuses one see an engine.
+// Includes point one way. In the engine it is base ← geometry ← broad_phase ← state ← constraints ← pipeline ← world.
+// In the testbed it is base, capture ← input, picture ← engines ← moments, gl, page ← view ← options ← jobs ← cli,
+// where no job includes another. Scenes know nothing of this project, pictures and views no engine. Only engines/, what
+// records one and what abuses one see an engine.
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Update of all moving boxes and pair finding, per algorithm and data set: the boxes of two successive steps of a
-// scene, taken in turn, so that every iteration moves everything as a step does.
+// Update of all moving boxes and pair finding, per algorithm and data set. The data are the boxes of two successive
+// steps of a scene, taken in turn. So every iteration moves everything as a step does.
 
 #include <map>
 #include <random>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The collision function of every pair of shapes, those that go eight at a time, the distance, and the time of impact,
-// over 256 random poses of which about half touch: per call.
+// The collision function of every pair of shapes, those that go eight at a time, the distance, and the time of impact.
+// They run over 256 random poses of which about half touch: per call.
 
 #include <array>
 #include <random>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Laws of the inspection tree: children behind their parents, parents contain children and are their exact union, every
-// fixture in exactly one leaf with its stored box, n − 1 inner nodes, levels count from the root; the static tree is
-// apart above the threshold and not below; algorithms without a tree have no nodes.
+// Laws of the inspection tree. Children are behind their parents, and parents contain children and are their exact
+// union. Every fixture is in exactly one leaf with its stored box, there are n − 1 inner nodes, and levels count from
+// the root. The static tree is apart above the threshold and not below. Algorithms without a tree have no nodes.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Law: every algorithm reports exactly the pairs of the rule (different bodies, at least one dynamic, closed boxes
-// overlap), each once, after any history of edits; the fattened tree a superset that equals them after a tight test.
-// The expected pairs come from a loop in the test that shares no code with the engine.
+// Law: every algorithm reports exactly the pairs of the rule, each once, after any history of edits. The rule is:
+// different bodies, at least one dynamic, closed boxes overlap. The fattened tree reports a superset that equals them
+// after a tight test. The expected pairs come from a loop in the test that shares no code with the engine.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Laws: a box query visits exactly the fixtures whose stored boxes overlap, each once; a ray cast visits exactly those
-// that a scan with the same box test finds, and finds the same closest one when hits clip the ray; at any moment
-// between edits, whatever has been rebuilt. Fattened boxes are compared with the boxes that GetBox tells.
+// Laws. A box query visits exactly the fixtures whose stored boxes overlap, each once. A ray cast visits exactly those
+// that a scan with the same box test finds, and finds the same closest one when hits clip the ray. Both hold at any
+// moment between edits, whatever has been rebuilt. Fattened boxes are compared with the boxes that GetBox tells.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -1,8 +1,8 @@
 /* SPDX-FileCopyrightText: the Scree authors
  * SPDX-License-Identifier: MIT
  *
- * The interface for C, from C: a pile falls, events and rows are read as arrays, ids outlive their objects, bad input is
- * told and changes nothing, an image goes on as the world would have.
+ * The interface for C, from C. A pile falls, events and rows are read as arrays, and ids outlive their objects. Bad
+ * input is told and changes nothing. An image goes on as the world would have.
  */
 
 #include <math.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Programs written for Box2D, each recorded while it runs, in Box2D and in our library: the track says of every body
-// that was there, and of no other, what the world said; find, timeline and overlap take it.
+// Programs written for Box2D, each recorded while it runs, in Box2D and in our library. The track says of every body
+// that was there, and of no other, what the world said. find, timeline and overlap take it.
 
 #include <gtest/gtest.h>
 

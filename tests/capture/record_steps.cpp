@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Takes the place of b2World::Step and ~b2World in programs that it is linked with (the linker's --wrap): each world is
-// recorded from its first step on as N.track in the folder SCREE_TRACKS, and beside it, in N.states, the bits of all
+// Takes the place of b2World::Step and ~b2World in programs that it is linked with (the linker's --wrap). Each world is
+// recorded from its first step on as N.track in the folder SCREE_TRACKS. Beside it, in N.states, are the bits of all
 // bodies, oldest first, one step a line.
 
 #include <cstdio>

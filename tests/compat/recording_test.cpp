@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Programs written for Box2D that were started with SCREE_RECORD: they say what they say without, and their recordings
-// replay to the same states; where a listener or a filter of the program has a say in a step, a replay parts there.
+// Programs written for Box2D that were started with SCREE_RECORD. They say what they say without, and their recordings
+// replay to the same states. Where a listener or a filter of the program has a say in a step, a replay parts there.
 
 #include <gtest/gtest.h>
 #include <scree/recording.h>

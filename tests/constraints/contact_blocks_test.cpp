@@ -341,8 +341,8 @@ TEST(ContactKernels, OneContactEqualsTheScalarRows) {
             SolveContactVelocities(rows, scalar);
             GetContactKernels().solveRigid(task);
         }
-        // The friction of a box acts in the middle of its points instead of at both: the sum is the same, and so is
-        // their torque, the points being on one line.
+        // The friction of a box acts in the middle of its points instead of at both. The sum is the same, and so is
+        // their torque, as the points are on one line.
         for (const BodyIndex b : scalar.Rows()) {
             EXPECT_NEAR(scalar[b].v.x, wide[b].v.x, 1e-5f) << circle;
             EXPECT_NEAR(scalar[b].v.y, wide[b].v.y, 1e-5f) << circle;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The direct solve of joint trees against a dense solve in double whose Jacobians are difference quotients of the
-// joints' definitions; which joints form trees; what it does where joints repeat each other.
+// joints' definitions. Also: which joints form trees, and what the solve does where joints repeat each other.
 
 #include "constraints/joint_tree.h"
 #include "constraints/joint_tree_factors.h"

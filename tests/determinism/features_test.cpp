@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Every scene gives the same state hash after every step with everything on, with what it uses, and with the fixed set
-// of what it uses, with both solvers; in many scenes that takes smaller kernels.
+// of what it uses. That holds with both solvers. In many scenes what it uses takes smaller kernels.
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // State hashes that every build on every machine must give: testbed::HashState of the bodies after some steps of small
-// scenes, run as Box2D runs them (caps on, continuous off), and those of round_shapes.h. After a deliberate change of
-// the engine's arithmetic tests/determinism/renew.py writes the hashes anew.
+// scenes, and those of round_shapes.h. The scenes run as Box2D runs them (caps on, continuous off). After a deliberate
+// change of the engine's arithmetic tests/determinism/renew.py writes the hashes anew.
 
 #pragma once
 

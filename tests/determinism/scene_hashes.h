@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // State hashes of every scene of the catalogue, small as in small_scenes.h, by each kind of step in the order of
-// StepKind: every build on every machine must give them, with any number of workers. Written by
+// StepKind. Every build on every machine must give them, with any number of workers. Written by
 // tests/determinism/renew.py.
 
 #pragma once

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The same input gives the same bits: on repeat, and in every build and on every machine (golden values, which hold for
-// release, debug and sanitizer builds alike; a deliberate change of the engine's arithmetic updates them).
+// The same input gives the same bits: on repeat, and in every build and on every machine. The golden values hold for
+// release, debug and sanitizer builds alike. A deliberate change of the engine's arithmetic updates them.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Damaged scene files. Laws: reading ends with a scene or a FileError; a scene that was read is written and read to the
+// Damaged scene files. Laws: reading ends with a scene or a FileError. A scene that was read is written and read to the
 // same text, and the engine makes a world of it that can be stepped. The input is a list of edits to a sound file.
 
 #include <string>

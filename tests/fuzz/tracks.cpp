@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Damaged tracks, most with right checksums of their records. Laws: opening ends with a track or a FileError; every
-// step of a track that was opened can be read, and every scene taken from it is one that can be written and read again.
+// Damaged tracks, most with right checksums of their records. Laws: opening ends with a track or a FileError. Every
+// step of a track that was opened can be read. Every scene taken from it is one that can be written and read again.
 
 #include <cstring>
 #include <string>

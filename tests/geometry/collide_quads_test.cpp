@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Eight pairs of small polygons, or of one and a disk, at once against the scalar functions one by one: the same bits,
-// on every instruction set, whatever shares a batch.
+// Eight pairs of small polygons, or of one and a disk, at once against the scalar functions one by one. They give the
+// same bits, on every instruction set, whatever shares a batch.
 
 #include <gtest/gtest.h>
 

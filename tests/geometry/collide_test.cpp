@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Every collision function against Box2D 2.4.1: type, point count, feature ids and local coordinates are equal on
-// random placements, on grids full of ties, in deep overlap, far from the origin and on the verge of touching.
+// Every collision function against Box2D 2.4.1: type, point count, feature ids and local coordinates are equal. That
+// holds on random placements, on grids full of ties, in deep overlap, far from the origin and on the verge of touching.
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Slow references in double for distance and time of impact: convex cores placed in the world, their distance by trying
-// every vertex against every side, and a source of shapes with their twins in Box2D 2.4.1.
+// Slow references in double for distance and time of impact. Convex cores are placed in the world, and their distance
+// is found by trying every vertex against every side. Also a source of shapes with their twins in Box2D 2.4.1.
 
 #pragma once
 

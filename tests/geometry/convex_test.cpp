@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Convex shapes alone and in pairs: closed forms of mass and box, ray casts against dense outlines, manifolds against
-// distances, and agreement with the circle and the polygon where both can say the same.
+// Convex shapes alone and in pairs. Closed forms of mass and box, ray casts against dense outlines, manifolds against
+// distances. Agreement with the circle and the polygon where both can say the same.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

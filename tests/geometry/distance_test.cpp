@@ -140,7 +140,7 @@ TEST(Distance, IsSymmetric) {
 }
 
 TEST(Distance, IsExactForGroundFarFromItsBody) {
-    // Ground at 1e5 m in the coordinates of a body at the origin, where floats are 0.0078 m apart: the numbers given
+    // Ground at 1e5 m in the coordinates of a body at the origin, where floats are 0.0078 m apart. The numbers given
     // are what counts, and no digit of their difference may be lost.
     const AnyShape ground = AnyShape::Edge({100000.0f, 0.0f}, {100002.0f, 0.0f});
     const AnyShape ball = AnyShape::Circle(0.25f);

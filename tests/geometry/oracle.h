@@ -113,8 +113,8 @@ struct Placement {
     Transform a, b;
 };
 
-/// Free poses; poses on a grid of halves and eighths of a turn, where faces line up, vertices lie on edges and
-/// separations tie; the same with gaps around the skin; coincident shapes; and poses a kilometre from the origin.
+/// Free poses. Poses on a grid of halves and eighths of a turn, where faces line up, vertices lie on edges and
+/// separations tie. The same with gaps around the skin. Coincident shapes, and poses a kilometre from the origin.
 inline Placement RandomPlacement(Source& source) {
     constexpr float eighth = 0.25f * pi;
     Placement out;
@@ -229,8 +229,8 @@ private:
 inline constexpr double allowedShare = 0.0;
 inline constexpr float allowedGap = 0.0f;
 #else
-// Elsewhere the compiler may have fused Box2D's multiply-adds: ties fall either way, coordinates differ by rounding
-// (local coordinates below 4 m, placements below 1.3 km: a clip point carries a few roundings of 6e-5 m).
+// Elsewhere the compiler may have fused Box2D's multiply-adds: ties fall either way, coordinates differ by rounding.
+// Local coordinates are below 4 m, placements below 1.3 km; a clip point carries a few roundings of 6e-5 m.
 inline constexpr double allowedShare = 0.01;
 inline constexpr float allowedGap = 1.0e-3f;
 #endif

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What the bound of a passage calls sure, the search for the time of impact finds free: shapes of every kind, slow and
-// fast, turning, near and far from the origin, at rest on each other and apart; and within its slack on any other way.
+// What the bound of a passage calls sure, the search for the time of impact finds free. So it does within its slack on
+// any other way. Shapes are of every kind, slow and fast, turning, near and far from the origin, at rest on each other
+// and apart.
 
 #include "geometry/passage.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // SinCos and Atan2 against the correctly rounded values: within 1 ulp (SinCos below 1e9 rad, beyond on the unit
-// circle), and pinned bits, so that a machine or compiler that rounds differently is found out.
+// circle). Pinned bits, so that a machine or compiler that rounds differently is found out.
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Time of impact: never later than the first touch found by dense sampling in double, never before the shapes are near,
-// as Box2D 2.4.1 where that sees the touch; fast, thin, long, tiny, spinning and far away; degenerate input ends.
+// Time of impact: never later than the first touch found by dense sampling in double, and never before the shapes are
+// near. It is as that of Box2D 2.4.1 where that sees the touch. Shapes are fast, thin, long, tiny, spinning and far
+// away. Degenerate input ends.
 
 #include <gtest/gtest.h>
 

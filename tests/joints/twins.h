@@ -211,7 +211,7 @@ Worst RunTwins(const TwinOptions& options, Build build, Edit edit, Values values
 inline constexpr auto untouched = [](auto&, auto*, int) {};
 
 /// Both engines run the same mathematics in a different order of floating-point operations, and have different sine
-/// routines; in a scene without chaos the last bits grow to some 1e-5 over 300 steps of speeds near 10 m/s.
+/// routines. In a scene without chaos the last bits grow to some 1e-5 over 300 steps of speeds near 10 m/s.
 inline void ExpectSame(const Worst& worst, float tolerance = 1e-4f) {
     EXPECT_LT(worst.pose, tolerance) << "first in step " << worst.step;
     EXPECT_LT(worst.velocity, 20.0f * tolerance);  // a pose error of 1e-4 may arise within a few steps of 1/60 s

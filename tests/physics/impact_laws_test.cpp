@@ -157,7 +157,7 @@ TEST(ImpactLaws, RoughObliqueCollisionsKeepAngularMomentum) {
         worst.box2d.angular = std::max(worst.box2d.angular, kept.box2d.angular);
         worst.soft.angular = std::max(worst.soft.angular, kept.soft.angular);
     }
-    // Impulses at one contact point keep it; pushing apart the up to 3 cm of overlap (half of it in 3 iterations) moves
+    // Impulses at one contact point keep it. Pushing apart the up to 3 cm of overlap (half of it in 3 iterations) moves
     // the centres across their velocities: ≤ 0.015 m of the 1 m of leverage.
     Judge({"two rough disks, oblique: angular momentum, relative", 0.0, 5e-3, 1e-5}, Pick(worst, &Kept::angular));
 }

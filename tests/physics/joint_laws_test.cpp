@@ -47,7 +47,8 @@ Pendulum SwingRod() {
 TEST(JointLaws, ARodPendulumKeepsItsPeriodAndPullsAtTheBottom) {
     const auto rod = Measure([]<class E>(E) { return SwingRod<E>(); });
     // T = 4·√(I/(m·g·d))·K(sin 45°). A pin held along the tangent of a step loses amplitude, to first order in h, and a
-    // smaller swing is a shorter one: 1 % is out of reach at 60 Hz and the mean of ten seconds is bounded by Box2D's.
+    // smaller swing is a shorter one. So 1 % is out of reach at 60 Hz, and the mean of ten seconds is bounded by
+    // Box2D's.
     Judge({"rod pendulum from 90°: first period, s", 1.91727, 0.05 * 1.91727, 1e-4}, Pick(rod, &Pendulum::firstPeriod));
     Judge({"rod pendulum from 90°: mean period of 10 s, s", 1.91727, unbounded, 1e-4}, Pick(rod, &Pendulum::period));
     Judge({"rod pendulum from 90°: pull at the bottom, weights", 2.49626, 0.05 * 2.49626, 1e-4},

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Judges a law of mechanics in both engines and keeps the table of what was measured: exact value and measured values
-// → expectations, and one printed row. The rule: this library is within a stated tolerance of the exact value and never
-// more than 5 % further from it than Box2D 2.4.1 in the same run; its soft step of four sub-steps is within the
+// Judges a law of mechanics in both engines and keeps the table of what was measured: exact value and measured values →
+// expectations, and one printed row. The rule: this library is within a stated tolerance of the exact value. It is
+// never more than 5 % further from it than Box2D 2.4.1 in the same run. Its soft step of four sub-steps is within the
 // tolerance too, or at least no further from the exact value than sequential impulses.
 
 #pragma once

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What must stand, hold and rest under the soft step, and never worse with more sub-steps: piles built flush, loads on
-// chains, taut bridges, changing time steps, rings and nets, figures that fall. Sizes and loads vary at random.
+// What must stand, hold and rest under the soft step, and never worse with more sub-steps. That is piles built flush,
+// loads on chains, taut bridges, changing time steps, rings and nets, and figures that fall. Sizes and loads vary at
+// random.
 
 #include <gtest/gtest.h>
 

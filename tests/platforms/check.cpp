@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Are states the same on this machine as on all others? Runs every scene of the catalogue by three kinds of step and
-// checks that other numbers of workers, a saved world and a recording lead to the same state; holds a dozen longer runs
-// and every scene to the golden hashes; checks that a program's rounding mode does not matter. Prints a line per state,
+// Are states the same on this machine as on all others? Runs every scene of the catalogue by three kinds of step.
+// Checks that other numbers of workers, a saved world and a recording lead to the same state. Holds a dozen longer runs
+// and every scene to the golden hashes. Checks that a program's rounding mode does not matter. Prints a line per state,
 // which tests/platforms/run compares with those of x86-64. Needs nothing but the engine: no test library, no
 // exceptions.
 //

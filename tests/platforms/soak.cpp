@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A world that runs for ever: bodies, fixtures and joints come and go in every step, sensors and listeners' events are
-// read, and memory must stay what it is after the first tenth. Argument: how many steps (1,000,000). Exit code 1 if the
+// A world that runs for ever. Bodies, fixtures and joints come and go in every step, and sensors and listeners' events
+// are read. Memory must stay what it is after the first tenth. Argument: how many steps (1,000,000). Exit code 1 if the
 // tables of the world or the heap have grown by more than a tenth since then, or if any number is not finite.
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Joints of scenes: both frames see one point at the anchors, rest lengths are the present ones, springs have the
+// Joints of scenes. Both frames see one point at the anchors, and rest lengths are the present ones. Springs have the
 // frequency they were asked for, and every classic's joints connect what they say.
 
 #include "scenes/build_joints.h"

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What every adapter may rely on, for every scene: contiguous fixture ranges, spawned bodies last and in order, joints
-// between initial bodies, finite numbers, convex counter-clockwise polygons, and the same data from every build.
+// What every adapter may rely on, for every scene. Fixture ranges are contiguous, spawned bodies are last and in order,
+// and joints are between initial bodies. Numbers are finite, polygons are convex and counter-clockwise, and every build
+// gives the same data.
 
 #include <gtest/gtest.h>
 

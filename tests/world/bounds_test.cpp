@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What is finite and still too large is refused, so that no sum or product of a step becomes infinite: shapes whose
-// inertia would be, although their mass is not, and shifts of the origin that lose the bodies.
+// What is finite and still too large is refused, so that no sum or product of a step becomes infinite. Such are shapes
+// whose inertia would be, although their mass is not, and shifts of the origin that lose the bodies.
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The continuous-collision benchmarks at small sizes beside Box2D 2.4.1, both with continuous collision on: bodies do
+// The continuous-collision benchmarks at small sizes beside Box2D 2.4.1, both with continuous collision on. Bodies do
 // not overlap static fixtures deeper than in Box2D, nor leave the world in larger numbers.
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Every call on a dead handle is one error, changes nothing and gives 0, false, null or an error code: all calls of all
-// handles, with arguments of zero and null.
+// Every call on a dead handle is one error, changes nothing and gives 0, false, null or an error code. These are all
+// calls of all handles, with arguments of zero and null.
 
 #include <gtest/gtest.h>
 

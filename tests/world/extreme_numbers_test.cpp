@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Finite numbers at the ends of the range: refused by name where nothing can be made of them, and where a state runs
-// out of bounds during a step, its body is put back and counted. No state, box or other body is ever not finite.
+// Finite numbers at the ends of the range. Where nothing can be made of them they are refused by name. Where a state
+// runs out of bounds during a step, its body is put back and counted. No state, box or other body is ever not finite.
 
 #include <gtest/gtest.h>
 
@@ -289,7 +289,7 @@ TEST_F(ExtremeNumbers, MaterialsMixToFiniteOnes) {
     ExpectFinite(world);
 }
 
-/// A ball hits a wall within a step and leaves along it at once: the way after the impact is capped, and that is
+/// A ball hits a wall within a step and leaves along it at once. The way after the impact is capped, and that is
 /// counted as the way before it is.
 TEST(SpeedCap, IsCountedAfterAnImpactToo) {
     for (const float cap : {std::numeric_limits<float>::infinity(), 3.0f}) {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The same scenes near the origin and 14,000 km away from it: seen from their place they must do the same. How exactly
-// is told by the scenes themselves: far away they may differ from the origin by little more than they do at places near
+// is told by the scenes themselves. Far away they may differ from the origin by little more than they do at places near
 // it, where positions are rounded differently, too.
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Leaving out what nobody uses changes no bit: small random worlds whose features come and go in mid-run are stepped
-// with everything on, with what they use at the moment, and with a fixed set of what they use at any time; the state
-// hash is the same after every step. How often each feature was on and off is counted.
+// Leaving out what nobody uses changes no bit. The features of small random worlds come and go in mid-run. They are
+// stepped with everything on, with what they use at the moment, and with a fixed set of what they use at any time. The
+// state hash is the same after every step. How often each feature was on and off is counted.
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Bodies that nothing touches are moved eight at a time: each gets the bits that it gets alone in a world, where it
-// goes the scalar way, whatever its neighbours in the group are (kinematic, capped, asleep soon, with forces and
-// damping).
+// Bodies that nothing touches are moved eight at a time. Each gets the bits that it gets alone in a world, where it
+// goes the scalar way. That holds whatever its neighbours in the group are (kinematic, capped, asleep soon, with forces
+// and damping).
 
 #include <gtest/gtest.h>
 

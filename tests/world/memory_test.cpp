@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Memory: a creation that runs out of it changes nothing, the report of what is in use agrees with what was allocated,
-// and what past steps needed can be given back.
+// Memory: a creation that runs out of it changes nothing. The report of what is in use agrees with what was allocated.
+// What past steps needed can be given back.
 
 #include <gtest/gtest.h>
 

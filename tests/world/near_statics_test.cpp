@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What a body can meet is never missing from what is kept for it: against a search for the time of impact with every
-// static fixture, on random ways among shapes of every kind, with edits in between. And worlds run alike with and
-// without.
+// What a body can meet is never missing from what is kept for it. That is compared with a search for the time of impact
+// with every static fixture. Ways are random among shapes of every kind, with edits in between. And worlds run alike
+// with and without.
 
 #include "pipeline/parts/near_statics.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// On every scene of the catalogue, every broad-phase algorithm, fed the boxes of one and the same motion, reports brute
-// force's pair set at 20 steps spread over the run up to the scene's most telling step (the fattened tree after the
-// tight test).
+// On every scene of the catalogue, every broad-phase algorithm is fed the boxes of one and the same motion. It reports
+// brute force's pair set (the fattened tree after the tight test). That is checked at 20 steps spread over the run up
+// to the scene's most telling step.
 
 #include <gtest/gtest.h>
 

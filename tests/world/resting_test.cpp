@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What rests costs nothing, and changes nothing: a world whose sleepers are left aside goes on like one that looks at
+// What rests costs nothing, and changes nothing. A world whose sleepers are left aside goes on like one that looks at
 // everything in every step, whatever is edited among the sleepers.
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A restored world is the saved one: the same hash at once and after every further step, on every scene and with every
-// broad phase, in the middle of edits and of sub-stepped steps. Damaged images give an error and no world.
+// A restored world is the saved one: the same hash at once and after every further step. That holds on every scene and
+// with every broad phase, in the middle of edits and of sub-stepped steps. Damaged images give an error and no world.
 
 #include "scree/snapshot.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Continuous collision searches only where something may meet, and loses no event by that: in random scenes every pair
+// Continuous collision searches only where something may meet, and loses no event by that. In random scenes every pair
 // that is spared a search is searched all the same, and none has an event. What rests is not searched for. Threads
 // share the searches and change nothing.
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The program's contact objects. One is made when somebody looks at a contact (a callback, a list) and kept until the
-// engine's contact is gone; lists are brought up to date when they are asked for. So programs without listeners and
+// The program's contact objects. One is made when somebody looks at a contact (a callback, a list). It is kept until
+// the engine's contact is gone. Lists are brought up to date when they are asked for. So programs without listeners and
 // lists pay nothing.
 
 #include "convert.h"

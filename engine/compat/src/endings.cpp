@@ -3,10 +3,10 @@
 //
 // What ends outside of a step: contacts of what is destroyed, disabled or given another type, then the objects. The
 // listeners hear of it while the engine is not locked, as in Box2D, so they may create and destroy. Of what is
-// destroyed they hear before the engine's edit; a contact that was told leaves the lists at once (the engine keeps its
-// row until the edit). Of a body that is disabled or given another type they hear after it, when the body says what it
-// now is; its contacts are cut off the engine's first and remember what they were. What is about to go is marked busy,
-// so that nobody destroys it a second time.
+// destroyed they hear before the engine's edit. A contact that was told leaves the lists at once; the engine keeps its
+// row until the edit. Of a body that is disabled or given another type they hear after the edit, when the body says
+// what it now is. Its contacts are cut off the engine's first and remember what they were. What is about to go is
+// marked busy, so that nobody destroys it a second time.
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What stands behind a b2World: the engine's world and the lists, callbacks and buffers that Box2D programs see.
-// Objects of the two sides name each other: b2Body, b2Fixture and b2Joint hold the engine's handle; the engine's user
+// Objects of the two sides name each other. b2Body, b2Fixture and b2Joint hold the engine's handle. The engine's user
 // data points back (for a fixture: at the b2FixtureProxy of its child).
 
 #pragma once

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What standard C++20 cannot say to a compiler or a processor: inlining by force, no inlining, fetching ahead, the
-// pause of a waiting loop, which vector instructions there are, whether there are threads and exceptions, and where
-// virtual functions stand. Outside base/ nothing names a compiler.
+// What standard C++20 cannot say to a compiler or a processor. That is inlining by force, no inlining, fetching ahead,
+// and the pause of a waiting loop. It is also which vector instructions there are, whether there are threads and
+// exceptions, and where virtual functions stand. Outside base/ nothing names a compiler.
 
 #pragma once
 
@@ -48,8 +48,8 @@
 #define SCREE_HAS_THREADS
 #endif
 
-/// The first word of an object with virtual functions points to their addresses, in the order of declaration
-/// (Itanium C++ ABI: GCC and Clang but on Windows, where pointers are not signed).
+/// The first word of an object with virtual functions points to their addresses, in the order of declaration. That is
+/// the Itanium C++ ABI: GCC and Clang but on Windows, where pointers are not signed.
 #if defined(__GXX_ABI_VERSION) && !defined(_MSC_VER) && !defined(__Fuchsia__) && !defined(__arm64e__)
 #define SCREE_HAS_PLAIN_VIRTUAL_TABLES
 #endif

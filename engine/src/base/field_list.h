@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Lists of fields: one function Fields(object, visit) per structure, walked by whatever handles all of a world's state
-// (the image, the recorder, the state hash). A list names every member, so that a member that it lacks does not
-// compile: it takes the structure apart by a structured binding, whose names must be as many as the members; the
-// members that a derived class adds to its base, which no binding can reach, are checked by the size of the class.
+// Lists of fields: one function Fields(object, visit) per structure. It is walked by whatever handles all of a world's
+// state (the image, the recorder, the state hash). A list names every member, so that a member that it lacks does not
+// compile. It takes the structure apart by a structured binding, whose names must be as many as the members. No binding
+// can reach the members that a derived class adds to its base; these are checked by the size of the class.
 //
 // A visitor is called with members that belong to the state, and has these members for others:
 //   visit(a, b, …)                 state: stored, and part of the hash
-//   visit.Rows(rows, columns…)     the same for the columns of a table, of which only living rows have a meaning;
+//   visit.Rows(rows, columns…)     the same for the columns of a table; only living rows have a meaning;
 //                                  `rows` has Size(), Rows() and IsAlive(index). An empty column stands for rows of T()
 //   visit.Stored(a, b, …)          stored, but nothing that a step reads: user data
 //   visit.Hashed(a, b, …)          part of the hash, but not stored, since it follows from what is

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Indices that know what they count. Each kind of row has an enumeration of its own over int (state/indices.h), and a
+// Indices that know what they count. Each kind of row has an enumeration of its own over int (state/indices.h). A
 // Column takes the indices of its rows alone: the row of a contact in a column of bodies does not compile. An index is
 // as large and as fast as an int, and images and hashes take it for one.
 

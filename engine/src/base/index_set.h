@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A set of small numbers that is walked in order: a bit a number, and a bit for every 64 of these, so that a walk costs
-// what is in the set and hardly what could be. Insert and Erase are O(1).
+// A set of small numbers that is walked in order: a bit a number, and a bit for every 64 of these. So a walk costs what
+// is in the set and hardly what could be. Insert and Erase are O(1).
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// An allocator for vectors of plain data whose new rows are written before they are read: resize leaves them as they
-// are, where a vector would first fill them with zeros.
+// An allocator for vectors of plain data whose new rows are written before they are read. `resize` leaves new rows as
+// they are, where a vector would first fill them with zeros.
 
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Counting into plain numbers from several threads: sums, maxima and bits, which are the same in any order.
+// Counting into plain numbers from several threads: sums, maxima and bits, which are the same in any order. It uses
 // std::atomic_ref, or the compiler's own form where the standard library has none yet (libc++ before 19).
 
 #pragma once

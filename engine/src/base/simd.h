@@ -10,11 +10,16 @@
 // and all names lie in an inline namespace of the set, because one program has files for several sets.
 // SCREE_FORCE_PORTABLE chooses the loops on every target.
 //
-//   F4, F8        floats             Load, Store, Splat, + − · /, Min, Max, Sqrt, …
-//   D4            doubles           Load, Store, Splat, + − · /, Greater, Keep, Transpose; two times D2 or AVX
-//   Mask4, Mask8, MaskD4  per lane yes or no from comparisons; And, Or, Not, Select, Keep, Bits. No number becomes a
-//   mask or back. U4            four uint32_t      Load, Store, Splat, + S8            eight int16_t      Load, Min,
-//   Max: keys of boxes
+// F4, F8: floats. Load, Store, Splat, + − · /, Min, Max, Sqrt, …
+//
+// D4: doubles, two times D2 or AVX. Load, Store, Splat, + − · /, Greater, Keep, Transpose.
+//
+// Mask4, Mask8, MaskD4: per lane yes or no from comparisons. And, Or, Not, Select, Keep, Bits. No number becomes a mask
+// or back.
+//
+// U4: four uint32_t. Load, Store, Splat, +.
+//
+// S8: eight int16_t, which are keys of boxes. Load, Min, Max.
 //
 // Min(a, b) is a < b ? a : b and Max(a, b) is a > b ? a : b, so that b is the answer where one is not a number.
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Loops over independent items on several threads. A loop is cut into chunks by position alone, and each thread takes
-// the next chunk that nobody has: a thread that lost its core to another process delays a loop by one chunk at most.
+// the next chunk that nobody has. So a thread that lost its core to another process delays a loop by one chunk at most.
 // Items are independent, so no result depends on who took what. Loops below a size stay on the caller: that is decided
 // from counts, never from clocks.
 //
-// Workers sleep between steps (Begin wakes them once, End lets them sleep; PoolRegion does both) and wait between the
-// loops of a step by spinning for a while and then yielding.
+// Workers sleep between steps: Begin wakes them once, End lets them sleep, and PoolRegion does both. Between the loops
+// of a step they wait by spinning for a while and then yielding.
 
 #pragma once
 
@@ -40,8 +40,8 @@ public:
     void Begin();
     void End();
 
-    /// Whether there are so many workers that short loops over what one core has in its cache are worth sharing: with
-    /// two the way from cache to cache costs more than the other half of such a loop.
+    /// Whether there are so many workers that short loops over what one core has in its cache are worth sharing. With
+    /// two, the way from cache to cache costs more than the other half of such a loop.
     [[nodiscard]] bool IsWide() const { return m_inStep && m_workerCount >= leastWide; }
 
     /// Calls body(begin, end, worker) for chunks of [0, count); worker < GetWorkerCount(), 0 is this thread, and one

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Boxes shaped for vectors of four: a box is kept as {lx, ly, −ux, −uy}, so that a union is one lane-wise minimum and
-// an overlap test one lane-wise "less or equal".
+// Boxes shaped for vectors of four: a box is kept as {lx, ly, −ux, −uy}. So a union is one lane-wise minimum, and an
+// overlap test is one lane-wise "less or equal".
 
 #pragma once
 

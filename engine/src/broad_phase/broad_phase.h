@@ -64,7 +64,7 @@ struct BoxUpdate {
 
 /// Called with a fixture; false ends the query.
 using Visitor = FunctionRef<bool(uint32_t)>;
-/// Called with what is left of the ray and a fixture; returns the new maxFraction: 0 ends the cast, a negative value
+/// Called with what is left of the ray and a fixture; returns the new maxFraction. 0 ends the cast. A negative value
 /// ignores the fixture and leaves the ray as it is.
 using RayVisitor = FunctionRef<float(const RayCastInput&, uint32_t)>;
 

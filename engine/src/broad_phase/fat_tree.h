@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A dynamic tree by Box2D 2.4's rules (b2DynamicTree, described in Catto 2019, Dynamic Bounding Volume Hierarchies):
-// boxes are inserted one by one where they enlarge the perimeter least, rotations keep heights balanced. Boxes in, node
-// links out; which boxes and when is the business of its user, the rule of fattening stands here.
+// A dynamic tree by Box2D 2.4's rules (b2DynamicTree, described in Catto 2019, Dynamic Bounding Volume Hierarchies).
+// Boxes are inserted one by one where they enlarge the perimeter least, and rotations keep heights balanced. Boxes in,
+// node links out. Which boxes and when is the business of its user; the rule of fattening stands here.
 
 #pragma once
 

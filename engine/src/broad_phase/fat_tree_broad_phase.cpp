@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Box2D 2.4's broad phase strategy (b2BroadPhase and the fattening rule of b2DynamicTree): boxes get a margin and are
-// stretched ahead along their motion, only boxes that leave their fat box are reinserted and buffered, and only those
+// Box2D 2.4's broad phase strategy (b2BroadPhase and the fattening rule of b2DynamicTree). Boxes get a margin and are
+// stretched ahead along their motion. Only boxes that leave their fat box are reinserted and buffered, and only those
 // are queried for new pairs. The pairs of all others stay as they were, since neither of their fat boxes changed.
 // Reports all pairs of overlapping FAT boxes, a superset of the tight pairs.
 

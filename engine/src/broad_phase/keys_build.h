@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The fast form of the barycentre build: it sorts 16-bit keys of the box centres instead of boxes. One item is 8 bytes
-// (two keys and the slot), a split compares a key with the integer middle of the keys' bounds, and the boxes are
-// fetched once, in leaf order. A range whose keys have become too coarse gets new keys from its own bounds, so clusters
-// and far outliers lose nothing.
+// (two keys and the slot). A split compares a key with the integer middle of the keys' bounds. The boxes are fetched
+// once, in leaf order. A range whose keys have become too coarse gets new keys from its own bounds, so clusters and far
+// outliers lose nothing.
 
 #pragma once
 

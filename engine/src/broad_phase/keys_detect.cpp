@@ -72,7 +72,7 @@ struct SplatProbe {
 constexpr uint32_t LanesBefore(uint32_t row, uint32_t end) { return end - row >= 4 ? 15u : (1u << (end - row)) - 1u; }
 
 /// All pairs inside a leaf; returns the number of hits. Each row of four boxes stays in registers as probes and meets
-/// all rows before it, then itself: loops end once per row and not once per box, and every end is a misprediction.
+/// all rows before it, then itself. So loops end once per row and not once per box; every end is a misprediction.
 SCREE_NOINLINE uint32_t TestInside(const FlatTree& tree, const TreeNode& leaf, Hits hits) {
     const Lanes lanes(tree);
     uint32_t* outFirst = hits.first;

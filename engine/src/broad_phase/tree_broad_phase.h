@@ -63,7 +63,7 @@ protected:
                                 PairSink& /*sink*/) {
         return false;
     }
-    /// Reports the pairs between the boxes of a tree and of what is outside of it, and those of another tree; by
+    /// Reports the pairs between the boxes of a tree and of what is outside of it, and those of another tree. By
     /// default nothing is outside, and the boxes go down as one batch.
     virtual void DetectBetween(const FlatTree& moving, std::span<const BuildItem> outside, const FlatTree& resting,
                                PairSink& sink);

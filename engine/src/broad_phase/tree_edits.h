@@ -3,8 +3,8 @@
 //
 // Keeps a tree true to the proxies of its part while these are edited. What leaves the tree or gets another box dies in
 // it: its position keeps a box that overlaps nothing. What is new, or has another box, is outside: in a short list that
-// searches go through beside the tree. When there have been more than a few √n edits the tree is lost and the next
-// search rebuilds it: n edits interleaved with n queries cost O(n^1.5), not O(n²) (Tsamis 2020, §3.7.2).
+// searches go through beside the tree. When there have been more than a few √n edits, the tree is lost and the next
+// search rebuilds it. So n edits interleaved with n queries cost O(n^1.5), not O(n²) (Tsamis 2020, §3.7.2).
 
 #pragma once
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Build and detect in one pass (Tsamis 2020, §3.6): the boxes are split at the barycentre, and every node receives the
-// set of outside boxes that overlap its box (its candidates). Both children take over the parent's candidates that
-// overlap them, and one child also those boxes of its sibling that do; a leaf pairs with what is left. The tree is kept
-// for queries. Boxes are tight.
+// Build and detect in one pass (Tsamis 2020, §3.6). The boxes are split at the barycentre. Every node receives the set
+// of outside boxes that overlap its box: its candidates. Both children take over the parent's candidates that overlap
+// them, and one child also those boxes of its sibling that do. A leaf pairs with what is left. The tree is kept for
+// queries. Boxes are tight.
 
 #include "broad_phase/algorithms.h"
 #include "broad_phase/tree_broad_phase.h"

@@ -5,8 +5,8 @@
 // contacts of a block push the same body. Plain data only, because translation units for different instruction sets
 // share it.
 //
-// Side B of every lane is a dynamic body; side A is one too in two-mover blocks, else a body that contacts cannot push
-// (static, kinematic), which is read and never written. Lanes to spare repeat the bodies of the first lane with no
+// Side B of every lane is a dynamic body. Side A is one too in two-mover blocks. Else it is a body that contacts cannot
+// push (static, kinematic), which is read and never written. Lanes to spare repeat the bodies of the first lane with no
 // mass: they change nothing, and the first lane is written last.
 
 #pragma once
@@ -39,12 +39,13 @@ struct alignas(32) ContactBlock {
     Row totalNormal[2], totalTangent;  ///< soft step: sums over the sub-steps, N·s
 };
 
-// A manifold as floats: two points of five (x, y, normal impulse, tangent impulse, id), then the local normal, the
-// local point, and one with its type and number of points (scree/collision.h).
+// A manifold as floats (scree/collision.h): two points of five (x, y, normal impulse, tangent impulse, id), then the
+// local normal and the local point. One more has its type and number of points.
 inline constexpr int manifoldFloats = 15, manifoldPointFloats = 5, manifoldNormalAt = 10;
 
-// A steady contact (state/contacts.h) as floats: turns of A and B, way between the centres; normal, whether it is kept,
-// reach; arms of both points; separations, whether its sides are swapped, and the overlap that it began with.
+// A steady contact (state/contacts.h) as floats. First come turns of A and B and the way between the centres, then
+// normal, whether it is kept, and reach. Then come arms of both points, separations, whether its sides are swapped, and
+// the overlap that it began with.
 inline constexpr int steadyFloats = 16, steadyInitialAt = 15;
 
 /// Where filling finds what it needs: columns of the tables of bodies and contacts, rows of floats.
@@ -149,7 +150,7 @@ struct ContactKernels {
     void (*solveSoft)(const KernelTask& task);
     void (*relax)(const KernelTask& task);
     /// Soft step, at the start of a sub-step: contacts that are met in it leave with their share of the speed at which
-    /// they close, with friction up to that of the blow. One pass; true if there are any.
+    /// they close. They have friction up to that of the blow. One pass; true if there are any.
     bool (*bounce)(const KernelTask& task);
     /// Soft step, before the first sub-step: one pass that moves `delta` apart where contacts began with overlap, by no
     /// more than the gap where there is one. Returns how much was lacking at the worst point, m. Then what is left of

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Greedy colouring with a set of 64 colours a body (as in Box2D 3), in as many rounds as the busiest body needs: a
+// Greedy colouring with a set of 64 colours a body (as in Box2D 3), in as many rounds as the busiest body needs. So a
 // dense cluster never falls back to a serial rest. Contacts with bodies that cannot be pushed come last in every pass,
-// so that the ground has the last word; they conflict on one body only.
+// so that no other contact undoes what the ground did. They conflict on one body only.
 
 #include "constraints/contact_blocks.h"
 

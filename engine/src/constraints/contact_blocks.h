@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Many contacts as blocks of eight for the vector kernels: colours them so that no two contacts of a colour push the
+// Many contacts as blocks of eight for the vector kernels. Colours them so that no two contacts of a colour push the
 // same body, fills the blocks, and takes the impulses back out.
 
 #pragma once

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The position pass of contacts: pushes overlapping bodies apart by a share of the overlap, without touching velocities
-// (so no energy is added), re-evaluating the manifold at the corrected poses in every iteration.
+// The position pass of contacts: pushes overlapping bodies apart by a share of the overlap. It does not touch
+// velocities, so no energy is added. It evaluates the manifold anew at the corrected poses in every iteration.
 
 #include "base/compiler.h"
 #include "constraints/contact_rows.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Contact constraints in the form the solver iterates over, for one island at a time: sequential impulses with warm
-// starting (Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005), two-point manifolds solved as one block
-// (the 2×2 linear complementarity problem by enumeration of its four cases), and a separate position pass
+// Contact constraints in the form the solver iterates over, for one island at a time. Sequential impulses with warm
+// starting (Catto, "Iterative Dynamics with Temporal Coherence", GDC 2005). Two-point manifolds are solved as one
+// block: the 2×2 linear complementarity problem by enumeration of its four cases. The position pass is separate
 // (non-linear projected Gauss-Seidel, as Box2D 2.4 does it).
 
 #pragma once

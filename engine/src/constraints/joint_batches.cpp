@@ -396,9 +396,9 @@ void JointBatches::StoreVelocities(Column<BodyIndex, Velocity>& velocity) const 
 
 void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     // The Jacobians of the present pose stand for those of the next one. What that leaves of an error, in shares of an
-    // arm, is the turn of a body times what the solve changes of it; each iteration gains two orders in h. A chain
-    // under a strong pull swings itself up where they begin at the impulses of the last time, or go on beyond the
-    // second.
+    // arm, is the turn of a body times what the solve changes of it. Each iteration gains two orders in h. A chain
+    // under a strong pull swings itself up where they begin at the impulses of the last time. It does so too where they
+    // go on beyond the second.
     constexpr double mostLeft = 1e-5;  // rad²
     constexpr int mostIterations = 2;
     const JointBatchKernels& kernels = GetJointBatchKernels();

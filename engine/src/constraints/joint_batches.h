@@ -3,10 +3,10 @@
 //
 // The direct solve of joints whose bodies form trees, statics not counted: chains, bridges between fixed points,
 // mobiles, ragdolls, cars. Four joints that do not depend on each other are taken side by side. Each hands its parent
-// the mobility that is left to it, so that a tree takes time in proportion to its joints, however many meet in a body
-// (Featherstone, "A Divide-and-Conquer Articulated-Body Algorithm", Int. J. Robotics Research 18, 1999; Drumwright,
-// "Fast Dynamic Simulation of Highly Articulated Robots with Contact via Θ(n²) Time Dense Generalized Inertia Matrix
-// Inversion", 2012). The same system as that of the forest beside it.
+// the mobility that is left to it. So a tree takes time in proportion to its joints, however many meet in a body.
+// Sources: Featherstone, "A Divide-and-Conquer Articulated-Body Algorithm", Int. J. Robotics Research 18, 1999.
+// Drumwright, "Fast Dynamic Simulation of Highly Articulated Robots with Contact via Θ(n²) Time Dense Generalized
+// Inertia Matrix Inversion", 2012. The same system as that of the forest beside it.
 
 #pragma once
 

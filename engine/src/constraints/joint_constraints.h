@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Scratch of all joint types, kept between steps: constraints by type, and the order in which they are solved as runs
-// of neighbours of one type, so that a run costs one call.
+// Scratch of all joint types, kept between steps: constraints by type, and the order in which they are solved. The
+// order is kept as runs of neighbours of one type, so that a run costs one call.
 
 #pragma once
 

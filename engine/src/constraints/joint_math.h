@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Building blocks of joints for sequential impulses (Catto, "Iterative Dynamics with Temporal Coherence", 2005): one
-// row of a Jacobian, a shared point as a 2×2 block, one-sided limits, bounded motors, and springs as soft constraints
-// (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
+// Building blocks of joints for sequential impulses (Catto, "Iterative Dynamics with Temporal Coherence", 2005). They
+// are one row of a Jacobian, a shared point as a 2×2 block, one-sided limits, bounded motors, and springs. Springs are
+// soft constraints (Catto, "Soft Constraints: Reinventing the Spring", GDC 2011).
 
 #pragma once
 

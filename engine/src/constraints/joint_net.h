@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Joints of nets, which are too much coupled for a direct solve: soft rows, solved one after the other. Before the move
-// they also close what is open, as springs as stiff as the sub-steps carry; after it they take that speed out again
+// they also close what is open, as springs as stiff as the sub-steps carry. After it they take that speed out again
 // (Catto, "Solver2D", 2024: soft constraints with relaxation).
 
 #pragma once

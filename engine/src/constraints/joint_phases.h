@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The four phases of a joint type behind function pointers: what a row of the dispatch table is, and how it is made
-// from the free functions Prepare, WarmStart, SolveVelocity and SolvePosition of a type.
+// The four phases of a joint type behind function pointers, which are a row of the dispatch table. A row is made from
+// the free functions Prepare, WarmStart, SolveVelocity and SolvePosition of a type.
 
 #pragma once
 

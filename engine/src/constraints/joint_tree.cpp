@@ -48,10 +48,10 @@ size_t JointTree::GetMemoryBytes() const { return m->GetMemoryBytes(); }
 
 namespace {
 
-/// A pull at the end of an arm turns its body back with a stiffness of pull times arm, which explicit integration does
-/// not carry once h²·stiffness exceeds four times the inertia. Where it comes near, the solve takes the body for as
-/// inert as is safe (geometric stiffness: Tournier, Nesme, Gilles, Faure, "Stable Constrained Dynamics", 2015; as a
-/// diagonal: Andrews, Teichmann, Kry, "Geometric Stiffness for Real-time Constrained Multibody Dynamics", 2017).
+/// A pull at the end of an arm turns its body back with a stiffness of pull times arm. Explicit integration does not
+/// carry that once h²·stiffness exceeds four times the inertia. Where it comes near, the solve takes the body for as
+/// inert as is safe. This is geometric stiffness (Tournier, Nesme, Gilles, Faure, "Stable Constrained Dynamics", 2015).
+/// As a diagonal: Andrews, Teichmann, Kry, "Geometric Stiffness for Real-time Constrained Multibody Dynamics", 2017.
 void SumPulls(JointForest& forest) {
     for (TreeBody& b : forest.bodies) b.pull = 0.0;
     for (TreeJoint& joint : forest.joints) {

@@ -5,13 +5,13 @@
 // a tree are held at once, exactly, in time that grows with their number, however unequal the masses are.
 //
 // The rows of all joints form the system G·M⁻¹·Gᵀ·λ = b. Taken from the leaves to the root, a joint is coupled with the
-// joints after it on one body only, so that elimination makes nothing new (Baraff, "Linear-Time Dynamics using Lagrange
-// Multipliers", SIGGRAPH 1996; block LDLᵀ in a perfect elimination order of a chordal graph). In double.
+// joints after it on one body only. So elimination makes nothing new (Baraff, "Linear-Time Dynamics using Lagrange
+// Multipliers", SIGGRAPH 1996). It is a block LDLᵀ in a perfect elimination order of a chordal graph, in double.
 //
 // In time the joints are held as by RATTLE (Andersen, "Rattle: a 'velocity' version of the Shake algorithm", J. Comput.
-// Phys. 52, 1983; Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, VII.1.4): before a move, impulses
-// along the Jacobians of the present pose such that the joints are closed at the next pose; after it, impulses that
-// leave no speed along the joints. Both push at shared points, so momentum and angular momentum are kept.
+// Phys. 52, 1983; Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, VII.1.4). Before a move come
+// impulses along the Jacobians of the present pose such that the joints are closed at the next pose. After it come
+// impulses that leave no speed along the joints. Both push at shared points, so momentum and angular momentum are kept.
 
 #pragma once
 

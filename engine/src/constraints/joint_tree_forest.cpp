@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Joints are coupled where they share a body that can be pushed. Eliminating one couples those that it is coupled with;
-// the one with fewest comes next (minimum degree: Tinney and Walker, "Direct Solutions of Sparse Network Equations by
+// Joints are coupled where they share a body that can be pushed. Eliminating one couples those that it is coupled with.
+// The one with fewest comes next (minimum degree: Tinney and Walker, "Direct Solutions of Sparse Network Equations by
 // Optimally Ordered Triangular Factorization", Proc. IEEE 55, 1967). Trees are eliminated from their leaves, and
 // nothing new becomes coupled; loops couple a little more.
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The joints that a direct solve takes over. Trees go to the batches; of loops, and what hangs on them, the order in
-// which they are eliminated, which are coupled with which later ones, and the numbers that factors and motion work on.
-// Nets, whose elimination would cost too much, go to soft rows.
+// The joints that a direct solve takes over. Trees go to the batches. Of loops, and what hangs on them, it has the
+// order in which they are eliminated, and which are coupled with which later ones. It also has the numbers that factors
+// and motion work on. Nets, whose elimination would cost too much, go to soft rows.
 
 #pragma once
 

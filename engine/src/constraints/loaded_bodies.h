@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Bodies that bear loads far beyond their own weight. The spring of a contact is as stiff as its lighter body is heavy,
-// so that a load of a hundred such masses sinks a hundred times as deep as one of them. For one step such a body gets
-// the inertia with which its contacts hold the load at half a slop. What momentum it then gains beyond its own is given
-// back to the load. (After shock propagation, which gives lower bodies more mass: Guendelman, Bridson, Fedkiw,
-// "Nonconvex Rigid Bodies with Stacking", SIGGRAPH 2003. Here by the stiffness that the load calls for.)
+// Bodies that bear loads far beyond their own weight. The spring of a contact is as stiff as its lighter body is heavy.
+// So a load of a hundred such masses sinks a hundred times as deep as one of them. For one step such a body gets the
+// inertia with which its contacts hold the load at half a slop. What momentum it then gains beyond its own is given
+// back to the load. This follows shock propagation, which gives lower bodies more mass (Guendelman, Bridson, Fedkiw,
+// "Nonconvex Rigid Bodies with Stacking", SIGGRAPH 2003). Here the mass is set by the stiffness that the load calls
+// for.
 
 #pragma once
 

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Rolling resistance: a torque between two round bodies in contact that stops their turning against each other, at most
-// a length (what the surfaces give way to each side) times the normal force. One row a contact beside those of
-// contact_rows.h and contact_blocks.h, solved one after the other: only contacts of materials that have some get one.
+// Rolling resistance: a torque between two round bodies in contact that stops their turning against each other. It is
+// at most a length times the normal force; the length is what the surfaces give way to each side. One row a contact
+// beside those of contact_rows.h and contact_blocks.h, solved one after the other. Only contacts of materials that have
+// some get one.
 
 #pragma once
 

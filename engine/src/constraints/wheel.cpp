@@ -112,7 +112,7 @@ void SolveVelocity(const WheelConstraint& c, WheelRow& row, const JointStep& ste
 namespace {
 
 /// True if the translation has not come near a limit since the start of the step. It is axis · (apart + arm of B) less
-/// a constant: a turn of A moves it by at most its angle times the reach, one of B by its angle times the arm.
+/// a constant. A turn of A moves it by at most its angle times the reach, one of B by its angle times the arm.
 bool IsClear(const WheelConstraint& c, const LimitState& limit, const PairPosition& pose, float slop) {
     const Vec2 moved = pose.b.c - pose.a.c - c.apart;
     const float change = moved.Length() + Abs(pose.a.a - c.angleA) * c.reach + Abs(pose.b.a - c.angleB) * c.armB;
@@ -136,7 +136,7 @@ bool SolvePosition(const WheelConstraint& c, const WheelRow& row, const JointSte
     if (row.limit.enabled) {
         const Rot turnA(pose.a.a);
         const Arms arms = ArmsOf(c.pair, pose, turnA, row);
-        // Arms along the axis of the step's start and, below, effective masses of then: the iteration has the same end
+        // Arms along the axis of the step's start and, below, effective masses of then. The iteration has the same end
         // without its Jacobian, and Box2D's bodies come to rest in the same places.
         AxisRow along = MakeSlide(arms, row.axis);
         along.axis = Mul(turnA, row.localAxisA);

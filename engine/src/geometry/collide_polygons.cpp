@@ -3,7 +3,7 @@
 //
 // Two convex polygons → up to two contact points. Separating axis test over the faces of both, then the most opposed
 // face of the other polygon is clipped against the reference face (E. Catto, "Contact Manifolds", GDC 2007). Choices
-// and rounding follow Box2D 2.4, so manifolds agree bit for bit; the search differs: it tests four faces at a time
+// and rounding follow Box2D 2.4, so manifolds agree bit for bit. The search differs: it tests four faces at a time
 // against each vertex of the other polygon, without a branch.
 
 #include <cfloat>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The general convex shape: validation, support, point test, ray cast, box and mass. Shape and placement → the answer
-// in world coordinates. Rays are clipped by half planes (Cyrus and Beck, Computers & Graphics 3, 1978) where the
-// outline is a polygon; a rounded outline is the union of its sides, moved out, and of disks at its vertices.
+// in world coordinates. Where the outline is a polygon, rays are clipped by half planes (Cyrus and Beck, Computers &
+// Graphics 3, 1978). A rounded outline is the union of its sides, moved out, and of disks at its vertices.
 
 #include "geometry/convex_curve.h"
 

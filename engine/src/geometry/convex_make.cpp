@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Capsules, polygons, rounded polygons, ellipses and sectors: description → ConvexShape. The mass of a rounded outline
-// is that of its core, of the strips along its sides and of the slices of a disk at its corners (Steiner's formula and
-// its second moments). Ellipse and sector have their textbook formulas.
+// is the sum of three parts: its core, the strips along its sides, and the slices of a disk at its corners. It follows
+// Steiner's formula and its second moments. Ellipse and sector have their textbook formulas.
 
 #include "geometry/convex_build.h"
 #include "geometry/hull.h"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A support function → a core of at most 64 vertices with curved sides. The sandwich algorithm with the chord rule
-// (G. Rote, "The Convergence Rate of the Sandwich Algorithm for Approximating Convex Functions", Computing 48, 1992):
-// the side with the largest distance between outline and chord is split where that distance is reached. That distance
-// is exact, so the remaining error is known.
+// A support function → a core of at most 64 vertices with curved sides. The sandwich algorithm with the chord rule (G.
+// Rote, "The Convergence Rate of the Sandwich Algorithm for Approximating Convex Functions", Computing 48, 1992). The
+// side with the largest distance between outline and chord is split where that distance is reached. That distance is
+// exact, so the remaining error is known.
 
 #include <initializer_list>
 #include <vector>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Gift wrapping (R. A. Jarvis, Information Processing Letters 2, 1973): a handful of points → their convex outline.
-// With few points it is faster than anything that sorts, and choosing each corner with the same cross product
-// as Box2D 2.4's hull gives the same corners in the same order.
+// With few points it is faster than anything that sorts. Choosing each corner with the same cross product as Box2D
+// 2.4's hull gives the same corners in the same order.
 
 #include "geometry/hull.h"
 

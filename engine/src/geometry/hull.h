@@ -10,8 +10,8 @@
 
 namespace scree {
 
-/// Writes the corners of the convex hull of `count` finite points (at most maxConvexVertices) to `hull`, which has
-/// room for `count`, and returns their number: counter-clockwise, from the rightmost point (the lowest of
+/// Writes the corners of the convex hull of `count` finite points (at most maxConvexVertices) to `hull`, which has room
+/// for `count`. Returns their number. The corners are counter-clockwise, from the rightmost point (the lowest of
 /// several). Points nearer than half of linearSlop to an earlier one are dropped, and so are points on a side. Returns
 /// 0 when fewer than three corners remain or when rounding keeps the outline from closing.
 [[nodiscard]] int ConvexHull(const Vec2* points, int count, Vec2* hull);

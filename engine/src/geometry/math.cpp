@@ -16,8 +16,8 @@ namespace scree {
 namespace {
 
 constexpr double twoOverPi = 0x1.45f306dc9c883p-1;
-// π/2 in three parts. The first two hold 23 bits each, so that their product with a quadrant number below 2^30 is exact
-// and the subtractions cancel without rounding; one rounding, in the last part, is all the reduction suffers.
+// π/2 in three parts. The first two hold 23 bits each. So their product with a quadrant number below 2^30 is exact, and
+// the subtractions cancel without rounding. The only rounding of the reduction is in the last part.
 constexpr double halfPiHigh = 0x1.921fb4p+0;
 constexpr double halfPiMid = 0x1.4442dp-24;
 constexpr double halfPiLow = 0x1.8469898cc517p-48;

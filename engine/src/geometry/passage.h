@@ -7,8 +7,8 @@
 // Take an axis that is fixed in the still shape. A vertex of the mover goes along it as its centre does, which is
 // linear, and on an arc. That leaves the straight line between its ends by an eighth of reach times turn squared. So
 // what is beyond the target at both ends by so much is beyond it all the way. Axes are those of one face of the still
-// shape, and of an edge also its ends, the direction from one of them to the nearest vertex of the mover, and the side
-// of the mover that looks at it.
+// shape. Of an edge also: its ends, the direction from an end to the nearest vertex of the mover, and the side of the
+// mover that looks at it.
 
 #pragma once
 
@@ -38,7 +38,7 @@ struct Clearance {
     bool isSure = false;        ///< nothing meets on the way
     bool middlePasses = false;  ///< the middle of the mover does not, where it is watched
     /// Nothing meets either on any way on which no point of the mover gets farther than this from where it is at the
-    /// end of this one, m; negative: nothing is known.
+    /// end of this one, m. Negative: nothing is known.
     float slack = -1.0f;
     float reach = 0.0f;  ///< of the mover's core from its centre, m
 };

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Linear cast of one convex shape against another at rest: placements and a translation → time and place of the first
-// touch. The distance of convex cores is convex along a translation, so going on by (distance − target) / approach
+// touch. The distance of convex cores is convex along a translation. So going on by (distance − target) / approach
 // speed, with GJK's normal, is Newton's method from the safe side: it never passes the touch. Source of the idea: van
-// den Bergen, "Ray Casting against General Convex Objects with Application to Continuous Collision Detection" (2004);
-// thickness, tolerance and the answers for shapes that start in touch: Box2D 2.4's rules.
+// den Bergen, "Ray Casting against General Convex Objects with Application to Continuous Collision Detection" (2004).
+// Thickness, tolerance and the answers for shapes that start in touch follow Box2D 2.4's rules.
 
 #include "geometry/distance.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // First touch of two moving convex shapes: proxies and sweeps → time and state. Conservative advancement: GJK gives a
-// separating axis at the time reached so far, the separation along it is followed to its first root, and there the next
+// separating axis at the time reached so far. The separation along it is followed to its first root, and there the next
 // axis is taken. Sources: Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems" (1996), §2.3, for the
 // advancement; Box2D 2.4 for the axes that turn with a face, the target distance and the tolerance. New here: the root
-// search cannot pass a dip of the separation between two samples, because it steps by a bound on the curvature, which
-// is known for linear motion of centre and angle.
+// search cannot pass a dip of the separation between two samples. It steps by a bound on the curvature, which is known
+// for linear motion of centre and angle.
 //
 // All happens in the frame of the shape that turns less (A; usually the ground). There B's motion is
 //   position p(t) = R(−θA)(d0 + t·d), rotation R(θ0 + t·ω),

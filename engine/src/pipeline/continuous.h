@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Stage: continuous collision. Bodies have moved from their start to their end positions; whatever would pass through a
-// static or kinematic fixture (a bullet: through anything) on the way is stopped at the time of impact, pushed by the
-// contact, and goes on for the rest of the step.
+// Stage: continuous collision. Bodies have moved from their start to their end positions. Whatever would pass through a
+// static or kinematic fixture on the way (a bullet: through anything) is stopped at the time of impact. The contact
+// pushes it there, and it goes on for the rest of the step.
 //
-// The dissertation's scheme (§6): boxes swept over the motion find candidates, a binary min-heap with changeable keys
-// holds the events in order of time, only bodies that an event moved are queried again, and contacts of pairs that
+// The dissertation's scheme (§6). Boxes swept over the motion find candidates, and a binary min-heap with changeable
+// keys holds the events in order of time. Only bodies that an event moved are queried again. Contacts of pairs that
 // have parted are removed later, with the others. The times come from conservative advancement
-// (geometry/time_of_impact.cpp); one event is solved as in Box2D 2.4: positions first, with only the two bodies free to
+// (geometry/time_of_impact.cpp). One event is solved as in Box2D 2.4: positions first, with only the two bodies free to
 // move, then velocities without warm starting.
 
 #pragma once

@@ -30,8 +30,8 @@ bool HasSolvedJoint(const JointTable& joints, const BodyTable& bodies, BodyIndex
     return false;
 }
 
-/// Makes the column 0 for all listed movers, other bodies left aside if they are many: in worlds where most is static
-/// or rests their rows would cost more than the rest.
+/// Makes the column 0 for all listed movers. Other bodies are left aside if they are many: in worlds where most is
+/// static or rests their rows would cost more than the rest.
 template <typename T>
 void ClearForListed(const BodyTable& bodies, Column<BodyIndex, T>& column) {
     EnsureRows(column, ToSize(bodies.slots.Size()));

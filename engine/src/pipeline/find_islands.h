@@ -53,8 +53,8 @@ enum class IsolatedPath : uint8_t {
 void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
                  IslandTable& islands, IsolatedPath path = IsolatedPath::apart);
 
-/// True if the islands of this step matter: a body may fall asleep within `dt`, or a sleeping one may have to wake
-/// because it is joined to or touches an awake one.
+/// True if the islands of this step matter. Either a body may fall asleep within `dt`, or a sleeping one may have to
+/// wake because it is joined to or touches an awake one.
 bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt);
 /// The same lists without the search, and no islands: awake bodies, solved contacts and joints of theirs, by row.
 void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,

@@ -34,9 +34,9 @@ struct PairTables {
 /// After edits between steps: finds the pairs of what was edited, and marks or makes their contacts.
 void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairTables tables);
 
-/// At the end of a step, after the boxes of the bodies that moved in it (the active ones, and those of the lists
-/// `solved` that fell asleep): finds the pairs of listed bodies if any box has changed. A centre farther out than
-/// `farDistance`, m, makes positions have rests.
+/// Finds the pairs of listed bodies if any box has changed. Called at the end of a step, after the boxes of the bodies
+/// that moved in it are known. These are the active ones, and those of the lists `solved` that fell asleep. A centre
+/// farther out than `farDistance`, m, makes positions have rests.
 void FindPairsOfMoved(std::initializer_list<const std::vector<BodyIndex>*> solved, float farDistance,
                       const ContactEvents& events, PairTables tables);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Groups keep the order of the lists that they are parts of: a world of one group is solved bit for bit as by a step
+// Groups keep the order of the lists that they are parts of. So a world of one group is solved bit for bit as by a step
 // with that number of sub-steps.
 
 #include "pipeline/group_substeps.h"

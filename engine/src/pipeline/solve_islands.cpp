@@ -19,7 +19,7 @@ JointStep JointStepOf(const SolverSettings& settings) {
     return {settings.dt, 1.0f / settings.dt, settings.impulseScale, settings.Slop()};
 }
 
-/// Without `forces` no body has damping, a gravity scale or a force: their neutral values change no bit, so only the
+/// Without `forces` no body has damping, a gravity scale or a force. Their neutral values change no bit, so only the
 /// sum with a force of 0 stays (it turns −0 into 0).
 template <bool forces>
 void IntegrateVelocity(const SolverSettings& settings, BodyTable& bodies, BodyIndex b) {
@@ -398,7 +398,7 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& is
 }
 
 /// Which islands are solved side by side by the vector kernels: all that have contacts if these are many enough to fill
-/// the vectors; otherwise the tiny ones, where the order of contacts matters least, if they do so together.
+/// the vectors. Otherwise the tiny ones, where the order of contacts matters least, if they do so together.
 class WideChoice {
 public:
     explicit WideChoice(const IslandTable& islands) : m_all(islands.contacts.size() >= 128) {

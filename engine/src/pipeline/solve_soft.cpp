@@ -1,18 +1,18 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The soft step: the step is cut into sub-steps, and each solves every constraint once with soft rows, moves the
-// bodies, and solves once more without push, so that what pushed overlaps apart does not stay as speed (Macklin et al.,
-// "Small Steps in Physics Simulation", 2019; Catto, "Solver2D", 2024). Contacts are frozen at the start of the step:
-// normals, arms and masses are computed once, separations are linear in the bodies' motion.
+// The soft step: the step is cut into sub-steps. Each solves every constraint once with soft rows, moves the bodies,
+// and solves once more without push. So what pushed overlaps apart does not stay as speed (Macklin et al., "Small Steps
+// in Physics Simulation", 2019; Catto, "Solver2D", 2024). Contacts are frozen at the start of the step: normals, arms
+// and masses are computed once, separations are linear in the bodies' motion.
 //
-// Forces, and what contacts are expected to do, act half before and half after a move (kick, drift, kick: the Störmer–
-// Verlet method; Hairer, Lubich, Wanner, "Geometric Numerical Integration", 2006, I.1.4), so that motion under constant
-// forces, sliding included, is exact. Isolated bodies run the same arithmetic, hence get the same bits.
+// Forces, and what contacts are expected to do, act half before and half after a move: kick, drift, kick. So motion
+// under constant forces, sliding included, is exact. It is the Störmer–Verlet method (Hairer, Lubich, Wanner,
+// "Geometric Numerical Integration", 2006, I.1.4). Isolated bodies run the same arithmetic, hence get the same bits.
 //
-// With frozen Jacobians warm starting needs no pass over the contacts: what they did to a body's velocity in the last
-// sub-step, they are expected to do again in this one. Joints are made anew in every sub-step, at the present poses;
-// they are solved rigidly on velocities, and their position error is removed after each move, as in sequential
+// With frozen Jacobians warm starting needs no pass over the contacts. What they did to a body's velocity in the last
+// sub-step, they are expected to do again in this one. Joints are made anew in every sub-step, at the present poses.
+// They are solved rigidly on velocities, and their position error is removed after each move, as in sequential
 // impulses.
 //
 // A contact bounces in the sub-step in which it is met, before anything else.
@@ -66,7 +66,7 @@ inline void Kick(SoftBody& soft, Velocity& v) {
     v.w = soft.unaided.w + 0.5f * soft.byContacts.w;
 }
 
-/// The kicks of both halves at once: contacts are to see what the whole sub-step brings, or they would hold half of a
+/// The kicks of both halves at once. Contacts are to see what the whole sub-step brings, or they would hold half of a
 /// load before the move and drop it after it. What the body moves by is still the velocity between the halves.
 template <bool forces>
 inline void KickWhole(SoftBody& soft, Velocity& v) {
@@ -297,8 +297,8 @@ private:
         constexpr int leastPasses = 8, mostPasses = 512, visits = 1 << 19;
         return std::clamp(visits / m_task.GetBlockCount(), leastPasses, mostPasses);
     }
-    /// Overlap in which bodies were made is not the doing of any speed, and pushing it apart is to leave none: only
-    /// positions move, before the first sub-step, and springs do not see it. So a squeezed pile rises without being
+    /// Overlap in which bodies were made is not the doing of any speed, and pushing it apart is to leave none. So only
+    /// positions move, before the first sub-step, and springs do not see it. A squeezed pile rises without being
     /// thrown, alike with any number of sub-steps. With few passes it would rise from its ends, tilt and spread; in
     /// large worlds that is the lesser evil. Faster, a house of cards that were made a little into each other falls.
     void PushInitialApart() {
@@ -416,8 +416,8 @@ private:
 
     // The phases of a sub-step, in order.
 
-    /// Contacts bounce one after the other, as in a row of balls each hands on what it got, until none is left (Smith,
-    /// Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on Simultaneous Impact", SIGGRAPH 2012).
+    /// Contacts bounce one after the other until none is left, as each ball in a row hands on what it got. Source:
+    /// Smith, Kaufman, Vouga, Tamstorf, Grinspun, "Reflections on Simultaneous Impact", SIGGRAPH 2012.
     void Bounce() {
         if (!m_plan.bounces) return;
         for (const float least : leastBounces) {

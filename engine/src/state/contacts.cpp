@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Contact rows and the hash over their pairs: Fibonacci hashing (Knuth, The Art of Computer Programming 3, §6.4) of
-// both fixture indices, linear probing, deletion by shifting back (no tombstones), so a lookup stays O(1) however many
+// Contact rows and the hash over their pairs. Fibonacci hashing (Knuth, The Art of Computer Programming 3, §6.4) of
+// both fixture indices, linear probing, deletion by shifting back (no tombstones). So a lookup stays O(1) however many
 // contacts one body has.
 
 #include "state/contacts.h"

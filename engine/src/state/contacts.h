@@ -4,8 +4,8 @@
 // The table of contacts and the hash that finds a contact by its pair. One row is at most 128 bytes with its share of
 // the hash (GetBytesPerRow); handles are made only for programs that look at contacts.
 //
-// Persistence (the dissertation, §4.2): the broad phase reports all pairs of the present boxes; each reported pair
-// marks its contact or makes one; the contacts left unmarked are removed in one batch.
+// Persistence (the dissertation, §4.2): the broad phase reports all pairs of the present boxes. Each reported pair
+// marks its contact or makes one. The contacts left unmarked are removed in one batch.
 //
 // Contacts of bodies that rest are kept aside: a step walks over the rows in `active` only. A resting contact is in the
 // lists of its two bodies, so that it is found when one of them stirs. Which contacts rest changes no result.
@@ -46,8 +46,8 @@ struct ContactMaterial {
 };
 
 /// Normal, arms and separations of a contact of two points as they were when its bodies came to lie as they do. The
-/// soft step solves with these while the bodies stay about there: points that are found anew in every step wander with
-/// whatever little the bodies do, and columns buckle under moments that come of nothing else. (Persistent manifolds;
+/// soft step solves with these while the bodies stay about there. Points that are found anew in every step wander with
+/// whatever little the bodies do. Columns then buckle under moments that come of nothing else. (Persistent manifolds;
 /// this form: Catto, Box2D 3.2, "contact recycling".) Sides A and B are those of the solver: B can be pushed.
 struct SteadyContact {
     float turnA = 0.0f, turnB = 0.0f;  ///< angles of the bodies, rad
@@ -73,12 +73,12 @@ struct ContactTable {
     bool keepsSteady = false;  ///< this step is a soft one
     float steadyReach = 0.0f;  ///< how far steady points may wander before they are found anew, m
 
-    /// The row whose pair came behind this row's pair when pairs were last matched, −1 none: pairs come in nearly the
+    /// The row whose pair came behind this row's pair when pairs were last matched, −1 none. Pairs come in nearly the
     /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
     Column<ContactIndex, ContactIndex> successor;
     ContactIndex firstMatched = ContactIndex::none;  ///< where that order begins
-    /// Changes whenever a row that stays touching has another pair or another number of points: solvers may keep what
-    /// they made of the same list of contacts while it does not.
+    /// Changes whenever a row that stays touching has another pair or another number of points. While it does not,
+    /// solvers may keep what they made of the same list of contacts.
     uint64_t grouping = 0;
     std::vector<ContactIndex> matched;    ///< scratch of the matching: the contact of each pair
     std::vector<uint64_t> freshPairs;     ///< likewise

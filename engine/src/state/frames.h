@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Bodies seen from near one of them. A float has seven digits, of which a position far from the origin leaves none for
-// what happens there. So positions far away have a low-order part (BodyTable::rest), and whatever compares two bodies
-// does it in a frame at a point near them, in which both parts fit into one float. In worlds without far bodies the
-// frame is the world's, and the plain rows are what is seen: same bits, same speed.
+// what happens there. So positions far away have a low-order part (BodyTable::rest). Whatever compares two bodies does
+// it in a frame at a point near them, in which both parts fit into one float. In worlds without far bodies the frame is
+// the world's, and the plain rows are what is seen: same bits, same speed.
 
 #pragma once
 

@@ -70,8 +70,8 @@ FeatureUsers CountFeatureUsers(const WorldState& state);
 /// Sets what the kernels of this step need, and makes their columns. O(1), O(contacts) while contacts may differ from
 /// their fixtures.
 void PrepareKernels(WorldState& state);
-/// Whether the step needs its continuous stage: a listener of the solver may have made a bullet, and a step that goes
-/// on with the rest of the last one has its events to finish.
+/// Whether the step needs its continuous stage. A listener of the solver may have made a bullet. A step that goes on
+/// with the rest of the last one has its events to finish.
 bool NeedsContinuous(WorldState& state);
 /// A callback made an object use this while a step runs.
 void NeedKernels(WorldState& state, Features features);

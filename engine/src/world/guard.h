@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The checks at the head of a public entry point, as a chain that stops at the first finding: the finding goes to the
+// The checks at the head of a public entry point, as a chain that stops at the first finding. The finding goes to the
 // error handler once, and the entry point returns it.
 
 #pragma once

@@ -150,10 +150,10 @@ private:
 
 float GapOf(const MoverPlane& plane, Vec2 way) { return Dot(plane.normal, way) + plane.separation; }
 
-/// Of the points on plane `at` that the planes before it allow, the nearest to `wish`, with the pushes that lead to it;
-/// none if there is no such point, or planes that face each other are so near to parallel that it lies far away. As
-/// the sum of squares is convex, a point that a further plane forbids moves onto that plane (Seidel, "Small-Dimensional
-/// Linear Programming and Convex Hulls Made Easy", 1991, here for a quadratic aim).
+/// Of the points on plane `at` that the planes before it allow, the nearest to `wish`, with the pushes that lead to it.
+/// None if there is no such point, or if planes that face each other are so near to parallel that it lies far away. As
+/// the sum of squares is convex, a point that a further plane forbids moves onto that plane. Source: Seidel,
+/// "Small-Dimensional Linear Programming and Convex Hulls Made Easy", 1991, here for a quadratic aim.
 std::optional<Vec2> SolveOnPlane(Vec2 wish, std::span<MoverPlane> planes, size_t at) {
     constexpr float leastSine = 0.05f;
     MoverPlane& plane = planes[at];

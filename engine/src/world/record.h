@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The hook of the recorder: one object at the head of every call that changes the world, made when its arguments have
-// been found good. It writes the call's number (a hash of its name) and the arguments; while it lives, calls made by
-// this one are not recorded, since the replayed call makes them again. Without a recorder it costs one comparison.
+// The hook of the recorder: one object at the head of every call that changes the world. It is made when the arguments
+// of the call have been found good. It writes the call's number (a hash of its name) and the arguments. While it lives,
+// calls made by this one are not recorded, since the replayed call makes them again. Without a recorder it costs one
+// comparison.
 
 #pragma once
 

@@ -3,7 +3,7 @@
 //
 // World → image and image → world. Layout: magic, version, size, checksum of the rest; then definition, tables, shapes,
 // boxes of the broad phase, settings. What only caches the tables (the contact hash, the tree) is not stored but made
-// again: the pairs of the stored boxes do not depend on how they came about, and contacts are kept in the order of
+// again. The pairs of the stored boxes do not depend on how they came about, and contacts are kept in the order of
 // their rows. Boxes are stored because they may be older than the poses (of a body that fell asleep) or larger
 // (fat-tree).
 

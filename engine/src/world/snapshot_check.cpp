@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Checks of restored tables. A list is whole if a walk from its head meets only living members whose backward links
-// agree (so it cannot run in a circle) and as many as there should be.
+// Checks of restored tables. A list is whole if a walk from its head meets only living members, as many as there should
+// be, whose backward links agree. So it cannot run in a circle.
 
 #include "world/snapshot_check.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Which fields of each structure belong to the state of a world: one list per structure (base/field_list.h), walked by
-// the writer and the reader of images and by the state hash. Joints list theirs in state/joint_rows.h.
+// Which fields of each structure belong to the state of a world: one list per structure (base/field_list.h). The writer
+// and the reader of images and the state hash walk it. Joints list theirs in state/joint_rows.h.
 
 #pragma once
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The broad phase of Box2D 3 beside a world. Box2D 3 does not let programs see the three trees of its worlds. These are
-// trees of the same library, one for each type of bodies, and follow the same rules: fat boxes that grow when a body
-// leaves them, and a rebuild of what grew before each search.
+// trees of the same library, one for each type of bodies, and follow the same rules. Fat boxes grow when a body leaves
+// them, and what grew is rebuilt before each search.
 
 #pragma once
 

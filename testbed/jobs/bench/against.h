@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Two builds of this program side by side, before and after a change: each times the same cases in a process of its
-// own, in turns, and every case gets a ratio with an interval and the answer whether both came to the same states.
+// Two builds of this program side by side, before and after a change. Each times the same cases in a process of its
+// own, in turns. Every case gets a ratio with an interval and the answer whether both came to the same states.
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What `scree bench` measured of one scene at one size in one engine and setting, as a row: step records of all repeats
-// in, statistics out; rows as CSV and as JSON, with the same columns in the same order.
+// What `scree bench` measured of one scene at one size in one engine and setting, as a row. Step records of all repeats
+// in, statistics out. Rows as CSV and as JSON have the same columns in the same order.
 
 #pragma once
 

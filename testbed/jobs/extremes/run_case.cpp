@@ -72,8 +72,8 @@ private:
         for (size_t i = 0; i < m_bodies.size(); ++i) m_bodies[i] = m_lab->Read(static_cast<int>(i));
     }
 
-    /// What a rise of energy is measured by: motion and height of the start, the height of a body, and where all that
-    /// is nothing, the motion of bodies that nobody sees move.
+    /// What a rise of energy is measured by: motion and height of the start, and the height of a body. Where all that
+    /// is nothing, it is the motion of bodies that nobody sees move.
     [[nodiscard]] double FindEnergyScale() const {
         const double unseen = 0.01 * m_case.scale;  // m/s
         double lowest = std::numeric_limits<double>::infinity(), kinetic = 0.0, height = 0.0;

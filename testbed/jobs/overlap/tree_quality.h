@@ -2,18 +2,19 @@
 // SPDX-License-Identifier: MIT
 //
 // How good a broad-phase tree is: nodes of a Snapshot in, figures out. All areas are perimeters P, the 2D counterpart
-// of surface area: the chance that a random line (or, nearly, a box) that meets the root also meets the node is P /
-// P(root).
+// of surface area. P / P(root) is the chance that a random line (or, nearly, a box) that meets the root also meets the
+// node.
+//
 //   height           edges on the longest way from the root to a leaf
 //   max_balance      largest difference in height of two siblings
 //   area_ratio       Σ P(n) / P(root) over all nodes (Box2D's GetTreeQuality)
-//   sah_cost         (1.2 Σ_internal P(n) + 1 Σ_leaves P(n)) / P(root): expected work of a query; Goldsmith, Salmon:
+//   sah_cost         (1.2 Σ_internal P(n) + 1 Σ_leaves P(n)) / P(root): expected work of a query. Goldsmith, Salmon:
 //                    "Automatic creation of object hierarchies for ray tracing", IEEE CG&A 7(5), 1987, with the
 //                    constants of the paper below
 //   sibling_overlap  Σ_internal A(child1 ∩ child2) / A(root): how often a point query goes down both ways
-//   epo              Σ_n C(n) · L(n) / L, C = 1.2 for internal nodes and 1 for leaves, L = length of the outlines
-//                    of all fixtures' tight boxes, L(n) = length of those outlines that lies inside n but belongs to
-//                    fixtures outside n's subtree: the work of visiting n for nothing; Aila, Karras, Laine: "On quality
+//   epo              Σ_n C(n) · L(n) / L: the work of visiting nodes for nothing. C = 1.2 for internal nodes and 1 for
+//                    leaves. L = length of the outlines of all fixtures' tight boxes. L(n) = length of those outlines
+//                    that lies inside n but belongs to fixtures outside n's subtree. Aila, Karras, Laine: "On quality
 //                    metrics of bounding volume hierarchies", HPG 2013, with outlines in place of surfaces
 
 #pragma once

@@ -16,9 +16,9 @@
 
 namespace testbed {
 
-/// Contacts that touch. Per step: how many, and of each: the indices of both bodies; points + 4 if it is a sensor's;
-/// the direction of the normal in 2^-16 of a turn; of each point: place from body A in units of the grid, impulse and
-/// separation.
+/// Contacts that touch. Per step it holds how many. Of each contact: the indices of both bodies, points + 4 if it is a
+/// sensor's, and the direction of the normal in 2^-16 of a turn. Of each point: place from body A in units of the grid,
+/// impulse and separation.
 class ContactData {
 public:
     void Add(const Snapshot& snapshot, const Grid& grid, const MotionData& motion);

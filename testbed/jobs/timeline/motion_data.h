@@ -39,9 +39,10 @@ class MotionData {
 public:
     MotionData(std::size_t bodies, const Grid& grid) : m_grid(grid), m_last(bodies) {}
 
-    /// Per step: how many changed, and for each by growing index: how many are left out before it; 1 it is there + 2
-    /// awake + 4 its pose or velocity is no number; if it is there and a number, how x, y, angle, both velocities and
-    /// the spin differ from the last change going on; it goes on if the body was named in the step before.
+    /// Per step: how many changed, then each of them by growing index. Of each: how many are left out before it, and 1
+    /// it is there + 2 awake + 4 its pose or velocity is no number. If it is there and a number, it says how x, y,
+    /// angle, both velocities and the spin differ from the last change going on. The last change goes on if the body
+    /// was named in the step before.
     void Add(const Snapshot& snapshot);
     [[nodiscard]] const ByteStream& GetStream() const { return m_stream; }
     [[nodiscard]] std::size_t GetChangeCount() const { return m_changes; }

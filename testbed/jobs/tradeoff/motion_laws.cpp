@@ -119,8 +119,8 @@ std::vector<double> MeasureGas(const RunSpec& setting, Effort effort) {
 
 // --- Order of convergence. A chain of three rods swings from the horizontal. Its reference is the same engine and
 // solver at a 64th of the step. They are compared in windows of 0.1 s, each of which starts from the reference. The
-// reference has an error of its own, by the rounding of its many small steps: its distance from a run at a 32nd of the
-// step tells how large it is.
+// reference has an error of its own, by the rounding of its many small steps. Its distance from a run at a 32nd of the
+// step tells how large that error is.
 
 constexpr int orderLinks = 3;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A user's scene as a law. Nobody knows its exact motion, so each family of settings has a reference: itself with much
-// finer steps. The distance to it is the error, up to the time at which a reference and one half as fine part: from
+// finer steps. The distance to it is the error, up to the time at which a reference and one half as fine part. From
 // there on small causes decide, and a distance means nothing. Overlap and joint gaps are measured over the whole run,
 // by StateJudge, alike for all engines.
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// What the window shows and what its user may change: the scene, one run per pane with the same input to all, one
-// camera, layers, tree nodes, and what the pointer found. Data and the actions on it; drawing is in panels.h and
+// What the window shows and what its user may change. It has the scene, one run per pane with the same input to all,
+// one camera, layers, tree nodes, and what the pointer found. Data and the actions on it; drawing is in panels.h and
 // scene_view.h.
 
 #pragma once

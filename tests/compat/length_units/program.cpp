@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One story told in the length unit of b2_user_settings.h, printed in metres: a pile that falls asleep, a joint of
-// every kind, a bullet and a thin wall, a chain, and the free functions. With every length times the unit, all that is
-// printed must be the same.
+// One story told in the length unit of b2_user_settings.h, printed in metres. It has a pile that falls asleep, a joint
+// of every kind, a bullet and a thin wall, a chain, and the free functions. With every length times the unit, all that
+// is printed must be the same.
 
 #include <box2d/box2d.h>
 

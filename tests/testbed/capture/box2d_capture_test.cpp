@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Worlds of Box2D 2.4.1 recorded by scree_capture_box2d.h and read again: the same bits of every body after every step,
-// the same scene, and what the testbed's own run of a scene shows, tree included.
+// Worlds of Box2D 2.4.1 recorded by scree_capture_box2d.h and read again. They have the same bits of every body after
+// every step, the same scene, and what the testbed's own run of a scene shows, tree included.
 
 #include "testbed/capture/scree_capture_box2d.h"
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Worlds of our engine recorded by scree_capture.h and read again: the same bits of every body after every step, the
-// same scene, the same contacts and nodes, within the promised size; and whatever a program does between two steps.
+// Worlds of our engine recorded by scree_capture.h and read again. They have the same bits of every body after every
+// step, the same scene, the same contacts and nodes, within the promised size. That holds whatever a program does
+// between two steps.
 
 #include "testbed/capture/scree_capture.h"
 

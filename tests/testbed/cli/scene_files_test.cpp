@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Wherever a command takes a scene it takes a file too: a built-in scene that was written to a file gives what the
-// scene itself gives, and files that cannot be meant are refused with the cure.
+// Wherever a command takes a scene it takes a file too. A built-in scene that was written to a file gives what the
+// scene itself gives. Files that cannot be meant are refused with the cure.
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // --set and --engines on the command line: one vocabulary in every command that runs a scene, old options as other
-// spellings of it, one engine under two settings, and what of it stands in the files.
+// spellings of it. Also one engine under two settings, and what of it stands in the files.
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A wrong command line ends with exit code 2 and one line that names the cure; a folder that cannot be written ends
-// with 4 and a missing backend with 3 (or 77), all before anything is simulated.
+// A wrong command line ends with exit code 2 and one line that names the cure. A folder that cannot be written ends
+// with 4 and a missing backend with 3 (or 77). All end before anything is simulated.
 
 #include <gtest/gtest.h>
 

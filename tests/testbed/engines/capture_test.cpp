@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Worlds that a program built for itself, with its own user data, as snapshots: every object is there once, at its
-// place, and the shapes that were read back fill the boxes that the engine itself computes.
+// Worlds that a program built for itself, with its own user data, as snapshots. Every object is there once, at its
+// place. The shapes that were read back fill the boxes that the engine itself computes.
 
 #include <box2d/box2d.h>
 #include <gtest/gtest.h>

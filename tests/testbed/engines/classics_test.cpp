@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The classics in both engines: anchors where the scene puts them, each joint and material does what its closed form
-// says, chains have no seams, belts carry, and what settles rests at comparable places.
+// The classics in both engines. Anchors are where the scene puts them, and each joint and material does what its closed
+// form says. Chains have no seams, belts carry, and what settles rests at comparable places.
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The measurements of the laws on made-up trajectories: an exact one measures 0, a disturbed one what it was disturbed
-// by, and the closed forms agree with numbers known from elsewhere.
+// The measurements of the laws on made-up trajectories. An exact one measures 0, a disturbed one what it was disturbed
+// by. The closed forms agree with numbers known from elsewhere.
 
 #include "testbed/engines/measure.h"
 

@@ -62,8 +62,8 @@ TEST(Poses, Box2dFollowerHasTheWorldsTree) {
 }
 
 TEST(Poses, Box2dFollowerHasTheWorldsTreeWhileBodiesFallAsleep) {
-    // Damped bodies that come to rest 0.1 m from their start, the margin of their fattened boxes: their start speeds
-    // are graded so finely that some leave their box in the very step in which they fall asleep.
+    // Damped bodies that come to rest 0.1 m from their start, the margin of their fattened boxes. Their start speeds
+    // are graded finely, so that some leave their box in the very step in which they fall asleep.
     scenes::Scene scene;
     scene.name = "damped";
     scene.gravity = {0.0f, 0.0f};

@@ -96,8 +96,8 @@ inline void ExpectTreeHoldsFixtures(const Snapshot& s) {
     for (size_t i = 0; i < seen.size(); ++i) EXPECT_EQ(seen[i], 1) << "fixture " << i;
 }
 
-/// Loads every scene of the catalogue at a small size, steps it (classics for a second, since they are cheap), and
-/// checks the captures at the start and at the end.
+/// Loads every scene of the catalogue at a small size and steps it (classics for a second, since they are cheap).
+/// Checks the captures at the start and at the end.
 inline void ExpectEverySceneRuns(const Maker& make, int steps) {
     for (const scenes::SceneInfo& info : scenes::Catalog()) {
         SCOPED_TRACE(std::string(info.name));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Going back in time: our engine comes to the same bits as on the way forward, whatever its user did; other engines
-// show frames that were kept; what is changed in the past takes the place of the future.
+// Going back in time. Our engine comes to the same bits as on the way forward, whatever its user did. Other engines
+// show frames that were kept. What is changed in the past takes the place of the future.
 
 #include "testbed/engines/run_history.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Scenes in our engine through the adapter, and the two engines against each other where the physics has one answer:
-// free flight to float rounding, a resting box to a millimetre.
+// Scenes in our engine through the adapter, and the two engines against each other where the physics has one answer.
+// That is free flight to float rounding, and a resting box to a millimetre.
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Laws of the run spec: what is printed reads back to the same spec and holds nothing that could be left out, every
-// key refuses what is no value of it and changes nothing then, and every setting reaches the engine.
+// Laws of the run spec. What is printed reads back to the same spec and holds nothing that could be left out. Every key
+// refuses what is no value of it and changes nothing then. Every setting reaches the engine.
 
 #include "testbed/engines/run_spec.h"
 

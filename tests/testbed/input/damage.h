@@ -18,7 +18,7 @@ inline std::size_t Below(std::size_t end, std::mt19937& random) {
 }
 
 /// Damages `text` one to three times. replaceValue(text, at) puts something hostile in the place of a value at or
-/// behind `at`; it is chosen as often as each other kind of damage, times `weight`.
+/// behind `at`. It is chosen as often as each other kind of damage, times `weight`.
 template <typename Replace>
 void Damage(std::string& text, std::mt19937& random, std::size_t weight, Replace&& replaceValue) {
     const int times = 1 + static_cast<int>(Below(3, random));

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Worlds exported by R.U.B.E.: random ones read back as what was written, masses, velocities and springs are those of
-// Box2D itself, what no scene can say is told, whatever is wrong is named, and damaged files do no more than that.
+// Worlds exported by R.U.B.E. Random ones read back as what was written. Masses, velocities and springs are those of
+// Box2D itself. What no scene can say is told, whatever is wrong is named, and damaged files do no more than that.
 
 #include "testbed/input/rube_file.h"
 

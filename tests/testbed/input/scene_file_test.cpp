@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Scene files: what is written reads back to the same bits, the schema agrees with both, whatever is wrong is named
+// Scene files. What is written reads back to the same bits, and the schema agrees with both. Whatever is wrong is named
 // with its place, and no damage to a file does more than that.
 
 #include "testbed/input/scene_file.h"

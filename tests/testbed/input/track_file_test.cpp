@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Reading tracks: a file that is cut anywhere reads up to its last whole record, whatever is wrong is named with its
-// place, other readers of CBOR understand the records, and no damage does more than that.
+// Reading tracks. A file that is cut anywhere reads up to its last whole record. Whatever is wrong is named with its
+// place, and no damage does more than that. Other readers of CBOR understand the records.
 
 #include "testbed/input/track_file.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Pages as text: everything a caller gives is escaped, numbers read as people write them, pictures are inside, and what
+// Pages as text. Everything a caller gives is escaped, numbers read as people write them, and pictures are inside. What
 // cannot become a page is refused before a file is written.
 
 #include "testbed/page/page.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Reports for tests of the pages: one with every kind of block, and a comparison of pictures with every kind of result,
-// made from two runs of one scene, the second with less gravity.
+// Reports for tests of the pages. One has every kind of block. The other is a comparison of pictures with every kind of
+// result, made from two runs of one scene, the second with less gravity.
 
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Animated PNG, read back by a reader of the specification: chunks in order with right checksums and sequence numbers,
-// frames that lie inside the picture, and the same pixels after they are put together.
+// Animated PNG, read back by a reader of the specification. Chunks are in order with right checksums and sequence
+// numbers, and frames lie inside the picture. The pixels are the same after they are put together.
 
 #include "testbed/picture/apng.h"
 #include "testbed/base/errors.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The law of the counts: a pixel's number is the number of rectangles that hold its centre, half-open, whoever counts:
-// GL by blending on either backend, the CPU by its difference array, or a loop over every pixel and rectangle. And the
-// comparison can fail: three wrong ways of snapping are caught by the same rectangles.
+// The law of the counts: a pixel's number is the number of rectangles that hold its centre, half-open, whoever counts.
+// GL counts by blending on either backend, the CPU by its difference array; a loop goes over every pixel and rectangle.
+// And the comparison can fail: three wrong ways of snapping are caught by the same rectangles.
 
 #include "testbed/picture/counts.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Text is as wide as GetTextWidth says, its capitals are as high as promised, every character can be seen, bytes that
-// are no UTF-8 are replaced, and the pixels are the same on every machine.
+// Text is as wide as GetTextWidth says, its capitals are as high as promised, and every character can be seen. Bytes
+// that are no UTF-8 are replaced. The pixels are the same on every machine.
 
 #include "testbed/picture/font.h"
 

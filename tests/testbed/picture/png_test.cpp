@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// PNG: what is written is read back by another decoder, pixel for pixel and text for text, in all three colour types,
-// and a file that cannot be written leaves nothing behind.
+// PNG: what is written is read back by another decoder, pixel for pixel and text for text, in all three colour types. A
+// file that cannot be written leaves nothing behind.
 
 #include "testbed/picture/png.h"
 #include "testbed/base/errors.h"

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The CPU rasteriser and OpenGL agree on every sample: random triangles, triangles whose edges run through sample
-// centres, triangles without area and triangles as large as the picture, on both backends, in every colour.
+// The CPU rasteriser and OpenGL agree on every sample, on both backends, in every colour. Triangles are random, with
+// edges that run through sample centres, without area, and as large as the picture.
 
 #include "testbed/picture/rasterizer.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Themes: colours that must be told apart stay apart for people who do not see red, green or blue, as simulated by
+// Themes: colours that must be told apart stay apart for people who do not see red, green or blue. That is simulated by
 // Machado, Oliveira and Fernandes, "A physiologically-based model for simulation of color vision deficiency", 2009.
 
 #include "testbed/picture/theme.h"

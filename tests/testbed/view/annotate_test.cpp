@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Colour bars and strips: the bar runs through its colours from end to end, ticks are round numbers and no texts
-// overlap, text is made smaller rather than cut off, and bars of metres are as long as they say.
+// Colour bars and strips. The bar runs through its colours from end to end, ticks are round numbers and no texts
+// overlap. Text is made smaller rather than cut off, and bars of metres are as long as they say.
 
 #include "testbed/view/annotate.h"
 

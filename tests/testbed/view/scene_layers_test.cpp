@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Draw lists: all corners stay inside the picture whatever the camera, every backend draws them alike, bodies that
+// Draw lists. All corners stay inside the picture whatever the camera, and every backend draws them alike. Bodies that
 // differ in kind differ in colour, and islands are what contacts and joints connect.
 
 #include "testbed/view/scene_layers.h"

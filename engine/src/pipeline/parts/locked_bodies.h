@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Bodies that do not move along x or y (MotionLocks). The solvers take such a body for free and put its velocity there
-// back to 0 after every pass: constraints come to what they are against a wall as they are iterated, and the body does
-// not move at all.
+// back to 0 after every pass. So, as they are iterated, constraints come to what they are against a wall, and the body
+// does not move at all.
 
 #pragma once
 

@@ -19,7 +19,7 @@ namespace {
 constexpr int leastPairsToShare = 1024;
 
 /// Finds the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the
-/// pairs leave it: a pair that is gone or new is one such place, the start of a worker's range another. Then marks them
+/// pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another. Then marks them
 /// all: finding reads flags of rows that other workers would mark.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts,
                   std::vector<ContactIndex>& found) {

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Part of the stage that finds pairs: marks the contact of every pair or makes one. Contacts left unmarked have parted:
-// those that did not touch go at once, those that did are removed by the narrow phase of the next step, where Box2D
+// Part of the stage that finds pairs: marks the contact of every pair or makes one. Contacts left unmarked have parted.
+// Those that did not touch go at once. Those that did are removed by the narrow phase of the next step, where Box2D
 // reports their EndContact.
 
 #pragma once
@@ -29,7 +29,7 @@ struct MatchTables {
 };
 
 /// The order in which new contacts are made, by fixture index. Events and solving go through contacts newest first, so
-/// this order shows; it is Box2D's: proxies of edits are matched as they came, after a step those of the newest body
+/// this order shows. It is Box2D's: proxies of edits are matched as they came, after a step those of the newest body
 /// first.
 enum class FreshOrder : uint8_t { oldestFirst, newestFirst };
 

@@ -51,8 +51,9 @@ public:
 
     /// Makes room for what NoteCalm notes. What was noted with other answers of `atOutlines` is forgotten.
     void PrepareCalm(const BodyTable& bodies, bool atOutlines);
-    /// Where it is at the end of the step the body, whose core reaches `reach` from its centre, was shown to meet no
-    /// static fixture while none of its points moves by more than `slack`. Only for a body that Get has answered.
+    /// Notes that the body, where it is at the end of the step, was shown to meet no static fixture while none of its
+    /// points moves by more than `slack`. Its core reaches `reach` from its centre. Only for a body that Get has
+    /// answered.
     void NoteCalm(BodyIndex body, const BodyTable& bodies, float reach, float slack);
     /// True if the body stays within what was noted on its whole way.
     [[nodiscard]] bool StaysCalm(BodyIndex body, const BodyTable& bodies) const {

@@ -133,8 +133,8 @@ struct SolverCounts {
 /// Below this many bodies a loop stays on one thread.
 inline constexpr int leastBodies = 256;
 
-/// With few workers isolated bodies need many more: one takes a few nanoseconds, and what follows reads them on one
-/// thread, which has them in its own cache if it moved them itself.
+/// With few workers isolated bodies need many more. One takes a few nanoseconds. What follows reads them on one thread,
+/// which has them in its own cache if it moved them itself.
 inline constexpr int leastIsolatedBodies = 32768;
 
 /// Runs range(begin, end) → SolverCounts over parts of [0, count) on the workers and returns the sum.

@@ -21,7 +21,7 @@ namespace {
 constexpr int leastToScreen = 512, leastSearches = 32;
 
 /// The middle of a mover is stopped at the slop before a surface, or at this share of its depth in the mover where that
-/// is less, but not below a fiftieth of the slop: there rounding has a say.
+/// is less. It is stopped at no less than a fiftieth of the slop, for below that rounding decides.
 constexpr float middleShare = 0.25f, leastMiddleScale = 0.02f;
 
 /// How far apart boxes are along x or y; negative: they overlap.
@@ -218,7 +218,7 @@ bool ToiPairs::AreFewToMeet(bool somethingMoves) const {
 }
 
 /// Lists the kinematic fixtures with boxes that cover their motion, and the listed dynamic fixtures whose own boxes
-/// then overlap one of these: one pass over the bodies instead of a tree of all their swept boxes.
+/// then overlap one of these. That is one pass over the bodies instead of a tree of all their swept boxes.
 void ToiPairs::GatherTargets() {
     m_s.sweptBoxes.clear();
     m_s.hitters.clear();
@@ -569,7 +569,7 @@ float ToiPairs::TimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) con
         work.Add(output);
     };
     if (!pair.isHeld) search();
-    // What begins as near as it may come, or within the other already, is held by its contact; only the middle of the
+    // What begins as near as it may come, or within the other already, is held by its contact. Only the middle of the
     // one that moves must not pass to the other side.
     if (pair.isHeld || output.state == TOIOutput::e_overlapped || (m_atOutlines && output.t <= 0.0f)) {
         if (bounded == Bounded::needsCores) return 1.0f;

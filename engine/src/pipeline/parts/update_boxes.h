@@ -15,9 +15,9 @@
 
 namespace scree {
 
-/// Gives the broad phase the present box of every fixture of every body that moved in the step: the active ones, and
-/// those of the lists `solved` that fell asleep in it. The lists may be of an earlier step, and their bodies gone.
-/// Returns the largest coordinate of their centres, m.
+/// Gives the broad phase the present box of every fixture of every body that moved in the step. These are the active
+/// ones, and those of the lists `solved` that fell asleep in it. The lists may be of an earlier step, and their bodies
+/// gone. Returns the largest coordinate of their centres, m.
 float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
                        std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool,
                        BroadPhase& broadPhase);

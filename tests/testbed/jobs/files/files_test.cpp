@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Tracks, images and recordings in place of a scene: what `scree info` and `scree convert` say and make of them, and
+// Tracks, images and recordings in place of a scene: what `scree info` and `scree convert` say and make of them. Also
 // that overlap, render and metrics of them give what the world that was recorded gave.
 
 #include <fmt/format.h>

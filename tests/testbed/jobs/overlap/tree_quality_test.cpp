@@ -185,8 +185,8 @@ TEST(TreeQuality, ThreeOverlappingBoxesByHand) {
     EXPECT_DOUBLE_EQ(q.sahCost, (1.2 * 28.0 + 27.0) / 16.0);
     // a∩b = 1×1; ab∩c = 0.5×3; the root's area is 16.
     EXPECT_DOUBLE_EQ(q.siblingOverlap, (1.0 + 1.5) / 16.0);
-    // Outlines: inside a of b: 1 + 1 (its lower and left sides), of c: none; inside b of a: 1 + 1, of c: its left side
-    // over y 1…3, 2; inside ab of c: its left side over y 0…3 and its lower side over x 2.5…3, 3.5; inside c of a: none
+    // Outlines. Inside a of b: 1 + 1 (its lower and left sides), of c: none. Inside b of a: 1 + 1, of c: its left side
+    // over y 1…3, 2. Inside ab of c: its left side over y 0…3 and its lower side over x 2.5…3, 3.5. Inside c of a: none
     // (a ends at x = 2), of b: its right side (2), its lower and upper sides over x 2.5…3 (0.5 each), 3.
     EXPECT_DOUBLE_EQ(q.epo, (1.2 * 3.5 + 2.0 + (2.0 + 2.0) + 3.0) / 27.0);
 }

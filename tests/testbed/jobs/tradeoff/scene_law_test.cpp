@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A user's scene in `tradeoff`: the judge of states against closed forms and against the engine's own measurement,
-// references against the closed form of a thrown body, the time up to which distances have a meaning, and the command
+// A user's scene in `tradeoff`. The judge of states is held to closed forms and to the engine's own measurement,
+// references to the closed form of a thrown body. Also the time up to which distances have a meaning, and the command
 // with files of random scenes and with bad input.
 
 #include "testbed/jobs/tradeoff/scene_law.h"

@@ -274,7 +274,7 @@ std::pair<int, int> FindTop(const ScratchFolder& folder, const std::string& view
             static_cast<int>((area[1] + area[3]) / 2 - (at[1] - camera[1]) * camera[2])};
 }
 
-// Events of the X server itself (XTest), through GLFW, in a window on a virtual display: the pictures that F12 writes
+// Events of the X server itself (XTest), through GLFW, in a window on a virtual display. The pictures that F12 writes
 // must be those that a script of the same events makes without a window.
 TEST(View, RealMouseAndKeysDoWhatScriptsDo) {
     ASSERT_TRUE(IsInstalled("xvfb-run")) << "tests/run installs it (package xvfb)";
