@@ -31,8 +31,8 @@ struct AcceptOutcome {
     std::vector<SnapshotResult> left;  ///< not accepted: no picture was made, or the mode leaves it out
 };
 
-/// Throws FileError for an artifact that does not belong to these references: an unknown case, a picture made in
-/// another way, or a reference that is another than the one that the check saw. Throws UsageError for a bad pattern and
+/// Throws FileError for an artifact that does not belong to these references. It has an unknown case or a picture made
+/// in another way, or a reference is another than the one that the check saw. Throws UsageError for a bad pattern and
 /// one that matches nothing.
 [[nodiscard]] AcceptOutcome AcceptArtifacts(const AcceptJob& job, std::span<const SnapshotArtifact> artifacts);
 

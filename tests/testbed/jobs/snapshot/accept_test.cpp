@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `snapshot accept`, `snapshot merge` and `--state` as programs: what a check left becomes the references that an
-// update would have made, a foreign or stale artifact changes nothing, and reports of shards become one.
+// `snapshot accept`, `snapshot merge` and `--state` as programs. What a check left becomes the references that an
+// update would have made. A foreign or stale artifact changes nothing, and reports of shards become one.
 
 #include "testbed/jobs/snapshot/accept.h"
 
