@@ -45,7 +45,7 @@ struct Counted {
     int cores;
     LeastTimes times;
     double stepMs = 0.0;  ///< of all steps of all repeats
-    LoopTimes loops;      ///< likewise
+    LoopTimes loops{};    ///< likewise
 };
 
 void RunCounted(const scenes::Scene& scene, RunSpec spec, int steps, Counted& counted) {

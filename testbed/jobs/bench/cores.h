@@ -24,10 +24,10 @@ inline constexpr double barrierMs = 1e-3;
 struct CoresRow {
     std::string scene, solver;
     int size = 0, steps = 0, movers = 0;
-    double oneThreadMs = 0.0;      ///< all steps
-    double sharedPart = 0.0;       ///< of a step's time that is in loops, with the most cores
-    double loops = 0.0;            ///< a step, likewise
-    std::vector<double> speedUps;  ///< by number of cores: time of one thread over the predicted one
+    double oneThreadMs = 0.0;        ///< all steps
+    double sharedPart = 0.0;         ///< of a step's time that is in loops, with the most cores
+    double loops = 0.0;              ///< a step, likewise
+    std::vector<double> speedUps{};  ///< by number of cores: time of one thread over the predicted one
 };
 
 /// Runs the cases; times of a step are the least of the repeats, which all take the same steps. Throws UsageError.
