@@ -30,7 +30,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int longestName = 4096, mostEntries = 256;
+// `snapshot accept` has two unfinished files a picture, of several hundred pictures. What is not used takes no memory.
+constexpr int longestName = 4096, mostEntries = 2048;
 
 /// An unfinished file, readable from a signal handler.
 struct Entry {

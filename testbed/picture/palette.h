@@ -25,6 +25,9 @@ enum class Style { alpha, heat, bands, log };
 /// Where no node is, in every style of the dark theme: the dissertation's dark grey.
 inline constexpr Color backgroundColor{51, 51, 51, 255};
 
+/// Of one layer in the style alpha: the dissertation's.
+inline constexpr double usualOpacity = 0.04;
+
 /// Colours of counts 0…scaleMax (size scaleMax + 1, at least 2 entries); larger counts take the last colour.
 /// alpha: background·(1 − a)^n + red·(1 − (1 − a)^n).
 [[nodiscard]] std::vector<Color> MakePalette(Style style, double opacity, uint32_t scaleMax, Theme theme = Theme::dark);

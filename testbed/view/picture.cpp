@@ -82,11 +82,11 @@ void CheckOptions(const PictureOptions& options) {
 }
 
 double GetOpacity(const PictureOptions& options, uint32_t scaleMax) {
-    // As in the dissertation's figures up to the count at which 2 % of the background are left: 0.96^95.
-    constexpr double usual = 0.04, logarithm = -3.912023;  // of 2 %
+    // The usual one up to the count at which it leaves 2 % of the background: 0.96^95.
+    constexpr double logarithm = -3.912023;  // of 2 %
     constexpr uint32_t mostUsual = 95;
     if (options.opacity) return *options.opacity;
-    if (scaleMax <= mostUsual) return usual;
+    if (scaleMax <= mostUsual) return usualOpacity;
     // 1 − (2 %)^(1/n) by its series: std::exp may differ in the last bit between libraries. Three digits can be typed.
     const double exponent = logarithm / scaleMax;
     const double opacity = -exponent * (1 + exponent / 2 * (1 + exponent / 3 * (1 + exponent / 4)));

@@ -40,7 +40,7 @@ Json DescribeCountColors(const Json& sidecar) {
         // The page needs only as many as a reader can tell apart, and a damaged sidecar may name any number.
         if (scaleMax > 4096) return nullptr;
         std::string digits;
-        for (const Color& color : MakePalette(style, sidecar.value("opacity", 0.04), scaleMax)) {
+        for (const Color& color : MakePalette(style, sidecar.value("opacity", usualOpacity), scaleMax)) {
             digits += fmt::format("{:02x}{:02x}{:02x}", color.r, color.g, color.b);
         }
         return digits;

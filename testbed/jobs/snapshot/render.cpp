@@ -40,7 +40,6 @@ PictureOptions MakeOptions(const SnapshotCase& snapshotCase) {
     if (snapshotCase.kind == "overlap") {
         options.layers = Layers{};  // the counts alone
         options.style = Style::heat;
-        options.opacity = 0.04;  // what page.cpp takes where a sidecar has none
         options.nodes = ParseNodeSelection(snapshotCase.layers);
     } else {
         options.layers = ParseLayers(snapshotCase.layers);

@@ -62,7 +62,7 @@ struct ViewerLook {
     bool overlap = true;  ///< counts of tree nodes behind the bodies
     NodeSelection nodes;
     Style style = Style::alpha;
-    float opacity = 0.04f;
+    float opacity = static_cast<float>(usualOpacity);
     int scaleMax = 40;    ///< count at the end of the colour scale, for all styles but alpha
     bool smooth = false;  ///< four samples a pixel
     Theme theme = Theme::dark;
