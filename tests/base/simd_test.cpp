@@ -272,6 +272,47 @@ TEST(Simd, DoublesAreThoseOfNumbers) {
     }
 }
 
+TEST(Simd, FloatsBecomeDoublesAndBackRounded) {
+    for (const Eight& numbers : Numbers()) {
+        alignas(32) double low[4], high[4];
+        D4 lower, upper;
+        SplitF8(numbers.Wide(), lower, upper);
+        StoreD4(low, lower), StoreD4(high, upper);
+        const auto doubleAt = [&](int i) { return i < 4 ? low[i] : high[i - 4]; };
+        for (int i = 0; i < 8; ++i) {
+            EXPECT_TRUE(IsSame(static_cast<float>(doubleAt(i)), numbers.v[i])) << "lane " << i;
+        }
+        const D4 third = SplatD4(1.0 / 3.0);
+        Expect8(
+            JoinF8(lower * third, upper * third), [&](int i) { return static_cast<float>(doubleAt(i) * (1.0 / 3.0)); },
+            "joined");
+        if (HasFailure()) return;
+    }
+}
+
+TEST(Simd, SinesAndCosinesAreThoseOfTheScalarHeader) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> exponent(-40.0f, 29.8f), mantissa(1.0f, 2.0f);
+    const auto compare = [](const Eight& angles) {
+        const Rotation8 q = SinCos8(angles.Wide());
+        Expect8(
+            q.s, [&](int i) { return SinCos(angles.v[i]).sin; }, "sine");
+        Expect8(
+            q.c, [&](int i) { return SinCos(angles.v[i]).cos; }, "cosine");
+    };
+    compare({{0.0f, -0.0f, 1e-42f, -1e-42f, 9.9e8f, -9.9e8f, pi, -pi}});
+    for (int n = 0; n < 200000 && !testing::Test::HasFailure(); ++n) {
+        Eight angles;
+        for (float& a : angles.v) {
+            const float size = std::ldexp(mantissa(random), static_cast<int>(exponent(random)));
+            a = random() % 2 == 0 ? size : -size;
+            if (random() % 4 == 0) a = 0.5f * pi * static_cast<float>(static_cast<int>(random() % 64) - 32);
+            if (std::fabs(a) >= sin_cos::largestDirect) a = 1.0f;
+        }
+        compare(angles);
+    }
+}
+
 TEST(Simd, RowsOfDoublesAreGatheredAndScattered) {
     alignas(32) double rows[6][4], copy[6][4] = {};
     for (int r = 0; r < 6; ++r) {

@@ -12,7 +12,8 @@
 //
 // F4, F8: floats. Load, Store, Splat, + − · /, Min, Max, Sqrt, …
 //
-// D4: doubles, two times D2 or AVX. Load, Store, Splat, + − · /, Greater, Keep, Transpose.
+// D4: doubles, two times D2 or AVX. Load, Store, Splat, + − · /, Greater, Keep, Transpose. SplitF8 and JoinF8 go from
+// floats to doubles and back.
 //
 // Mask4, Mask8, MaskD4: per lane yes or no from comparisons. And, Or, Not, Select, Keep, Bits. No number becomes a mask
 // or back.

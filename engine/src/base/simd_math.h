@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/simd.h"
+#include "base/sin_cos_terms.h"
 
 namespace scree {
 inline namespace SCREE_SIMD_SET {
@@ -47,6 +48,8 @@ SCREE_KERNEL Vector4 Mul4(const Placement4& t, Vector4 v) {
     return {turned.x + t.p.x, turned.y + t.p.y};
 }
 
+SCREE_KERNEL F8 Abs8(F8 a) { return Max8(a, Splat8(0.0f) - a); }
+
 struct Vector8 {
     F8 x, y;
 };
@@ -66,6 +69,35 @@ struct Rotation8 {
 };
 SCREE_KERNEL Vector8 Mul8(Rotation8 q, Vector8 v) { return {q.c * v.x - q.s * v.y, q.s * v.x + q.c * v.y}; }
 SCREE_KERNEL Vector8 MulT8(Rotation8 q, Vector8 v) { return {q.c * v.x + q.s * v.y, q.c * v.y - q.s * v.x}; }
+
+/// Sines and cosines of four angles below half a quadrant, and the quadrants from −2 to 2 that belong to them.
+SCREE_KERNEL void SinCosOfRemainder(D4 angle, D4& sine, D4& cosine, D4& quadrant) {
+    using namespace sin_cos;
+    const D4 shift = SplatD4(roundingShift), one = SplatD4(1.0);
+    const D4 quadrants = (angle * SplatD4(twoOverPi) + shift) - shift;
+    const D4 r =
+        ((angle - quadrants * SplatD4(halfPiHigh)) - quadrants * SplatD4(halfPiMid)) - quadrants * SplatD4(halfPiLow);
+    const D4 z = r * r, z2 = z * z;
+    sine = r * (one + z * ((SplatD4(s0) + SplatD4(s1) * z) + z2 * (SplatD4(s2) + SplatD4(s3) * z)));
+    cosine = (one - SplatD4(0.5) * z) + z2 * ((SplatD4(c0) + SplatD4(c1) * z) + z2 * SplatD4(c2));
+    quadrant = quadrants - SplatD4(4.0) * ((quadrants * SplatD4(0.25) + shift) - shift);
+}
+
+/// The rotations by angles below sin_cos::largestDirect: the bits of SinCos.
+SCREE_KERNEL Rotation8 SinCos8(F8 angle) {
+    D4 lower, upper, sineLower, sineUpper, cosineLower, cosineUpper, quadrantLower, quadrantUpper;
+    SplitF8(angle, lower, upper);
+    SinCosOfRemainder(lower, sineLower, cosineLower, quadrantLower);
+    SinCosOfRemainder(upper, sineUpper, cosineUpper, quadrantUpper);
+    const F8 sine = JoinF8(sineLower, sineUpper), cosine = JoinF8(cosineLower, cosineUpper);
+    const F8 quadrant = JoinF8(quadrantLower, quadrantUpper), square = quadrant * quadrant;
+    const F8 one = Splat8(1.0f), minusOne = Splat8(-1.0f), half = Splat8(0.5f), minusHalf = Splat8(-0.5f);
+    const Mask8 isOdd = And8(Greater8(square, half), Greater8(Splat8(2.0f), square));
+    const Mask8 isTwo = Greater8(square, Splat8(2.0f));
+    const F8 signOfSine = Select8(Or8(isTwo, Greater8(minusHalf, quadrant)), minusOne, one);
+    const F8 signOfCosine = Select8(Or8(isTwo, Greater8(quadrant, half)), minusOne, one);
+    return {signOfSine * Select8(isOdd, cosine, sine), signOfCosine * Select8(isOdd, sine, cosine)};
+}
 
 struct Placement8 {
     Vector8 p;

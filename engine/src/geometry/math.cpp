@@ -12,24 +12,14 @@
 #include <bit>
 #include <utility>
 
+#include "base/sin_cos_terms.h"
+
 namespace scree {
 namespace {
 
-constexpr double twoOverPi = 0x1.45f306dc9c883p-1;
-// π/2 in three parts. The first two hold 23 bits each. So their product with a quadrant number below 2^30 is exact, and
-// the subtractions cancel without rounding. The only rounding of the reduction is in the last part.
-constexpr double halfPiHigh = 0x1.921fb4p+0;
-constexpr double halfPiMid = 0x1.4442dp-24;
-constexpr double halfPiLow = 0x1.8469898cc517p-48;
+using namespace sin_cos;
+
 constexpr double halfPi = 0x1.921fb54442d18p+0;
-// Adding 1.5·2^52 pushes the fraction out of a double: what stays in the low mantissa bits is the nearest integer.
-constexpr double roundingShift = 0x1.8p+52;
-constexpr float largestDirect = 1.0e9f;
-// Near-minimax polynomials on |r| <= π/4 in r²: sin r = r + r³·S(r²), relative error 2e-11; cos r = 1 − r²/2 +
-// r⁴·C(r²), error 8e-10, both far below half an ulp of float (3e-8).
-constexpr double s0 = -0x1.555555545dd83p-3, s1 = 0x1.11110deeb33b2p-7;
-constexpr double s2 = -0x1.a013a6edc8f34p-13, s3 = 0x1.6dbdd26f56d2dp-19;
-constexpr double c0 = 0x1.555554414e3a6p-5, c1 = -0x1.6c12d2887c343p-10, c2 = 0x1.9bd86445fb99bp-16;
 
 /// An angle as quadrant·π/2 + remainder with |remainder| <= π/4; only the quadrant's two low bits count.
 struct Reduced {

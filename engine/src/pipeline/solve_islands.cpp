@@ -8,6 +8,7 @@
 
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/isolated_bodies.h"
+#include "pipeline/parts/pose_finisher.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
 
@@ -238,13 +239,16 @@ public:
     }
 
     int Finish() {
-        const SolverCounts counts = CountOver(Pool(), m_s.wide.bodies.size(), [&](size_t i) {
-            const BodyIndex b = m_s.wide.bodies[i];
-            Move(b);
-            m_s.delta[b] = {};
-            return SolverCounts{0, FinishPose(m_bodies, b) ? 1 : 0};
-        });
-        return counts.nonFinite;
+        const PoseFinisher finisher(m_settings, m_bodies, m_s.delta, {.keepsRests = false, .hasLimit = false});
+        const auto bodyAt = [this](size_t i) { return m_s.wide.bodies[i]; };
+        return finisher
+            .Finish(Pool(), m_s.wide.bodies.size(), bodyAt,
+                    [this](BodyIndex b) {
+                        Move(b);
+                        m_s.delta[b] = {};
+                        return SolverCounts{0, FinishPose(m_bodies, b) ? 1 : 0};
+                    })
+            .nonFinite;
     }
 
     void Sleep() {
@@ -324,11 +328,7 @@ public:
                   settings.maxTranslation,
                   settings.maxRotation,
                   SleepSpeed(settings) * SleepSpeed(settings),
-                  angularSleepTolerance * angularSleepTolerance,
-                  [](float angle, float* sineCosine) {
-                      const SinCosResult r = SinCos(angle);
-                      sineCosine[0] = r.sin, sineCosine[1] = r.cos;
-                  }};
+                  angularSleepTolerance * angularSleepTolerance};
     }
 
     SolverCounts Move(std::span<const BodyIndex> rows) const {

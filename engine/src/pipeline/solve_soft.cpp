@@ -24,6 +24,7 @@
 
 #include "base/two_sum.h"
 #include "pipeline/parts/body_motion.h"
+#include "pipeline/parts/pose_finisher.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
 
@@ -223,6 +224,7 @@ public:
         StopTrees();
         StopRows();
         Relax();
+        EndContacts(index);
     }
 
     SolverCounts Finish() {
@@ -236,8 +238,9 @@ public:
         m_tree.Store(1.0f, m_tables.joints);
         LowerLoaded();
         return WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
-            return CountOver(Pool(), m_s.soft.size(), [&](size_t i) {
-                const BodyIndex b = m_s.soft[i].body;
+            const PoseFinisher finisher(m_settings, m_bodies, m_s.delta, {.keepsRests = true, .hasLimit = limit});
+            const auto bodyAt = [this](size_t i) { return m_s.soft[i].body; };
+            return finisher.Finish(Pool(), m_s.soft.size(), bodyAt, [&](BodyIndex b) {
                 SolverCounts counts;
                 counts.capped = MoveBody<limit>(m_settings, m_bodies, b, m_s.delta[b]) ? 1 : 0;
                 m_s.delta[b] = {};
@@ -426,12 +429,16 @@ private:
         }
     }
     void KickAll() {
-        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            ForEachSoft([&](SoftBody& soft) {
-                soft.jointed ? Kick<forces>(soft, VelocityOf(soft)) : KickWhole<forces>(soft, VelocityOf(soft));
-            });
-        });
+        if (!m_isKicked) {
+            WithBodyKernel(m_settings.kernels,
+                           [&](auto forces, auto) { ForEachSoft([&](SoftBody& soft) { KickBody<forces>(soft); }); });
+        }
+        m_isKicked = false;
         StopLocked();
+    }
+    template <bool forces>
+    void KickBody(SoftBody& soft) {
+        soft.jointed ? Kick<forces>(soft, VelocityOf(soft)) : KickWhole<forces>(soft, VelocityOf(soft));
     }
     /// Joints are solved twice in a sub-step, with half of its forces each time.
     void PrepareRows(bool isFirst) {
@@ -515,7 +522,20 @@ private:
             StopLocked();
         });
         StopLocked();
-        if (m_plan.hasContacts) ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
+    }
+    /// What contacts did in this sub-step is what they are expected to do in the next one. Where nothing comes between
+    /// that and the next kick, one walk over the bodies does both.
+    void EndContacts(int substep) {
+        const int next = substep + 1;
+        if (!m_plan.hasContacts || next == m_settings.substeps || RenewsExpected(next)) return;
+        if (m_plan.bounces) return ForEachSoft([&](SoftBody& soft) { EndContacts(soft); });
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            ForEachSoft([&](SoftBody& soft) {
+                EndContacts(soft);
+                KickBody<forces>(soft);
+            });
+        });
+        m_isKicked = true;
     }
 
     /// What is repeated comes from differences of velocities. Their rounding errors, which differ from body to body,
@@ -635,7 +655,8 @@ private:
     const ContactKernels& m_kernels;
     KernelTask m_task{};
     Plan m_plan;
-    bool m_rowsAct = false;  ///< in this sub-step some joint is solved row by row
+    bool m_rowsAct = false;   ///< in this sub-step some joint is solved row by row
+    bool m_isKicked = false;  ///< bodies have had the first kick of the next sub-step
 };
 
 }  // namespace

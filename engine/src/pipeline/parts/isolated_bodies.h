@@ -26,12 +26,10 @@ struct IsolatedBodiesTask {
     float gravityX, gravityY;
     float maxTranslation, maxRotation;
     float slowLinear, slowAngular;  ///< squares of the speeds up to which a body counts as slow
-    /// Sine and cosine of `angle`, the engine's own.
-    void (*sinCos)(float angle, float* sineCosine);
 };
 
 enum class IsolatedMove : int32_t {
-    refused,  ///< nothing was written: one of them is not dynamic, or fast enough for a cap, or not finite afterwards
+    refused,  ///< nothing was written: one of them is not dynamic, or fast enough for a cap, or too large afterwards
     fast,     ///< moved, and none is slow
     slow,     ///< moved, and some are slow enough for the sleep timer to run
 };
