@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Poses at the end of a step, eight at a time: the bits of the arithmetic body by body, for random motions, with and
-// without rests and caps, and from every instruction set.
+// Poses at the end of a step, eight at a time: the bits of the arithmetic body by body. Motions are random, with and
+// without rests and caps; both instruction sets give the same.
 
 #include "pipeline/parts/finish_poses.h"
 

@@ -177,19 +177,36 @@ inline void SolveBlock(ContactVelocityRow& row, Velocity& a, Velocity& b) {
 
 }  // namespace
 
-void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
-    rows.velocity.clear();
-    rows.position.clear();
-    for (const ContactIndex contact : input.island) {
+namespace {
+
+void PrepareRange(const ContactPrepareInput& input, size_t begin, size_t end, ContactRows& rows) {
+    const auto radiusOf = [&](FixtureIndex fixture) {
+        const Shape& shape = *input.fixtures.shape[fixture];
+        return input.atOutlines ? OutlineRadius(shape, input.lengthScale) : shape.m_radius;
+    };
+    for (size_t i = begin; i < end; ++i) {
+        const ContactIndex contact = input.island[i];
         const ContactPair& pair = input.contacts.pair[contact];
-        const auto radiusOf = [&](FixtureIndex fixture) {
-            const Shape& shape = *input.fixtures.shape[fixture];
-            return input.atOutlines ? OutlineRadius(shape, input.lengthScale) : shape.m_radius;
-        };
         const float radiusA = radiusOf(pair.fixtureA), radiusB = radiusOf(pair.fixtureB);
-        rows.velocity.push_back(MakeVelocityRow(input, contact, radiusA, radiusB));
-        rows.position.push_back(MakePositionRow(input, contact, radiusA + radiusB));
+        rows.velocity[i] = MakeVelocityRow(input, contact, radiusA, radiusB);
+        rows.position[i] = MakePositionRow(input, contact, radiusA + radiusB);
     }
+}
+
+}  // namespace
+
+void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
+    rows.velocity.resize(input.island.size());
+    rows.position.resize(input.island.size());
+    PrepareRange(input, 0, input.island.size(), rows);
+}
+
+void PrepareContacts(const ContactPrepareInput& input, TaskPool& pool, ContactRows& rows) {
+    constexpr int leastToShare = 128;
+    rows.velocity.resize(input.island.size());
+    rows.position.resize(input.island.size());
+    pool.For(static_cast<int>(input.island.size()), leastToShare,
+             [&](int begin, int end, int /*worker*/) { PrepareRange(input, ToSize(begin), ToSize(end), rows); });
 }
 
 void WarmStartContacts(const ContactRows& rows, Column<BodyIndex, Velocity>& velocity) {

@@ -672,7 +672,7 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
     for (int i = 0; i < settings.substeps; ++i) solver.Substep(i);
     counts += solver.Finish();
     if (tables.noteDemand) scratch.tree.NotePullRates(settings.dt, tables.bodies.demand);
-    ReportBlockImpulses(scratch, true, active.contacts, events, tables.contacts);
+    ReportBlockImpulses({scratch.blocks, true, active.contacts}, events, tables.contacts, scratch.impulses);
     return counts;
 }
 

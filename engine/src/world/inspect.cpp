@@ -5,6 +5,7 @@
 
 #include "scree/inspect.h"
 
+#include "pipeline/parts/lane_solver.h"
 #include "state/frames.h"
 #include "world/world_state.h"
 
@@ -23,16 +24,22 @@ const TOIStats& GetDistanceWork(const World& world) { return world.GetState().di
 void GetContactColours(const World& world, std::vector<int>& colours) {
     const WorldState& s = world.GetState();
     colours.assign(s.contacts.GetNumberEnd(), -1);
+    const auto note = [&](std::span<const ContactIndex> list, std::span<const int> found) {
+        if (found.size() != list.size()) return;
+        for (size_t i = 0; i < list.size(); ++i) {
+            // A row that another contact has taken since does not touch yet.
+            if (!s.contacts.IsAlive(list[i]) || !s.contacts.Has(list[i], ContactFlag::touching)) continue;
+            colours[ToSize(s.contacts.GetNumber(list[i]))] = found[i];
+        }
+    };
     // The soft step solves all active contacts, or group by group; sequential impulses those of large islands.
     const std::span<const SubstepGroup> groups = s.substepGroups.Get();
     const std::vector<ContactIndex>& active = groups.empty() ? s.active.contacts : groups.back().lists.contacts;
-    const std::vector<ContactIndex>& list = s.active.contacts.empty() ? s.solverScratch.wide.contacts : active;
-    const std::span<const int> found = s.solverScratch.blocks.GetColours();
-    if (list.empty() || found.size() != list.size()) return;
-    for (size_t i = 0; i < list.size(); ++i) {
-        // A row that another contact has taken since does not touch yet.
-        if (!s.contacts.IsAlive(list[i]) || !s.contacts.Has(list[i], ContactFlag::touching)) continue;
-        colours[ToSize(s.contacts.GetNumber(list[i]))] = found[i];
+    if (!s.active.contacts.empty()) return note(active, s.solverScratch.blocks.GetColours());
+    size_t wide = 0;
+    for (const Island& island : s.islands.islands) {
+        if (!IsWide(island) || wide == s.solverScratch.wide.size()) continue;
+        note(Contacts(s.islands, island), s.solverScratch.wide[wide++].GetColours());
     }
 }
 

@@ -21,12 +21,12 @@ void ReportImpulses(const ContactRows& rows, const ContactEvents& events, Contac
     }
 }
 
-void ReportBlockImpulses(SolverScratch& scratch, bool summed, std::span<const ContactIndex> list,
-                         const ContactEvents& events, ContactTable& contacts) {
+void ReportBlockImpulses(const SolvedBlocks& solved, const ContactEvents& events, ContactTable& contacts,
+                         std::vector<ContactImpulse>& impulses) {
     if (!events.HearsPostSolve()) return;
-    scratch.blocks.GetImpulses(summed, scratch.impulses);
-    for (size_t i = 0; i < list.size() && events.listener != nullptr; ++i) {
-        events.listener->PostSolve(contacts.Handle(events.state, list[i]), &scratch.impulses[i]);
+    solved.blocks.GetImpulses(solved.summed, impulses);
+    for (size_t i = 0; i < solved.list.size() && events.listener != nullptr; ++i) {
+        events.listener->PostSolve(contacts.Handle(events.state, solved.list[i]), &impulses[i]);
     }
 }
 

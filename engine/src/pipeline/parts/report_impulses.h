@@ -12,8 +12,13 @@ namespace scree {
 
 /// PostSolve for every contact of `rows`, in order.
 void ReportImpulses(const ContactRows& rows, const ContactEvents& events, ContactTable& contacts);
-/// PostSolve for every contact of the list that scratch.blocks was built from, in order; `summed`: over the sub-steps.
-void ReportBlockImpulses(SolverScratch& scratch, bool summed, std::span<const ContactIndex> list,
-                         const ContactEvents& events, ContactTable& contacts);
+struct SolvedBlocks {
+    const ContactBlocks& blocks;
+    bool summed;                         ///< report sums over the sub-steps
+    std::span<const ContactIndex> list;  ///< what `blocks` was built from
+};
+/// PostSolve for every contact of the list, in order; `impulses` is scratch.
+void ReportBlockImpulses(const SolvedBlocks& solved, const ContactEvents& events, ContactTable& contacts,
+                         std::vector<ContactImpulse>& impulses);
 
 }  // namespace scree

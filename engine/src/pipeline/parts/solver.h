@@ -10,6 +10,7 @@
 #include "base/task_pool.h"
 #include "constraints/contact_blocks.h"
 #include "constraints/contact_rows.h"
+#include "constraints/island_lanes.h"
 #include "constraints/joint_solver.h"
 #include "constraints/joint_tree.h"
 #include "constraints/loaded_bodies.h"
@@ -69,14 +70,39 @@ struct NettedBody {
     Twist ahead;  ///< what the second half of a sub-step brings to it, before joints and contacts
 };
 
+/// Small islands that are solved side by side (pipeline/parts/lane_solver.h).
+struct LaneScratch {
+    struct Member {
+        int island;
+        size_t firstRow;  ///< in `rows`
+        bool isSolved;    ///< positions are within tolerance
+    };
+    std::vector<uint8_t> isChosen;  ///< per island
+    std::vector<int> order;         ///< islands by size, eight to a group
+    std::vector<Member> members;    ///< in the order of the islands
+    std::vector<int> memberOf;      ///< per island that is chosen
+    std::vector<BodyIndex> bodies;  ///< of all members
+    std::vector<ContactIndex> contacts;
+    ContactRows rows;  ///< of `contacts`
+    Column<BodyIndex, int> slotOf;
+    IslandLanes groups[maxWorkers];
+
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        size_t bytes =
+            BytesOf(isChosen, order, members, memberOf, bodies, contacts, rows.velocity, rows.position, slotOf);
+        for (const IslandLanes& group : groups) bytes += group.GetMemoryBytes();
+        return bytes;
+    }
+};
+
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
     bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
     JointTree tree;
     JointTree restTree;  ///< of `rest`; each keeps its order while its joints stay the same
     ContactRows contacts;
-    ContactBlocks blocks;
-    RollingRows rolling;  ///< of the contacts or the blocks
+    ContactBlocks blocks;  ///< of the soft step
+    RollingRows rolling;   ///< of the contacts or the blocks
     LoadedBodies loaded;
     LockedBodies locked;  ///< of the bodies that are solved
     JointConstraints joints;
@@ -85,18 +111,19 @@ struct SolverScratch {
     StartVelocities startVelocities;
     std::vector<int> jointed;  ///< rows of `soft`
     std::vector<NettedBody> netted;
-    std::vector<Twist> before;          ///< of these: velocity before a pass over the contacts
-    IslandTable rest;                   ///< jointed bodies that go on after a time of impact
-    IslandTable wide;                   ///< islands that are solved together, joined; `islands` keeps their own ranges
-    std::vector<uint8_t> islandSolved;  ///< per island of `wide`: positions are within tolerance
+    std::vector<Twist> before;  ///< of these: velocity before a pass over the contacts
+    IslandTable rest;           ///< jointed bodies that go on after a time of impact
+    LaneScratch lanes;
+    std::vector<ContactBlocks> wide;  ///< of the large islands, in their order (sequential impulses)
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, netted, before, islandSolved,
-                       impulses) +
+        size_t ofWide = BytesOf(wide);
+        for (const ContactBlocks& one : wide) ofWide += one.GetMemoryBytes();
+        return ofWide + BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, netted, before, impulses) +
                rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
-               restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() + wide.GetMemoryBytes() +
-               rolling.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes();
+               restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() +
+               rolling.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
@@ -113,8 +140,8 @@ struct SolverScratch {
         netted = {};
         before = {};
         rest = {};
+        lanes = {};
         wide = {};
-        islandSolved = {};
         impulses = {};
     }
 };

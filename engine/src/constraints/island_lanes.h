@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Up to eight small islands as lanes of the vector kernels (lane_kernels.h): packs their rows and bodies, and takes
+// back what became of them. Bits are those of contact_rows.h island by island.
+
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/bytes.h"
+#include "constraints/contact_rows.h"
+#include "constraints/lane_kernels.h"
+
+namespace scree {
+
+class IslandLanes {
+public:
+    /// An island: all its bodies, and its rows in the order in which they are solved.
+    struct Member {
+        std::span<const BodyIndex> bodies;
+        std::span<ContactVelocityRow> velocity;
+        std::span<const ContactPositionRow> position;
+    };
+
+    /// `slotOf` is scratch with a row per body; groups that are solved at once may share it.
+    void Gather(std::span<const Member> members, const BodyTable& bodies, Column<BodyIndex, int>& slotOf);
+    void SolveVelocities(int iterations, bool warmStart, bool friction, BodyTable& bodies);
+    /// Stops in each island as soon as its smallest separation is at least `tolerance`; those islands are solved.
+    void SolvePositions(int iterations, float tolerance, const PushApart& how, BodyTable& bodies);
+    [[nodiscard]] bool IsSolved(size_t member) const { return m_active[member] == 0.0f; }
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(m_members, m_contacts, m_bodies, m_velocity, m_position, m_rotation);
+    }
+
+private:
+    /// A body of a lane. Those that contacts cannot push have a slot for each contact with them.
+    struct Slot {
+        size_t row;
+        BodyIndex body;
+    };
+
+    void GatherContacts(size_t lane, const Member& member, const BodyTable& bodies,
+                        const Column<BodyIndex, int>& slotOf);
+    [[nodiscard]] LaneTask MakeTask();
+
+    std::vector<Member> m_members;
+    std::vector<LaneContact> m_contacts;
+    std::vector<Slot> m_bodies;
+    std::array<size_t, islandLanes> m_slotCount{};
+    std::vector<Velocity> m_velocity;  ///< by slot and lane
+    std::vector<Position> m_position;
+    struct alignas(16) Row : std::array<float, 4> {};
+    std::vector<Row> m_rotation;
+    alignas(32) float m_active[islandLanes] = {};  ///< 1: an island whose positions are not within tolerance yet
+};
+
+}  // namespace scree

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Small islands side by side: one island in each of eight lanes, contact after contact in the order of contact_rows.h.
+// The same arithmetic as there, lane by lane, hence the same bits: how an island is solved does not depend on what it
+// lies beside. Plain data only, because translation units for different instruction sets share it.
+
+#pragma once
+
+#include <cstdint>
+
+namespace scree {
+
+inline constexpr int islandLanes = 8;
+
+/// The n-th contact of each of eight islands; an island without one has no points there.
+struct alignas(32) LaneContact {
+    using Row = float[islandLanes];
+
+    struct Point {
+        Row armAX, armAY, armBX, armBY;  ///< from the centres of mass
+        Row normalMass, tangentMass, bias;
+        Row normalImpulse, tangentImpulse;
+        Row localX, localY;  ///< for positions: in the frame of the body that has no face
+    };
+
+    int32_t bodyA[islandLanes], bodyB[islandLanes];  ///< rows of LaneTask
+    Row invMassA, invMassB, invIA, invIB;
+    Row centerAX, centerAY, centerBX, centerBY;  ///< centres of mass in the bodies' frames
+    Row normalX, normalY;
+    Row friction, tangentSpeed;
+    Row k11, k12, k22, inv11, inv12, inv22;  ///< of both points together
+    Row isBlock;                             ///< 1: both points are solved together; else 0
+    Row pointCount;                          ///< in the velocity pass: 0, 1 or 2
+    Row positionCount;                       ///< in the position pass
+    Row isCircles, isFaceB;                  ///< 1 or 0: kind of the manifold
+    Row localNormalX, localNormalY, localPointX, localPointY;
+    Row radius;  ///< of both shapes together
+    Point points[2];
+};
+
+/// A group of eight islands.
+struct LaneTask {
+    LaneContact* contacts;
+    int32_t count;
+    float* velocity;  ///< rows of v, w
+    float* position;  ///< rows of centre of mass, angle
+    float* rotation;  ///< rows of sine and cosine of the angle in `position`
+    bool friction;    ///< some contact may have friction
+    // Position pass: share of the overlap beyond the slop, m of slop and of the largest push.
+    float share, slop, largestPush;
+};
+
+struct LaneKernels {
+    void (*warmStart)(const LaneTask& task);
+    void (*solveVelocities)(const LaneTask& task, int32_t iterations);
+    /// Sets `rotation` of so many rows, a multiple of eight.
+    void (*turn)(const LaneTask& task, int32_t rows);
+    /// One iteration in the lanes where `active` is 1; `smallest` separations, at most 0.
+    void (*solvePositions)(const LaneTask& task, const float* active, float* smallest);
+};
+
+/// The best form this processor has. All forms give the same bits.
+const LaneKernels& GetLaneKernels();
+
+}  // namespace scree

@@ -1,0 +1,9 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// The kernels for processors with AVX2; compiled with the flags for it where the compiler targets x86-64.
+
+#if defined(SCREE_HAS_AVX2_KERNELS)
+#define SCREE_LANE_SET avx2LaneKernels
+#include "constraints/lane_kernels.inc"
+#endif
