@@ -164,6 +164,13 @@ void NewFile::Finish() {
     }
 }
 
+void CheckCanWrite(const fs::path& path) {
+    if (path.empty()) return;
+    std::error_code ignored;
+    if (fs::is_directory(path, ignored)) Fail(path, EISDIR);
+    NewFile(path).Write("");
+}
+
 void WriteTextFile(const fs::path& path, std::string_view text) {
     NewFile file(path);
     file.Write(text);

@@ -44,6 +44,10 @@ private:
     bool m_isOpen = true;  ///< neither finished nor moved away
 };
 
+/// Throws FileError if a file of this name could not be written, so that it is known before a long run. The empty name
+/// is no file.
+void CheckCanWrite(const std::filesystem::path& path);
+
 /// Writes a whole file by a NewFile. Throws FileError.
 void WriteTextFile(const std::filesystem::path& path, std::string_view text);
 

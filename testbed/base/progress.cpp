@@ -13,6 +13,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "testbed/base/standard_error.h"
+
 namespace testbed {
 
 namespace {
@@ -37,7 +39,7 @@ Progress::Progress(std::string title, double total)
     : m_title(std::move(title)), m_total(total), m_terminal(isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-    if (m_drawn) fmt::print(stderr, "{}", clearLine);
+    if (m_drawn) PrintError("{}", clearLine);
 }
 
 void Progress::Advance(double amount) {
@@ -53,15 +55,15 @@ void Progress::Draw() {
     const int filled = static_cast<int>(share * barWidth);
     const double elapsed = SecondsSince(m_start);
     const std::string left = share > 0 ? FormatDuration(elapsed / share - elapsed) + " left" : std::string();
-    fmt::print(stderr, "{}{} [{:#<{}}{:.<{}}] {:3.0f} % {}", clearLine, m_title, "", filled, "", barWidth - filled,
-               100 * share, left);
+    PrintError("{}{} [{:#<{}}{:.<{}}] {:3.0f} % {}", clearLine, m_title, "", filled, "", barWidth - filled, 100 * share,
+               left);
     std::fflush(stderr);
 }
 
 void Progress::Finish(const std::string& summary) {
-    if (m_drawn) fmt::print(stderr, "{}", clearLine);
+    if (m_drawn) PrintError("{}", clearLine);
     m_drawn = false;
-    fmt::print(stderr, "{}: {}, {:.1f} s\n", m_title, summary, SecondsSince(m_start));
+    PrintError("{}: {}, {:.1f} s\n", m_title, summary, SecondsSince(m_start));
 }
 
 }  // namespace testbed

@@ -76,6 +76,24 @@ char32_t TakeUtf8(std::string_view& text) {
     return character;
 }
 
+std::string ToPrintable(std::string_view text) {
+    std::string printable;
+    while (!text.empty()) {
+        const std::string_view before = text;
+        const char32_t c = TakeUtf8(text);
+        const bool hasSymbol = c < 0x20 || c == 0x7F, isOtherControl = c > 0x7F && c < 0xA0;
+        if (hasSymbol) {
+            // U+2400 and what follows, in the same order; U+2421 of U+007F.
+            printable += {'\xE2', '\x90', static_cast<char>(c == 0x7F ? 0xA1 : 0x80 + c)};
+        } else if (isOtherControl || c == replacementCharacter || c == 0xFFFE || c == 0xFFFF) {
+            printable += "\uFFFD";
+        } else {
+            printable += before.substr(0, before.size() - text.size());
+        }
+    }
+    return printable;
+}
+
 template <typename Number>
 Parsed<Number> ParseNumber(std::string_view text) {
     if constexpr (std::is_integral_v<Number>) {
@@ -98,6 +116,16 @@ std::string QuoteForShell(std::string_view word) {
     std::string quoted = "'";
     for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return quoted + "'";
+}
+
+std::string QuoteForLink(std::string_view path) {
+    constexpr std::string_view special = " %#?\"<>\\^`{|}";
+    std::string quoted;
+    for (const char c : path) {
+        const bool isSpecial = special.find(c) != std::string_view::npos || static_cast<unsigned char>(c) < 0x20;
+        quoted += isSpecial ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
+    }
+    return quoted;
 }
 
 std::string FormatHash(uint64_t hash) { return fmt::format("{:016x}", hash); }

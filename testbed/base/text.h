@@ -31,6 +31,10 @@ void ForEachLine(std::string_view text, const std::function<void(std::size_t num
 /// those that could begin a character (Unicode 15, section 3.9). The text is not empty.
 [[nodiscard]] char32_t TakeUtf8(std::string_view& text);
 
+/// UTF-8 for lines and for XML, which control characters would break: they become their symbols, such as \u241B for
+/// escape, and what is no UTF-8 becomes U+FFFD.
+[[nodiscard]] std::string ToPrintable(std::string_view text);
+
 /// What a text says as a number, or why it says none: "'12x' is not a whole number".
 template <typename Number>
 struct Parsed {
@@ -53,6 +57,9 @@ extern template Parsed<double> ParseNumber(std::string_view text);
 
 /// A word as a shell takes it: quoted unless it consists of letters, digits and signs that mean nothing to a shell.
 [[nodiscard]] std::string QuoteForShell(std::string_view word);
+
+/// A path as the part of a link before "#": what has a meaning there is written as %20, %23 and so on.
+[[nodiscard]] std::string QuoteForLink(std::string_view path);
 
 /// 64 bits as they are written where numbers cannot hold them: 16 hexadecimal digits.
 [[nodiscard]] std::string FormatHash(uint64_t hash);

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <string>
 #include <unordered_map>
@@ -137,7 +138,7 @@ public:
 
     /// What people call a body, in reports and inspectors.
     void Name(const Body* body, const std::string& name) {
-        m_namesToCome.push_back(std::make_pair(static_cast<const void*>(body), name));
+        m_namesToCome.insert(std::make_pair(static_cast<const void*>(body), name));
     }
     /// A word on the step that is recorded next.
     void Mark(const std::string& text) { m_marks.push_back(text); }
@@ -246,13 +247,19 @@ private:
             (void)GatherStates();
             m_mustResync = false;
         }
-        for (std::size_t i = 0; i < m_namesToCome.size(); ++i) {
-            for (std::size_t k = 0; k < m_slots.size(); ++k) {
-                if (m_slots[k].body != m_namesToCome[i].first) continue;
+        if (!m_namesToCome.empty()) GatherNames();
+    }
+
+    /// A level may name all of its bodies at once.
+    void GatherNames() {
+        typedef std::multimap<const void*, std::string>::const_iterator Name;
+        for (std::size_t k = 0; k < m_slots.size(); ++k) {
+            const std::pair<Name, Name> names = m_namesToCome.equal_range(m_slots[k].body);
+            for (Name name = names.first; name != names.second; ++name) {
                 CborWriter out;
                 out.BeginArray();
                 out.Value(m_table->numbers[k]);
-                out.Value(m_namesToCome[i].second);
+                out.Value(name->second);
                 out.EndArray();
                 m_events.names.push_back(Item{m_table->numbers[k], std::move(out.GetBytes()), -1});
             }
@@ -502,7 +509,7 @@ private:
     std::int64_t m_step = 0;
     int m_stepsSinceKey = 0, m_skipped = 0;
     bool m_needsKey = false, m_isClosed = false;
-    std::vector<std::pair<const void*, std::string>> m_namesToCome;
+    std::multimap<const void*, std::string> m_namesToCome;
     std::vector<std::string> m_marks;
     Events m_events;
     std::unique_ptr<StepRecord<Api>> m_record;  ///< that is being filled

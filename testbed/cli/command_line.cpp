@@ -20,6 +20,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/nearest.h"
 #include "testbed/base/new_file.h"
+#include "testbed/base/standard_error.h"
 #include "testbed/cli/commands.h"
 #include "testbed/engines/provenance.h"
 #include "testbed/engines/run_spec.h"
@@ -40,7 +41,7 @@ namespace testbed {
 namespace {
 
 int Fail(int code, std::string_view message) {
-    fmt::print(stderr, "scree: {}\n", message);
+    PrintError("scree: {}\n", message);
     return code;
 }
 
@@ -97,10 +98,10 @@ std::string DescribeNoNumber(const CLI::App& chosen, const CLI::ConversionError&
     return error.what();
 }
 
-/// Whether an option asks for a file on standard output.
+/// Whether an option or an argument asks for a file on standard output.
 bool NamesStandardOutput(const CLI::App& app) {
     for (const CLI::Option* option : app.get_options()) {
-        if (!option->get_lnames().empty() && option->results() == std::vector<std::string>{"-"}) return true;
+        if (option->results() == std::vector<std::string>{"-"}) return true;
     }
     return std::ranges::any_of(app.get_subcommands(),
                                [](const CLI::App* chosen) { return NamesStandardOutput(*chosen); });
@@ -197,7 +198,7 @@ int RunCommandLine(const std::vector<std::string>& arguments, const ContextOptio
         return Fail(exitUsage, error.what());
     }
     if (!request.action) {
-        fmt::print(stderr, "{}", app.help());
+        PrintError("{}", app.help());
         return exitUsage;
     }
     if (NamesStandardOutput(app)) GiveStandardOutputToFiles();

@@ -14,6 +14,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/output.h"
+#include "testbed/base/standard_error.h"
 #include "testbed/cli/commands.h"
 
 namespace testbed {
@@ -36,7 +37,7 @@ int RunMerge(const MergeArguments& arguments) {
         WriteTextFile(arguments.output, merged.text);
     }
     if (merged.missing.empty()) return exitDone;
-    fmt::print(stderr, "scree: {} of {} cases are in no file, the first is case {}: did every shard finish?\n",
+    PrintError("scree: {} of {} cases are in no file, the first is case {}: did every shard finish?\n",
                merged.missing.size(), merged.caseCount, merged.missing.front());
     return exitDiffers;
 }

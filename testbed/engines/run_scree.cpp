@@ -39,6 +39,7 @@
 #include "testbed/engines/scree_step.h"
 #include "testbed/engines/track_output.h"
 #include "testbed/engines/world_scene.h"
+#include "testbed/input/body_names.h"
 
 namespace testbed {
 namespace {
@@ -103,7 +104,7 @@ public:
         SetLoaded();
     }
 
-    void Record(const std::string& path) override { m_track.Begin(*m_world, path, GetSpec()); }
+    void Record(const std::string& path) override { m_track.Begin(*m_world, path, GetSpec(), NamesIn(GetScene())); }
     void EndRecord() override { m_track.End(); }
 
     [[nodiscard]] RunValues ValuesOfBody(int body) const override {
@@ -136,7 +137,7 @@ protected:
     void CreateDrag(int body, Vec2 localPoint) override;
     void MoveDragTo(Vec2 target) override { m_drag->SetTarget(ToScree(target)); }
     void DestroyDrag() override;
-    void RecordStep() override { m_track.Step(GetTimeStep()); }
+    void RecordStep() override { m_track.Step(GetTimeStep(), m_bodies); }
     void EditBody(int body, const BodyEdit& edit) override {
         ApplyEdit(*m_bodies[static_cast<size_t>(body)], edit, [](Vec2 v) { return ToScree(v); });
     }

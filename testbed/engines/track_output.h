@@ -5,9 +5,13 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "testbed/capture/scree_capture_track.h"
 #include "testbed/engines/run_spec.h"
@@ -17,7 +21,8 @@ namespace testbed {
 template <typename Track, typename World>
 class TrackOutput {
 public:
-    void Begin(World& world, const std::string& path, const RunSpec& spec) {
+    /// `names`: of bodies by their index; empty for one without.
+    void Begin(World& world, const std::string& path, const RunSpec& spec, std::vector<std::string> names) {
         scree_capture::Options options;
         options.contacts = true;
         options.memory = std::size_t{1} << 40;  // no step is left out
@@ -26,9 +31,17 @@ public:
             options.positionIterations = si->iterations->position;
         }
         m_track = std::make_unique<Track>(world, path, options);
+        m_names = std::move(names);
+        m_namedCount = 0;
     }
-    void Step(float timeStep) {
-        if (m_track) m_track->Step(timeStep);
+    /// `bodies`: those that were created so far, by index.
+    template <typename Body>
+    void Step(float timeStep, const std::vector<Body*>& bodies) {
+        if (!m_track) return;
+        for (; m_namedCount < std::min(bodies.size(), m_names.size()); ++m_namedCount) {
+            if (!m_names[m_namedCount].empty()) m_track->Name(bodies[m_namedCount], m_names[m_namedCount]);
+        }
+        m_track->Step(timeStep);
     }
     void End() {
         if (!m_track) return;
@@ -40,6 +53,8 @@ public:
 
 private:
     std::unique_ptr<Track> m_track;
+    std::vector<std::string> m_names;
+    std::size_t m_namedCount = 0;  ///< bodies that have been named, if they have a name
 };
 
 }  // namespace testbed

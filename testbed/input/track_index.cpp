@@ -50,8 +50,11 @@ nlohmann::ordered_json ToJson(const JsonNode& node) {
             return array;
         }
         case JsonNode::Kind::object: {
-            auto object = nlohmann::ordered_json::object();
-            for (std::size_t i = 0; i < node.keys.size(); ++i) object.emplace(node.keys[i], ToJson(node.items[i]));
+            // Added at the end as they are: no key stands twice, and emplace would look for each among all before it.
+            nlohmann::ordered_json::object_t object;
+            for (std::size_t i = 0; i < node.keys.size(); ++i) {
+                object.emplace_back(node.keys[i], ToJson(node.items[i]));
+            }
             return object;
         }
     }
@@ -259,6 +262,7 @@ private:
                 if (!(std::isfinite(dt) && dt >= 0.0f)) reader.Fail("dt: give a finite number that is not negative");
             } else if (!ReadObjectsOf(reader, key, step)) {
                 m_data.info.hasContacts = m_data.info.hasContacts || key == "contacts";
+                m_data.info.hasStages = m_data.info.hasStages || key == "stages";
                 m_data.info.hasNodes = m_data.info.hasNodes || key == "nodes";
                 reader.Skip();
             }

@@ -271,7 +271,7 @@ scenes::Scene TrackFile::Data::MakeScene(int step) const {
     scene.fixtures.clear();
     scene.joints.clear();
     std::vector<int> indexOf(bodies.size(), -1);
-    nlohmann::ordered_json users = user;
+    nlohmann::ordered_json::object_t usersOf;  // of bodies, whose indices rise
     const auto add = [&](std::size_t i, const scenes::Body& body) {
         indexOf[i] = static_cast<int>(scene.bodies.size());
         scenes::Body& added = scene.bodies.emplace_back(body);
@@ -279,7 +279,7 @@ scenes::Scene TrackFile::Data::MakeScene(int step) const {
         added.firstFixture = static_cast<int>(scene.fixtures.size());
         scene.fixtures.insert(scene.fixtures.end(), fixtures.begin(), fixtures.end());
         const auto told = bodyUsers.find(static_cast<int>(i));
-        if (told != bodyUsers.end()) users["bodies"][std::to_string(indexOf[i])] = told->second;
+        if (told != bodyUsers.end()) usersOf.emplace_back(std::to_string(indexOf[i]), told->second);
     };
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         if (!bodies[i].IsThere(step)) continue;
@@ -314,6 +314,8 @@ scenes::Scene TrackFile::Data::MakeScene(int step) const {
     scene.steps = std::max(last - step, 1);
     scene.showStep = scene.steps;
     if (info.timeStep > 0.0f) scene.timeStep = info.timeStep;
+    nlohmann::ordered_json users = user;
+    if (!usersOf.empty()) users["bodies"] = std::move(usersOf);
     scene.user = users.empty() ? "" : PrintJson(users);
     return scene;
 }

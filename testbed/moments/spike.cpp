@@ -71,7 +71,7 @@ private:
             found.push_back({"spike", step.step, step.time, step.step, step.bodies, step.times.step / median,
                              "times the median",
                              fmt::format("{:.4g} ms, {:.4g} times the median{}{}{}", step.times.step,
-                                         step.times.step / median, stage.empty() ? "" : ", most of it more for the ",
+                                         step.times.step / median, stage.empty() ? "" : ", and what grew most is the ",
                                          stage, more > 0 ? fmt::format(", {} more contacts than before", more) : "")});
         }
     }

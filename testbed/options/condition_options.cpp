@@ -155,6 +155,7 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
     number("--overlap", a.overlap, "Two bodies deeper in each other than this, m", "M");
     app.add_option("--longer", a.longer, "With --overlap: for longer than this, s; 0 if not given")
         ->check(ZeroOrAbove())
+        ->needs(app.get_option("--overlap"))
         ->group(group);
     number("--speed", a.speed, "A body faster than this, m/s", "V");
     number("--spin", a.spin, "A body that turns faster than this, rad/s", "W");
@@ -182,6 +183,7 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
     app.add_option("--distance", a.distance,
                    "With --diverge: a difference is more than this, m; 0, which is any bit, if not given")
         ->check(ZeroOrAbove())
+        ->needs(app.get_option("--diverge"))
         ->group(group);
 }
 

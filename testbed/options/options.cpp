@@ -13,6 +13,7 @@
 #include <tuple>
 
 #include "testbed/base/nearest.h"
+#include "testbed/base/standard_error.h"
 #include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/saved_world.h"
@@ -260,7 +261,7 @@ int SkipMissingBackend(const PictureArguments& arguments, const std::function<in
         return action();
     } catch (const BackendError& error) {
         if (!arguments.skipMissingBackend) throw;
-        fmt::print(stderr, "scree: skipped: {}\n", error.what());
+        PrintError("scree: skipped: {}\n", error.what());
         return exitSkipped;
     }
 }
@@ -290,7 +291,7 @@ std::string DescribeCommand(const std::vector<std::string>& arguments) {
         if (isOutput || argument.starts_with("--output=") || (argument.starts_with("-o") && argument.size() > 2)) {
             continue;
         }
-        text += " " + argument;
+        text += " " + QuoteForShell(argument);
     }
     return text;
 }

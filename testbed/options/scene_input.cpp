@@ -15,6 +15,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/nearest.h"
+#include "testbed/base/standard_error.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/track_run.h"
@@ -56,7 +57,7 @@ int CheckedSize(const scenes::SceneInfo& info, std::optional<int> size) {
 }
 
 void Notice(const std::string& path, const std::string& damage) {
-    if (!damage.empty()) fmt::print(stderr, "scree: {} {}\n", path, damage);
+    if (!damage.empty()) PrintError("scree: {} {}\n", path, damage);
 }
 
 std::string StemOf(const std::string& path) {
@@ -135,7 +136,7 @@ SceneInput ReadInput(const std::string& path, const InputArguments& arguments) {
     if (file.kind == FileKind::image) return InputOf(ReadWorldImage(file.bytes, path), path);
     if (file.kind == FileKind::rube) {
         RubeWorld world = ReadRube(file.bytes, path);
-        for (const std::string& notice : world.notices) fmt::print(stderr, "scree: {}: {}\n", path, notice);
+        for (const std::string& notice : world.notices) PrintError("scree: {}: {}\n", path, notice);
         return InputOf(std::move(world.scene));
     }
     return InputOf(ReadScene(file.bytes, path));

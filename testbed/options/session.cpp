@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "testbed/base/errors.h"
@@ -16,24 +15,12 @@
 #include "testbed/base/text.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/track_run.h"
+#include "testbed/input/body_names.h"
 #include "testbed/input/track_file.h"
 
 namespace testbed {
 
 namespace {
-
-/// Below "bodies" of what whoever made the scene wanted kept: names by index.
-std::vector<std::string> NamesIn(const scenes::Scene& scene) {
-    std::vector<std::string> names(scene.bodies.size());
-    const nlohmann::json user = nlohmann::json::parse(scene.user, nullptr, false);
-    if (!user.is_object() || !user.contains("bodies") || !user["bodies"].is_object()) return names;
-    for (const auto& [key, told] : user["bodies"].items()) {
-        const Parsed<int> index = ParseNumber<int>(key);
-        if (!index || *index < 0 || *index >= std::ssize(names) || !told.is_object()) continue;
-        if (told.contains("name") && told["name"].is_string()) names[static_cast<std::size_t>(*index)] = told["name"];
-    }
-    return names;
-}
 
 std::vector<std::string> NamesIn(const TrackFile& track) {
     std::vector<std::string> names;
@@ -96,7 +83,7 @@ Snapshot Session::Capture(bool hasNodes) {
 }
 
 std::string Session::NameOf(int body) const {
-    const std::string& name = GetName(body);
+    const std::string name = ToPrintable(GetName(body));
     return name.empty() ? fmt::format("body {}", body) : fmt::format("{} ({})", name, body);
 }
 

@@ -165,6 +165,9 @@ void SpareFirstStep(Plot& plot) {
 
 void DrawPlot(const Plot& plot, std::string_view terminal, const fs::path& picture) {
     RunGnuplot(MakePlotScript(plot, terminal, picture), picture);
+    if (terminal == "svg") {
+        WriteTextFile(picture, PutPlotData(ReadText(picture, "draw it again"), MakePlotData(plot)));
+    }
 }
 
 std::string MakePlotData(const Plot& plot) {
@@ -196,7 +199,6 @@ std::string MakePlotData(const Plot& plot) {
 void DrawPlotFiles(const Plot& plot, const fs::path& stem) {
     NewFile svg(stem.string() + ".svg");
     DrawPlot(plot, "svg", svg.GetPlace());
-    svg.Write(PutPlotData(ReadText(svg.GetPlace(), "draw it again"), MakePlotData(plot)));
     svg.Finish();
     NewFile png(stem.string() + ".png");
     DrawPlot(plot, "pngcairo", png.GetPlace());

@@ -60,13 +60,14 @@ void SpareFirstStep(Plot& plot);
 [[nodiscard]] std::string MakePlotScript(const Plot& plot, std::string_view terminal,
                                          const std::filesystem::path& picture);
 
-/// Draws the file `picture` in an existing folder in place: give a temporary name. Throws ToolError.
+/// Draws the file `picture` in an existing folder in place: give a temporary name. An SVG carries MakePlotData within.
+/// Throws ToolError.
 void DrawPlot(const Plot& plot, std::string_view terminal, const std::filesystem::path& picture);
 
 /// What the plot shows, as JSON: a page makes an interactive figure of it (page/figure.js).
 [[nodiscard]] std::string MakePlotData(const Plot& plot);
 
-/// Draws `stem`.svg and `stem`.png; each replaces a file whole. The SVG carries MakePlotData within. Throws ToolError.
+/// Draws `stem`.svg and `stem`.png; each replaces a file whole. Throws ToolError.
 void DrawPlotFiles(const Plot& plot, const std::filesystem::path& stem);
 
 }  // namespace testbed

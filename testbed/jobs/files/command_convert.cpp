@@ -16,6 +16,7 @@
 #include "testbed/base/input.h"
 #include "testbed/base/new_file.h"
 #include "testbed/base/progress.h"
+#include "testbed/base/standard_error.h"
 #include "testbed/engines/record_track.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/input/scene_file.h"
@@ -35,6 +36,7 @@ struct ConvertArguments {
 };
 
 FileKind KindOfOutput(const std::string& path) {
+    if (path == "-") return FileKind::scene;  // text, which a pipe is for
     if (const std::optional<FileKind> kind = KindOfEnding(path)) return *kind;
     throw UsageError(fmt::format("{}: its ending says no kind of file; there are {}", path, DescribeFileKinds()));
 }
@@ -64,7 +66,7 @@ void MakeTrack(const ConvertArguments& arguments) {
     }
     if (file.kind != FileKind::recording) return RecordRun(arguments);
     const Replayed replayed = ReplayRecording(file.bytes, arguments.in, {.wantsTrack = true});
-    if (!replayed.damage.empty()) fmt::print(stderr, "scree: {} {}\n", arguments.in, replayed.damage);
+    if (!replayed.damage.empty()) PrintError("scree: {} {}\n", arguments.in, replayed.damage);
     WriteTextFile(arguments.out, replayed.track);
 }
 
@@ -107,7 +109,7 @@ int RunConvert(const ConvertArguments& arguments) {
             WriteTextFile(arguments.out, WriteScene(input.Build()));
         }
     }
-    fmt::print("{}\n", arguments.out);
+    fmt::print("{}\n", arguments.out == "-" ? "a scene on standard output" : arguments.out);
     return exitDone;
 }
 
@@ -118,7 +120,8 @@ void AddConvertCommand(CLI::App& app, Request& request) {
         "convert", "One kind of file out of another: scenes of anything, tracks of recordings and of scenes that run");
     auto arguments = std::make_shared<ConvertArguments>();
     command->add_option("IN", arguments->in, DescribeSceneArgument("A scene"));
-    command->add_option("OUT", arguments->out, "The file to write; its ending says its kind");
+    command->add_option("OUT", arguments->out,
+                        "The file to write; its ending says its kind, and - is a scene on standard output");
     command->add_option("--size", arguments->size, "Size of a scene that `scree list` shows; its default if not given");
     AddInputOptions(*command, arguments->input);
     command->add_option("--engine", arguments->engine, "Engine whose run becomes a track: scree or box2d")

@@ -8,13 +8,17 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/json_print.h"
+#include "testbed/base/text.h"
 #include "testbed/engines/saved_world.h"
+#include "testbed/input/body_names.h"
 #include "testbed/input/rube_file.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/input/track_file.h"
@@ -47,6 +51,16 @@ void AddWorld(Facts& facts, const scenes::Scene& scene) {
     facts["gravity"] = {scene.gravity.x, scene.gravity.y};
 }
 
+/// Those that there are, each once, in the order of the bodies.
+Json ListNames(const std::vector<std::string>& all) {
+    Json names = Json::array();
+    std::set<std::string_view> known;
+    for (const std::string& name : all) {
+        if (!name.empty() && known.insert(name).second) names.push_back(name);
+    }
+    return names;
+}
+
 Facts FactsOfScene(const scenes::Scene& scene) {
     Facts facts;
     facts["name"] = scene.name;
@@ -54,6 +68,7 @@ Facts FactsOfScene(const scenes::Scene& scene) {
     facts["steps"] = scene.steps;
     facts["time_step"] = scene.timeStep;
     facts["spawned_later"] = scene.spawns.size();
+    facts["names"] = ListNames(NamesIn(scene));
     return facts;
 }
 
@@ -74,13 +89,11 @@ Facts FactsOfTrack(const TrackFile& track) {
     facts["created_later"] = std::ranges::count_if(track.GetBodies(), [](const auto& b) { return b.createdAfter > 0; });
     facts["destroyed"] = std::ranges::count_if(track.GetBodies(), [](const auto& b) { return b.destroyedAfter >= 0; });
     facts["contacts"] = info.hasContacts;
+    facts["stages"] = info.hasStages;
     facts["tree"] = info.hasNodes;
-    Json names = Json::array();
-    for (const TrackBody& body : track.GetBodies()) {
-        const bool isKnown = std::find(names.begin(), names.end(), Json(body.name)) != names.end();
-        if (!body.name.empty() && !isKnown) names.push_back(body.name);
-    }
-    facts["names"] = names;
+    std::vector<std::string> names;
+    for (const TrackBody& body : track.GetBodies()) names.push_back(body.name);
+    facts["names"] = ListNames(names);
     facts["damage"] = info.damage;
     return facts;
 }
@@ -96,7 +109,7 @@ Facts FactsOfImage(const SavedWorld& world) {
 Facts FactsOfRecording(std::string_view bytes, const std::string& file) {
     const Replayed replayed = ReplayRecording(bytes, file, {.wantsTrack = true});
     Facts facts = FactsOfTrack(TrackFile(replayed.track, file));
-    for (const char* key : {"version", "writer", "contacts", "tree", "names"}) facts.erase(key);
+    for (const char* key : {"version", "writer", "contacts", "stages", "tree", "names"}) facts.erase(key);
     facts["calls"] = replayed.calls;
     facts["damage"] = replayed.damage;
     return facts;
@@ -149,11 +162,13 @@ Facts ReadFacts(const std::string& path, const InputArguments& input) {
 /// A value for readers; empty: not worth a line.
 std::string Print(const Json& value) {
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-    if (value.is_string()) return value.get<std::string>();
+    if (value.is_string()) return ToPrintable(value.get<std::string>());
     if (value.is_number_float()) return fmt::format("{}", value.get<float>());
     if (!value.is_array()) return PrintJson(value);
+    constexpr std::size_t most = 50;  // --json has all
     std::string text;
-    for (const Json& item : value) text += (text.empty() ? "" : ", ") + Print(item);
+    for (std::size_t i = 0; i < std::min(value.size(), most); ++i) text += (i == 0 ? "" : ", ") + Print(value[i]);
+    if (value.size() > most) text += fmt::format(" and {} more", value.size() - most);
     return text;
 }
 

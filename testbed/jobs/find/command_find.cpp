@@ -20,12 +20,14 @@
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/temporary_folder.h"
+#include "testbed/base/text.h"
 #include "testbed/jobs/find/commands.h"
 #include "testbed/jobs/find/report.h"
 #include "testbed/options/condition_options.h"
 #include "testbed/options/options.h"
 #include "testbed/options/session.h"
 #include "testbed/picture/png.h"
+#include "testbed/view/camera.h"
 #include "testbed/view/picture.h"
 
 namespace testbed {
@@ -41,7 +43,16 @@ struct FindArguments {
     std::string pictures, json, junit, page, timeline;
 };
 
-/// Around the bodies of a moment, several times their size; everything if they are nowhere.
+/// Metres across a picture of all that moves and what is near it.
+double AcrossAll(const Snapshot& snapshot, const PictureOptions& options) {
+    FitArea area;
+    const Snapshot* const snapshots[] = {&snapshot};
+    AddStep(area, snapshots);
+    return options.width / FitCamera(GetFitBoxes(area), options.width, options.height, {}).pixelsPerMetre;
+}
+
+/// Around the bodies of a moment, several times their size, and so wide that a small one is not alone; everything if
+/// they are nowhere.
 std::optional<Camera> CameraFor(const Snapshot& snapshot, const Moment& moment, const PictureOptions& options) {
     std::optional<Box> around;
     for (const FixtureState& fixture : snapshot.fixtures) {
@@ -58,7 +69,7 @@ std::optional<Camera> CameraFor(const Snapshot& snapshot, const Moment& moment, 
     }
     if (!around) return std::nullopt;
     const double width = double{around->upper.x} - around->lower.x, height = double{around->upper.y} - around->lower.y;
-    const double across = 8.0 * std::max(width, height);
+    const double across = std::max(8.0 * std::max(width, height), AcrossAll(snapshot, options) / 6.0);
     if (!std::isfinite(across) || across <= 0.0) return std::nullopt;
     return MakeCamera({around->lower.x + width / 2, around->lower.y + height / 2, across}, options.width,
                       options.height);
@@ -100,8 +111,9 @@ void WritePageOf(const FindReport& report, const Session& session, const FindArg
 /// Refuses a link into nothing before the work.
 void CheckTimeline(const FindArguments& arguments) {
     if (arguments.timeline.empty() || std::filesystem::exists(arguments.timeline)) return;
-    throw UsageError(fmt::format("--timeline {0}: there is no such file; `scree timeline {1} -o {0}` makes it",
-                                 arguments.timeline, arguments.session.input));
+    throw UsageError(fmt::format("--timeline {}: there is no such file; `scree timeline {} -o {}` makes it",
+                                 arguments.timeline, QuoteForShell(arguments.session.input),
+                                 QuoteForShell(arguments.timeline)));
 }
 
 void Look(Session& session, Watch& watch) {
@@ -116,6 +128,7 @@ int RunFind(const FindArguments& arguments, const Request& request) {
     CheckTimeline(arguments);
     const SceneInput input = ChooseSessionInput(arguments.session);
     Session session = OpenSession(arguments.session, input);
+    for (const std::string& file : {arguments.page, arguments.json, arguments.junit}) CheckCanWrite(file);
     AskedConditions asked = MakeConditions(arguments.conditions, arguments.session, input, session);
 
     FindReport report{

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "testbed/base/json_print.h"
+#include "testbed/base/text.h"
 #include "testbed/page/page.h"
 #include "testbed/page/page_markup.h"
 
@@ -34,7 +35,7 @@ std::string Summarize(const FindReport& report) {
 }
 
 std::string LinkTo(const std::string& timeline, const Moment& moment) {
-    return fmt::format("{}#step={}{}{}", timeline, moment.step,
+    return fmt::format("{}#step={}{}{}", QuoteForLink(timeline), moment.step,
                        moment.bodies.empty() ? "" : "&body=", fmt::join(moment.bodies, ","));
 }
 
@@ -69,10 +70,10 @@ std::string WriteFindJUnit(const FindReport& report, const Session& session) {
     for (const std::string& condition : report.conditions) {
         std::string lines;
         for (const FoundMoment& found : report.found) {
-            if (found.moment.condition == condition) lines += DescribeMoment(found, session) + "\n";
+            if (found.moment.condition == condition) lines += ToPrintable(DescribeMoment(found, session)) + "\n";
         }
         const std::string name =
-            fmt::format("  <testcase classname=\"{}\" name=\"{}\"", EscapeHtml(report.input), condition);
+            fmt::format("  <testcase classname=\"{}\" name=\"{}\"", EscapeHtml(ToPrintable(report.input)), condition);
         if (lines.empty()) {
             cases += name + "/>\n";
             continue;

@@ -22,6 +22,7 @@
 #include "testbed/base/nearest.h"
 #include "testbed/base/output.h"
 #include "testbed/base/shard.h"
+#include "testbed/base/standard_error.h"
 #include "testbed/base/text.h"
 #include "testbed/engines/panes.h"
 #include "testbed/jobs/snapshot/accept.h"
@@ -231,7 +232,7 @@ int RunMerge(const SnapshotArguments& arguments) {
     fmt::print("{} of {} snapshots: {}\nreport: {}\n", results.size(), merged.written.origin.caseCount,
                FormatCounts(results), merged.page.string());
     if (!merged.missing.empty()) {
-        fmt::print(stderr, "scree: {} of {} cases are in no report, the first is case {}: did every shard finish?\n",
+        PrintError("scree: {} of {} cases are in no report, the first is case {}: did every shard finish?\n",
                    merged.missing.size(), merged.written.origin.caseCount, merged.missing.front());
     }
     return IsClean(results) && merged.missing.empty() ? exitDone : exitDiffers;

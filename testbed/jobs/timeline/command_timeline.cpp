@@ -15,6 +15,7 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/base/json_print.h"
+#include "testbed/base/new_file.h"
 #include "testbed/jobs/timeline/commands.h"
 #include "testbed/jobs/timeline/lane.h"
 #include "testbed/options/condition_options.h"
@@ -22,6 +23,7 @@
 #include "testbed/options/session.h"
 #include "testbed/page/page.h"
 #include "testbed/page/page_markup.h"
+#include "testbed/view/camera.h"
 #include "testbed_generated/timeline_sources.h"
 
 namespace testbed {
@@ -40,19 +42,34 @@ struct TimelineArguments {
     std::string output = "timeline.html";
 };
 
-/// Around everything at the start.
-Box ViewOf(const Snapshot& start) {
-    Box box{{-5.0f, -5.0f}, {5.0f, 5.0f}};
-    bool isFirst = true;
-    for (const FixtureState& fixture : start.fixtures) {
-        const Box& b = fixture.tight;
-        if (!std::isfinite(b.lower.x + b.lower.y + b.upper.x + b.upper.y)) continue;
-        if (isFirst) box = b;
-        isFirst = false;
-        box.lower = {std::min(box.lower.x, b.lower.x), std::min(box.lower.y, b.lower.y)};
-        box.upper = {std::max(box.upper.x, b.upper.x), std::max(box.upper.y, b.upper.y)};
+/// Around what moves, now or when it enters, and what is static near it: a long ground makes nothing small.
+Box ViewOf(const Snapshot& start, const scenes::Scene& scene) {
+    FitArea area;
+    const Snapshot* const snapshots[] = {&start};
+    AddStep(area, snapshots);
+    std::vector<bool> isThere(scene.bodies.size());
+    for (const BodyState& body : start.bodies) {
+        if (static_cast<std::size_t>(body.index) < isThere.size()) isThere[static_cast<std::size_t>(body.index)] = true;
     }
-    return box;
+    for (std::size_t i = 0; i < isThere.size(); ++i) {
+        const scenes::Body& body = scene.bodies[i];
+        if (isThere[i] || body.type == scenes::BodyType::isStatic) continue;
+        if (!std::isfinite(body.position.x + body.position.y)) continue;
+        constexpr float reach = 0.5f;  // m: of a body of a usual size
+        const Vec2 lower{body.position.x - reach, body.position.y - reach};
+        const Vec2 upper{body.position.x + reach, body.position.y + reach};
+        if (!area.moving) area.moving = Box{lower, upper};
+        area.moving->lower = {std::min(area.moving->lower.x, lower.x), std::min(area.moving->lower.y, lower.y)};
+        area.moving->upper = {std::max(area.moving->upper.x, upper.x), std::max(area.moving->upper.y, upper.y)};
+    }
+    const std::vector<Box> boxes = GetFitBoxes(area);
+    if (boxes.empty()) return {{-5.0f, -5.0f}, {5.0f, 5.0f}};
+    Box view = boxes.front();
+    for (const Box& box : boxes) {
+        view.lower = {std::min(view.lower.x, box.lower.x), std::min(view.lower.y, box.lower.y)};
+        view.upper = {std::max(view.upper.x, box.upper.x), std::max(view.upper.y, box.upper.y)};
+    }
+    return view;
 }
 
 void AddMoments(const std::vector<Moment>& found, const Session& session, std::size_t lane, std::vector<Json>& rows) {
@@ -82,7 +99,7 @@ struct Recorded {
 Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arguments, const SceneInput& input) {
     LaneOptions options{.contacts = WantsContacts(arguments.contacts), .trees = ParseKeptTrees(arguments.nodes)};
     Session& first = sessions.front().session;
-    const Box view = ViewOf(first.Capture());
+    const Box view = ViewOf(first.Capture(), first.GetScene());
     const Grid grid(view);
     BodyRows bodies(first.GetScene(), first.GetNames());
     Recorded recorded;
@@ -121,6 +138,7 @@ int RunTimeline(const TimelineArguments& arguments, const Request& request) {
         throw UsageError(fmt::format("--nodes: {} has no tree; --engines scree,box2d lets those of engines follow it",
                                      arguments.session.input));
     }
+    CheckCanWrite(arguments.output);
     const std::size_t bodyCount = sessions.front().session.GetScene().bodies.size();
     const Recorded recorded = Record(std::move(sessions), arguments, input);
     Page page{.title = fmt::format("{}: timeline", input.name),
@@ -131,9 +149,10 @@ int RunTimeline(const TimelineArguments& arguments, const Request& request) {
         {.blocks = {PageHtml{std::string(timeline_sources::timelineHtml) +
                              "<script type=\"application/json\" id=\"timeline-data\">" +
                              ProtectJson(PrintJson(recorded.data)) + "</script>\n" + recorded.streams}}});
-    page.facts.push_back({"precision",
-                          "positions and speeds to 1/65536 of the level's longer side, spins to 1/4096 rad/s, "
-                          "impulses and depths to eight bits"});
+    page.facts.push_back(
+        {"precision",
+         "positions and speeds to 1/65536 of the longer side of the first view, spins to 1/4096 rad/s, "
+         "impulses and depths to eight bits"});
     page.facts.push_back({"keys",
                           "space plays · ← → one step, with shift ten · Home End · n p next and last moment · [ ] loop "
                           "· f fit · Escape chooses nothing · shift and click choose one more"});

@@ -152,6 +152,11 @@ KeptTrees ParseKeptTrees(std::string_view text) {
 
 LaneData RecordLane(Session& session, const std::string& name, Conditions conditions, const Grid& grid,
                     BodyRows& bodies, const LaneOptions& options) {
+    for (const int step : options.trees.steps) {
+        if (step >= session.GetStep() && step <= session.GetLastStep()) continue;
+        throw UsageError(fmt::format("--nodes at:{}: give some of the steps {} to {}", step, session.GetStep(),
+                                     session.GetLastStep()));
+    }
     const bool hasContacts = options.contacts && session.HasContacts();
     Watch watch(session.GetScene(), std::move(conditions), session.GetTime());
     MotionData motion(session.GetScene().bodies.size(), grid);

@@ -171,7 +171,13 @@ const tellChosen = () => {
   };
   if (columns.length > 1) addRow('', shownLanes().map((lane) => lane.name), 'th');
   const longest = columns.reduce((a, b) => b.length > a.length ? b : a);
-  for (const [name] of longest) addRow(name, columns.map((rows) => (rows.find((row) => row[0] === name) || ['', columns.length > 1 ? '–' : ''])[1]), 'td');
+  for (const [name, value] of longest) {
+    const values = columns.map((rows) => String((rows.find((row) => row[0] === name) || ['', columns.length > 1 ? '–' : ''])[1]));
+    // Beside each other numbers have no room for a unit each.
+    const unitName = columns.length > 1 ? (/\d( [^ \d,]+)$/.exec(value) || ['', ''])[1] : '';
+    const bare = values.map((text) => unitName && text.endsWith(unitName) ? text.slice(0, -unitName.length) : text);
+    addRow(unitName ? `${name},${unitName}` : name, bare, 'td');
+  }
 };
 
 // Going to a step.
@@ -505,6 +511,7 @@ const start = async () => {
   element('last-tree').addEventListener('click', () => goToTree(-1));
   element('next-tree').addEventListener('click', () => goToTree(1));
   element('step').max = lanes[0].last;
+  element('timeline').dataset.lanes = lanes.length;
   for (const lane of lanes) lane.seek(0);
   readAddress();
   for (const [name, [title, unitName]] of Object.entries(worldNames)) {

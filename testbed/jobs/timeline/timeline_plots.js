@@ -84,12 +84,13 @@ class Plot {
   tell() {
     const values = this.curves.map(({lane, values}) => shown(values[lane.now.index]));
     const text = `${this.name}${this.unit ? `, ${this.unit}` : ''}`;
-    this.label.replaceChildren(Object.assign(document.createElement('span'), {textContent: text}));
+    const numbers = Object.assign(document.createElement('span'), {className: 'numbers'});
+    this.label.replaceChildren(Object.assign(document.createElement('span'), {textContent: text}), numbers);
     values.forEach((value, i) => {
       const said = document.createElement('b');
       said.textContent = value;
       if (lanes.length > 1) said.style.color = laneColors()[this.curves[i].lane.number % 4];
-      this.label.append(said);
+      numbers.append(said);
     });
     if (this.range) {
       const range = document.createElement('span');

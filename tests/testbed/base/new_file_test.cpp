@@ -121,6 +121,27 @@ TEST(Outputs, AFullOrClosedStandardOutputIsAnError) {
     EXPECT_EQ(gone.output.find("terminate"), std::string::npos) << gone.output;
 }
 
+TEST(Outputs, AFullOrClosedStandardErrorChangesNoExitCode) {
+    const ScratchFolder folder;
+    ASSERT_EQ(folder.Run("convert falling-squares --size 4 whole.track --steps 400").exitCode, exitDone);
+    const std::string bytes = folder.Read("whole.track");
+    WriteTextFile(folder.GetPath() / "cut.track", bytes.substr(0, bytes.size() * 3 / 4));
+    const std::pair<const char*, int> cases[] = {
+        {"metrics tiles --size 4 --steps 2", exitDone},
+        {"find cut.track --speed 0.5", exitDiffers},
+        {"find none.track", exitIo},
+        {"nonsense", exitUsage},
+        {"", exitUsage},
+        {"list >/dev/full", exitIo},
+        {"merge none.jsonl", exitIo},
+    };
+    for (const auto& [arguments, exitCode] : cases) {
+        for (const char* place : {" 2>/dev/full #", " 2>&- #"}) {
+            EXPECT_EQ(folder.Run(std::string(arguments) + place).exitCode, exitCode) << arguments << place;
+        }
+    }
+}
+
 TEST(Outputs, ADashIsStandardOutputAndAllElseGoesToStandardError) {
     const ScratchFolder folder;
     ASSERT_EQ(folder.Run("bench tiles --sizes 4 --steps 2 --json - >lines.jsonl 2>words.txt #").exitCode, 0)
@@ -133,6 +154,11 @@ TEST(Outputs, ADashIsStandardOutputAndAllElseGoesToStandardError) {
     EXPECT_EQ(full.exitCode, exitIo) << full.output;
     ASSERT_EQ(folder.Run("merge lines.jsonl -o - >again.jsonl #").exitCode, 0);
     EXPECT_EQ(folder.Read("again.jsonl"), lines);
+    // An ending says the kind of a file; "-" has none and is a scene.
+    ASSERT_EQ(folder.Run("convert pyramid --size 3 level.scene.json").exitCode, 0);
+    ASSERT_EQ(folder.Run("convert pyramid --size 3 - >piped.scene.json 2>words.txt #").exitCode, 0);
+    EXPECT_EQ(folder.Read("piped.scene.json"), folder.Read("level.scene.json"));
+    EXPECT_NE(folder.Read("words.txt").find("standard output"), std::string::npos) << folder.Read("words.txt");
 }
 
 TEST(Outputs, ATrackOnAFullDiskTellsTheReasonAndTheNameThatWasGiven) {

@@ -51,6 +51,19 @@ TEST(Text, Utf8ReadsBack) {
     }));
 }
 
+TEST(Text, ControlCharactersBecomeTheirSymbols) {
+    EXPECT_EQ(ToPrintable("M\u00FCller \u03BC<&\""), "M\u00FCller \u03BC<&\"");
+    EXPECT_EQ(ToPrintable("two\nlines\x1B[31m\x7F"), "two\u240Alines\u241B[31m\u2421");
+    EXPECT_EQ(ToPrintable(std::string(1, '\0')), "\u2400");
+    EXPECT_EQ(ToPrintable("M\xFCller \xC2\x9B\uFFFE"), "M\uFFFDller \uFFFD\uFFFD");
+}
+
+TEST(Text, PathsInLinksKeepTheirMeaning) {
+    EXPECT_EQ(QuoteForLink("../level 1/run#2?.html"), "../level%201/run%232%3F.html");
+    EXPECT_EQ(QuoteForLink("100%.html"), "100%25.html");
+    EXPECT_EQ(QuoteForLink("M\u00FCller_a-b.c,d.html"), "M\u00FCller_a-b.c,d.html");
+}
+
 TEST(Text, BytesThatAreNoUtf8AreReplaced) {
     // The examples of Unicode 15, tables 3-8 to 3-11.
     EXPECT_EQ(ReadUtf8("\xC0\xAF\xE0\x80\xBF\xF0\x81\x82\x41"), U"\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFDA");

@@ -140,7 +140,9 @@ TEST_F(Files, InfoSaysWhatIsInEachKind) {
     EXPECT_EQ(scene.at("kind"), "scene");
     EXPECT_EQ(scene.at("bodies"), 11);
     EXPECT_EQ(scene.at("gravity"), Json({0, -10}));
+    EXPECT_EQ(scene.at("names"), Json::array());
     EXPECT_EQ(track.at("kind"), "track");
+    EXPECT_EQ(track.at("stages"), false);
     EXPECT_EQ(track.at("engine"), "scree");
     EXPECT_EQ(track.at("steps"), 60);
     EXPECT_EQ(track.at("damage"), "");
@@ -154,6 +156,17 @@ TEST_F(Files, InfoSaysWhatIsInEachKind) {
         EXPECT_EQ(file.at("dynamic_bodies"), 12);
         EXPECT_EQ(file.at("joints"), 1);
     }
+    // Of many names the first ones are printed.
+    Json level = {{"format", "scree-scene"}, {"version", 1}};
+    for (int i = 0; i < 60; ++i) {
+        level["bodies"].push_back({{"type", "dynamic"}});
+        level["user"]["bodies"][std::to_string(i)]["name"] = fmt::format("n{:02}", i);
+    }
+    std::ofstream(folder.GetPath() / "named.scene.json") << level.dump();
+    EXPECT_EQ(InfoOf("named.scene.json").at("names").size(), 60u);
+    Expect("info named.scene.json", 0, "n48, n49 and 10 more\n");
+    Expect("convert named.scene.json named.track --steps 2", 0, "named.track");
+    EXPECT_EQ(InfoOf("named.track").at("names"), InfoOf("named.scene.json").at("names"));
     // A file that is called otherwise is known by its bytes.
     std::filesystem::rename(folder.GetPath() / "heap.world", folder.GetPath() / "heap.bin");
     EXPECT_EQ(InfoOf("heap.bin").at("kind"), "image");

@@ -179,6 +179,36 @@ TEST_F(Find, ScenesAreRunInAnyEngine) {
     Expect("pyramid --size 4 --steps 30 --diverge scree:solver=soft@4", exitDiffers, "away from where it is");
 }
 
+TEST_F(Find, WhateverABodyOrAFileIsCalled) {
+    std::ofstream(folder.GetPath() / "my level.scene.json") << R"({"format": "scree-scene", "version": 1,
+        "bodies": [{"type": "dynamic", "fixtures": [{"density": 1, "shape": {"type": "circle", "radius": 0.1}}]}],
+        "user": {"bodies": {"0": {"name": "M\u00fcller \"</b>\"\n\u001b[31m"}}}})";
+    // What a shell would take apart is quoted, so that the line can be given to it again.
+    Expect("'my level.scene.json' --speed 1 --timeline 'run #1.html'", exitUsage,
+           "`scree timeline 'my level.scene.json' -o 'run #1.html'`");
+    ASSERT_EQ(folder.Run("timeline 'my level.scene.json' --steps 9 -o 'run #1.html'").exitCode, exitDone);
+    Expect(
+        "'my level.scene.json' --steps 9 --speed 1 --timeline 'run #1.html' --json a.json --junit a.xml --page a.html",
+        exitDiffers, "M\u00fcller \"</b>\"\u240a\u241b[31m (0): as fast as");
+    const Json found = Json::parse(folder.Read("a.json"));
+    EXPECT_EQ(
+        found.at("command"),
+        "scree find 'my level.scene.json' --steps 9 --speed 1 --timeline 'run #1.html' --json a.json --junit a.xml "
+        "--page a.html");
+    EXPECT_EQ(found.at("moments")[0].at("bodies")[0].at("name"), "M\u00fcller \"</b>\"\n\u001b[31m");
+    EXPECT_EQ(found.at("moments")[0].at("link"), "run%20%231.html#step=6&body=0");
+    EXPECT_NE(folder.Read("a.html").find("href=\"run%20%231.html#step=6&amp;body=0\""), std::string::npos);
+    const std::string check =
+        "python3 -c 'import xml.dom.minidom as m; m.parse(\"" + (folder.GetPath() / "a.xml").string() + "\")'";
+    EXPECT_EQ(std::system(check.c_str()), 0) << folder.Read("a.xml");
+    // Names stay in a track of a run, in both engines.
+    for (const char* engine : {"scree", "box2d"}) {
+        const std::string convert = "convert 'my level.scene.json' run.track --steps 9 --engine ";
+        ASSERT_EQ(folder.Run(convert + engine).exitCode, exitDone);
+        Expect("run.track --speed 1", exitDiffers, "M\u00fcller \"</b>\"\u240a\u241b[31m (0): as fast as");
+    }
+}
+
 TEST_F(Find, TwoFilesDivergeWhereTheyDo) {
     ASSERT_EQ(folder.Run("convert pyramid --size 5 a.track --steps 80").exitCode, 0);
     ASSERT_EQ(folder.Run("convert pyramid --size 5 b.track --steps 80 --engine box2d").exitCode, 0);
@@ -200,6 +230,11 @@ TEST_F(Find, WhatCannotBeMeantIsRefused) {
     Expect("bare.track --diverge box2d", exitUsage, "give another file");
     Expect("bare.track --escape 1,2,3", exitUsage, "give left,bottom,right,top");
     Expect("pyramid --overlap -1", exitUsage, "--overlap");
+    Expect("pyramid --longer 1", exitUsage, "--longer requires --overlap");
+    Expect("pyramid --distance 1", exitUsage, "--distance requires --diverge");
+    for (const char* option : {"--json", "--junit", "--page"}) {
+        Expect(fmt::format("tumbler --steps 1000000 {} no-folder/file", option), exitIo, "cannot write no-folder/file");
+    }
     Expect("pyramid --engine scree,box2d", exitUsage, "give one engine");
     Expect("pyramid --engine bulet", exitUsage, "unknown engine");
 }

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# Drives pages of timelines like a reader. Arguments: the test (reads, engines, alike, fast) and its page.
+# Drives pages of timelines like a reader. Arguments: the test (reads, engines, crowded, alike, fast) and its page.
 
 import os
 import sys
@@ -105,6 +105,31 @@ def reads(browser, page):
     browser.wait('document.documentElement.scrollWidth <= window.innerWidth')
 
 
+def crowded(browser, page):
+    """Numbers of four engines stand beside each other, none of them cut or in another."""
+    browser.open('file://' + page + '#step=30&body=5')
+    browser.wait(BUSY)
+    for width in (1400, 1000, 390):
+        browser.resize(width, 900)
+        browser.wait('document.documentElement.scrollWidth <= window.innerWidth')
+        cut = browser.run(
+            '[...document.querySelectorAll("#chosen-plots .plot-label, #chosen-plots .plot-label *, #values td, #values th")]'
+            '.filter((e) => e.scrollWidth > e.clientWidth + 1 && getComputedStyle(e).display !== "inline"'
+            ' || e.getBoundingClientRect().right > e.closest(".side").getBoundingClientRect().right + 1)'
+            '.map((e) => e.textContent).join(" | ")')
+        if cut:
+            sys.exit(f'cut at a width of {width}: {cut}')
+        within = browser.run(
+            '[...document.querySelectorAll("#chosen-plots .plot-label")].filter((label) => {'
+            ' const boxes = [...label.querySelectorAll("span:first-child, b, .range")].map((e) => e.getBoundingClientRect());'
+            ' return boxes.some((a, i) => boxes.some((b, k) => k > i && a.left < b.right - 1 && b.left < a.right - 1'
+            ' && a.top < b.bottom - 3 && b.top < a.bottom - 3)); }).map((label) => label.textContent).join(" | ")')
+        if within:
+            sys.exit(f'in each other at a width of {width}: {within}')
+    browser.resize(1400, 900)
+    expect('the unit once', text(browser, 'values'), 'speed, m/s')
+
+
 def engines(browser, page):
     browser.open('file://' + page + '#step=30&body=5')
     browser.wait(BUSY)
@@ -172,7 +197,7 @@ def fast(browser, page):
 
 def main(test, page):
     with tempfile.TemporaryDirectory() as profile, webdriver.Browser(profile) as browser:
-        {'reads': reads, 'engines': engines, 'alike': alike, 'fast': fast}[test](browser, page)
+        {'reads': reads, 'engines': engines, 'crowded': crowded, 'alike': alike, 'fast': fast}[test](browser, page)
         log = [entry for entry in browser.log('browser') if entry.get('level') == 'SEVERE']
         if log:
             sys.exit(f'the page complains: {log}')

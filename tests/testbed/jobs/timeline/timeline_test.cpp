@@ -68,6 +68,38 @@ TEST(Timeline, ShowsEnginesBesideEachOtherWithTheirTrees) {
     EXPECT_EQ(folder.Run("timeline session.track --nodes worst:3 -o none.html").exitCode, exitUsage);
 }
 
+// 65,536 parts of a ground of 4 km would be 6 cm each.
+TEST(Timeline, ALongGroundMakesNothingSmallOrCoarse) {
+    const ScratchFolder folder;
+    std::ofstream(folder.GetPath() / "ground.scene.json") << R"({"format": "scree-scene", "version": 1,
+        "bodies": [{"fixtures": [{"shape": {"type": "edge", "vertices": [[-2000, 0], [2000, 0]]}}]},
+                   {"type": "dynamic", "position": [0, 4],
+                    "fixtures": [{"density": 1, "shape": {"type": "circle", "radius": 0.5}}]},
+                   {"type": "dynamic", "position": [8, 2],
+                    "fixtures": [{"density": 1, "shape": {"type": "circle", "radius": 0.5}}]}],
+        "spawns": [{"afterStep": 3, "body": 2}]})";
+    ASSERT_EQ(folder.Run("timeline ground.scene.json --steps 9 -o page.html").exitCode, exitDone);
+    const std::string page = folder.Read("page.html");
+    const std::size_t view = page.find(R"("view":[)") + 8;
+    double left = 0, bottom = 0, right = 0, top = 0;
+    ASSERT_EQ(std::sscanf(page.c_str() + view, "%lf,%lf,%lf,%lf", &left, &bottom, &right, &top), 4);
+    EXPECT_LE(left, -0.5);
+    EXPECT_GE(left, -5.0);
+    EXPECT_LE(bottom, 0.0);
+    EXPECT_GE(right, 8.5);
+    EXPECT_LE(right, 15.0);
+    EXPECT_GE(top, 4.5);
+}
+
+TEST(Timeline, NumbersOfFourEnginesStandBesideEachOther) {
+    const ScratchFolder folder;
+    const ProgramResult run = folder.Run(
+        "timeline pyramid --size 6 --steps 60 --engines scree,box2d,soft=scree:solver=soft@4,fine=scree:accuracy=fine "
+        "-o page.html");
+    ASSERT_EQ(run.exitCode, exitDone) << run.output;
+    Drive(folder, "crowded", "page.html");
+}
+
 TEST(Timeline, PlaysFluentlyByCanvasAndByWebGl) {
     const ScratchFolder folder;
     ASSERT_EQ(folder.Run("timeline falling-squares --size 20 --steps 200 -o page.html").exitCode, exitDone);
@@ -136,9 +168,17 @@ TEST(Timeline, WhatCannotBeMeantIsRefused) {
     EXPECT_EQ(folder.Run("timeline pyramid --engines scree,scree,scree,scree,scree").exitCode, exitUsage);
     EXPECT_EQ(folder.Run("timeline pyramid --nodes often").exitCode, exitUsage);
     EXPECT_EQ(folder.Run("timeline pyramid --nodes every:0").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --size 4 --steps 9 --nodes at:3,10 -o page.html").exitCode, exitUsage);
+    EXPECT_FALSE(folder.Has("page.html"));
     EXPECT_EQ(folder.Run("timeline pyramid --contacts some").exitCode, exitUsage);
     EXPECT_EQ(folder.Run("timeline pyramid --when 'body(0).y'").exitCode, exitUsage);
-    EXPECT_EQ(folder.Run("timeline pyramid --size 4 --steps 3 -o no-folder/page.html").exitCode, exitIo);
+    // Before the run: a folder in place of the page, or none.
+    std::filesystem::create_directory(folder.GetPath() / "folder");
+    for (const std::string output : {"no-folder/page.html", "folder"}) {
+        const ProgramResult run = folder.Run("timeline tumbler --steps 1000000 -o " + output);
+        EXPECT_EQ(run.exitCode, exitIo) << run.output;
+        EXPECT_NE(run.output.find("cannot write " + output), std::string::npos) << run.output;
+    }
 }
 
 }  // namespace

@@ -272,6 +272,9 @@ TEST(Trade, TheCommandMeasuresOneLawAndDrawsIt) {
     for (const char* file : {"out/index.html", "out/cases.csv", "out/bounds.csv", "out/plots/free-spin.svg"}) {
         EXPECT_TRUE(folder.Has(file)) << file;
     }
+    EXPECT_NE(folder.Read("out/index.html").find(R"(<script type="application/json">{"x":"ns per body)"),
+              std::string::npos)
+        << "figures that tell their points";
     const std::string csv = folder.Read("out/cases.csv");  // of two errors: the angle's, and its share of the turn
     EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(csv, '\n')), 1 + 2 * settings);
     // Two shards together hold the lines of the whole, times apart, and the report comes from the joined file.
