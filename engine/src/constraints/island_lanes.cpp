@@ -138,7 +138,7 @@ void IslandLanes::SolvePositions(int iterations, float tolerance, const PushApar
     task.share = how.share;
     task.slop = linearSlop * how.lengthScale;
     task.largestPush = maxLinearCorrection * how.lengthScale;
-    if (iterations > 0) kernels.turn(task, static_cast<int32_t>(m_position.size()));
+    kernels.turn(task, static_cast<int32_t>(m_position.size()));
     for (int i = 0; i < iterations; ++i) {
         alignas(32) float smallest[islandLanes];
         kernels.solvePositions(task, m_active, smallest);

@@ -30,6 +30,16 @@ public:
     void SolveVelocities(int iterations, bool warmStart, bool friction, BodyTable& bodies);
     /// Stops in each island as soon as its smallest separation is at least `tolerance`; those islands are solved.
     void SolvePositions(int iterations, float tolerance, const PushApart& how, BodyTable& bodies);
+    /// Calls visit(body, rotation) for the dynamic bodies, after SolvePositions.
+    template <typename Visit>
+    void ForEachRotation(const BodyTable& bodies, Visit&& visit) const {
+        for (const Slot& slot : m_bodies) {
+            if (bodies.type[slot.body] != dynamicBody) continue;
+            Rot q;
+            q.s = m_rotation[slot.row][0], q.c = m_rotation[slot.row][1];
+            visit(slot.body, q);
+        }
+    }
     [[nodiscard]] bool IsSolved(size_t member) const { return m_active[member] == 0.0f; }
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(m_members, m_contacts, m_bodies, m_velocity, m_position, m_rotation);

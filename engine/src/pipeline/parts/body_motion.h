@@ -28,23 +28,33 @@ inline CapFactors CapMotion(const SolverSettings& settings, Vec2 translation, fl
     return factors;
 }
 
-/// Updates the transform; a body that is not finite any more, or beyond all bounds (limits.h), goes back to its start,
-/// at rest. Returns true if it did.
-inline bool FinishPose(BodyTable& bodies, BodyIndex body) {
+/// A body that is not finite any more, or beyond all bounds (limits.h), goes back to its start, at rest. Returns true if
+/// it did.
+inline bool ReturnIfLost(BodyTable& bodies, BodyIndex body) {
     const bool finite = IsInRange(bodies.position[body], bodies.velocity[body]) &&
                         (!bodies.IsFar() || IsInRange(bodies.rest[body].end));
-    if (!finite) {
-        bodies.ReturnToStart(body);
-        bodies.velocity[body] = {vec2Zero, 0.0f, 0.0f};
-    }
-    // Bodies that do not turn keep their rotation: the sine and cosine would be the same.
+    if (finite) return false;
+    bodies.ReturnToStart(body);
+    bodies.velocity[body] = {vec2Zero, 0.0f, 0.0f};
+    return true;
+}
+/// Bodies that do not turn keep their rotation: the sine and cosine would be the same.
+inline bool HasTurned(const BodyTable& bodies, BodyIndex body) {
     const Position& start = bodies.startPosition[body];
-    if (bodies.position[body].a == start.a && bodies.position[body].aRest == start.aRest) {
-        bodies.UpdateOrigin(body);
-    } else {
-        bodies.UpdateTransform(body);
-    }
-    return !finite;
+    return bodies.position[body].a != start.a || bodies.position[body].aRest != start.aRest;
+}
+/// Updates the transform. Returns true if the body was lost.
+inline bool FinishPose(BodyTable& bodies, BodyIndex body) {
+    const bool isLost = ReturnIfLost(bodies, body);
+    HasTurned(bodies, body) ? bodies.UpdateTransform(body) : bodies.UpdateOrigin(body);
+    return isLost;
+}
+/// The same where the rotation of the position is known.
+inline bool FinishPose(BodyTable& bodies, BodyIndex body, Rot rotation) {
+    const bool isLost = ReturnIfLost(bodies, body);
+    if (HasTurned(bodies, body)) bodies.transform[body].q = rotation;
+    bodies.UpdateOrigin(body);
+    return isLost;
 }
 
 /// Below this a body is slow, m/s.

@@ -143,8 +143,12 @@ SolverCounts LaneSolver::SolveGroup(std::span<const int> group, IslandLanes& lan
                          {baumgarte, m_settings.lengthScale}, bodies);
     for (size_t lane = 0; lane < group.size(); ++lane) {
         s.members[ToSize(s.memberOf[ToSize(group[lane])])].isSolved = lanes.IsSolved(lane);
-        for (const BodyIndex b : members[lane].bodies) counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
+        for (const BodyIndex b : members[lane].bodies) {
+            if (bodies.type[b] != dynamicBody) counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
+        }
     }
+    lanes.ForEachRotation(bodies,
+                          [&](BodyIndex b, Rot q) { counts.nonFinite += FinishPose(bodies, b, q) ? 1 : 0; });
     return counts;
 }
 
