@@ -9,10 +9,10 @@
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/integrate.h"
 #include "pipeline/parts/isolated_bodies.h"
+#include "pipeline/parts/lane_solver.h"
 #include "pipeline/parts/pose_finisher.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
-#include "pipeline/parts/lane_solver.h"
 
 namespace scree {
 

@@ -223,8 +223,7 @@ public:
         CorrectRows();
         StopTrees();
         StopRows();
-        Relax();
-        EndContacts(index);
+        Relax(index);
     }
 
     SolverCounts Finish() {
@@ -515,13 +514,14 @@ private:
         if (m_plan.hasTrees) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     /// Contacts once more, without pushing apart.
-    void Relax() {
+    void Relax(int substep) {
         NoteContacts([&] {
             RunKernel(Pool(), m_task, m_kernels.relax);
             SolveRolling();
             StopLocked();
         });
         StopLocked();
+        EndContacts(substep);
     }
     /// What contacts did in this sub-step is what they are expected to do in the next one. Where nothing comes between
     /// that and the next kick, one walk over the bodies does both.

@@ -28,8 +28,8 @@ inline CapFactors CapMotion(const SolverSettings& settings, Vec2 translation, fl
     return factors;
 }
 
-/// A body that is not finite any more, or beyond all bounds (limits.h), goes back to its start, at rest. Returns true if
-/// it did.
+/// A body that is not finite any more, or beyond all bounds (limits.h), goes back to its start, at rest. Returns true
+/// if it did.
 inline bool ReturnIfLost(BodyTable& bodies, BodyIndex body) {
     const bool finite = IsInRange(bodies.position[body], bodies.velocity[body]) &&
                         (!bodies.IsFar() || IsInRange(bodies.rest[body].end));

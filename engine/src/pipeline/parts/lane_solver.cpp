@@ -147,8 +147,7 @@ SolverCounts LaneSolver::SolveGroup(std::span<const int> group, IslandLanes& lan
             if (bodies.type[b] != dynamicBody) counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
         }
     }
-    lanes.ForEachRotation(bodies,
-                          [&](BodyIndex b, Rot q) { counts.nonFinite += FinishPose(bodies, b, q) ? 1 : 0; });
+    lanes.ForEachRotation(bodies, [&](BodyIndex b, Rot q) { counts.nonFinite += FinishPose(bodies, b, q) ? 1 : 0; });
     return counts;
 }
 
