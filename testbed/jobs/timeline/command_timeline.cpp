@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,14 +64,19 @@ Box ViewOf(const Snapshot& start, const scenes::Scene& scene) {
         area.moving->lower = {std::min(area.moving->lower.x, lower.x), std::min(area.moving->lower.y, lower.y)};
         area.moving->upper = {std::max(area.moving->upper.x, upper.x), std::max(area.moving->upper.y, upper.y)};
     }
-    const std::vector<Box> boxes = GetFitBoxes(area);
-    if (boxes.empty()) return {{-5.0f, -5.0f}, {5.0f, 5.0f}};
-    Box view = boxes.front();
-    for (const Box& box : boxes) {
-        view.lower = {std::min(view.lower.x, box.lower.x), std::min(view.lower.y, box.lower.y)};
-        view.upper = {std::max(view.upper.x, box.upper.x), std::max(view.upper.y, box.upper.y)};
+    std::optional<Box> view = area.moving;
+    if (area.moving) {                     // most things fall: what they fall onto belongs to the view, too
+        constexpr float leastWay = 10.0f;  // m
+        const Box box = *area.moving;
+        area.moving->lower.y -= std::max({leastWay, box.upper.x - box.lower.x, box.upper.y - box.lower.y});
     }
-    return view;
+    const std::vector<Box> boxes = GetFitBoxes(area);
+    for (const Box& box : std::span(boxes).subspan(view ? 1 : 0)) {  // the first one is around what moves
+        if (!view) view = box;
+        view->lower = {std::min(view->lower.x, box.lower.x), std::min(view->lower.y, box.lower.y)};
+        view->upper = {std::max(view->upper.x, box.upper.x), std::max(view->upper.y, box.upper.y)};
+    }
+    return view.value_or(Box{{-5.0f, -5.0f}, {5.0f, 5.0f}});
 }
 
 void AddMoments(const std::vector<Moment>& found, const Session& session, std::size_t lane, std::vector<Json>& rows) {

@@ -91,6 +91,17 @@ TEST(Timeline, ALongGroundMakesNothingSmallOrCoarse) {
     EXPECT_GE(top, 4.5);
 }
 
+TEST(Timeline, ShowsWhatThingsFallOnto) {
+    const ScratchFolder folder;
+    ASSERT_EQ(folder.Run("timeline restitution-row --steps 3 -o page.html").exitCode, exitDone);
+    const std::string page = folder.Read("page.html");
+    double left = 0, bottom = 0, right = 0, top = 0;
+    ASSERT_EQ(std::sscanf(page.c_str() + page.find(R"("view":[)") + 8, "%lf,%lf,%lf,%lf", &left, &bottom, &right, &top),
+              4);
+    EXPECT_LE(bottom, 0.0);  // the floor
+    EXPECT_GE(top, 9.0);     // the balls above it
+}
+
 TEST(Timeline, NumbersOfFourEnginesStandBesideEachOther) {
     const ScratchFolder folder;
     const ProgramResult run = folder.Run(
