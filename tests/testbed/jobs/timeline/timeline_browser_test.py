@@ -189,8 +189,10 @@ def fast(browser, page):
         browser.click('#play')
         frames = 'Number(document.getElementById("timeline").dataset.frames)'
         first, start = browser.run(frames), browser.run('performance.now()')
-        browser.wait(f'performance.now() > {start + 2000}')
-        print(renderer, round((browser.run(frames) - first) / (browser.run('performance.now()') - start) * 1000), 'frames a second')
+        # On a busy machine a frame of thousands of bodies can take longer than a second.
+        browser.wait(f'performance.now() > {start + 2000} && {frames} >= {first + 3}')
+        rate = (browser.run(frames) - first) / (browser.run('performance.now()') - start) * 1000
+        print(renderer, f'{rate:.3f}', 'frames a second')
         if filled(browser, '#views .over' if renderer == 'canvas' else '#views .under') < 1000 and renderer == 'canvas':
             sys.exit('too little is drawn')
 

@@ -117,7 +117,7 @@ TEST(Timeline, PlaysFluentlyByCanvasAndByWebGl) {
     std::istringstream said(Drive(folder, "fast", "page.html"));
     std::string renderer, word;
     // How many depends on the machine and on what else it does; none is a fault.
-    for (int frames = 0; said >> renderer >> frames; std::getline(said, word)) EXPECT_GT(frames, 1) << renderer;
+    for (double frames = 0; said >> renderer >> frames; std::getline(said, word)) EXPECT_GT(frames, 1.0) << renderer;
 }
 
 // Without a graphics card each triangle and line costs; circles of 39 of them played at half the rate of Canvas 2D.
@@ -125,10 +125,10 @@ TEST(Timeline, ThousandsOfCirclesPlayFasterByWebGl) {
     const ScratchFolder folder;
     ASSERT_EQ(folder.Run("timeline mixed --size 5000 --steps 200 -o page.html").exitCode, exitDone);
     std::istringstream said(Drive(folder, "fast", "page.html"));
-    std::map<std::string, int> frames;
+    std::map<std::string, double> frames;
     std::string renderer, words;
-    for (int count = 0; said >> renderer >> count; std::getline(said, words)) frames[renderer] = count;
-    EXPECT_GT(frames["canvas"], 0);
+    for (double count = 0; said >> renderer >> count; std::getline(said, words)) frames[renderer] = count;
+    EXPECT_GT(frames["canvas"], 0.0);
     EXPECT_GT(frames["webgl"], 1.5 * frames["canvas"]);
 }
 
