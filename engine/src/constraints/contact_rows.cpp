@@ -175,10 +175,6 @@ inline void SolveBlock(ContactVelocityRow& row, Velocity& a, Velocity& b) {
     b.w += row.invIB * (Cross(p1.rB, impulse1) + Cross(p2.rB, impulse2));
 }
 
-}  // namespace
-
-namespace {
-
 void PrepareRange(const ContactPrepareInput& input, size_t begin, size_t end, ContactRows& rows) {
     const auto radiusOf = [&](FixtureIndex fixture) {
         const Shape& shape = *input.fixtures.shape[fixture];
