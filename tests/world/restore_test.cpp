@@ -103,6 +103,32 @@ TEST(Restore, BodiesPartFromAnImageAsTheyDidBefore) {
     }
 }
 
+/// Steps that end after an event and go on in the next one, from whatever came before.
+TEST(Restore, SubSteppedWorldsGoOnFromAnImage) {
+    for (uint32_t seed = 0; seed < 20; ++seed) {
+        std::mt19937 random(seed);
+        World world({0.0f, -10.0f});
+        world.SetSubStepping(true);
+        AddGround(world);
+        for (int i = 0; i < 30; ++i) {
+            Body* body = AddBody(world, dynamicBody, {0.1f * static_cast<float>(random() % 100), 0.5f + 1.1f * i / 6});
+            i % 3 == 0 ? AddCircle(body, 0.5f) : AddBox(body, 0.5f, 0.5f);
+        }
+        for (int i = 0; i < 3; ++i) {
+            Body* bullet = AddBody(world, dynamicBody, {-5.0f, 0.5f + static_cast<float>(random() % 5)});
+            AddCircle(bullet, 0.1f, 30.0f);
+            bullet->SetBullet(true);
+            bullet->SetLinearVelocity({static_cast<float>(random() % 400), 3.0f});
+        }
+        World other({0.0f, 0.0f});
+        for (int step = 0; step < 60; ++step) {
+            ASSERT_EQ(RestoreWorld(other, SaveWorld(world)), SnapshotError::ok);
+            StepFor(world, 1), StepFor(other, 1);
+            ASSERT_EQ(inspect::GetStateHash(other), inspect::GetStateHash(world)) << seed << ' ' << step;
+        }
+    }
+}
+
 struct Counter : ContactListener {
     void BeginContact(Contact*) override { ++begun; }
     int begun = 0;

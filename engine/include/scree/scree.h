@@ -38,6 +38,7 @@
 #include "scree/queries.h"
 #include "scree/recording.h"
 #include "scree/revolute_joint.h"
+#include "scree/rollback.h"
 #include "scree/settings.h"
 #include "scree/shape.h"
 #include "scree/snapshot.h"

@@ -207,6 +207,12 @@ struct BodyTable {
     /// After a change of type: list and movers.
     void Relist(BodyIndex body);
 
+    /// Visits the columns that a step or a call that moves a body writes.
+    template <typename Self, typename Visit>
+    static void MotionFields(Self& t, Visit& visit) {
+        visit(t.velocity, t.startVelocity, t.position, t.startPosition, t.rest, t.transform, t.force, t.demand,
+              t.sleepTime, t.flags);
+    }
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,

@@ -315,18 +315,43 @@ bool ContactTable::Restore() {
     for (const ContactIndex row : flags.Rows()) {
         const bool alive = Has(row, ContactFlag::alive);
         if (alive == (isFree[row] != 0) || (!alive && flags[row] != 0)) return false;
-        m_count += alive ? 1 : 0;
     }
-    successor.assign(flags.size(), ContactIndex::none);
-    RouseAll();
-    m_isCompact = false;
-    m_hash.clear();
-    if (m_count > 0) Grow(m_count);
+    MakeAnew();
     for (const ContactIndex row : pair.Rows()) {
         const ContactPair& p = pair[row];
         if (IsAlive(row) && Find(p.fixtureA, p.fixtureB) != row) return false;
     }
     return true;
+}
+
+void ContactTable::MakeAnew() {
+    m_count = 0;
+    for (const uint8_t flag : flags) m_count += (flag & ContactFlag::alive) != 0 ? 1 : 0;
+    successor.assign(flags.size(), ContactIndex::none);
+    RouseAll();
+    m_isCompact = false;
+    m_hash.clear();
+    if (m_count > 0) Grow(m_count);
+}
+
+void ContactTable::NoteReturn(const FormerRows& before) {
+    ++grouping;
+    mustMatch = true;
+    m_isCompact = false;
+    refused.Clear();
+    const auto areEqual = [](const auto& a, const auto& b) {
+        return a.size() == b.size() &&
+               (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a.front())) == 0);
+    };
+    const bool sameFlags = areEqual(flags, before.flags);
+    const auto livesAlike = [](uint8_t a, uint8_t b) { return ((a ^ b) & ContactFlag::alive) == 0; };
+    if (areEqual(pair, before.pair) &&
+        (sameFlags || std::equal(flags.begin(), flags.end(), before.flags.begin(), livesAlike))) {
+        if (!sameFlags && RestingCount() > 0) RouseAll();
+        return;
+    }
+    MakeAnew();
+    ForgetNumbers();
 }
 
 void ContactTable::MakeAdjacency() const {
@@ -396,13 +421,17 @@ void ContactTable::TakeHandles(ContactTable& old) {
     grouping = old.grouping + 1;
     m_handles.swap(old.m_handles);
     m_generation.swap(old.m_generation);
+    ForgetNumbers();
+    m_handleRows.Set(static_cast<int>(m_handles.size()));
+    m_generationRows.Set(static_cast<int>(m_generation.size()));
+}
+
+void ContactTable::ForgetNumbers() {
     for (const ContactNumber number : m_handles.Rows()) {
         m_handles[number].numberOfRow = number;
         m_handles[number].m_row = ContactIndex{ToInt(number)};
     }
     for (uint32_t& generation : m_generation) ++generation;
-    m_handleRows.Set(static_cast<int>(m_handles.size()));
-    m_generationRows.Set(static_cast<int>(m_generation.size()));
 }
 
 Contact* ContactTable::HandleOf(ContactNumber number) const {

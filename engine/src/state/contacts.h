@@ -184,6 +184,13 @@ struct ContactTable {
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();
+    /// What the fields were before they were put back to another time.
+    struct FormerRows {
+        Column<ContactIndex, uint8_t> flags;
+        Column<ContactIndex, ContactPair> pair;
+    };
+    /// After that: the rest follows. Ids of contacts name nothing any more unless all contacts are those of before.
+    void NoteReturn(const FormerRows& before);
     /// Contacts of a body, newest row first; rows removed since the last Add are still listed. Valid until the next
     /// Add, Rest or Rouse; of a body with resting contacts until the next call. O(contacts that do not rest) after one
     /// of these, else O(contacts of the body).
@@ -238,6 +245,10 @@ private:
     void UnlinkResting(ContactIndex contact);
     /// All living rows are active.
     void RouseAll();
+    /// What follows from the flags and pairs.
+    void MakeAnew();
+    /// Handles have the numbers of their rows, and are those of other contacts.
+    void ForgetNumbers();
     /// Row r has become row movedTo[r], −1 if it was free.
     void MoveHandles(const Column<ContactIndex, ContactIndex>& movedTo);
     void EnsureAdjacency() const {

@@ -88,7 +88,7 @@ Vec2 Body::GetLocalCenter() const {
 ErrorCode Body::SetLinearVelocity(Vec2 v) {
     Guard guard(*m_state, "Body::SetLinearVelocity");
     if (guard.Living(m_state->bodies.slots, m_index).Near(v, "v").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, v);
+    const Recording recording = guard.RecordMotion(m_index, v);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (Dot(v, v) > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[m_index].v = v;
@@ -103,7 +103,7 @@ ErrorCode Body::SetAngularVelocity(float omega) {
     if (guard.Living(m_state->bodies.slots, m_index).Near(omega, "omega").Failed()) return guard.Code();
     if (omega != 0.0f && !guard.Failed() && GetType() != staticBody && guard.Uses({Feature::rotation}).Failed())
         return guard.Code();
-    const Recording recording = guard.Record(m_index, omega);
+    const Recording recording = guard.RecordMotion(m_index, omega);
     if (GetType() == staticBody) return ErrorCode::ok;
     if (omega * omega > 0.0f) m_state->bodies.Wake(m_index);
     m_state->bodies.velocity[m_index].w = omega;
@@ -120,7 +120,7 @@ ErrorCode Body::ApplyForce(Vec2 force, Vec2 point, bool wake) {
     if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
     const ForceRow sum = AddForce(*m_state, m_index, force, Cross(FromCentre(point), force));
     if (RequireSum(guard, sum, "force").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, force, point, wake);
+    const Recording recording = guard.RecordMotion(m_index, force, point, wake);
     if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[m_index] = sum;
     return ErrorCode::ok;
 }
@@ -131,7 +131,7 @@ ErrorCode Body::ApplyForceToCenter(Vec2 force, bool wake) {
     if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
     const ForceRow sum = AddForce(*m_state, m_index, force, 0.0f);
     if (RequireSum(guard, sum, "force").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, force, wake);
+    const Recording recording = guard.RecordMotion(m_index, force, wake);
     if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[m_index] = sum;
     return ErrorCode::ok;
 }
@@ -142,7 +142,7 @@ ErrorCode Body::ApplyTorque(float torque, bool wake) {
     if (GetType() == dynamicBody && guard.Uses({Feature::forces}).Failed()) return guard.Code();
     const ForceRow sum = AddForce(*m_state, m_index, vec2Zero, torque);
     if (RequireSum(guard, sum, "torque").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, torque, wake);
+    const Recording recording = guard.RecordMotion(m_index, torque, wake);
     if (TakesForce(*m_state, m_index, wake)) m_state->bodies.force[m_index] = sum;
     return ErrorCode::ok;
 }
@@ -153,7 +153,7 @@ ErrorCode Body::ApplyLinearImpulse(Vec2 impulse, Vec2 point, bool wake) {
         return guard.Code();
     const Velocity sum = AddImpulse(*m_state, m_index, impulse, Cross(FromCentre(point), impulse));
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, impulse, point, wake);
+    const Recording recording = guard.RecordMotion(m_index, impulse, point, wake);
     if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[m_index] = sum;
     return ErrorCode::ok;
 }
@@ -163,7 +163,7 @@ ErrorCode Body::ApplyLinearImpulseToCenter(Vec2 impulse, bool wake) {
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
     const Velocity sum = AddImpulse(*m_state, m_index, impulse, 0.0f);
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, impulse, wake);
+    const Recording recording = guard.RecordMotion(m_index, impulse, wake);
     if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[m_index] = sum;
     return ErrorCode::ok;
 }
@@ -173,7 +173,7 @@ ErrorCode Body::ApplyAngularImpulse(float impulse, bool wake) {
     if (guard.Living(m_state->bodies.slots, m_index).Finite(impulse, "impulse").Failed()) return guard.Code();
     const Velocity sum = AddImpulse(*m_state, m_index, vec2Zero, impulse);
     if (RequireSum(guard, sum, "impulse").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, impulse, wake);
+    const Recording recording = guard.RecordMotion(m_index, impulse, wake);
     if (TakesImpulse(m_state->bodies, m_index, wake)) m_state->bodies.velocity[m_index] = sum;
     return ErrorCode::ok;
 }
@@ -288,7 +288,7 @@ ErrorCode Body::SetAwake(bool flag) {
     Guard guard(*m_state, "Body::SetAwake");
     if (guard.Living(m_state->bodies.slots, m_index).Failed()) return guard.Code();
     if (!flag && GetType() != staticBody && guard.Uses({Feature::sleeping}).Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, flag);
+    const Recording recording = guard.RecordMotion(m_index, flag);
     if (GetType() == staticBody) return ErrorCode::ok;
     flag ? m_state->bodies.Wake(m_index) : m_state->bodies.PutToSleep(m_index);
     return ErrorCode::ok;
@@ -355,7 +355,7 @@ ErrorCode Body::SetTargetTransform(Vec2 position, float angle, float timeStep) {
                   "give less way or more time: the velocity would exceed 1e18");
     if (w != 0.0f) guard.Uses({Feature::rotation});
     if (guard.Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, position, angle, timeStep);
+    const Recording recording = guard.RecordMotion(m_index, position, angle, timeStep);
     SetLinearVelocity(v);
     return SetAngularVelocity(w);
 }
@@ -410,6 +410,7 @@ BodyUserData Body::GetUserData() const {
 }
 ErrorCode Body::SetUserData(const BodyUserData& data) {
     if (!Lives("Body::SetUserData")) return ErrorCode::foreignHandle;
+    m_state->definitions.Note();
     m_state->bodies.info[m_index].userData = data;
     return ErrorCode::ok;
 }

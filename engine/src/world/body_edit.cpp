@@ -163,7 +163,7 @@ ErrorCode Body::SetTransform(Vec2 position, float angle, Vec2 positionRest) {
     guard.Living(s.bodies.slots, m_index).Unlocked("move bodies outside of Step and callbacks");
     guard.Near(position, "position").Near(angle, "angle").Near(positionRest, "positionRest");
     if (guard.Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_index, position, angle, positionRest);
+    const Recording recording = guard.RecordMotion(m_index, position, angle, positionRest);
     NotePosition(s, position, positionRest);
     s.bodies.Place(m_index, position, positionRest, angle);
     if (!IsEnabled()) return ErrorCode::ok;

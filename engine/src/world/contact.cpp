@@ -84,7 +84,7 @@ bool Contact::IsTouching() const {
 
 void Contact::SetEnabled(bool flag) {
     if (CheckContact(*m_state, m_row, "Contact::SetEnabled").Failed()) return;
-    const Recording recording(*m_state, "Contact::SetEnabled", m_row, flag);
+    const Recording recording(Changes::motion, *m_state, "Contact::SetEnabled", m_row, flag);
     uint8_t& flags = m_state->contacts.flags[m_row];
     flags = static_cast<uint8_t>((flags & ~ContactFlag::enabled) | (flag ? ContactFlag::enabled : 0));
 }
@@ -113,7 +113,7 @@ ErrorCode Contact::SetFriction(float friction) {
     Guard guard = CheckContact(*m_state, m_row, "Contact::SetFriction");
     if (guard.Amount(friction, "friction").Failed()) return guard.Code();
     if (friction != 0.0f && guard.Uses({Feature::friction}).Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_row, friction);
+    const Recording recording = guard.RecordMotion(m_row, friction);
     m_state->contacts.material[m_row].friction = friction;
     NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
@@ -123,7 +123,7 @@ float Contact::GetFriction() const {
 }
 void Contact::ResetFriction() {
     if (CheckContact(*m_state, m_row, "Contact::ResetFriction").Failed()) return;
-    const Recording recording(*m_state, "Contact::ResetFriction", m_row);
+    const Recording recording(Changes::motion, *m_state, "Contact::ResetFriction", m_row);
     m_state->contacts.material[m_row].friction = MixedMaterial(*m_state, m_row).friction;
     NoteEdit(*m_state, m_row);
 }
@@ -132,7 +132,7 @@ ErrorCode Contact::SetRestitution(float restitution) {
     Guard guard = CheckContact(*m_state, m_row, "Contact::SetRestitution");
     if (guard.Finite(restitution, "restitution").Failed()) return guard.Code();
     if (restitution != 0.0f && guard.Uses({Feature::restitution}).Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_row, restitution);
+    const Recording recording = guard.RecordMotion(m_row, restitution);
     m_state->contacts.material[m_row].restitution = restitution;
     NoteEdit(*m_state, m_row);
     return ErrorCode::ok;
@@ -142,7 +142,7 @@ float Contact::GetRestitution() const {
 }
 void Contact::ResetRestitution() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitution").Failed()) return;
-    const Recording recording(*m_state, "Contact::ResetRestitution", m_row);
+    const Recording recording(Changes::motion, *m_state, "Contact::ResetRestitution", m_row);
     m_state->contacts.material[m_row].restitution = MixedMaterial(*m_state, m_row).restitution;
     NoteEdit(*m_state, m_row);
 }
@@ -150,7 +150,7 @@ void Contact::ResetRestitution() {
 ErrorCode Contact::SetRestitutionThreshold(float threshold) {
     Guard guard = CheckContact(*m_state, m_row, "Contact::SetRestitutionThreshold");
     if (guard.Finite(threshold, "threshold").Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_row, threshold);
+    const Recording recording = guard.RecordMotion(m_row, threshold);
     m_state->contacts.material[m_row].restitutionThreshold = threshold;
     return ErrorCode::ok;
 }
@@ -159,7 +159,7 @@ float Contact::GetRestitutionThreshold() const {
 }
 void Contact::ResetRestitutionThreshold() {
     if (CheckContact(*m_state, m_row, "Contact::ResetRestitutionThreshold").Failed()) return;
-    const Recording recording(*m_state, "Contact::ResetRestitutionThreshold", m_row);
+    const Recording recording(Changes::motion, *m_state, "Contact::ResetRestitutionThreshold", m_row);
     m_state->contacts.material[m_row].restitutionThreshold = MixedMaterial(*m_state, m_row).restitutionThreshold;
 }
 
@@ -167,7 +167,7 @@ ErrorCode Contact::SetTangentSpeed(float speed) {
     Guard guard = CheckContact(*m_state, m_row, "Contact::SetTangentSpeed");
     if (guard.Finite(speed, "speed").Failed()) return guard.Code();
     if (speed != 0.0f && guard.Uses({Feature::tangentSpeed}).Failed()) return guard.Code();
-    const Recording recording = guard.Record(m_row, speed);
+    const Recording recording = guard.RecordMotion(m_row, speed);
     m_state->contacts.material[m_row].tangentSpeed = speed;
     return ErrorCode::ok;
 }

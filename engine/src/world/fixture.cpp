@@ -101,6 +101,7 @@ Shape::Type Fixture::GetType() const {
 Shape* Fixture::GetShape() {
     if (!Lives("Fixture::GetShape")) return nullptr;
     m_state->continuousScratch.nearStatics.Disable();
+    m_state->definitions.Lose();
     return m_state->fixtures.GetOwnShape(m_index);
 }
 const Shape* Fixture::GetShape() const {
@@ -115,8 +116,9 @@ ErrorCode Fixture::SetShape(const Shape& shape) {
                   "give one of the fixture's type, or make a new fixture");
     if (guard.Failed() || guard.Accept(Check(shape)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, shape);
+    m_state->continuousScratch.nearStatics.Disable();
     WithShapeType(shape.GetType(), [&]<typename T>(std::type_identity<T>) {
-        static_cast<T&>(*GetShape()) = static_cast<const T&>(shape);
+        static_cast<T&>(*m_state->fixtures.GetOwnShape(m_index)) = static_cast<const T&>(shape);
     });
     return ErrorCode::ok;
 }
@@ -186,6 +188,7 @@ FixtureUserData Fixture::GetUserData() const {
 }
 ErrorCode Fixture::SetUserData(const FixtureUserData& data) {
     if (!Lives("Fixture::SetUserData")) return ErrorCode::foreignHandle;
+    m_state->definitions.Note();
     m_state->fixtures.info[m_index].userData = data;
     return ErrorCode::ok;
 }

@@ -63,6 +63,11 @@ public:
     [[nodiscard]] Recording Record(const Arguments&... arguments) const {
         return Recording(m_state, m_function, arguments...);
     }
+    /// Likewise, for a call that only moves things.
+    template <typename... Arguments>
+    [[nodiscard]] Recording RecordMotion(const Arguments&... arguments) const {
+        return Recording(Changes::motion, m_state, m_function, arguments...);
+    }
 
     [[nodiscard]] bool Failed() const { return m_code != ErrorCode::ok; }
     [[nodiscard]] ErrorCode Code() const { return m_code; }

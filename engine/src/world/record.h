@@ -4,7 +4,8 @@
 // The hook of the recorder: one object at the head of every call that changes the world. It is made when the arguments
 // of the call have been found good. It writes the call's number (a hash of its name) and the arguments. While it lives,
 // calls made by this one are not recorded, since the replayed call makes them again. Without a recorder it costs one
-// comparison.
+// comparison. It also notes that definitions have changed (scree/rollback.h), unless the call says that it only moves
+// things.
 
 #pragma once
 
@@ -62,11 +63,18 @@ void Fields(Self& tolerance, Visit& visit) {
     visit(overlap, jointGap, leastSubsteps, mostSubsteps);
 }
 
+/// What a call changes: objects and settings, or only what a step changes too.
+enum class Changes : bool { definitions, motion };
+
 class Recording {
 public:
     template <typename... Arguments>
     Recording(const WorldState& state, std::string_view call, const Arguments&... arguments)
+        : Recording(Changes::definitions, state, call, arguments...) {}
+    template <typename... Arguments>
+    Recording(Changes changes, const WorldState& state, std::string_view call, const Arguments&... arguments)
         : m_state(state), m_recorder(state.recorder) {
+        if (changes == Changes::definitions) state.definitions.Note();
         if (m_recorder == nullptr || m_recorder->m_depth++ > 0) return;
         ImageWriter out;
         (Write(out, arguments), ...);

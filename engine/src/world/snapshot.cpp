@@ -159,6 +159,7 @@ WorldDef WithOwnSettings(const WorldDef& own, WorldDef def) {
 /// Moves the state of a world into another one, which goes on as that world.
 void MoveState(WorldState& from, WorldState& s) {
     s.def = WithOwnSettings(s.def, from.def);
+    s.definitions.Note();
     TakeHandles(from.bodies.handles, s.bodies.handles, from.bodies.slots.Size(), s);
     TakeHandles(from.fixtures.handles, s.fixtures.handles, from.fixtures.slots.Size(), s);
     from.contacts.TakeHandles(s.contacts);

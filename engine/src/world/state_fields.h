@@ -269,14 +269,14 @@ void Fields(Self& s, Visit& visit) {
     auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, editedPairs,
            isEdited, edited, islands, active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch,
            continuousScratch, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
-           draw, recorder, featureCounts, kernels, locks, autoClearForces, lastInverseDt, idleSubsteps, report,
-           distanceWork, measureErrors, isolatedPath] = s;
+           draw, recorder, definitions, featureCounts, kernels, locks, autoClearForces, lastInverseDt, idleSubsteps,
+           report, distanceWork, measureErrors, isolatedPath] = s;
     visit(isEdited, autoClearForces, lastInverseDt);
     std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
     visit(toi);
     visit.LeftOut(def, bodies, fixtures, contacts, joints);  // walked by themselves
     visit.LeftOut(world, pool, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
-                  draw, recorder);
+                  draw, recorder, definitions);
     // Made anew from the rest, of the last step only, or without a bearing on results.
     visit.LeftOut(broadPhase, broadPhaseKind, pairs, editedPairs, edited, islands, active, substepGroups,
                   narrowPhaseScratch, islandScratch, solverScratch, featureCounts, kernels, locks, idleSubsteps, report,

@@ -145,7 +145,7 @@ StepReport World::Step(float timeStep, int velocityIterations, int positionItera
     guard.Require(velocityIterations >= 0, ErrorCode::outOfRange, "velocityIterations", "give at least 0");
     guard.Require(positionIterations >= 0, ErrorCode::outOfRange, "positionIterations", "give at least 0");
     if (guard.Failed()) return m_state->report;
-    const Recording recording = guard.Record(timeStep, velocityIterations, positionIterations);
+    const Recording recording = guard.RecordMotion(timeStep, velocityIterations, positionIterations);
     return Run(*this, {timeStep, velocityIterations, positionIterations, 0}, recording);
 }
 
@@ -154,7 +154,7 @@ StepReport World::Step(float timeStep, int substeps) {
     guard.Unlocked("call Step outside of callbacks").Amount(timeStep, "timeStep");
     guard.Require(substeps >= 1, ErrorCode::outOfRange, "substeps", "give at least 1");
     if (guard.Failed()) return m_state->report;
-    const Recording recording = guard.Record(timeStep, substeps);
+    const Recording recording = guard.RecordMotion(timeStep, substeps);
     return Run(*this, {timeStep, 0, 0, substeps}, recording);
 }
 
@@ -185,7 +185,7 @@ StepReport World::Step(float timeStep, const Tolerance& tolerance) {
     guard.Require(tolerance.mostSubsteps >= tolerance.leastSubsteps, ErrorCode::outOfRange, "tolerance.mostSubsteps",
                   "give at least leastSubsteps");
     if (guard.Failed()) return m_state->report;
-    const Recording recording = guard.Record(timeStep, tolerance);
+    const Recording recording = guard.RecordMotion(timeStep, tolerance);
     return Run(*this, {timeStep, 0, 0, tolerance.leastSubsteps, &tolerance, true}, recording);
 }
 

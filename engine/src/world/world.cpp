@@ -186,13 +186,13 @@ void World::SetErrorHandler(ErrorHandler handler, void* context) {
 }
 
 void World::SetAutoClearForces(bool flag) {
-    const Recording recording(*m_state, "World::SetAutoClearForces", flag);
+    const Recording recording(Changes::motion, *m_state, "World::SetAutoClearForces", flag);
     m_state->autoClearForces = flag;
 }
 bool World::GetAutoClearForces() const { return m_state->autoClearForces; }
 
 void World::ClearForces() {
-    const Recording recording(*m_state, "World::ClearForces");
+    const Recording recording(Changes::motion, *m_state, "World::ClearForces");
     if (!m_state->featureCounts.forces && GetFeatureMode() != FeatureMode::full) return;  // they are zero
     for (const BodyIndex body : m_state->bodies.Listed()) m_state->bodies.ClearForce(body);
     m_state->featureCounts.forces = false;

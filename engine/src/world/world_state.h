@@ -34,6 +34,23 @@ inline BodyIndex IndexOf(const Body& body) { return BodyIndex{body.GetIndex()}; 
 inline FixtureIndex IndexOf(const Fixture& fixture) { return FixtureIndex{fixture.GetIndex()}; }
 inline JointIndex IndexOf(const Joint& joint) { return JointIndex{joint.GetIndex()}; }
 
+/// Which calls that make, change or destroy objects a world has behind it: with an equal number its definitions are the
+/// same, and only what moves may differ.
+class DefinitionStamp {
+public:
+    void Note() { m_now = ++m_newest; }
+    [[nodiscard]] uint64_t Get() const { return m_now; }
+    /// The definitions are those that had this stamp.
+    void Return(uint64_t stamp) { m_now = stamp; }
+    /// From now on a program may change definitions without a call.
+    void Lose() { m_isKnown = false; }
+    [[nodiscard]] bool IsKnown() const { return m_isKnown; }
+
+private:
+    uint64_t m_now = 0, m_newest = 0;
+    bool m_isKnown = true;
+};
+
 struct WorldState {
     static constexpr int notIdle = -1;
 
@@ -71,6 +88,7 @@ struct WorldState {
     Draw* draw = nullptr;
     Recorder* recorder = nullptr;
 
+    mutable DefinitionStamp definitions;
     FeatureCounts featureCounts;
     KernelSet kernels{};  ///< of the last step; a callback may add to it
 

@@ -46,7 +46,8 @@ void ToiPairs::Clear() {
         m_s.firstPair[body] = -1;
         if (!m_s.resuming) m_s.alpha[body] = 0.0f;
     }
-    m_s.touched.clear();
+    // Where bodies stand must be forgotten after the step that goes on, also if nothing touches them any more.
+    std::erase_if(m_s.touched, [this](BodyIndex body) { return m_s.alpha[body] == 0.0f; });
 }
 
 /// Non-bullet dynamic bodies pass through each other.

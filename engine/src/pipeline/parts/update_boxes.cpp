@@ -139,6 +139,11 @@ float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
                           : UpdateMoved<false>(bodies, fixtures, solved, pool, broadPhase);
 }
 
+AABB FindBox(const BodyTable& bodies, const FixtureTable& fixtures, FixtureIndex fixture) {
+    const BodyPlace place(bodies, fixtures.body[fixture]);
+    return place.OutOf(BoxOfFixture(fixtures, fixture, place.xf));
+}
+
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, BodyIndex body, Vec2 displacement,
                      BroadPhase& broadPhase) {
     const BodyPlace place(bodies, body);

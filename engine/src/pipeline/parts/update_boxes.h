@@ -22,6 +22,9 @@ float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
                        std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool,
                        BroadPhase& broadPhase);
 
+/// The box of a fixture where its body is now.
+AABB FindBox(const BodyTable& bodies, const FixtureTable& fixtures, FixtureIndex fixture);
+
 /// Gives the broad phase the present box of every fixture of `body`; `displacement` is the way its origin went.
 void UpdateBodyBoxes(const BodyTable& bodies, const FixtureTable& fixtures, BodyIndex body, Vec2 displacement,
                      BroadPhase& broadPhase);

@@ -78,6 +78,7 @@ JointUserData Joint::GetUserData() const {
 }
 ErrorCode Joint::SetUserData(const JointUserData& data) {
     if (!Lives("Joint::SetUserData")) return ErrorCode::foreignHandle;
+    m_state->definitions.Note();
     InfoOf(m_state, m_index).userData = data;
     return ErrorCode::ok;
 }
@@ -93,7 +94,7 @@ ErrorCode Joint::SetThresholds(float force, float torque, bool breaks) {
         info = before;
         return edit.Code();
     }
-    const Recording recording = edit.Record(force, torque, breaks);
+    const Recording recording = edit.RecordDefinition(force, torque, breaks);
     m_state->joints.NoteThresholds(m_index);
     return ErrorCode::ok;
 }

@@ -40,8 +40,14 @@ public:
 
     [[nodiscard]] bool Failed() const { return m_guard.Failed(); }
     [[nodiscard]] ErrorCode Code() const { return m_guard.Code(); }
+    /// Of a call that changes the joint's row.
     template <typename... Arguments>
     [[nodiscard]] Recording Record(const Arguments&... arguments) const {
+        return m_guard.RecordMotion(m_joint->GetIndex(), arguments...);
+    }
+    /// Of one that changes what all types have.
+    template <typename... Arguments>
+    [[nodiscard]] Recording RecordDefinition(const Arguments&... arguments) const {
         return m_guard.Record(m_joint->GetIndex(), arguments...);
     }
 

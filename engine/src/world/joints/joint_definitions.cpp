@@ -144,6 +144,7 @@ void BreakStrainedJoints(WorldState& s) {
 }
 
 void RemoveJoint(WorldState& s, JointIndex joint) {
+    s.definitions.Note();  // a joint may break in a step
     const JointInfo info = InfoOf(s, joint);
     if (info.type == e_gearJoint) {
         const GearRow& gear = s.joints.Store<GearRow>().rows[info.row];
