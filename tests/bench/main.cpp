@@ -12,6 +12,7 @@ int main(int argc, char** argv) {
     scree::bench::RegisterStages();
     scree::bench::RegisterJoints();
     scree::bench::RegisterQueries();
+    scree::bench::RegisterRollback();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();

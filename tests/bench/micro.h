@@ -20,6 +20,7 @@ void RegisterCollide();
 void RegisterStages();
 void RegisterJoints();
 void RegisterQueries();
+void RegisterRollback();
 
 /// A scene that has run for `steps` steps in our engine.
 inline std::unique_ptr<testbed::EngineRun> RunScene(const scenes::Scene& scene, int steps) {

@@ -128,7 +128,8 @@ TEST(Nets, HoldTogether) {
     const auto between = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
     for (int round = 0; round < 8; ++round) {
         const NetPlan plan{between(6, 16), between(6, 16), static_cast<Knot>(round % 3),
-                           std::pow(10.0f, static_cast<float>(between(0, 100)) / 100.0f), random()};
+                           std::pow(10.0f, static_cast<float>(between(0, 100)) / 100.0f),
+                           static_cast<unsigned>(random())};
         SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round) + ": " +
                      std::to_string(plan.columns) + " x " + std::to_string(plan.rows) +
                      ", masses 1:" + std::to_string(plan.massRatio) + ", knot " + std::to_string(round % 3));
@@ -148,7 +149,8 @@ TEST(Nets, OfVeryUnequalMassesDoNotExplode) {
     std::mt19937 random(seed);
     const auto between = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
     for (int round = 0; round < 6; ++round) {
-        const NetPlan plan{between(6, 12), between(6, 12), static_cast<Knot>(round % 3), 1000.0f, random()};
+        const NetPlan plan{between(6, 12), between(6, 12), static_cast<Knot>(round % 3), 1000.0f,
+                           static_cast<unsigned>(random())};
         SCOPED_TRACE("seed " + std::to_string(seed) + ", round " + std::to_string(round));
         for (const int substeps : {4, 16}) {
             const Hang hang = HangFor(plan, 6, substeps);

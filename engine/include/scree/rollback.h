@@ -18,12 +18,14 @@
 namespace scree {
 
 /// Keeps the newest moments of a world. Save and Restore cost O(size of the world) with a small factor: about what it
-/// takes to read the poses, velocities, contacts and joints once. The first Save, and the first one after a program has
-/// created, changed or destroyed an object, takes an image of the whole world; so does Restore across such a call.
-/// Calls that move things do not count as changes: transforms, velocities, forces, impulses, sleep, and the settings of
-/// joints. A fixture whose shape was asked for by the non-const GetShape may change at any time: from then on, and with
-/// the broad phase `fatTree`, each Save takes an image. Not to be used by several threads at once, nor while the world
-/// steps. The world must outlive it.
+/// takes to read the poses, velocities, contacts and joints once.
+///
+/// The first Save after a program has created, changed or destroyed an object takes an image of the whole world.
+/// Restore across such a call costs as much. Calls that only move things do not count: transforms, velocities, forces,
+/// impulses, sleep, and the settings of joints. A shape that was asked for by the non-const GetShape may change at any
+/// time: from then on, and with the broad phase `fatTree`, each Save takes an image.
+///
+/// Not to be used by several threads at once, nor while the world steps. The world must outlive it.
 class SCREE_API Rollback {
 public:
     /// Keeps at most so many moments (at least 1) and forgets the oldest ones.

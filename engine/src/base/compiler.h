@@ -114,4 +114,16 @@ SCREE_KERNEL bool HasAvx2() {
 #endif
 }
 
+/// Of two kernels, or tables of kernels, the one for the widest instructions that the processor has. The second one is
+/// compiled for AVX2, and is not there where the compiler cannot do that.
+#if defined(SCREE_HAS_AVX2_KERNELS)
+SCREE_KERNEL bool UsesAvx2() {
+    static const bool hasAvx2 = HasAvx2();
+    return hasAvx2;
+}
+#define SCREE_WIDEST(base, avx2) (UsesAvx2() ? (avx2) : (base))
+#else
+#define SCREE_WIDEST(base, avx2) (base)
+#endif
+
 }  // namespace scree

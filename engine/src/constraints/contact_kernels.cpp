@@ -8,16 +8,8 @@
 
 namespace scree {
 
-#if defined(SCREE_HAS_AVX2_KERNELS)
 extern const ContactKernels avx2ContactKernels;
-#endif
 
-const ContactKernels& GetContactKernels() {
-#if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = HasAvx2();
-    if (hasAvx2) return avx2ContactKernels;
-#endif
-    return baseContactKernels;
-}
+const ContactKernels& GetContactKernels() { return SCREE_WIDEST(baseContactKernels, avx2ContactKernels); }
 
 }  // namespace scree

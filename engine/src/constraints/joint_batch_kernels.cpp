@@ -8,16 +8,8 @@
 
 namespace scree {
 
-#if defined(SCREE_HAS_AVX2_KERNELS)
 extern const JointBatchKernels avx2JointBatchKernels;
-#endif
 
-const JointBatchKernels& GetJointBatchKernels() {
-#if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = HasAvx2();
-    if (hasAvx2) return avx2JointBatchKernels;
-#endif
-    return baseJointBatchKernels;
-}
+const JointBatchKernels& GetJointBatchKernels() { return SCREE_WIDEST(baseJointBatchKernels, avx2JointBatchKernels); }
 
 }  // namespace scree

@@ -8,16 +8,8 @@
 
 namespace scree {
 
-#if defined(SCREE_HAS_AVX2_KERNELS)
 extern const LaneKernels avx2LaneKernels;
-#endif
 
-const LaneKernels& GetLaneKernels() {
-#if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = HasAvx2();
-    if (hasAvx2) return avx2LaneKernels;
-#endif
-    return baseLaneKernels;
-}
+const LaneKernels& GetLaneKernels() { return SCREE_WIDEST(baseLaneKernels, avx2LaneKernels); }
 
 }  // namespace scree

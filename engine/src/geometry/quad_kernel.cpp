@@ -8,17 +8,11 @@
 
 namespace scree {
 
-#if defined(SCREE_HAS_AVX2_KERNELS)
 void CollideQuadsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
 void CollideQuadDisksAvx2(const QuadDiskPairs& pairs, QuadDiskContacts& contacts);
-#endif
 
 QuadKernels GetQuadKernels() {
-#if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = HasAvx2();
-    if (hasAvx2) return {&CollideQuadsAvx2, &CollideQuadDisksAvx2};
-#endif
-    return GetBaseQuadKernels();
+    return SCREE_WIDEST(GetBaseQuadKernels(), (QuadKernels{&CollideQuadsAvx2, &CollideQuadDisksAvx2}));
 }
 
 QuadKernels GetBaseQuadKernels() { return {&CollideQuadsBase, &CollideQuadDisksBase}; }

@@ -197,13 +197,14 @@ std::vector<std::byte> SaveWorld(const World& world) {
         s.Refuse(ErrorCode::locked, "SaveWorld", "world", "save outside of Step and callbacks");
         return {};
     }
-    ImageWriter content;
-    VisitWorld(s, content);
-    const std::vector<std::byte>& bytes = content.Bytes();
-    const Header header{magic, snapshotVersion, snapshotByteOrder, sizeof(Header) + bytes.size(), ChecksumOf(bytes)};
-    std::vector<std::byte> image(sizeof(Header) + bytes.size());
+    Header header{magic, snapshotVersion, snapshotByteOrder, 0, 0};
+    ImageWriter writer;
+    writer.Append(std::as_bytes(std::span(&header, 1)));
+    VisitWorld(s, writer);
+    std::vector<std::byte> image = std::move(writer.Bytes());
+    header.size = image.size();
+    header.checksum = ChecksumOf(std::span(image).subspan(sizeof(header)));
     std::memcpy(image.data(), &header, sizeof(header));
-    std::copy(bytes.begin(), bytes.end(), image.begin() + sizeof(header));
     return image;
 }
 

@@ -55,7 +55,7 @@ private:
         const scree::BodyDef def;
         scree::ChainShape chain;
         const scree::Vec2 vertices[] = {{10.0f, 1.0f}, {3.0f, 0.0f}, {-3.0f, 0.0f}, {-10.0f, 1.0f}};
-        chain.CreateChain(vertices, 4, {11.0f, 1.0f}, {-11.0f, 1.0f});
+        EXPECT_TRUE(chain.CreateChain(vertices, 4, {11.0f, 1.0f}, {-11.0f, 1.0f}));
         m_world.CreateBody(&def)->CreateFixture(&chain, 0.0f);
     }
     void MakeBody() {

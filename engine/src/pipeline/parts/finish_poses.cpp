@@ -8,16 +8,8 @@
 
 namespace scree {
 
-#if defined(SCREE_HAS_AVX2_KERNELS)
 bool FinishPosesAvx2(const FinishPosesTask& task, const int32_t* eight);
-#endif
 
-FinishPosesFunction GetFinishPoses() {
-#if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = HasAvx2();
-    if (hasAvx2) return &FinishPosesAvx2;
-#endif
-    return &FinishPosesBase;
-}
+FinishPosesFunction GetFinishPoses() { return SCREE_WIDEST(&FinishPosesBase, &FinishPosesAvx2); }
 
 }  // namespace scree

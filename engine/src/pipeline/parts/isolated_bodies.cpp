@@ -8,16 +8,8 @@
 
 namespace scree {
 
-#if defined(SCREE_HAS_AVX2_KERNELS)
 IsolatedMove MoveIsolatedAvx2(const IsolatedBodiesTask& task, const int32_t* eight);
-#endif
 
-MoveIsolatedFunction GetMoveIsolated() {
-#if defined(SCREE_HAS_AVX2_KERNELS)
-    static const bool hasAvx2 = HasAvx2();
-    if (hasAvx2) return &MoveIsolatedAvx2;
-#endif
-    return &MoveIsolatedBase;
-}
+MoveIsolatedFunction GetMoveIsolated() { return SCREE_WIDEST(&MoveIsolatedBase, &MoveIsolatedAvx2); }
 
 }  // namespace scree
