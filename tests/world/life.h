@@ -59,7 +59,12 @@ class FifthPair final : public ContactFilter {
 class Life {
 public:
     Life(uint32_t seed, FeatureMode mode, Features set)
-        : m_random(seed), m_mask(RandomMask()), m_meddler(m_mask, seed + 1), m_soft(seed % 2 == 1) {
+        : m_random(seed),
+          m_mask(RandomMask()),
+          m_meddler(m_mask, seed + 1),
+          m_kind(seed % 2 == 0   ? Kind::sequential
+                 : seed % 9 == 4 ? Kind::tolerant
+                                 : Kind::soft) {
         WorldDef def;
         def.featureMode = mode;
         def.features = set;
@@ -70,6 +75,7 @@ public:
         if (m_mask.Has(Feature::speedLimit)) def.maxTranslation = 0.2f, def.maxRotation = 0.3f;
         if (m_mask.Has(Feature::multiThreading) && seed % 8 == 0) def.workerCount = 2;
         m_world = std::make_unique<World>(def);
+        m_world->SetSubStepping(seed % 6 == 4);
         m_world->SetErrorHandler(
             [](const Error& e, void*) {
                 if (e.code == ErrorCode::missingFeature) ADD_FAILURE() << e.function << ": " << e.field;
@@ -109,7 +115,9 @@ public:
         m_step = m_meddler.used = {};
         if (Chance(6)) ChangeMask();
         for (int edits = Pick(4); edits > 0; --edits) Edit(), Note();
-        m_soft ? m_world->Step(1.0f / 60.0f, 4) : m_world->Step(1.0f / 60.0f, 6, 2);
+        m_kind == Kind::tolerant ? m_world->Step(1.0f / 60.0f, Tolerance{})
+        : m_kind == Kind::soft   ? m_world->Step(1.0f / 60.0f, 4)
+                                 : m_world->Step(1.0f / 60.0f, 6, 2);
         Note();
         return inspect::GetStateHash(*m_world);
     }
@@ -346,7 +354,8 @@ private:
     Features m_mask;
     FuzzMeddler m_meddler;
     FifthPair m_filter;
-    bool m_soft, m_isFiltered = false, m_hears = false;
+    enum class Kind { sequential, soft, tolerant } m_kind;
+    bool m_isFiltered = false, m_hears = false;
     std::unique_ptr<World> m_world;
     std::vector<Body*> m_bodies;
     std::vector<Joint*> m_joints;

@@ -11,6 +11,7 @@
 #include "scree/recording.h"
 #include "scree/snapshot.h"
 #include "tests/world/fixtures.h"
+#include "tests/world/life.h"
 
 namespace scree::test {
 namespace {
@@ -100,6 +101,19 @@ TEST(Restore, BodiesPartFromAnImageAsTheyDidBefore) {
         static uint64_t ofOneWorker = 0;
         if (workers == 1) ofOneWorker = after;
         EXPECT_EQ(after, ofOneWorker) << workers;
+    }
+}
+
+/// An image holds all that a step reads: what a world keeps beside it changes nothing.
+TEST(Restore, RandomWorldsThatAreRestoredBeforeEachStepLiveOnAlike) {
+    for (uint32_t seed = 0; seed < 400; ++seed) {
+        Life one(seed, FeatureMode::automatic, Features::All()), other(seed, FeatureMode::automatic, Features::All());
+        for (int step = 0; step < 30; ++step) {
+            const Life::Program program = other.GetProgram();
+            ASSERT_EQ(RestoreWorld(other.GetWorld(), SaveWorld(other.GetWorld())), SnapshotError::ok);
+            other.Return(program);
+            ASSERT_EQ(other.Step(), one.Step()) << "world " << seed << ", step " << step;
+        }
     }
 }
 

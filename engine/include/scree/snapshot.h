@@ -19,7 +19,7 @@
 namespace scree {
 
 /// Increases with every change of the format; LoadWorld reads only its own version.
-inline constexpr uint32_t snapshotVersion = 10;
+inline constexpr uint32_t snapshotVersion = 11;
 
 /// Why an image was refused.
 enum class SnapshotError : uint8_t {

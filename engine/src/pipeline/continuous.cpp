@@ -49,7 +49,7 @@ public:
     ContinuousReport Run() {
         m_toi.Clear();
         ForgetMembers();  // of an event that a callback ended by an exception
-        m_s.ballistic.clear();
+        if (!m_s.resuming) m_s.ballistic.clear();
         m_toi.FindAll();
         while (!m_s.events.Empty()) {
             const int pair = m_s.events.Top();
@@ -62,6 +62,7 @@ public:
                 break;
             }
         }
+        if (!m_report.complete) EnsureBallistic();
         m_s.resuming = !m_report.complete;
         return m_report;
     }
@@ -381,12 +382,17 @@ private:
         }
     }
 
+    /// A step that goes on keeps what it knew when it began; bodies may have come since.
+    void EnsureBallistic() {
+        const bool isKnown = m_s.resuming || !m_s.ballistic.empty();
+        EnsureRows(m_s.ballistic, ToSize(m_bodies.slots.Size()), uint8_t{0});
+        if (isKnown) return;
+        for (const BodyIndex body : m_settings.ballistic) m_s.ballistic[body] = 1;
+    }
+
     /// What forces will add to the velocities of the event's bodies in the rest of the step, and have added already.
     void FindAhead(float rest) {
-        if (m_s.ballistic.empty()) {
-            m_s.ballistic.resize(ToSize(m_bodies.slots.Size()), 0);
-            for (const BodyIndex body : m_settings.ballistic) m_s.ballistic[body] = 1;
-        }
+        EnsureBallistic();
         m_s.ahead.clear();
         for (const BodyIndex body : m_s.islandBodies) {
             Velocity& ahead = m_s.ahead.emplace_back();

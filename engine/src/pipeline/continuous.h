@@ -67,7 +67,6 @@ struct ContinuousReport {
 
 /// Scratch of the stage, kept between steps; with sub-stepping also what is left of an unfinished step.
 struct ContinuousScratch : ToiScratch {
-    Column<BodyIndex, uint8_t> ballistic;  ///< per body; only written once something meets
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
     std::vector<ContactIndex> islandContacts;
@@ -77,8 +76,8 @@ struct ContinuousScratch : ToiScratch {
     Column<BodyIndex, int> islandPlace;  ///< per body: its place in islandBodies; −1 if it is not there
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return ToiScratch::GetMemoryBytes() + BytesOf(ballistic, rows.velocity, rows.position, ahead, islandContacts,
-                                                      islandBodies, islandJoints, pairsInOrder, islandPlace);
+        return ToiScratch::GetMemoryBytes() + BytesOf(rows.velocity, rows.position, ahead, islandContacts, islandBodies,
+                                                      islandJoints, pairsInOrder, islandPlace);
     }
 };
 

@@ -68,7 +68,7 @@ void VisitMotion(WorldState& s, Column<FixtureIndex, BoxBits>& boxes, Visit visi
     ColumnsOnly only(visit);
     ContactTable::Fields(s.contacts, only);
     std::apply([&](auto&... store) { (visit(store.rows), ...); }, s.joints.stores);
-    visit(s.continuousScratch.alpha);
+    each(s.continuousScratch.alpha, s.continuousScratch.ballistic);
     visit(boxes);
 }
 
@@ -90,6 +90,7 @@ void ForgetWays(ToiScratch& scratch) {
     for (const BodyIndex body : scratch.touched) {
         if (scratch.alpha.Has(body)) scratch.alpha[body] = 0.0f;
     }
+    scratch.ballistic.clear();
 }
 
 /// From boxes to what distinguishes them, and back.

@@ -65,7 +65,7 @@ bool ReadShapesAndBoxes(WorldState& s, ImageReader& in) {
 
 /// Puts a sub-stepped step that is not over yet back to where its bodies stand.
 bool ResumeSubStep(ContinuousScratch& scratch, size_t bodyCount) {
-    if (scratch.alpha.size() > bodyCount) return false;
+    if (scratch.alpha.size() > bodyCount || scratch.ballistic.size() > bodyCount) return false;
     for (const BodyIndex body : scratch.alpha.Rows()) {
         if (scratch.alpha[body] < 0.0f || scratch.alpha[body] > 1.0f) return false;
         if (scratch.alpha[body] > 0.0f) scratch.touched.push_back(body);

@@ -83,7 +83,8 @@ struct ToiScratch {
     Column<int, ToiPair> pairs;
     Column<BodyIndex, int> firstPair;         ///< per body, −1: none
     Column<BodyIndex, float> alpha;           ///< per body: the part of the step done at its start position
-    std::vector<BodyIndex> touched;           ///< bodies whose entries above must be reset
+    Column<BodyIndex, uint8_t> ballistic;     ///< per body: moved by gravity and forces alone; empty until they meet
+    std::vector<BodyIndex> touched;           ///< bodies whose entries in firstPair and alpha must be reset
     std::vector<FixtureIndex> found;          ///< fixtures of one query
     std::vector<BodyIndex> lookers;           ///< bodies whose ways are looked at
     std::vector<ToiCandidate> candidates;     ///< of one body
@@ -100,8 +101,8 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, touched, found, lookers, candidates, screened, sweptBoxes, hitters,
-                       isPassedOver, times, knownTo) +
+        return BytesOf(pairs, firstPair, alpha, ballistic, touched, found, lookers, candidates, screened, sweptBoxes,
+                       hitters, isPassedOver, times, knownTo) +
                nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
