@@ -45,7 +45,7 @@ FileKind KindOfOutput(const std::string& path) {
 void RecordRun(const ConvertArguments& arguments) {
     const SceneInput input = ChooseScene(arguments.in, arguments.size, arguments.input);
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : comparisonBase;
-    const RunSpec spec = ParseSpec(arguments.engine, GetTypedSettings(arguments.settings), base);
+    const RunSpec spec = ParseSpec(arguments.engine, arguments.settings.typed, base);
     const std::unique_ptr<InteractiveRun> run = MakeRun(input.Start(), spec);
     const int steps = arguments.steps.value_or(input.steps);
     Progress progress(arguments.in, std::max(1, steps));
