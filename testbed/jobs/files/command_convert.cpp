@@ -19,6 +19,7 @@
 #include "testbed/base/standard_error.h"
 #include "testbed/engines/record_track.h"
 #include "testbed/engines/saved_world.h"
+#include "testbed/input/body_names.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/jobs/files/commands.h"
 #include "testbed/options/options.h"
@@ -106,7 +107,7 @@ int RunConvert(const ConvertArguments& arguments) {
         if (kind == FileKind::image) {
             MakeImage(arguments, input);
         } else {
-            WriteTextFile(arguments.out, WriteScene(input.Build()));
+            WriteTextFile(arguments.out, WriteScene(WithWriter(input.Build())));
         }
     }
     fmt::print("{}\n", arguments.out == "-" ? "a scene on standard output" : arguments.out);
