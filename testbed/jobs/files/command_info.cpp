@@ -16,8 +16,6 @@
 #include <utility>
 #include <vector>
 
-#include "scree/recording.h"
-#include "scree/snapshot.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/json_print.h"
@@ -141,7 +139,7 @@ Facts FactsOfTrack(TrackFile file) {
 
 Facts FactsOfImage(const SavedWorld& world) {
     Facts facts;
-    facts["version"] = scree::snapshotVersion;
+    facts["version"] = GetImageVersion();
     facts["writer"] = "scree";
     facts["engine"] = "scree";
     AddWorld(facts, world.scene);
@@ -154,7 +152,7 @@ Facts FactsOfImage(const SavedWorld& world) {
 Facts FactsOfRecording(std::string_view bytes, const std::string& file) {
     const Replayed replayed = ReplayRecording(bytes, file, {.wantsTrack = true});
     Facts facts = FactsOfTrack(TrackFile(replayed.track, file));
-    facts["version"] = scree::recordingVersion;
+    facts["version"] = GetRecordingVersion();
     facts["writer"] = "scree";
     for (const char* key : {"contacts", "stages", "tree", "names"}) facts.erase(key);
     facts["calls"] = replayed.calls;
