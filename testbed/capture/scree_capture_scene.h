@@ -397,16 +397,18 @@ std::size_t WriteWorld(Writer& out, typename Api::World& world, const Options& o
         for (std::size_t i = 0; i < joints.size(); ++i) scene.WriteJoint(*joints[i], bodyNumbers, jointNumbers);
         out.EndArray();
     }
-    bool hasUser = false;
+    out.Key("user");
+    out.BeginMap();
+    out.Key("writer");
+    out.Value(std::string(Api::Writer()) + ", " + Api::Engine());
+    bool hasBodies = false;
     for (std::size_t i = 0; i < bodies.size(); ++i) {
         const std::uint64_t data = ToNumber(bodies[i]->GetUserData());
         if (data == 0 || data > mostUserData) continue;
-        if (!hasUser) {
-            out.Key("user");
-            out.BeginMap();
+        if (!hasBodies) {
             out.Key("bodies");
             out.BeginMap();
-            hasUser = true;
+            hasBodies = true;
         }
         out.Key(std::to_string(i).c_str());
         out.BeginMap();
@@ -414,10 +416,8 @@ std::size_t WriteWorld(Writer& out, typename Api::World& world, const Options& o
         out.Value(static_cast<std::int64_t>(data));
         out.EndMap();
     }
-    if (hasUser) {
-        out.EndMap();
-        out.EndMap();
-    }
+    if (hasBodies) out.EndMap();
+    out.EndMap();
     out.EndMap();
     return timeStepAt;
 }

@@ -146,6 +146,10 @@ public:
     /// Keeps the last seconds in memory instead of writing: a flight recorder. Call it before the first step.
     void KeepLast(double seconds) { m_options.keepLast = seconds; }
     /// Writes what a flight recorder keeps, replacing what it wrote before; false if the file cannot be written.
+    /// A crash handler may call it as a last resort. It reads nothing of the world, but it is not async-signal-safe: it
+    /// allocates memory and opens a file. If the crash is inside of malloc, of Step or of Save itself, or has damaged
+    /// the heap, it may fault again or wait for ever for a lock. So the handler first restores the default action of
+    /// the signal and calls alarm. After an overflow of the stack it needs sigaltstack.
     bool Save() { return Save(m_path); }
     bool Save(const std::string& path) {
         EndKept();

@@ -51,6 +51,21 @@ std::string NameOf(std::string_view settings) {
     return name;
 }
 
+/// The parts between commas that separate panes. A number after a comma belongs to the value before it.
+std::vector<std::string_view> SplitPanes(std::string_view text) {
+    std::vector<std::string_view> parts;
+    for (const std::string_view part : Split(text, ',')) {
+        const bool continues = ParseNumber<double>(part.substr(0, part.find(':'))) && !parts.empty() &&
+                               parts.back().find(':') != std::string_view::npos;
+        if (continues) {
+            parts.back() = std::string_view(parts.back().data(), part.data() + part.size());
+        } else {
+            parts.push_back(part);
+        }
+    }
+    return parts;
+}
+
 struct Written {
     std::string_view name, engine, settings;
 };
@@ -117,7 +132,7 @@ std::string FindName(const Written& pane, std::span<const Written> all, std::spa
 
 std::vector<Pane> ParsePanes(std::string_view text, std::span<const TypedSetting> common, std::string_view base) {
     std::vector<Written> written;
-    for (const std::string_view part : Split(text, ',')) written.push_back(ReadPane(part));
+    for (const std::string_view part : SplitPanes(text)) written.push_back(ReadPane(part));
     if (written.size() > maxPanes) throw UsageError(fmt::format("--engines: at most {} panes", maxPanes));
     std::vector<Pane> panes;
     std::vector<bool> isHad(common.size(), false);

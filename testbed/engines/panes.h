@@ -4,6 +4,7 @@
 // Which engines run beside each other under which settings, and which of them the others are compared with. Written
 //   [NAME=]ENGINE[:KEY=VALUE]…,…
 // a comma separates panes, a colon the settings of a pane: scree,scree:solver=soft@8:threads=2,fine=scree:accuracy=fine
+// No pane begins with a number: after a comma it continues a value, as in scree:gravity=0,-20,box2d.
 
 #pragma once
 

@@ -42,6 +42,11 @@ std::string ReadNumberInto(std::string_view value, Number& number) {
     return Done();
 }
 
+/// "8/3" or "8,3".
+std::vector<std::string_view> SplitNumbers(std::string_view value) {
+    return Split(value, value.find('/') == std::string_view::npos ? ',' : '/');
+}
+
 /// A switch of the spec, by its member.
 template <bool RunSpec::*member>
 std::string ReadSwitch(std::string_view value, RunSpec& spec) {
@@ -59,7 +64,7 @@ std::string ReadIterations(std::string_view value, RunSpec& spec) {
         spec.solver = SequentialImpulses{};
         return Done();
     }
-    const std::vector<std::string_view> parts = Split(value, '/');
+    const std::vector<std::string_view> parts = SplitNumbers(value);
     const Parsed<int> velocity = ParseNumber<int>(parts.front()), position = ParseNumber<int>(parts.back());
     if (parts.size() != 2 || !velocity || !position) return NotAValue();
     spec.solver = SequentialImpulses{Iterations{*velocity, *position}};
@@ -105,7 +110,7 @@ std::string PrintAccuracy(const RunSpec& spec) {
 }
 
 std::string ReadTolerance(std::string_view value, RunSpec& spec) {
-    const std::vector<std::string_view> parts = Split(value, '/');
+    const std::vector<std::string_view> parts = SplitNumbers(value);
     Tolerance tolerance;
     const bool isRead = (parts.size() == 1 || parts.size() == 2 || parts.size() == 4) &&
                         ReadNumberInto(parts[0], tolerance.overlap).empty() &&
@@ -151,7 +156,7 @@ std::string ReadGravity(std::string_view value, RunSpec& spec) {
         spec.gravity.reset();
         return Done();
     }
-    const std::vector<std::string_view> parts = Split(value, '/');
+    const std::vector<std::string_view> parts = SplitNumbers(value);
     const Parsed<float> x = ParseNumber<float>(parts.front()), y = ParseNumber<float>(parts.back());
     if (parts.size() != 2 || !x || !y) return NotAValue();
     spec.gravity = scenes::Vec2{*x, *y};
@@ -232,7 +237,7 @@ constexpr SettingKey settingKeys[] = {
      .values = "VELOCITY/POSITION, 1 to 200 and 0 to 200, or scene",
      .unit = "",
      .what = "another way to say solver=si@VELOCITY/POSITION",
-     .flag = "",
+     .flag = "--iterations",
      .needs = sequential,
      .isLive = true,
      .read = ReadIterations,
@@ -250,7 +255,7 @@ constexpr SettingKey settingKeys[] = {
      .values = "draft, game, fine or precise",
      .unit = "",
      .what = "instead of a solver: a mark of the engine's accuracy dial",
-     .flag = "",
+     .flag = "--accuracy",
      .needs = dial,
      .isLive = true,
      .read = ReadAccuracy,
@@ -262,7 +267,7 @@ constexpr SettingKey settingKeys[] = {
      .unit = "m",
      .what = "instead of a solver: errors that each island's number of sub-steps is to stay below; 0.01/0.001/4/32 are "
              "the engine's own",
-     .flag = "",
+     .flag = "--tolerance",
      .needs = dial,
      .isLive = true,
      .read = ReadTolerance,

@@ -3,8 +3,8 @@
 //
 // How a scene is run: engine, solver, time step, gravity, threads and what else a program may choose of an engine. The
 // table of keys is the one list of it: the command line's --set KEY=VALUE, what stands in sidecars, rows and pages, and
-// the table of testbed/docs/settings.md follow it. Values hold no comma, colon or blank, so that specs fit into lists
-// of any kind.
+// the table of testbed/docs/settings.md follow it. Values are printed without comma, colon or blank, so that specs
+// fit into lists of any kind. Numbers of a value may be typed with a comma between them, too.
 
 #pragma once
 
@@ -110,7 +110,7 @@ struct SettingKey {
     std::string_view values;  ///< what it takes, in words
     std::string_view unit;    ///< empty: none
     std::string_view what;
-    std::string_view flag;  ///< the option that some commands have for it; empty: none
+    std::string_view flag;  ///< the option that commands have for it; empty: none
     unsigned needs;         ///< bits of the abilities without which an engine does not have it
     bool isLive;            ///< may change while a scene runs
     /// Puts a value into the spec; returns what is wrong with it, empty: nothing.

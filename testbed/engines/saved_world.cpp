@@ -92,6 +92,9 @@ std::string DescribeEnd(const scree::ReplayReport& report) {
 
 }  // namespace
 
+int GetImageVersion() { return static_cast<int>(scree::snapshotVersion); }
+int GetRecordingVersion() { return static_cast<int>(scree::recordingVersion); }
+
 SavedWorld ReadWorldImage(std::string_view bytes, std::string_view source) {
     scree::SnapshotError error = scree::SnapshotError::ok;
     const std::unique_ptr<scree::World> world = scree::LoadWorld(AsBytes(bytes), &error);

@@ -27,6 +27,10 @@ struct SavedWorld {
     std::string settings;  ///< with which our engine goes on in it, as PrintSettings writes them
 };
 
+/// Versions of both formats that this program writes, and the only ones that it reads.
+[[nodiscard]] int GetImageVersion();
+[[nodiscard]] int GetRecordingVersion();
+
 /// The world in an image. Throws FileError, naming `source`, with the reason and the cure for what is none.
 [[nodiscard]] SavedWorld ReadWorldImage(std::string_view bytes, std::string_view source);
 

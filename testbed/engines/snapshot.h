@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -20,6 +21,12 @@ using scenes::Vec2;
 struct Box {
     Vec2 lower, upper;
 };
+
+/// The smallest box around two.
+[[nodiscard]] inline Box Join(const Box& a, const Box& b) {
+    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
+            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
+}
 
 /// State of one body; `index` is its index in scenes::Scene::bodies.
 struct BodyState {

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "testbed/base/json_print.h"
 #include "testbed/base/text.h"
 
 namespace testbed {
@@ -23,6 +24,19 @@ std::vector<std::string> NamesIn(const scenes::Scene& scene) {
         if (told.contains("name") && told["name"].is_string()) names[static_cast<std::size_t>(*index)] = told["name"];
     }
     return names;
+}
+
+std::string WriterOf(const scenes::Scene& scene) {
+    const nlohmann::json user = nlohmann::json::parse(scene.user, nullptr, false);
+    const bool isTold = user.is_object() && user.contains("writer") && user["writer"].is_string();
+    return isTold ? user["writer"].get<std::string>() : std::string();
+}
+
+scenes::Scene WithWriter(scenes::Scene scene) {
+    nlohmann::ordered_json user = nlohmann::ordered_json::parse(scene.user, nullptr, false);
+    if (!user.is_object()) user = nlohmann::ordered_json::object();
+    if (user.emplace("writer", "scree " SCREE_VERSION).second) scene.user = PrintJson(user);
+    return scene;
 }
 
 }  // namespace testbed

@@ -28,8 +28,9 @@ namespace testbed {
 [[nodiscard]] std::unique_ptr<Condition> MakeNonFiniteCondition();
 /// A body whose position leaves the box; one that starts outside does not.
 [[nodiscard]] std::unique_ptr<Condition> MakeEscapeCondition(const Box& box);
-/// A step that took `factor` times the median, with the stage that grew most and the bodies with the most contacts.
-[[nodiscard]] std::unique_ptr<Condition> MakeSpikeCondition(double factor);
+/// A step that took `factor` times the median, with the stage that grew most and the bodies with the most new pairs,
+/// the largest box and the most contacts. A session may have been recorded without contacts: `hasContacts`.
+[[nodiscard]] std::unique_ptr<Condition> MakeSpikeCondition(double factor, bool hasContacts = true);
 /// Anchors of a revolute or weld joint farther apart than this.
 [[nodiscard]] std::unique_ptr<Condition> MakeJointGapCondition(double gap);
 /// A body that stays where it is and yet shakes. Within a second it leaves a box of a twentieth of its size in neither

@@ -37,6 +37,7 @@ struct Token {
     std::string_view text{};  ///< as written; of a text: what stands between the quotes
     std::size_t at = 0;       ///< of its first character
     double number = 0;
+    std::string meant{};  ///< of a text: without the backslashes of escapes
 };
 
 [[noreturn]] void Refuse(std::size_t at, std::string_view what, std::string_view problem) {
@@ -85,11 +86,22 @@ private:
         return token;
     }
     Token TakeText(char quote) {
-        const std::size_t end = m_text.find(quote, m_at + 1);
-        if (end == std::string_view::npos) Refuse(m_at, {}, fmt::format("the closing {} is missing", quote));
-        const Token token{Kind::text, m_text.substr(m_at + 1, end - m_at - 1), m_at};
+        Token token{.kind = Kind::text, .at = m_at};
+        std::size_t end = m_at + 1;
+        for (; end < m_text.size() && m_text[end] != quote; ++end) {
+            if (m_text[end] == '\\') TakeEscape(end);
+            if (end < m_text.size()) token.meant += m_text[end];
+        }
+        if (end >= m_text.size()) Refuse(m_at, {}, fmt::format("the closing {} is missing", quote));
+        token.text = m_text.substr(m_at + 1, end - m_at - 1);
         m_at = end + 1;
         return token;
+    }
+    /// From a backslash to the character that it makes an ordinary one.
+    void TakeEscape(std::size_t& at) const {
+        ++at;
+        if (at == m_text.size() || std::string_view("\"'\\").find(m_text[at]) != std::string_view::npos) return;
+        Refuse(at - 1, "\\", "a backslash in a name is written twice; before a quote it makes that part of the name");
     }
     Token TakeNumber() {
         std::size_t size = CountWhile(m_at, [](char c) { return IsDigit(c) || c == '.'; });
@@ -383,7 +395,7 @@ private:
         for (std::size_t i = 0; i < m_names.size(); ++i) {
             if (m_names[i].empty()) continue;
             known.emplace_back(m_names[i]);
-            if (m_names[i] == token.text) found.push_back(static_cast<int>(i));
+            if (m_names[i] == token.meant) found.push_back(static_cast<int>(i));
         }
         if (found.size() == 1) return found.front();
         if (found.size() > 1) {

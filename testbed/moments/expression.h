@@ -8,6 +8,7 @@
 //
 //   comparisons   < <= > >= == !=, joined by and, or, not and parentheses (also && || !)
 //   numbers       1.5, 2e-3, + - * /, abs(a), min(a, b), max(a, b)
+//   names         between " or ', where \" is a quote, \' another one and \\ a backslash
 //   a body        body(NAME) or body(INDEX), and of it .x .y (position, m) .angle (rad) .vx .vy .speed (m/s) .spin
 //                 (rad/s) .left .bottom .right .top (of its box, m) .awake .there (true or false)
 //   contacts      contacts(): all that touch; contacts(BODY): of one body; contacts(BODY, BODY): between two;

@@ -128,7 +128,7 @@ AskedConditions MakeConditions(const ConditionArguments& a, const SessionArgumen
     if (a.spin) asked.Add("spin", MakeSpinCondition(*a.spin));
     if (a.nonFinite) asked.Add("non-finite", MakeNonFiniteCondition());
     if (!a.escape.empty()) asked.Add("escape", MakeEscapeCondition(ParseBox(a.escape)));
-    if (a.spike) asked.Add("spike", MakeSpikeCondition(*a.spike));
+    if (a.spike) asked.Add("spike", MakeSpikeCondition(*a.spike, facts.hasContacts));
     if (a.jointGap) asked.Add("joint-gap", MakeJointGapCondition(*a.jointGap));
     if (a.jitter) asked.Add("jitter", MakeJitterCondition());
     if (a.awake) asked.Add("awake", MakeAwakeCondition(*a.awake));
@@ -163,7 +163,10 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
     app.add_option("--escape", a.escape, "A body that leaves the box left,bottom,right,top: --escape=-20,-1,20,30")
         ->type_name("BOX")
         ->group(group);
-    number("--spike", a.spike, "A step that takes this many times the median", "F");
+    number("--spike", a.spike,
+           "A step that takes this many times the median: with the stage that grew most and the bodies with the most "
+           "new pairs, the largest box and the most contacts, as far as they are known",
+           "F");
     number("--joint-gap", a.jointGap, "A revolute or weld joint open by more than this, m", "M");
     app.add_flag("--jitter", a.jitter, "A body that stays where it is and yet shakes")->group(group);
     number("--awake", a.awake, "A body that is awake for longer than this and goes nowhere, s", "S");
@@ -172,7 +175,8 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
         ->check(ZeroOrAbove())
         ->group(group);
     app.add_option("--when", a.when,
-                   "Steps after which this holds, by names or indices of bodies: 'body(\"player\").y < -5 and not "
+                   "Steps after which this holds, by names or indices of bodies (in a name \\\" is a quote and \\\\ a "
+                   "backslash): 'body(\"player\").y < -5 and not "
                    "body(\"player\").awake', 'contacts(\"player\", \"lava\") > 0'; repeatable")
         ->type_name("EXPR")
         ->allow_extra_args(false)

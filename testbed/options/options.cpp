@@ -110,11 +110,17 @@ CLI::Validator ZeroOrAbove() {
 }
 
 void AddSetOption(CLI::App& app, SettingArguments& arguments, const std::string& note) {
-    app.add_option("--set", arguments.sets,
-                   "A setting of how scenes are run, in every engine that has it; repeatable, the last one counts. " +
-                       note + (note.empty() ? "" : ". ") + "Keys:\n" + DescribeSettingKeys())
+    app.add_option_function<std::string>(
+           "--set",
+           [&arguments](const std::string& set) {
+               arguments.typed.push_back({set, "--set " + set});
+           },
+           "A setting of how scenes are run, in every engine that has it; repeatable, the last one counts. A comma may "
+           "stand for a slash between numbers. " +
+               note + (note.empty() ? "" : ". ") + "Keys:\n" + DescribeSettingKeys())
         ->type_name("KEY=VALUE")
-        ->allow_extra_args(false);
+        ->trigger_on_parse();
+    AddSettingFlags(app, arguments, {"iterations", "substeps", "accuracy", "tolerance"});
 }
 
 void AddEnginesOption(CLI::App& app, SettingArguments& arguments, const std::string& note) {
@@ -134,26 +140,22 @@ void AddSettingFlags(CLI::App& app, SettingArguments& arguments, std::initialize
         const std::string what = fmt::format("The same as --set {}=..: {}; {}", key.name, key.values, key.what);
         if (key.print(RunSpec{}) == "on" || key.print(RunSpec{}) == "off") {
             app.add_flag_callback(
-                flag,
-                [&arguments, &key, flag] {
-                    arguments.flags.push_back({fmt::format("{}=on", key.name), flag, true});
-                },
-                fmt::format("The same as --set {}=on: {}", key.name, key.what));
+                   flag,
+                   [&arguments, &key, flag] {
+                       arguments.typed.push_back({fmt::format("{}=on", key.name), flag});
+                   },
+                   fmt::format("The same as --set {}=on: {}", key.name, key.what))
+                ->trigger_on_parse();
             continue;
         }
         app.add_option_function<std::string>(
-            flag,
-            [&arguments, &key, flag](const std::string& value) {
-                arguments.flags.push_back({fmt::format("{}={}", key.name, value), flag + " " + value, true});
-            },
-            what);
+               flag,
+               [&arguments, &key, flag](const std::string& value) {
+                   arguments.typed.push_back({fmt::format("{}={}", key.name, value), flag + " " + value});
+               },
+               what)
+            ->trigger_on_parse();
     }
-}
-
-std::vector<TypedSetting> GetTypedSettings(const SettingArguments& arguments) {
-    std::vector<TypedSetting> settings = arguments.flags;
-    for (const std::string& setting : arguments.sets) settings.push_back({setting, "--set " + setting});
-    return settings;
 }
 
 void AddRunOptions(CLI::App& app, SceneArguments& arguments) {
@@ -175,7 +177,7 @@ std::string FindPoses(const SceneArguments& arguments, const SceneInput& input) 
 }
 
 Panes MakePanes(const SceneArguments& arguments, const SceneInput& input) {
-    const std::vector<TypedSetting> typed = GetTypedSettings(arguments.settings);
+    const std::vector<TypedSetting>& typed = arguments.settings.typed;
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : comparisonBase;
     Panes panes{.panes = ParsePanes(arguments.settings.engines, typed, base)};
     panes.baseline = FindBaseline(panes.panes, arguments.settings.baseline);

@@ -49,22 +49,19 @@ inline constexpr int maxStep = 1'000'000;
 struct SettingArguments {
     std::string engines = "scree,box2d";
     std::string baseline{};
-    std::vector<std::string> sets{};    ///< KEY=VALUE of --set
-    std::vector<TypedSetting> flags{};  ///< the same of options that have a key of their own
+    std::vector<TypedSetting> typed{};  ///< of --set and of the options of single keys, in the order typed
 };
 /// Checks of options: a finite number above 0, or one of 0 or above.
 [[nodiscard]] CLI::Validator AboveZero();
 [[nodiscard]] CLI::Validator ZeroOrAbove();
 
-/// --set, repeatable; `note` says what is special to the command. DescribeSettingKeys stands in its help.
+/// --set, repeatable, and the options that are the same in every command that has it: --iterations, --substeps,
+/// --accuracy and --tolerance. `note` says what is special to the command. DescribeSettingKeys stands in the help.
 void AddSetOption(CLI::App& app, SettingArguments& arguments, const std::string& note = "");
 /// --engines.
 void AddEnginesOption(CLI::App& app, SettingArguments& arguments, const std::string& note);
 /// The option of each of these keys: another spelling of --set.
 void AddSettingFlags(CLI::App& app, SettingArguments& arguments, std::initializer_list<std::string_view> keys);
-/// All of them in the order in which they apply: options, then --set.
-[[nodiscard]] std::vector<TypedSetting> GetTypedSettings(const SettingArguments& arguments);
-
 /// What --help says about comparisonBase.
 inline constexpr const char* comparisonNote =
     "Runs begin with preset=like-box2d, so that all engines do the same: Box2D's caps of speed, no continuous "

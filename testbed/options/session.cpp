@@ -133,7 +133,7 @@ std::vector<NamedSession> OpenSessions(const SessionArguments& arguments, const 
     }
     const bool isMotion = input.motion != nullptr;
     const bool isAsRecorded = isMotion && engines.empty();
-    if (isMotion && (!arguments.engine.empty() || (isAsRecorded && !arguments.settings.sets.empty()))) {
+    if (isMotion && (!arguments.engine.empty() || (isAsRecorded && !arguments.settings.typed.empty()))) {
         throw UsageError(
             fmt::format("{} is taken as it was recorded: --engine and --set need --from K", arguments.input));
     }
@@ -146,7 +146,7 @@ std::vector<NamedSession> OpenSessions(const SessionArguments& arguments, const 
     }
     const std::string text = !engines.empty() ? engines : arguments.engine.empty() ? "scree" : arguments.engine;
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : std::string_view();
-    for (const Pane& pane : ParsePanes(text, GetTypedSettings(arguments.settings), base)) {
+    for (const Pane& pane : ParsePanes(text, arguments.settings.typed, base)) {
         sessions.push_back({pane.name, {input, pane.spec, range.last, isMotion}});
         if (!arguments.steps.empty()) sessions.back().session.Narrow(range);
     }

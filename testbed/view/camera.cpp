@@ -25,12 +25,6 @@ bool IsFinite(const Box& box) {
            std::isfinite(box.upper.y);
 }
 
-/// The smallest box around two.
-Box Join(const Box& a, const Box& b) {
-    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
-            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
-}
-
 /// What two boxes share; none where they do not touch.
 std::optional<Box> Intersect(const Box& a, const Box& b) {
     const Box common{{std::max(a.lower.x, b.lower.x), std::max(a.lower.y, b.lower.y)},

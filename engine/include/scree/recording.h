@@ -28,6 +28,9 @@
 
 namespace scree {
 
+/// Increases with every change of the format; a Player reads only its own version.
+inline constexpr uint32_t recordingVersion = 3;
+
 /// The memory of a recording. It must exist as long as its world is recorded.
 class SCREE_API Recorder {
 public:

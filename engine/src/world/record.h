@@ -26,7 +26,7 @@ constexpr uint32_t CallNumber(std::string_view name) {
 }
 
 /// In front of every recording: letters and, in the highest byte, the version of the format.
-inline constexpr uint64_t recordingMagic = 0x0363657265726373ull;
+inline constexpr uint64_t recordingMagic = 0x0063657265726373ull | uint64_t{recordingVersion} << 56;
 
 /// Follows every Step in a recording.
 inline constexpr uint32_t hashRecord = CallNumber("state hash");

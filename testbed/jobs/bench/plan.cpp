@@ -75,13 +75,14 @@ std::vector<Pane> ChoosePanes(const BenchArguments& arguments) {
                                                           !arguments.threads.empty() ? arguments.threads
                                                           : arguments.targets        ? "1,2"
                                                                                      : "1");
-    // A preset sets everything: those typed first come before the choice, other settings after it.
-    const std::vector<TypedSetting> typed = GetTypedSettings(arguments.settings);
+    // A preset sets everything: the choice comes after the last one, before what was typed after that.
+    const std::vector<TypedSetting>& typed = arguments.settings.typed;
     const auto put = [&](const std::string& solver, const std::string& count) {
         std::vector<TypedSetting> all = typed;
-        const auto place = std::ranges::find_if_not(
-            all, [](const TypedSetting& setting) { return setting.setting.starts_with("preset="); });
-        all.insert(place, {{solver, "--solver", true}, {count, "--threads", true}});
+        const auto last = std::find_if(all.rbegin(), all.rend(), [](const TypedSetting& setting) {
+            return setting.setting.starts_with("preset=");
+        });
+        all.insert(last.base(), {{solver, "--solver", true}, {count, "--threads", true}});
         return all;
     };
     std::vector<std::vector<Pane>> choices;
@@ -208,14 +209,7 @@ AgainstPlan MakeAgainstPlan(const BenchArguments& arguments) {
     if (arguments.steps > 0) add("--steps", fmt::format("{}", arguments.steps));
     if (arguments.timeLimitS > 0) add("--time-limit", fmt::format("{}", arguments.timeLimitS));
     if (!arguments.input.format.empty()) add("--format", arguments.input.format);
-    for (const TypedSetting& flag : arguments.settings.flags) {
-        if (flag.setting == "continuous=on") {
-            plan.options.emplace_back("--continuous");
-        } else {
-            add("--set", flag.setting);
-        }
-    }
-    for (const std::string& set : arguments.settings.sets) add("--set", set);
+    for (const TypedSetting& one : arguments.settings.typed) add("--set", one.setting);
     return plan;
 }
 

@@ -55,8 +55,7 @@ std::vector<Pane> ChooseSettings(const SettingArguments& arguments) {
     const bool isOwnList = arguments.engines.empty();
     std::string all = "box2d,scree,soft=scree:solver=soft@4";
     if (IsBuilt("box2d3")) all += ",box2d3";
-    std::vector<Pane> settings =
-        ParsePanes(isOwnList ? all : arguments.engines, GetTypedSettings(arguments), "solver=si@8/3");
+    std::vector<Pane> settings = ParsePanes(isOwnList ? all : arguments.engines, arguments.typed, "solver=si@8/3");
     for (Pane& pane : settings) {
         const bool isPlain = isOwnList || pane.name == pane.spec.engine;
         pane.name = pane.spec.engine + " " + (isPlain ? NameSolver(pane.spec) : pane.name);
@@ -139,8 +138,8 @@ std::vector<ExtremeResult> RunAll(const ExtremesArguments& arguments, std::span<
                        // Waiting counts here, and a busy machine makes everything wait.
                        .wallSeconds = 10.0 * limit};
         if (arguments.quick) child.arguments.emplace_back("--quick");
-        for (const std::string& setting : arguments.settings.sets) {
-            child.arguments.insert(child.arguments.end(), {"--set", setting});
+        for (const TypedSetting& one : arguments.settings.typed) {
+            child.arguments.insert(child.arguments.end(), {"--set", one.setting});
         }
         if (!arguments.settings.engines.empty()) {
             child.arguments.insert(child.arguments.end(), {"--engines", arguments.settings.engines});

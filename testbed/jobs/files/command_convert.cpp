@@ -19,6 +19,7 @@
 #include "testbed/base/standard_error.h"
 #include "testbed/engines/record_track.h"
 #include "testbed/engines/saved_world.h"
+#include "testbed/input/body_names.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/jobs/files/commands.h"
 #include "testbed/options/options.h"
@@ -45,7 +46,7 @@ FileKind KindOfOutput(const std::string& path) {
 void RecordRun(const ConvertArguments& arguments) {
     const SceneInput input = ChooseScene(arguments.in, arguments.size, arguments.input);
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : comparisonBase;
-    const RunSpec spec = ParseSpec(arguments.engine, GetTypedSettings(arguments.settings), base);
+    const RunSpec spec = ParseSpec(arguments.engine, arguments.settings.typed, base);
     const std::unique_ptr<InteractiveRun> run = MakeRun(input.Start(), spec);
     const int steps = arguments.steps.value_or(input.steps);
     Progress progress(arguments.in, std::max(1, steps));
@@ -106,7 +107,7 @@ int RunConvert(const ConvertArguments& arguments) {
         if (kind == FileKind::image) {
             MakeImage(arguments, input);
         } else {
-            WriteTextFile(arguments.out, WriteScene(input.Build()));
+            WriteTextFile(arguments.out, WriteScene(WithWriter(input.Build())));
         }
     }
     fmt::print("{}\n", arguments.out == "-" ? "a scene on standard output" : arguments.out);

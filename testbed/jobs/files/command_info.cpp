@@ -1,29 +1,35 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// `scree info`: what is in a file that can be given in place of a scene.
+// `scree info`: what is in a file that can be given in place of a scene, and how large the world in it is.
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "testbed/base/errors.h"
 #include "testbed/base/input.h"
 #include "testbed/base/json_print.h"
 #include "testbed/base/text.h"
+#include "testbed/engines/engine_run.h"
 #include "testbed/engines/saved_world.h"
+#include "testbed/engines/track_run.h"
 #include "testbed/input/body_names.h"
 #include "testbed/input/rube_file.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/input/track_file.h"
 #include "testbed/jobs/files/commands.h"
 #include "testbed/options/scene_input.h"
+#include "testbed/view/camera.h"
 
 namespace testbed {
 
@@ -51,6 +57,32 @@ void AddWorld(Facts& facts, const scenes::Scene& scene) {
     facts["gravity"] = {scene.gravity.x, scene.gravity.y};
 }
 
+/// Left, bottom, right and top of all fixtures, and of those whose bodies can move, over a run to its end.
+void AddExtent(Facts& facts, EngineRun& run, int steps) {
+    FitArea area;
+    std::optional<Box> all;
+    const auto add = [&all](const Box& box) { all = all ? Join(*all, box) : box; };
+    Snapshot snapshot;
+    const Snapshot* const shown[] = {&snapshot};
+    for (int i = 0; i <= steps; ++i) {
+        if (i > 0) run.Step();
+        run.Capture(snapshot, {.contacts = false, .joints = false, .nodes = false, .pairs = false});
+        AddStep(area, shown);
+        std::ranges::for_each(area.still, add);
+    }
+    if (area.moving) add(*area.moving);
+    const auto tell = [&facts](const char* key, const std::optional<Box>& box) {
+        if (box) facts[key] = {box->lower.x, box->lower.y, box->upper.x, box->upper.y};
+    };
+    tell("extent", all);
+    tell("moving_extent", area.moving);
+}
+
+/// Of a world at one moment.
+void AddExtent(Facts& facts, const scenes::Scene& scene) {
+    AddExtent(facts, *MakeRun(RunStart(scene), MakeSpec("scree")), 0);
+}
+
 /// Those that there are, each once, in the order of the bodies.
 Json ListNames(const std::vector<std::string>& all) {
     Json names = Json::array();
@@ -63,8 +95,10 @@ Json ListNames(const std::vector<std::string>& all) {
 
 Facts FactsOfScene(const scenes::Scene& scene) {
     Facts facts;
+    if (const std::string writer = WriterOf(scene); !writer.empty()) facts["writer"] = writer;
     facts["name"] = scene.name;
     AddWorld(facts, scene);
+    AddExtent(facts, scene);
     facts["steps"] = scene.steps;
     facts["time_step"] = scene.timeStep;
     facts["spawned_later"] = scene.spawns.size();
@@ -72,7 +106,9 @@ Facts FactsOfScene(const scenes::Scene& scene) {
     return facts;
 }
 
-Facts FactsOfTrack(const TrackFile& track) {
+Facts FactsOfTrack(TrackFile file) {
+    const auto shared = std::make_shared<TrackFile>(std::move(file));
+    const TrackFile& track = *shared;
     const TrackInfo& info = track.GetInfo();
     Facts facts;
     facts["version"] = info.version;
@@ -80,6 +116,9 @@ Facts FactsOfTrack(const TrackFile& track) {
     facts["engine"] = info.engine;
     AddWorld(facts, track.GetParts());
     const std::vector<int>& steps = track.GetSteps();
+    const int first = FirstStepOf(track);
+    const auto later = std::ranges::count_if(steps, [first](int step) { return step > first; });
+    AddExtent(facts, *MakeTrackRun(shared, first), static_cast<int>(later));
     facts["steps"] = steps.size();
     if (!steps.empty()) {
         facts["first_step"] = steps.front();
@@ -100,8 +139,12 @@ Facts FactsOfTrack(const TrackFile& track) {
 
 Facts FactsOfImage(const SavedWorld& world) {
     Facts facts;
+    facts["version"] = GetImageVersion();
+    facts["writer"] = "scree";
     facts["engine"] = "scree";
     AddWorld(facts, world.scene);
+    AddExtent(facts, world.scene);
+    facts["steps"] = world.scene.steps;
     facts["settings"] = world.settings;
     return facts;
 }
@@ -109,14 +152,17 @@ Facts FactsOfImage(const SavedWorld& world) {
 Facts FactsOfRecording(std::string_view bytes, const std::string& file) {
     const Replayed replayed = ReplayRecording(bytes, file, {.wantsTrack = true});
     Facts facts = FactsOfTrack(TrackFile(replayed.track, file));
-    for (const char* key : {"version", "writer", "contacts", "stages", "tree", "names"}) facts.erase(key);
+    facts["version"] = GetRecordingVersion();
+    facts["writer"] = "scree";
+    for (const char* key : {"contacts", "stages", "tree", "names"}) facts.erase(key);
     facts["calls"] = replayed.calls;
     facts["damage"] = replayed.damage;
     return facts;
 }
 
 Facts FactsOfRube(const RubeWorld& world) {
-    Facts facts = FactsOfScene(world.scene);
+    Facts facts{{"writer", "R.U.B.E."}};
+    facts.update(FactsOfScene(world.scene));
     facts["notices"] = world.notices;
     return facts;
 }
@@ -159,6 +205,13 @@ Facts ReadFacts(const std::string& path, const InputArguments& input) {
     return facts;
 }
 
+/// Left, bottom, right, top as size and corners.
+std::string PrintExtent(const Json& extent) {
+    const auto at = [&extent](std::size_t i) { return extent[i].get<float>(); };
+    return fmt::format("{:.6g} x {:.6g} m, from {:.6g}, {:.6g} to {:.6g}, {:.6g}", at(2) - at(0), at(3) - at(1), at(0),
+                       at(1), at(2), at(3));
+}
+
 /// A value for readers; empty: not worth a line.
 std::string Print(const Json& value) {
     if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
@@ -178,7 +231,7 @@ void PrintFacts(const Facts& facts) {
             for (const Json& notice : value) fmt::print("{:<17}{}\n", "notice", Print(notice));
             continue;
         }
-        const std::string text = Print(value);
+        const std::string text = key.ends_with("extent") ? PrintExtent(value) : Print(value);
         std::string name = key;
         std::ranges::replace(name, '_', ' ');
         if (!text.empty()) fmt::print("{:<17}{}\n", name, text);
@@ -203,7 +256,8 @@ int RunInfo(const InfoArguments& arguments) {
 }  // namespace
 
 void AddInfoCommand(CLI::App& app, Request& request) {
-    CLI::App* command = app.add_subcommand("info", "What is in a file: kind, version, bodies, steps, who wrote it");
+    CLI::App* command = app.add_subcommand(
+        "info", "What is in a file: kind, version, who wrote it, bodies, steps, gravity and size of the world");
     auto arguments = std::make_shared<InfoArguments>();
     command->add_option("FILE", arguments->files, "Files: " + DescribeFileKinds());
     AddFormatOption(*command, arguments->input);

@@ -50,7 +50,7 @@ constexpr int mostSteps = 200, quickSteps = 60;
 constexpr std::string_view requirementBase = "continuous=off";
 
 RequirementTask MakeTask(const RequiresArguments& arguments, const scenes::Scene& scene) {
-    const std::vector<TypedSetting> typed = GetTypedSettings(arguments.settings);
+    const std::vector<TypedSetting>& typed = arguments.settings.typed;
     for (const TypedSetting& one : typed) {
         if (!one.setting.starts_with("features=")) continue;
         throw UsageError(one.source + ": features are what `scree requires` finds out");
@@ -252,7 +252,7 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     AddSetOption(*command, arguments->settings,
                  "Runs begin with continuous=off. All keys but features, which this command finds; the plots of "
                  "--break-even have settings of their own");
-    AddSettingFlags(*command, arguments->settings, {"substeps", "continuous", "caps"});
+    AddSettingFlags(*command, arguments->settings, {"continuous", "caps"});
     command->add_flag("--quick", arguments->quick, "At most 60 steps, and 3 repeats instead of 9");
     command->add_flag("--ablation", arguments->ablation,
                       "Only what each feature costs, in SCENE or in a selection of scenes");

@@ -152,7 +152,7 @@ void PrintOutcome(const SnapshotOutcome& outcome, const SnapshotJob& job) {
 }
 
 SnapshotMaking MakeMaking(const SnapshotArguments& arguments) {
-    return {.spec = ParseSpec("scree", GetTypedSettings(arguments.settings), comparisonBase)};
+    return {.spec = ParseSpec("scree", arguments.settings.typed, comparisonBase)};
 }
 
 int RunCheck(const SnapshotArguments& arguments, const Request& request) {
@@ -170,7 +170,7 @@ int RunCheck(const SnapshotArguments& arguments, const Request& request) {
     job.report = job.alwaysReport ? arguments.report : defaultReport;
     job.command = "scree snapshot " + arguments.action;
     if (!arguments.scenes.empty()) job.command += " --scenes " + arguments.scenes;
-    for (const std::string& setting : arguments.settings.sets) job.command += " --set " + setting;
+    for (const TypedSetting& one : arguments.settings.typed) job.command += " " + one.source;
     job.making = MakeMaking(arguments);
     if (job.update != UpdateMode::none && job.making.spec != SnapshotMaking{}.spec) {
         throw UsageError("--set: references are made with preset=like-box2d alone");
@@ -346,7 +346,7 @@ void CheckOptions(const SnapshotArguments& arguments) {
         {"--report", !arguments.report.empty(), {"check", "update", "merge"}},
         {"--junit", !arguments.junit.empty(), {"check", "update", "merge"}},
         {"--annotations", arguments.annotations, {"check", "update"}},
-        {"--set", !arguments.settings.sets.empty(), {"check", "update", "verify"}},
+        {"--set", !arguments.settings.typed.empty(), {"check", "update", "verify"}},
         {"--shard", arguments.shard.shard != ShardArguments{}.shard, {"check", "update", "verify", "list"}},
         {"--json", !arguments.shard.json.empty(), {"check", "update", "verify", "list"}},
     };

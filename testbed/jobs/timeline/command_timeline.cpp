@@ -13,6 +13,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "testbed/base/errors.h"
@@ -40,7 +41,7 @@ constexpr std::size_t mostLanes = 4;
 struct TimelineArguments {
     SessionArguments session;
     ConditionArguments conditions;
-    std::string engines, nodes, contacts = "on";
+    std::string engines, nodes, contacts = "on", positions = "view";
     std::string output = "timeline.html";
 };
 
@@ -58,11 +59,9 @@ Box ViewOf(const Snapshot& start, const scenes::Scene& scene) {
         if (isThere[i] || body.type == scenes::BodyType::isStatic) continue;
         if (!std::isfinite(body.position.x + body.position.y)) continue;
         constexpr float reach = 0.5f;  // m: of a body of a usual size
-        const Vec2 lower{body.position.x - reach, body.position.y - reach};
-        const Vec2 upper{body.position.x + reach, body.position.y + reach};
-        if (!area.moving) area.moving = Box{lower, upper};
-        area.moving->lower = {std::min(area.moving->lower.x, lower.x), std::min(area.moving->lower.y, lower.y)};
-        area.moving->upper = {std::max(area.moving->upper.x, upper.x), std::max(area.moving->upper.y, upper.y)};
+        const Box around{{body.position.x - reach, body.position.y - reach},
+                         {body.position.x + reach, body.position.y + reach}};
+        area.moving = area.moving ? Join(*area.moving, around) : around;
     }
     std::optional<Box> view = area.moving;
     if (area.moving) {                     // most things fall: what they fall onto belongs to the view, too
@@ -72,9 +71,7 @@ Box ViewOf(const Snapshot& start, const scenes::Scene& scene) {
     }
     const std::vector<Box> boxes = GetFitBoxes(area);
     for (const Box& box : std::span(boxes).subspan(view ? 1 : 0)) {  // the first one is around what moves
-        if (!view) view = box;
-        view->lower = {std::min(view->lower.x, box.lower.x), std::min(view->lower.y, box.lower.y)};
-        view->upper = {std::max(view->upper.x, box.upper.x), std::max(view->upper.y, box.upper.y)};
+        view = view ? Join(*view, box) : box;
     }
     return view.value_or(Box{{-5.0f, -5.0f}, {5.0f, 5.0f}});
 }
@@ -91,9 +88,10 @@ void AddMoments(const std::vector<Moment>& found, const Session& session, std::s
     }
 }
 
-bool WantsContacts(const std::string& text) {
-    if (text == "on" || text == "off") return text == "on";
-    throw UsageError(fmt::format("--contacts {}: give on or off", text));
+/// Whether an option of two values has the first.
+bool IsFirst(std::string_view option, std::string_view given, std::string_view first, std::string_view second) {
+    if (given == first || given == second) return given == first;
+    throw UsageError(fmt::format("{} {}: give {} or {}", option, given, first, second));
 }
 
 /// The lanes, the bodies that they share, and the moments of all by time.
@@ -104,7 +102,9 @@ struct Recorded {
 };
 
 Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arguments, const SceneInput& input) {
-    LaneOptions options{.contacts = WantsContacts(arguments.contacts), .trees = ParseKeptTrees(arguments.nodes)};
+    LaneOptions options{.contacts = IsFirst("--contacts", arguments.contacts, "on", "off"),
+                        .exact = IsFirst("--positions", arguments.positions, "exact", "view"),
+                        .trees = ParseKeptTrees(arguments.nodes)};
     Session& first = sessions.front().session;
     const Box view = ViewOf(first.Capture(), first.GetScene());
     const Grid grid(view);
@@ -123,26 +123,36 @@ Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arg
         recorded.steps = std::max(recorded.steps, lane.told["steps"].size() - 1);
         recorded.changes += lane.changes;
         // Trees of the same steps, to compare them.
-        if (options.trees.worst > 0) options.trees = {.steps = lane.told["nodeSteps"].get<std::vector<int>>()};
+        if (options.trees.worst > 0) options.trees = KeptTrees{.steps = lane.told["nodeSteps"].get<std::vector<int>>()};
         lanes.push_back(lane.told);
     }
     std::ranges::stable_sort(moments, {}, [](const Json& moment) { return moment["step"].get<int>(); });
     recorded.data = {{"view", {view.lower.x, view.lower.y, view.upper.x, view.upper.y}},
                      {"unit", grid.GetUnit()},
+                     {"exact", options.exact},
                      {"bodies", bodies.GetRows()},
                      {"lanes", lanes},
                      {"moments", moments}};
     return recorded;
 }
 
-int RunTimeline(const TimelineArguments& arguments, const Request& request) {
+/// Of --poses: the recorded motion, or every engine's own.
+void ChoosePoses(TimelineArguments& arguments) {
+    const std::string& poses = arguments.session.reading.poses;
+    if (poses.empty()) return;
+    const bool isTrack = IsFirst("--poses", poses, "track", "own");
+    if (isTrack && arguments.engines.empty()) arguments.engines = "scree,box2d";
+}
+
+int RunTimeline(TimelineArguments arguments, const Request& request) {
+    ChoosePoses(arguments);
     const SceneInput input = ChooseSessionInput(arguments.session);
     std::vector<NamedSession> sessions = OpenSessions(arguments.session, input, arguments.engines);
     if (sessions.size() > mostLanes) {
         throw UsageError(fmt::format("--engines {}: a page shows at most {}", arguments.engines, mostLanes));
     }
     if (!arguments.nodes.empty() && input.motion != nullptr && arguments.engines.empty()) {
-        throw UsageError(fmt::format("--nodes: {} has no tree; --engines scree,box2d lets those of engines follow it",
+        throw UsageError(fmt::format("--nodes: {} has no tree; --poses track lets those of engines follow it",
                                      arguments.session.input));
     }
     CheckCanWrite(arguments.output);
@@ -158,8 +168,10 @@ int RunTimeline(const TimelineArguments& arguments, const Request& request) {
                              ProtectJson(PrintJson(recorded.data)) + "</script>\n" + recorded.streams}}});
     page.facts.push_back(
         {"precision",
-         "positions and speeds to 1/65536 of the longer side of the first view, spins to 1/4096 rad/s, "
-         "impulses and depths to eight bits"});
+         fmt::format(
+             "{} to 1/65536 of the longer side of the first view, spins to 1/4096 rad/s, impulses and depths to "
+             "eight bits",
+             arguments.positions == "exact" ? "positions and angles to the bit, speeds" : "positions and speeds")});
     page.facts.push_back({"keys",
                           "space plays · ← → one step, with shift ten · Home End · n p next and last moment · [ ] loop "
                           "· f fit · Escape chooses nothing · shift and click choose one more"});
@@ -182,12 +194,23 @@ void AddTimelineCommand(CLI::App& app, Request& request) {
             "Up to four engines on one clock: [NAME=]ENGINE[:KEY=VALUE],..; of a motion: whose trees follow it")
         ->type_name("LIST");
     command
+        ->add_option("--poses", arguments->session.reading.poses,
+                     "track: the trees of the engines follow the recorded motion; engines: scree,box2d if not given. "
+                     "own: every engine simulates. track if not given for a motion with --engines, else own")
+        ->type_name("own|track");
+    command
         ->add_option("--nodes", arguments->nodes,
                      "Keep the trees of some steps: every:N, worst:K (slowest of the first engine) or at:STEP,STEP")
         ->type_name("WHICH");
     command->add_option("--contacts", arguments->contacts, "on or off: contacts make the larger part of a page")
         ->capture_default_str()
         ->type_name("on|off");
+    command
+        ->add_option("--positions", arguments->positions,
+                     "view: to 1/65536 of the longer side of the first view; exact: all bits of positions and angles, "
+                     "which makes a page larger")
+        ->capture_default_str()
+        ->type_name("view|exact");
     AddConditionOptions(*command, arguments->conditions);
     command->add_option("-o,--output", arguments->output, "The page")->capture_default_str()->type_name("FILE");
     command->callback(

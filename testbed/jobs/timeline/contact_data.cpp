@@ -46,8 +46,8 @@ void ContactData::Add(const Snapshot& snapshot, const Grid& grid, const MotionDa
         m_stream.PutByte(static_cast<unsigned>(contact.pointCount) | (isSensor ? 4u : 0u));
         m_stream.PutWord(static_cast<unsigned>(Grid::Angle(std::atan2(contact.normal.y, contact.normal.x))) & 0xFFFFu);
         for (int i = 0; i < contact.pointCount; ++i) {
-            m_stream.PutSigned(grid.X(contact.points[i].x) - motion.GetX(a));
-            m_stream.PutSigned(grid.Y(contact.points[i].y) - motion.GetY(a));
+            m_stream.PutSigned(grid.Length(double{contact.points[i].x} - motion.GetX(a)));
+            m_stream.PutSigned(grid.Length(double{contact.points[i].y} - motion.GetY(a)));
             m_stream.PutReal(contact.normalImpulses[i]);
             m_stream.PutReal(contact.separations[i]);
         }

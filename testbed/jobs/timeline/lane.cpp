@@ -159,7 +159,7 @@ LaneData RecordLane(Session& session, const std::string& name, Conditions condit
     }
     const bool hasContacts = options.contacts && session.HasContacts();
     Watch watch(session.GetScene(), std::move(conditions), session.GetTime());
-    MotionData motion(session.GetScene().bodies.size(), grid);
+    MotionData motion(session.GetScene().bodies.size(), grid, options.exact);
     ContactData contacts;
     JointData joints;
     Series series(session.HasTimes(), session.HasContacts());

@@ -32,6 +32,7 @@ struct KeptTrees {
 
 struct LaneOptions {
     bool contacts = true;
+    bool exact = false;  ///< positions and angles to the bit
     KeptTrees trees;
 };
 

@@ -6,6 +6,7 @@
 #include "testbed/jobs/timeline/motion_data.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +14,7 @@ namespace testbed {
 
 namespace {
 
-/// The difference of two differences of such numbers still has 32 bits.
+/// No number of the grid is larger.
 constexpr double most = 268'435'456.0;
 constexpr unsigned isThere = 1, isAwake = 2, isNoNumber = 4;
 
@@ -22,6 +23,16 @@ unsigned FlagsOf(const BodyState& body) {
                           std::isfinite(body.angle) && std::isfinite(body.linearVelocity.x) &&
                           std::isfinite(body.linearVelocity.y) && std::isfinite(body.angularVelocity);
     return isThere | (body.awake ? isAwake : 0u) | (isNumber ? 0u : isNoNumber);
+}
+
+/// The bits of a float as a number that grows with it, so that small changes are small numbers; and back.
+std::int32_t FlipNegative(std::int32_t bits) { return bits < 0 ? bits ^ 0x7FFFFFFF : bits; }
+std::int32_t ToOrdered(float value) { return FlipNegative(std::bit_cast<std::int32_t>(value)); }
+float FromOrdered(std::int32_t ordered) { return std::bit_cast<float>(FlipNegative(ordered)); }
+
+/// Wraps around.
+std::int32_t Subtract(std::int32_t a, std::int32_t b) {
+    return static_cast<std::int32_t>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
 }
 
 bool HasNumbers(unsigned flags) { return (flags & isThere) != 0 && (flags & isNoNumber) == 0; }
@@ -42,15 +53,32 @@ std::int32_t Grid::Angle(float angle) {
 }
 
 MotionData::Numbers MotionData::NumbersOf(const BodyState& body) const {
-    return {m_grid.X(body.position.x),           m_grid.Y(body.position.y),           Grid::Angle(body.angle),
-            m_grid.Speed(body.linearVelocity.x), m_grid.Speed(body.linearVelocity.y), Grid::Spin(body.angularVelocity)};
+    const Vec2 at = body.position, v = body.linearVelocity;
+    Numbers numbers{m_grid.X(at.x),     m_grid.Y(at.y),     Grid::Angle(body.angle),
+                    m_grid.Length(v.x), m_grid.Length(v.y), Grid::Spin(body.angularVelocity)};
+    if (m_isExact) {
+        numbers[0] = ToOrdered(at.x);
+        numbers[1] = ToOrdered(at.y);
+        numbers[2] = ToOrdered(body.angle);
+    }
+    return numbers;
+}
+
+double MotionData::GetX(int body) const {
+    const std::int32_t x = m_last[static_cast<std::size_t>(body)].numbers[0];
+    return m_isExact ? double{FromOrdered(x)} : m_grid.ToX(x);
+}
+
+double MotionData::GetY(int body) const {
+    const std::int32_t y = m_last[static_cast<std::size_t>(body)].numbers[1];
+    return m_isExact ? double{FromOrdered(y)} : m_grid.ToY(y);
 }
 
 void MotionData::Put(const Numbers& numbers, Known& known) {
     const bool goesOn = known.step == m_step - 1;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        const std::int32_t change = numbers[i] - known.numbers[i];
-        m_stream.PutSigned(change - (goesOn ? known.changes[i] : 0));
+        const std::int32_t change = Subtract(numbers[i], known.numbers[i]);
+        m_stream.PutSigned(Subtract(change, goesOn ? known.changes[i] : 0));
         known.changes[i] = change;
     }
     known.numbers = numbers;

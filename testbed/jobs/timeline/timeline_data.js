@@ -10,7 +10,16 @@ const bodyCount = data.bodies.length;
 const [left, bottom, right, top_] = data.view;
 const unit = data.unit, centerX = (left + right) / 2, centerY = (bottom + top_) / 2;
 const turn = 2 * Math.PI / 65536, spinUnit = 1 / 4096;
-const toX = (x) => centerX + x * unit, toY = (y) => centerY + y * unit;
+const fromGridX = (x) => centerX + x * unit, fromGridY = (y) => centerY + y * unit;
+const floatBits = new Int32Array(1), floatValue = new Float32Array(floatBits.buffer);
+/** The float whose bits, in the order of floats, a number is. */
+const fromOrdered = (ordered) => {
+  floatBits[0] = ordered < 0 ? ordered ^ 0x7fffffff : ordered;
+  return floatValue[0];
+};
+/** Places and angles of bodies, m and rad: of the grid, or with --positions exact all bits of them. */
+const toX = data.exact ? fromOrdered : fromGridX, toY = data.exact ? fromOrdered : fromGridY;
+const toAngle = data.exact ? fromOrdered : (angle) => angle * turn;
 
 /** The bytes of a stream: base64 around zlib. */
 const inflate = async (id) => {
@@ -193,7 +202,7 @@ class Lane {
       const contact = {a, b, isSensor: (kind & 4) !== 0, normal, points: []};
       for (let i = 0; i < (kind & 3); ++i) {
         const x = stream.signed(), y = stream.signed();
-        contact.points.push({x: toX(x + state.x[a]), y: toY(y + state.y[a]), impulse: stream.real(), separation: stream.real()});
+        contact.points.push({x: toX(state.x[a]) + x * unit, y: toY(state.y[a]) + y * unit, impulse: stream.real(), separation: stream.real()});
       }
       contacts.push(contact);
     }
@@ -223,7 +232,7 @@ class Lane {
     const stream = this.nodeStream, nodes = [];
     stream.open(kept);
     for (let left = stream.number(); left > 0; --left) {
-      nodes.push({level: stream.byte(), left: toX(stream.signed()), bottom: toY(stream.signed()), right: toX(stream.signed()), top: toY(stream.signed())});
+      nodes.push({level: stream.byte(), left: fromGridX(stream.signed()), bottom: fromGridY(stream.signed()), right: fromGridX(stream.signed()), top: fromGridY(stream.signed())});
     }
     this.nodesAt = kept;
     this.nodes = nodes;
@@ -231,7 +240,7 @@ class Lane {
   }
   x(body) { return toX(this.now.x[body]); }
   y(body) { return toY(this.now.y[body]); }
-  angle(body) { return this.now.angle[body] * turn; }
+  angle(body) { return toAngle(this.now.angle[body]); }
   isThere(body) { return (this.now.flags[body] & isThere) !== 0; }
   isAwake(body) { return (this.now.flags[body] & isAwake) !== 0; }
   /** Ends of a joint, m. */

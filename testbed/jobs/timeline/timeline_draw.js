@@ -214,8 +214,8 @@ class Painter {
       const at = ((body >> 10) * 2048 + (body & 1023)) * 4;
       poses[at] = toX(x[body]) - view.x;
       poses[at + 1] = toY(y[body]) - view.y;
-      poses[at + 2] = Math.cos(angle[body] * turn);
-      poses[at + 3] = Math.sin(angle[body] * turn);
+      poses[at + 2] = Math.cos(toAngle(angle[body]));
+      poses[at + 3] = Math.sin(toAngle(angle[body]));
       const kind = kinds[data.bodies[body].type];
       poses[at + 4096] = !(flags[body] & isThere) ? -1 : asOutline ? 4 : kind === 2 && !(flags[body] & isAwake) ? 3 : kind;
     }

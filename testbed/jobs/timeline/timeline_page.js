@@ -571,6 +571,7 @@ const start = async () => {
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', renew);
   isDirty = false;
   redraw();
+  element('timeline').session = {lanes, toX, toY, toAngle};  // for scripts that read the page
   element('timeline').dataset.ready = 'yes';
 };
 start().catch((error) => {

@@ -124,7 +124,7 @@ const collectBodies = (lane, bodies) => {
       const speed = Math.hypot(state.vx[body], state.vy[body]) * unit, spin = state.spin[body] * spinUnit;
       series.x[index] = toX(state.x[body]);
       series.y[index] = toY(state.y[body]);
-      series.angle[index] = state.angle[body] * turn;
+      series.angle[index] = toAngle(state.angle[body]);
       series.speed[index] = speed;
       series.spin[index] = spin;
       series.energy[index] = 0.5 * (data.bodies[body].mass * speed * speed + data.bodies[body].inertia * spin * spin);

@@ -64,7 +64,7 @@ std::vector<const Law*> ChooseLaws(const std::string& filter) {
 Effort GetEffort(const TradeArguments& arguments) { return arguments.quick ? Effort::quick : Effort::full; }
 
 std::vector<RunSpec> ChooseGrid(const TradeArguments& arguments) {
-    return ChooseGrid(GetEffort(arguments), arguments.settings.engines, GetTypedSettings(arguments.settings));
+    return ChooseGrid(GetEffort(arguments), arguments.settings.engines, arguments.settings.typed);
 }
 
 /// A scene of the user's, and what it is run with.

@@ -98,7 +98,7 @@ Viewer MakeViewer(const ViewArguments& arguments) {
     const SceneInput scene = ChooseScene(arguments.scene, arguments.size, arguments.input);
     // A saved world goes on with the settings that it has.
     const std::string_view base = scene.world != nullptr ? std::string_view(scene.world->settings) : comparisonBase;
-    viewer.choices = MakeChoices(ParsePanes(arguments.settings.engines, GetTypedSettings(arguments.settings), base));
+    viewer.choices = MakeChoices(ParsePanes(arguments.settings.engines, arguments.settings.typed, base));
     viewer.memoryLimit = static_cast<size_t>(arguments.memory) << 20;
     viewer.conditions = arguments.conditions;
     if (!arguments.conditions.when.empty()) viewer.whenText = arguments.conditions.when.front();

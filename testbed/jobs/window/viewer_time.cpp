@@ -14,6 +14,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/json_print.h"
 #include "testbed/base/new_file.h"
+#include "testbed/input/body_names.h"
 #include "testbed/input/scene_file.h"
 #include "testbed/input/track_file.h"
 #include "testbed/jobs/window/viewer.h"
@@ -218,7 +219,7 @@ void SaveScene(Viewer& viewer) {
         if (!user.empty()) scene.user = PrintJson(user);
     }
     const std::string name = fmt::format("{}-{:04}.scene.json", FileName(viewer.scene.name), pane.run->GetStep());
-    WriteTextFile(name, WriteScene(scene));
+    WriteTextFile(name, WriteScene(WithWriter(std::move(scene))));
     viewer.message = fmt::format("wrote {} of {}", name, pane.name);
 }
 

@@ -25,6 +25,9 @@ using nlohmann::json;
 constexpr const char* commands[] = {"overlap tiles --size 5 --step 2 --image 320x200",
                                     "render tiles --size 5 --step 2 --image 320x200",
                                     "metrics tiles --size 5 --steps 2",
+                                    "find tiles --size 5 --steps 2",
+                                    "timeline tiles --size 5 --steps 2 -o page.html",
+                                    "convert tiles tiles.track --size 5 --steps 2",
                                     "bench n2 --sizes 5 --steps 2",
                                     "view tiles --size 5 --offscreen --frames 1",
                                     "snapshot check -g '^tiles/'",
@@ -43,12 +46,24 @@ TEST(Settings, EveryCommandNamesTheNearestKey) {
         EXPECT_NE(value.output.find("--set timeStep=soon: timeStep takes"), std::string::npos) << value.output;
         const std::string help = folder.Run(std::string(command) + " --help").output;
         EXPECT_NE(help.find("warmStarting"), std::string::npos) << command;
+        // The options of single keys are read by the same parser.
+        for (const auto& [option, message] :
+             {std::pair("--iterations 4", "--iterations 4: iterations takes"),
+              {"--substeps 4,2", "--substeps 4,2: substeps takes"},
+              {"--accuracy fein", "--accuracy fein: unknown mark 'fein'; did you mean 'fine'?"},
+              {"--tolerance big", "--tolerance big: tolerance takes"},
+              {"--set gravity=0,-20,1", "--set gravity=0,-20,1: gravity takes"}}) {
+            const ProgramResult refused = folder.Run(std::string(command) + " " + option);
+            EXPECT_EQ(refused.exitCode, 2) << command << option << refused.output;
+            EXPECT_NE(refused.output.find(message), std::string::npos) << command << refused.output;
+        }
     }
 }
 
 std::string HashOf(const ScratchFolder& folder, const std::string& arguments) {
     const ProgramResult result =
-        folder.Run("metrics pyramid --size 5 --steps 30:30 --engines scree " + arguments + " -o " + "m");
+        folder.Run("metrics pyramid --size 5 --steps 30:30 " + arguments +
+                   (arguments.find("--engines") == std::string::npos ? " --engines scree" : "") + " -o m");
     EXPECT_EQ(result.exitCode, 0) << arguments << result.output;
     return json::parse(folder.Read("m/pyramid/metrics.json"))["rows"][0]["state_hash"];
 }
@@ -62,6 +77,21 @@ TEST(Settings, OldOptionsAreOtherSpellings) {
     EXPECT_NE(HashOf(folder, "--set solver=soft@8"), plain);
     EXPECT_EQ(HashOf(folder, "--set substeps=8 --set solver=si"), plain) << "the last one counts";
     EXPECT_EQ(HashOf(folder, "--set accuracy=game"), HashOf(folder, "--set solver=soft"));
+    EXPECT_NE(HashOf(folder, "--iterations 4,2"), plain);
+    for (const auto& [option, setting] : {std::pair("--iterations 4,2", "--set iterations=4/2"),
+                                          {"--substeps 8", "--set substeps=8"},
+                                          {"--accuracy fine", "--set accuracy=fine"},
+                                          {"--tolerance 0.02", "--set tolerance=0.02"},
+                                          {"--set gravity=0,-20", "--set gravity=0/-20"},
+                                          {"--set gravity=0,-20 --set timeStep=1/120 --substeps 8",
+                                           "--engines scree:gravity=0,-20:timeStep=1/120:substeps=8"},
+                                          {"--substeps 8 --set solver=si@4/2", "--iterations 4,2"},
+                                          {"--set solver=si@4/2 --substeps 8", "--substeps 8"}}) {
+        EXPECT_EQ(HashOf(folder, option), HashOf(folder, setting)) << option;
+    }
+    const ProgramResult none = folder.Run("metrics pyramid --size 5 --steps 1 --engines box2d --accuracy fine -o m");
+    EXPECT_EQ(none.exitCode, 2);
+    EXPECT_NE(none.output.find("--accuracy fine: none of the engines of this run"), std::string::npos) << none.output;
     EXPECT_EQ(
         folder.Run("metrics pyramid --size 5 --steps 1 --engines scree --threads 2 --set threads=3 -o m").exitCode, 0);
     EXPECT_EQ(json::parse(folder.Read("m/pyramid/metrics.json"))["rows"][0]["threads"], 3) << "--set counts after";

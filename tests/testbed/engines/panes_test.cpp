@@ -38,6 +38,19 @@ TEST(Panes, OneEngineUnderTwoSettings) {
     EXPECT_EQ(panes[2].spec, MakeSpec("box2d"));
 }
 
+TEST(Panes, ANumberAfterACommaContinuesAValue) {
+    const std::vector<Pane> panes =
+        ParsePanes("scree:gravity=0,-20,box2d,b=box2d:iterations=4,2:gravity=1,.5:sleeping=off,scree");
+    EXPECT_EQ(NamesOf(panes), (std::vector<std::string>{"scree-gravity-0--20", "box2d", "b", "scree"}));
+    EXPECT_EQ(PrintSettings(panes[0].spec), "gravity=0/-20");
+    EXPECT_EQ(PrintSettings(panes[1].spec), "");
+    EXPECT_EQ(PrintSettings(panes[2].spec), "solver=si@4/2 gravity=1/0.5 sleeping=off");
+    for (const char* text :
+         {"-20,scree", "scree,4", "scree:gravity=0,-20,3", "scree:threads=2,2", "scree,4:threads=2"}) {
+        EXPECT_THROW((void)ParsePanes(text), UsageError) << text;
+    }
+}
+
 TEST(Panes, KeepTheOrderAndTakeNames) {
     EXPECT_EQ(NamesOf(ParsePanes("box2d,scree")), (std::vector<std::string>{"box2d", "scree"}));
     EXPECT_EQ(NamesOf(ParsePanes("scree:solver=soft@8,box2d")), (std::vector<std::string>{"scree", "box2d"}))

@@ -150,6 +150,14 @@ TEST(RunSpec, TheLastSettingCountsAndAPresetSetsAll) {
     EXPECT_DOUBLE_EQ(*Read("box2d", {"timeStep=1/240"}).timeStep, 1.0 / 240);
 }
 
+TEST(RunSpec, ACommaMayStandForASlash) {
+    EXPECT_EQ(Read("scree", {"gravity=0,-20"}), Read("scree", {"gravity=0/-20"}));
+    EXPECT_FLOAT_EQ(Read("scree", {"gravity=0,-20"}).gravity->y, -20.0f);
+    EXPECT_EQ(Read("box2d", {"iterations=4,2"}), Read("box2d", {"solver=si@4/2"}));
+    EXPECT_EQ(Read("scree", {"solver=si@4,2"}), Read("scree", {"solver=si@4/2"}));
+    EXPECT_EQ(Read("scree", {"tolerance=0.02,0.002,2,16"}), Read("scree", {"tolerance=0.02/0.002/2/16"}));
+}
+
 TEST(RunSpec, NamesTheNearestKey) {
     for (const SettingKey& key : GetSettingKeys()) {
         for (std::size_t i = 0; i < key.name.size(); ++i) {
@@ -191,6 +199,11 @@ TEST(RunSpec, RefusesWhatIsNoValueAndChangesNothing) {
                                 "gravity=-10",
                                 "gravity=0/inf",
                                 "gravity=0/-10/0",
+                                "gravity=0,-10,0",
+                                "gravity=0,",
+                                "gravity=0,/-10",
+                                "iterations=4,2/1",
+                                "timeStep=1,120",
                                 "caps=yes",
                                 "continuous=",
                                 "sleeping=1",

@@ -21,6 +21,7 @@
 
 #include "testbed/base/errors.h"
 #include "testbed/engines/engine_run.h"
+#include "testbed/input/body_names.h"
 #include "testbed/input/file_kind.h"
 #include "testbed/input/scene_file.h"
 #include "tests/testbed/input/damage.h"
@@ -654,11 +655,14 @@ TEST(RubeFile, EveryCommandThatTakesASceneTakesThem) {
     const ProgramResult info = folder.Run("info cave.json cave.txt");
     EXPECT_EQ(info.exitCode, 0) << info.output;
     EXPECT_NE(info.output.find("kind             rube"), std::string::npos) << info.output;
+    EXPECT_NE(info.output.find("writer           R.U.B.E.\n"), std::string::npos) << info.output;
+    EXPECT_NE(info.output.find("\nmoving extent    "), std::string::npos) << info.output;
     EXPECT_NE(info.output.find("notice           image: images are left out"), std::string::npos) << info.output;
     const ProgramResult converted = folder.Run("convert cave.json cave.scene.json");
     EXPECT_EQ(converted.exitCode, 0) << converted.output;
     EXPECT_NE(converted.output.find("scree: cave.json: image: images are left out"), std::string::npos);
-    EXPECT_EQ(ReadSceneFile(folder.GetPath() / "cave.scene.json"), ReadRube(file.dump(), "cave.json").scene);
+    EXPECT_EQ(ReadSceneFile(folder.GetPath() / "cave.scene.json"),
+              WithWriter(ReadRube(file.dump(), "cave.json").scene));
     EXPECT_EQ(folder.Run("metrics cave.txt --format rube --steps 30 --image 320x200 -o a").exitCode, 0);
     EXPECT_EQ(folder.Run("metrics cave.scene.json --steps 30 --image 320x200 -o b").exitCode, 0);
     const auto hash = [&](const std::string& path) {

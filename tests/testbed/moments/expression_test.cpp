@@ -83,43 +83,24 @@ protected:
 
     Snapshot m_now;
     scenes::Scene m_scene;
-    std::vector<std::string> m_names{"lava", "player", "", "ghost", "crate", "crate"};
-    std::vector<int> m_place{1, 0, 2, -1, -1, -1};
+    std::vector<std::string> m_names{"lava", "player", "", "ghost", "crate", "crate", R"(5" \ 'nail')", "\\"};
+    std::vector<int> m_place{1, 0, 2, -1, -1, -1, 1, 0};
 };
 
 TEST_F(ExpressionTest, SaysWhatTheStateSays) {
     for (const char* text :
-         {"body(\"player\").y < -5",
-          "body('player').x == 3",
-          "body(1).speed == 5",
-          "body(1).spin == -2.5",
-          "body(1).angle == .5",
-          "body(1).vx + body(1).vy == -1",
-          "body(\"player\").awake",
-          "not body(\"lava\").awake",
+         {"body(\"player\").y < -5", "body('player').x == 3", "body(1).speed == 5", "body(1).spin == -2.5",
+          "body(1).angle == .5", "body(1).vx + body(1).vy == -1", "body(\"player\").awake", "not body(\"lava\").awake",
           "body(1).left == 2.5 and body(1).bottom == -6.5 and body(1).right == 3.5 && body(1).top == -5",
-          "contacts(\"player\", \"lava\") > 0",
-          "contacts(0, 1) == contacts()",
-          "contacts(1) == 1",
-          "contacts(2) == 0",
-          "depth(0, 1) == 0.25",
-          "impulse(\"lava\", 1) == 3.5",
-          "step == 90 and time == 1.5",
-          "bodies == 3 and awake == 2",
-          "1 + 2 * 3 == 7",
-          "(1 + 2) * 3 == 9",
-          "7 - 2 - 1 == 4",
-          "8 / 4 / 2 == 1",
-          "-2 * -3 == 6",
-          "1 - -1 == 2",
-          "abs(body(1).vy) == 4",
-          "min(1, 2) == 1 and max(1, 2) == 2",
-          "1e-3 < 2E+1",
-          "1 > 2 or 2 > 1 and 3 > 2",
-          "not 1 > 2 and not (2 > 1 and 1 > 2)",
-          "! 1 > 2 || 1 > 2",
-          "not not 2 >= 2",
-          "1 != 2 and 2 <= 2"}) {
+          "contacts(\"player\", \"lava\") > 0", "contacts(0, 1) == contacts()", "contacts(1) == 1", "contacts(2) == 0",
+          "depth(0, 1) == 0.25", "impulse(\"lava\", 1) == 3.5", "step == 90 and time == 1.5",
+          "bodies == 3 and awake == 2", "1 + 2 * 3 == 7", "(1 + 2) * 3 == 9", "7 - 2 - 1 == 4", "8 / 4 / 2 == 1",
+          "-2 * -3 == 6", "1 - -1 == 2", "abs(body(1).vy) == 4", "min(1, 2) == 1 and max(1, 2) == 2", "1e-3 < 2E+1",
+          "1 > 2 or 2 > 1 and 3 > 2", "not 1 > 2 and not (2 > 1 and 1 > 2)", "! 1 > 2 || 1 > 2", "not not 2 >= 2",
+          "1 != 2 and 2 <= 2",
+          // Index 6 is called 5" \ 'nail', and index 7 is called \.
+          R"(body("5\" \\ 'nail'").x == 1)", R"(body('5" \\ \'nail\'').x == 1)",
+          R"(body("5\" \\ \'nail\'").x == 1 and body("\\").x == 3)"}) {
         EXPECT_TRUE(Holds(text)) << text;
         EXPECT_FALSE(Holds(fmt::format("not ({})", text))) << text;
     }
@@ -142,7 +123,7 @@ TEST_F(ExpressionTest, FaultsAreNamedAtTheirPlace) {
     ExpectFault("", "character 1: there is no condition");
     ExpectFault("body(\"playr\").y < 1", "character 6, 'playr': no body is called so; did you mean 'player'?");
     ExpectFault("body(\"crate\").y < 1", "character 6, 'crate': 2 bodies are called so; give the index of one: 4 or 5");
-    ExpectFault("body(6).y < 1", "character 6, '6': there is no body of that index; they are from 0 to 5");
+    ExpectFault("body(8).y < 1", "character 6, '8': there is no body of that index; they are from 0 to 7");
     ExpectFault("body(1.5).y < 1", "character 6, '1.5': there is no body");
     ExpectFault("body(1).yy < 1", "character 9, 'yy': unknown field of a body 'yy'; did you mean 'y'?");
     ExpectFault("bdy(1).y < 1", "character 1, 'bdy': unknown value 'bdy'; did you mean 'body'?");
@@ -154,6 +135,14 @@ TEST_F(ExpressionTest, FaultsAreNamedAtTheirPlace) {
     ExpectFault("(1 < 2", "character 7: the end is too early: ')' is missing");
     ExpectFault("step = 3", "character 6, '=': a comparison for equality is written ==");
     ExpectFault("body(\"player.y < 1", "character 6: the closing \" is missing");
+    // Escapes: only of quotes and backslashes, and a quote that one takes does not close.
+    ExpectFault(R"(body("pla\yer").y < 1)", "character 10, '\\': a backslash in a name is written twice");
+    ExpectFault(R"(body("player\").y < 1)", "character 6: the closing \" is missing");
+    ExpectFault(R"(body("player\)", "character 6: the closing \" is missing");
+    ExpectFault(R"(body('player\').y < 1)", "character 6: the closing ' is missing");
+    ExpectFault(R"(body("5\" nail").y < 1)", R"(character 6, '5\" nail': no body is called so)");
+    ExpectFault(R"(body("\"").y < bdy(1).y)", R"(character 6, '\"': no body is called so)");
+    ExpectFault(R"(body("\\").y < bdy(1).y)", "character 16, 'bdy': unknown value");
     ExpectFault("step > 1 § 2", "character 10, '§': this means nothing here");
     ExpectFault("step > 1.2.3", "character 8, '1.2.3':");
     ExpectFault(std::string(3000, '(') + "1", "too many parts lie within each other");
@@ -239,6 +228,8 @@ TEST_F(ExpressionTest, NoTextBringsTheReaderDown) {
                                          "2.5",
                                          "1e9",
                                          "\"",
+                                         "\\",
+                                         R"(body("5\" \\ 'nail'"))",
                                          "step",
                                          "abs",
                                          "min(",

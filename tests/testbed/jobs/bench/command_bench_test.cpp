@@ -142,7 +142,7 @@ TEST(BenchPlan, APresetLeavesTheChosenSolverAndThreads) {
     arguments.settings.engines = "scree";
     arguments.solver = "soft@6";
     arguments.threads = "2";
-    arguments.settings.sets = {"preset=own", "sleeping=off"};
+    arguments.settings.typed = {{"preset=own", "--set preset=own"}, {"sleeping=off", "--set sleeping=off"}};
     const BenchPlan plan = MakeBenchPlan(arguments);
     ASSERT_EQ(plan.cases.front().panes.size(), 1u);
     const RunSpec& spec = plan.cases.front().panes.front().spec;

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -24,6 +25,7 @@
 #include "testbed/engines/capture_scree.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/input/file_kind.h"
+#include "testbed/input/scene_file.h"
 #include "testbed/input/track_file.h"
 #include "tests/testbed/input/damage.h"
 #include "tests/testbed/program.h"
@@ -151,11 +153,40 @@ TEST_F(Files, InfoSaysWhatIsInEachKind) {
     EXPECT_EQ(recording.at("calls"), 61);
     EXPECT_EQ(recording.at("steps"), 60);
     EXPECT_EQ(recording.at("damage"), "");
+    EXPECT_EQ(scene.at("version"), sceneVersion);
+    EXPECT_EQ(saved.at("version"), scree::snapshotVersion);
+    EXPECT_EQ(recording.at("version"), scree::recordingVersion);
+    EXPECT_EQ(recording.at("version"), recorder->GetBytes()[7]) << "the byte that files have";
+    EXPECT_EQ(scene.at("writer").get<std::string>().rfind("scree ", 0), 0u) << scene.dump();
+    EXPECT_EQ(saved.at("writer"), "scree");
+    EXPECT_EQ(recording.at("writer"), "scree");
     for (const Json& file : {track, saved, recording}) {
+        EXPECT_EQ(file.at("gravity"), Json({0, -10}));
+        EXPECT_TRUE(file.contains("steps"));
         EXPECT_EQ(file.at("bodies"), 13);
         EXPECT_EQ(file.at("dynamic_bodies"), 12);
         EXPECT_EQ(file.at("joints"), 1);
     }
+    // The ground is 40 m long. The heap is as tall as when recording began, in an image as at its moment.
+    const auto sizeOf = [](const Json& extent) {
+        return std::array{extent.at(2).get<float>() - extent.at(0).get<float>(),
+                          extent.at(3).get<float>() - extent.at(1).get<float>()};
+    };
+    for (const Json& file : {track, saved, recording}) EXPECT_NEAR(sizeOf(file.at("extent"))[0], 40.0f, 0.1f);
+    EXPECT_EQ(track.at("extent"), recording.at("extent"));
+    EXPECT_GT(sizeOf(track.at("moving_extent"))[1], 7.0f);
+    EXPECT_LT(sizeOf(saved.at("moving_extent"))[1], sizeOf(track.at("moving_extent"))[1]);
+    EXPECT_LT(sizeOf(track.at("moving_extent"))[0], 20.0f);
+    std::ofstream(folder.GetPath() / "two.scene.json") << R"({"format": "scree-scene", "version": 1, "bodies": [
+        {"fixtures": [{"shape": {"type": "circle", "radius": 10}}]},
+        {"type": "dynamic", "position": [8, 10], "fixtures": [{"shape": {"type": "circle", "radius": 0.5}}]}
+    ], "user": {"writer": "level editor"}})";
+    Expect("info two.scene.json", 0, "\nwriter           level editor\n");
+    Expect("info two.scene.json", 0,
+           "\nextent           20 x 20.5 m, from -10, -10 to 10, 10.5\n"
+           "moving extent    1 x 1 m, from 7.5, 9.5 to 8.5, 10.5\n");
+    Expect("convert two.scene.json again.scene.json", 0, "again.scene.json");
+    Expect("info again.scene.json", 0, "\nwriter           level editor\n");
     // Of many names the first ones are printed.
     Json level = {{"format", "scree-scene"}, {"version", 1}};
     for (int i = 0; i < 60; ++i) {
@@ -284,30 +315,21 @@ TEST_F(Files, WhatCannotBeMeantIsRefusedInALine) {
     EXPECT_FALSE(folder.Has("out")) << "nothing is written";
 }
 
-TEST_F(Files, DamagedImagesAndRecordingsEndInAReasonAndNoHarm) {
-    Record();
-    const auto textOf = [](const auto& bytes) {
-        return std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    };
-    const std::string whole[] = {textOf(image), textOf(recorder->GetBytes())};
-    std::mt19937 random(29);
-    const int count = CountOfMutations(400);
+/// Damages a sound file and gives each to its reader, which says whether it was refused, or throws.
+template <typename Read>
+void ReadDamaged(const std::string& whole, int seed, Read&& read) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    const int count = CountOfMutations(200);
     int refused = 0;
     for (int i = 0; i < count; ++i) {
-        std::string text = whole[i % 2];
+        std::string text = whole;
         Damage(text, random, 1, [&](std::string& damaged, std::size_t at) {
             const float hostile[] = {1e38f, -1.0f, 0.0f, 1e-38f};
             const std::size_t place = std::min(at, damaged.size() - sizeof(float));
             std::memcpy(damaged.data() + place, &hostile[Below(4, random)], sizeof(float));
         });
         try {
-            if (i % 2 == 0) {
-                (void)ReadWorldImage(text, "x.world");
-            } else {
-                const Replayed replayed = ReplayRecording(text, "x.recording", {.worldAt = 0, .wantsTrack = true});
-                refused += replayed.damage.empty() ? 0 : 1;
-                (void)TrackFile(replayed.track, "x.track");
-            }
+            refused += read(text) ? 1 : 0;
         } catch (const FileError& error) {
             EXPECT_NE(std::string(error.what()).find("; give a file that scree::"), std::string::npos) << error.what();
             ++refused;
@@ -315,6 +337,28 @@ TEST_F(Files, DamagedImagesAndRecordingsEndInAReasonAndNoHarm) {
     }
     EXPECT_GT(refused, count * 3 / 4);
     RecordMutations(count, refused);
+}
+
+template <typename Bytes>
+std::string TextOf(const Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+TEST_F(Files, DamagedImagesEndInAReasonAndNoHarm) {
+    Record();
+    ReadDamaged(TextOf(image), 29, [](const std::string& text) {
+        (void)ReadWorldImage(text, "x.world");
+        return false;
+    });
+}
+
+TEST_F(Files, DamagedRecordingsEndInAReasonAndNoHarm) {
+    Record();
+    ReadDamaged(TextOf(recorder->GetBytes()), 30, [](const std::string& text) {
+        const Replayed replayed = ReplayRecording(text, "x.recording", {.worldAt = 0, .wantsTrack = true});
+        (void)TrackFile(replayed.track, "x.track");
+        return !replayed.damage.empty();
+    });
 }
 
 }  // namespace

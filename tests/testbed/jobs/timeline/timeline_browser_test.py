@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# Drives pages of timelines like a reader. Arguments: the test (reads, engines, crowded, alike, plays) and its page.
+# Drives pages of timelines like a reader. Arguments: the test (reads, places, engines, crowded, alike, plays) and its page.
 
 import os
 import sys
@@ -105,6 +105,25 @@ def reads(browser, page):
     browser.wait('document.documentElement.scrollWidth <= window.innerWidth')
 
 
+def places(browser, page):
+    """Prints the bits of x, y and angle of all bodies, step by step."""
+    browser.open('file://' + page)
+    browser.wait(BUSY)
+    print(browser.run('''(() => {
+        const {lanes, toX, toY, toAngle} = document.getElementById("timeline").session;
+        const values = new Float32Array(1), bits = new Uint32Array(values.buffer), said = [];
+        lanes[0].each((index, state) => {
+            for (let body = 0; body < state.flags.length; ++body) {
+                for (const value of [toX(state.x[body]), toY(state.y[body]), toAngle(state.angle[body])]) {
+                    values[0] = value;
+                    said.push(bits[0]);
+                }
+            }
+        });
+        return said.join(" ");
+    })()'''))
+
+
 def crowded(browser, page):
     """Numbers of four engines stand beside each other, none of them cut or in another."""
     browser.open('file://' + page + '#step=30&body=5')
@@ -202,7 +221,7 @@ def plays(browser, page):
 
 def main(test, page):
     with tempfile.TemporaryDirectory() as profile, webdriver.Browser(profile) as browser:
-        {'reads': reads, 'engines': engines, 'crowded': crowded, 'alike': alike, 'plays': plays}[test](browser, page)
+        {'reads': reads, 'places': places, 'engines': engines, 'crowded': crowded, 'alike': alike, 'plays': plays}[test](browser, page)
         log = [entry for entry in browser.log('browser') if entry.get('level') == 'SEVERE']
         if log:
             sys.exit(f'the page complains: {log}')

@@ -6,14 +6,20 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
+#include "scenes/catalog.h"
 #include "testbed/base/errors.h"
+#include "testbed/engines/engine_run.h"
+#include "testbed/input/track_file.h"
 #include "tests/testbed/program.h"
 
 namespace testbed {
@@ -66,6 +72,58 @@ TEST(Timeline, ShowsEnginesBesideEachOtherWithTheirTrees) {
     ASSERT_EQ(followed.exitCode, exitDone) << followed.output;
     Drive(folder, "engines", "followed.html");
     EXPECT_EQ(folder.Run("timeline session.track --nodes worst:3 -o none.html").exitCode, exitUsage);
+    // The same by the word that overlap has for it.
+    const ProgramResult track = folder.Run("timeline session.track --poses track --nodes at:30,60 -o track.html");
+    ASSERT_EQ(track.exitCode, exitDone) << track.output;
+    Drive(folder, "engines", "track.html");
+    const auto streamOf = [&folder](const std::string& page, const std::string& name) {
+        const std::string text = folder.Read(page);
+        const std::size_t at = text.find("id=\"timeline-" + name + "\"");
+        EXPECT_NE(at, std::string::npos) << page;
+        return text.substr(at, text.find('<', at) - at);
+    };
+    for (const std::string stream : {"motion-0", "motion-1", "nodes-0", "nodes-1"}) {
+        EXPECT_EQ(streamOf("track.html", stream), streamOf("followed.html", stream)) << stream;
+    }
+    EXPECT_EQ(streamOf("track.html", "motion-0").substr(30), streamOf("track.html", "motion-1").substr(30));
+    EXPECT_NE(streamOf("track.html", "nodes-0").substr(30), streamOf("track.html", "nodes-1").substr(30));
+}
+
+TEST(Timeline, ExactPositionsHaveAllBitsOfTheRun) {
+    const ScratchFolder folder;
+    const std::string scene = "falling-squares --size 4 --steps 90";
+    ASSERT_EQ(folder.Run("convert " + scene + " session.track --engine box2d").exitCode, exitDone);
+    ASSERT_EQ(folder.Run("timeline " + scene + " --positions exact -o run.html").exitCode, exitDone);
+    ASSERT_EQ(folder.Run("timeline session.track --positions exact -o track.html").exitCode, exitDone);
+    ASSERT_EQ(folder.Run("timeline " + scene + " -o view.html").exitCode, exitDone);
+    const auto bitsIn = [&folder](const std::string& page) {
+        std::istringstream said(Drive(folder, "places", page));
+        std::vector<std::uint32_t> bits;
+        for (std::uint32_t one = 0; said >> one;) bits.push_back(one);
+        return bits;
+    };
+    std::vector<std::uint32_t> ofRun, ofTrack;
+    const auto add = [](std::vector<std::uint32_t>& bits, scenes::Vec2 position, float angle) {
+        for (const float value : {position.x, position.y, angle}) bits.push_back(std::bit_cast<std::uint32_t>(value));
+    };
+    const auto run = MakeRun(scenes::Build("falling-squares", 4), MakeSpec("scree"));
+    TrackFile track(folder.Read("session.track"), "session.track");
+    for (int step = 0; step <= 90; ++step) {
+        if (step > 0) run->Step();
+        Snapshot snapshot;
+        run->Capture(snapshot);
+        for (const BodyState& body : snapshot.bodies) add(ofRun, body.position, body.angle);
+        for (const TrackState& body : track.Read(step).bodies) add(ofTrack, body.position, body.angle);
+    }
+    EXPECT_EQ(bitsIn("run.html"), ofRun);
+    EXPECT_EQ(bitsIn("track.html"), ofTrack);
+    EXPECT_NE(ofRun, ofTrack);
+    const std::vector<std::uint32_t> rounded = bitsIn("view.html");
+    ASSERT_EQ(rounded.size(), ofRun.size());
+    EXPECT_NE(rounded, ofRun);
+    for (std::size_t i = 0; i < rounded.size(); ++i) {
+        EXPECT_NEAR(std::bit_cast<float>(rounded[i]), std::bit_cast<float>(ofRun[i]), 1e-3f) << i;
+    }
 }
 
 // 65,536 parts of a ground of 4 km would be 6 cm each.
@@ -196,6 +254,10 @@ TEST(Timeline, WhatCannotBeMeantIsRefused) {
     EXPECT_EQ(folder.Run("timeline pyramid --size 4 --steps 9 --nodes at:3,10 -o page.html").exitCode, exitUsage);
     EXPECT_FALSE(folder.Has("page.html"));
     EXPECT_EQ(folder.Run("timeline pyramid --contacts some").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --positions near").exitCode, exitUsage);
+    EXPECT_EQ(folder.Run("timeline pyramid --poses box2d").exitCode, exitUsage);
+    EXPECT_NE(folder.Run("timeline pyramid --poses track").output.find("--poses track: pyramid has no motion"),
+              std::string::npos);
     EXPECT_EQ(folder.Run("timeline pyramid --when 'body(0).y'").exitCode, exitUsage);
     // Before the run: a folder in place of the page, or none.
     std::filesystem::create_directory(folder.GetPath() / "folder");

@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 #include "scenes/catalog.h"
 #include "scree/collision.h"
@@ -33,8 +35,15 @@ class ViewTime : public testing::Test {
 protected:
     /// Runs a script; `scene` with further options.
     ProgramResult Play(const std::string& scene, const std::string& script) {
+        return Run(scene + " --offscreen", script, "");
+    }
+    /// The same in a window on a virtual display.
+    ProgramResult PlayOnDisplay(const std::string& scene, const std::string& script, int frames) {
+        return Run(fmt::format("{} --frames {}", scene, frames), script, "xvfb-run -a -s '-screen 0 1280x1024x24'");
+    }
+    ProgramResult Run(const std::string& scene, const std::string& script, const std::string& before) {
         std::ofstream(folder.GetPath() / "time.txt") << script;
-        return folder.Run("view " + scene + " --offscreen --window 1200x760 --no-times --no-overlap --script time.txt");
+        return folder.Run("view " + scene + " --window 1200x760 --no-times --no-overlap --script time.txt", before);
     }
     [[nodiscard]] json State(const std::string& name) const { return json::parse(folder.Read(name)); }
     template <typename Bytes>
@@ -143,6 +152,56 @@ TEST_F(ViewTime, ADragOfThePastIsInTheWayBackAndInTheSavedTrack) {
     ASSERT_TRUE(std::filesystem::exists(file)) << State("saved.json")["message"];
     EXPECT_EQ(ReadSceneFile(file).bodies.size(), 11u);
     EXPECT_EQ(folder.Run("info " + file.string()).exitCode, 0);
+}
+
+// The whole way of a user with a window: drag, go back, forward, save, and open what was saved.
+TEST_F(ViewTime, AWindowOnADisplayOpensWhatWasDraggedAndSavedInIt) {
+    ASSERT_EQ(std::system("command -v xvfb-run >/dev/null"), 0) << "tests/run installs it (package xvfb)";
+    const ProgramResult result = PlayOnDisplay(pyramid, R"(10 move body scree 10
+11 press
+13 move world scree 3 7
+40 release
+45 key p
+46 dump end.json
+47 key home
+50 dump home.json
+51 key end
+54 dump again.json
+55 move item time.back
+56 click
+58 dump before.json
+60 move item save.track
+61 click
+64 move item save.scene
+65 click
+68 dump saved.json
+)",
+                                               72);
+    ASSERT_EQ(result.exitCode, 0) << result.output;
+    const json end = State("end.json"), again = State("again.json"), before = State("before.json");
+    ASSERT_GT(end["engines"][0]["picked"]["position"][0], 1.5) << "it was pulled there";
+    EXPECT_EQ(State("home.json")["time"]["step"], 0);
+    EXPECT_EQ(again["time"]["step"], end["time"]["step"]);
+    EXPECT_EQ(HashOf(again, 0), HashOf(end, 0));
+    const int last = end["time"]["step"];
+    const std::string scene = fmt::format("pyramid-{:04}.scene.json", last - 1);
+    ASSERT_TRUE(folder.Has(scene)) << State("saved.json")["message"];
+    const std::string track = "pyramid-" + end["engines"][0]["pane"].get<std::string>() + ".track";
+    ASSERT_TRUE(folder.Has(track)) << State("saved.json")["message"];
+    for (const auto& [file, steps] : {std::pair(track, last), {scene, 0}}) {
+        const ProgramResult info = folder.Run("info " + file + " --json");
+        ASSERT_EQ(info.exitCode, 0) << info.output;
+        const json facts = json::parse(info.output)["files"][0];
+        // The track also has the body that the pointer held the box by.
+        EXPECT_EQ(facts["bodies"], steps > 0 ? 12 : 11) << file;
+        if (steps > 0) EXPECT_EQ(facts["last_step"], steps);
+    }
+    // Without a step more the saved scene is the moment, and the end of the saved track is where the drag ended.
+    ASSERT_EQ(PlayOnDisplay(scene + " --paused", "4 dump scene.json\n", 8).exitCode, 0);
+    EXPECT_EQ(HashOf(State("scene.json"), 0), HashOf(before, 0));
+    ASSERT_EQ(PlayOnDisplay(track + " --paused", "4 key end\n8 dump track.json\n", 12).exitCode, 0);
+    EXPECT_EQ(State("track.json")["time"]["step"], last);
+    EXPECT_EQ(HashOf(State("track.json"), 0), HashOf(end, 0));
 }
 
 TEST_F(ViewTime, ADragInThePastChangesTheFuture) {
