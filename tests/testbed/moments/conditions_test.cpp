@@ -30,7 +30,10 @@ public:
         body.type = type;
         body.position = position;
         checks::AddBody(m_scene, body, shape, 1.0f);
-        BodyState state{.index = static_cast<int>(m_now.bodies.size()), .type = type, .position = position};
+        BodyState state{};
+        state.index = static_cast<int>(m_now.bodies.size());
+        state.type = type;
+        state.position = position;
         state.sin = 0.0f;
         state.cos = 1.0f;
         state.awake = type != scenes::BodyType::isStatic;
