@@ -44,6 +44,14 @@ void Free(void* p) noexcept {
 }  // namespace
 
 void* operator new(std::size_t size) { return Allocate(size, 1); }
+// Algorithms of the library that want a buffer ask in this way.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    try {
+        return Allocate(size, 1);
+    } catch (const std::bad_alloc&) {
+        return nullptr;
+    }
+}
 void* operator new(std::size_t size, std::align_val_t alignment) {
     return Allocate(size, static_cast<std::size_t>(alignment));
 }
