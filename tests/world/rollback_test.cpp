@@ -285,6 +285,29 @@ TEST(Rollback, OldMomentsAreForgottenAndBadOnesChangeNothing) {
     EXPECT_TRUE(moments.Has(4));
 }
 
+/// What a world may not use any more does not come back by a moment.
+TEST(Rollback, FeaturesThatWereTakenAwayDoNotComeBack) {
+    World world({0.0f, -10.0f});
+    Body* body = AddBody(world, dynamicBody, {0.0f, 5.0f});
+    AddCircle(body, 0.5f);
+    Rollback moments(world);
+    moments.Save();
+    body->SetAngularVelocity(3.0f);
+    const int64_t turning = moments.Save();
+    body->SetAngularVelocity(0.0f);
+    body->SetFixedRotation(true);
+    const Features all = world.GetAllowedFeatures();
+    ASSERT_EQ(world.SetFeatures(FeatureMode::fixed, world.GetRequiredFeatures()), ErrorCode::ok);
+    ErrorLog errors(world);
+    const uint64_t before = inspect::GetStateHash(world);
+    EXPECT_EQ(moments.Restore(turning), SnapshotError::refused);
+    EXPECT_EQ(errors.last.code, ErrorCode::missingFeature);
+    EXPECT_EQ(inspect::GetStateHash(world), before);
+    ASSERT_EQ(world.SetFeatures(FeatureMode::fixed, all), ErrorCode::ok);
+    EXPECT_EQ(moments.Restore(turning), SnapshotError::ok);
+    EXPECT_EQ(body->GetAngularVelocity(), 3.0f);
+}
+
 double BytesPerBody(const Rollback& moments, int64_t moment, int bodies) {
     return static_cast<double>(moments.GetBytes(moment)) / bodies;
 }

@@ -38,7 +38,8 @@ public:
     int64_t Save();
     /// Gives the world the state of a moment; no moment is forgotten. The same holds as for RestoreWorld: the world
     /// keeps its listeners, filter, workers, features and handles, and ids of contacts may become invalid. Refused
-    /// while the world is locked or recorded, and for a moment that is not kept; then nothing changes.
+    /// while the world is locked or recorded, while it lacks a feature that it had at the moment, and for a moment that
+    /// is not kept; then nothing changes.
     SnapshotError Restore(int64_t moment);
     /// Whether the moment can be restored.
     [[nodiscard]] bool Has(int64_t moment) const;

@@ -160,6 +160,7 @@ struct Rollback::Moment {
     int64_t number = -1;
     std::shared_ptr<const Base> base;
     LooseState loose;
+    Features allowed;  ///< what the world might use then, and what it used is among that
     DifferenceWriter::Bytes differences;
 };
 
@@ -233,6 +234,7 @@ int64_t Rollback::Save() {
     VisitMotion(s, m_kept->boxes, [&](auto& column) { differences.Add(moment.base->Get(number++), BytesIn(column)); });
     moment.loose = {s.isEdited,      s.autoClearForces, s.contacts.keepsSteady, s.continuousScratch.resuming,
                     s.lastInverseDt, s.featureCounts};
+    moment.allowed = AllowedFeatures(s.def);
     m_kept->ForgetOldBase(s, moment);
     return moment.number = m_kept->next++;
 }
@@ -248,6 +250,12 @@ SnapshotError Rollback::Restore(int64_t number) {
         return SnapshotError::refused;
     }
     const Moment& moment = m_kept->PlaceOf(number);
+    const Features missing = moment.allowed - AllowedFeatures(s.def);
+    if (!missing.IsEmpty()) {
+        s.Refuse(ErrorCode::missingFeature, "Rollback::Restore", GetName(missing.First()),
+                 "add it by World::SetFeatures: the world had it when the moment was saved");
+        return SnapshotError::refused;
+    }
     if (moment.base->stamp != s.definitions.Get() || !s.definitions.IsKnown() || s.broadPhase->UsesDisplacement()) {
         if (const SnapshotError error = RestoreWorld(m_kept->world, moment.base->image); error != SnapshotError::ok)
             return error;
