@@ -57,6 +57,13 @@ constexpr EngineInfo engines[] = {
 #endif
 };
 
+constexpr EngineInfo recorded = {.name = recordedEngine,
+                                 .title = "the recorded engine",
+                                 .abilities = Of({Ability::sequential}),
+                                 .makeRun = nullptr,
+                                 .makeFollower = nullptr,
+                                 .makeLab = nullptr};
+
 constexpr std::pair<Ability, std::string_view> abilityNames[] = {
     {Ability::sequential, "sequential impulses"}, {Ability::softSteps, "soft steps"},
     {Ability::dial, "an accuracy dial"},          {Ability::freeSpeed, "speed without caps"},
@@ -79,6 +86,7 @@ bool IsBuilt(std::string_view name) {
 }
 
 const EngineInfo& FindEngine(std::string_view name) {
+    if (name == recordedEngine) return recorded;
     const auto found = std::ranges::find(engines, name, &EngineInfo::name);
     if (found != std::end(engines)) return *found;
     std::vector<std::string_view> names;
@@ -91,6 +99,11 @@ namespace {
 const EngineInfo& FindBuilt(std::string_view name) {
     const EngineInfo& engine = FindEngine(name);
     if (engine.makeRun != nullptr) return engine;
+    if (name == recordedEngine) {
+        throw UsageError(
+            "recorded: it is the tree of a motion as it was recorded; give a *.track with nodes "
+            "(scree_capture::Options::tree, or `scree convert --tree`), without --from");
+    }
     throw UsageError(fmt::format("{} is not in this build: {}_ROOT names where {} is installed when it is configured",
                                  engine.name, engine.name, engine.title));
 }
@@ -121,6 +134,9 @@ std::unique_ptr<EngineRun> MakeFollower(const RunStart& start, const RunSpec& sp
 }
 
 std::unique_ptr<EngineRun> MakeFollower(const RunStart& start, const RunSpec& spec) {
+    if (spec.engine == recordedEngine && start.motion->GetInfo().hasNodes) {
+        return MakeTrackRun(start.motion, start.step);
+    }
     return FindBuilt(spec.engine).makeFollower(start.scene, spec, MakeTrackRun(start.motion, start.step));
 }
 

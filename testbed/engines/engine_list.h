@@ -34,9 +34,13 @@ struct EngineInfo {
 /// Also those that a build has only where it finds their library.
 [[nodiscard]] std::span<const EngineInfo> GetKnownEngines();
 
+/// What --engines calls the tree that a motion was recorded with: nothing runs, and there are no settings. It is none
+/// of the engines above.
+inline constexpr std::string_view recordedEngine = "recorded";
+
 /// Whether this build has a known engine.
 [[nodiscard]] bool IsBuilt(std::string_view name);
-/// Of the known ones. UsageError with the nearest name for another.
+/// Of the known ones and the recorded one. UsageError with the nearest name for another.
 [[nodiscard]] const EngineInfo& FindEngine(std::string_view name);
 
 }  // namespace testbed

@@ -16,6 +16,7 @@
 #include "testbed/engines/run_spec.h"
 #include "testbed/engines/run_values.h"
 #include "testbed/engines/snapshot.h"
+#include "testbed/engines/track_contents.h"
 
 namespace testbed {
 
@@ -119,7 +120,7 @@ public:
 
     /// Writes all steps from now on as a track, with contacts, in place of one that was written before. Throws
     /// std::invalid_argument for an engine that no capture header records.
-    virtual void Record(const std::string& path) = 0;
+    virtual void Record(const std::string& path, const TrackContents& contents) = 0;
     /// The track is whole afterwards. Throws std::runtime_error if it could not be written.
     virtual void EndRecord() = 0;
 };

@@ -158,7 +158,7 @@ RunSpec ParseSpec(std::string_view engine, std::span<const TypedSetting> common,
 
 std::size_t FindBaseline(std::span<const Pane> panes, std::string_view name) {
     if (name.empty()) {
-        for (const std::string_view rival : {"box2d", "box2d3"}) {
+        for (const std::string_view rival : {std::string_view("box2d"), std::string_view("box2d3"), recordedEngine}) {
             const auto found = std::ranges::find(panes, rival, [](const Pane& pane) { return pane.spec.engine; });
             if (found != panes.end()) return static_cast<std::size_t>(found - panes.begin());
         }

@@ -14,10 +14,11 @@
 
 namespace testbed {
 
-void RecordTrack(const std::filesystem::path& path, InteractiveRun& run, const std::function<void()>& play) {
+void RecordTrack(const std::filesystem::path& path, const TrackContents& contents, InteractiveRun& run,
+                 const std::function<void()>& play) {
     NewFile file(path);
     file.Write("");  // tells at once, and by the name that was given, if it cannot be written
-    run.Record(file.GetPlace().string());
+    run.Record(file.GetPlace().string(), contents);
     play();
     try {
         run.EndRecord();

@@ -12,8 +12,9 @@
 
 namespace testbed {
 
-/// Records the steps that `play` makes. Throws FileError with the reason if the file cannot be written, before the
-/// first step where that is known, and what `play` and InteractiveRun::Record throw.
-void RecordTrack(const std::filesystem::path& path, InteractiveRun& run, const std::function<void()>& play);
+/// Records the steps that `play` makes, with contacts and what is asked for. Throws FileError with the reason if the
+/// file cannot be written, before the first step where that is known, and what `play` and InteractiveRun::Record throw.
+void RecordTrack(const std::filesystem::path& path, const TrackContents& contents, InteractiveRun& run,
+                 const std::function<void()>& play);
 
 }  // namespace testbed

@@ -105,7 +105,9 @@ public:
         NoteAwake();
     }
 
-    void Record(const std::string& path) override { m_track.Begin(*m_world, path, GetSpec(), NamesIn(GetScene())); }
+    void Record(const std::string& path, const TrackContents& contents) override {
+        m_track.Begin(*m_world, path, contents, GetSpec(), NamesIn(GetScene()));
+    }
     void EndRecord() override { m_track.End(); }
 
     [[nodiscard]] RunValues ValuesOfBody(int body) const override {

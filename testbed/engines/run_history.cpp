@@ -230,7 +230,7 @@ scenes::Scene RunHistory::MakeScene() {
 void RunHistory::WriteTrack(const std::string& path) const {
     if (IsMotion()) throw std::invalid_argument("this is a recorded motion already");
     const std::unique_ptr<InteractiveRun> run = m_make();
-    RecordTrack(path, *run, [&] { Play(*run, m_lastStep); });
+    RecordTrack(path, {}, *run, [&] { Play(*run, m_lastStep); });
 }
 
 }  // namespace testbed

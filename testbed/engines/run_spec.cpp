@@ -455,6 +455,7 @@ const SettingKey& FindSettingKey(std::string_view name, std::string_view source)
 }
 
 bool HasSetting(std::string_view engine, const SettingKey& key) {
+    if (engine == recordedEngine) return false;
     return (FindEngine(engine).abilities.bits & key.needs) == key.needs;
 }
 

@@ -58,7 +58,7 @@ SavedWorld Describe(scree::World& world, const scree::RecordedStep& step, std::s
 /// The motion of a replay, as it is recorded.
 class Motion {
 public:
-    explicit Motion(scree::World& world) : m_track(world, GetPath(), GetOptions()) {}
+    Motion(scree::World& world, const TrackContents& contents) : m_track(world, GetPath(), OptionsOf(contents)) {}
     void Step(float timeStep) { m_track.Step(timeStep); }
     [[nodiscard]] std::string Take() {
         m_track.Close();
@@ -67,9 +67,11 @@ public:
     }
 
 private:
-    static scree_capture::Options GetOptions() {
+    static scree_capture::Options OptionsOf(const TrackContents& contents) {
         scree_capture::Options options;
         options.contacts = true;
+        options.tree = contents.tree;
+        options.stages = contents.stages;
         options.memory = std::size_t{1} << 40;  // no step is left out
         return options;
     }
@@ -118,7 +120,7 @@ Replayed ReplayRecording(std::string_view bytes, std::string_view source, const 
     Replayed replayed;
     replayed.start = SceneOf(*player.GetWorld(), {}, source);
     std::optional<Motion> motion;
-    if (request.wantsTrack) motion.emplace(*player.GetWorld());
+    if (request.wantsTrack) motion.emplace(*player.GetWorld(), request.contents);
     const int wanted = request.worldAt.value_or(-1);
     if (wanted == 0) replayed.world = Describe(*player.GetWorld(), {}, source);
     while (player.Step()) {

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "scenes/scene.h"
+#include "testbed/engines/track_contents.h"
 
 namespace testbed {
 
@@ -48,6 +49,7 @@ struct Replayed {
 struct ReplayRequest {
     std::optional<int> worldAt{};  ///< a step; 0: as recording began
     bool wantsTrack = false;       ///< with contacts
+    TrackContents contents{};      ///< of that track, beyond
 };
 
 /// Makes all calls of a recording. Throws FileError, naming `source`, with the cure for what is none, and UsageError

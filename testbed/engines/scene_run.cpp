@@ -80,7 +80,7 @@ void SceneRun::Step() {
     RecordStep();
 }
 
-void SceneRun::Record(const std::string&) {
+void SceneRun::Record(const std::string&, const TrackContents&) {
     throw std::invalid_argument(m_spec.engine + " cannot be recorded here: scree and box2d can");
 }
 

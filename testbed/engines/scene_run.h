@@ -30,7 +30,7 @@ public:
     int ShootBullet(Vec2 position, Vec2 velocity) final;
     void Edit(int body, const BodyEdit& edit) final;
     [[nodiscard]] scenes::Scene MakeScene() const final;
-    void Record(const std::string& path) override;
+    void Record(const std::string& path, const TrackContents& contents) override;
     void EndRecord() override {}
 
 protected:

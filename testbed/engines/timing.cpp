@@ -15,6 +15,10 @@
 
 namespace testbed {
 
+bool HasTimes(const TimingSeries& series) {
+    return std::ranges::any_of(series.steps, [](const StepRecord& record) { return record.times.step > 0; });
+}
+
 TimingStats GetBroadPhaseStats(const TimingSeries& series) {
     TimingStats stats;
     if (series.steps.empty()) return stats;

@@ -32,6 +32,9 @@ struct TimingStats {
     int maxStep = 0;    ///< step of the maximum, the first of equals
 };
 
+/// False of a motion that was recorded without times.
+[[nodiscard]] bool HasTimes(const TimingSeries& series);
+
 /// Broad-phase time over all steps; zeros when there are none.
 [[nodiscard]] TimingStats GetBroadPhaseStats(const TimingSeries& series);
 

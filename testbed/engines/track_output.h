@@ -15,6 +15,7 @@
 
 #include "testbed/capture/scree_capture_track.h"
 #include "testbed/engines/run_spec.h"
+#include "testbed/engines/track_contents.h"
 
 namespace testbed {
 
@@ -22,9 +23,12 @@ template <typename Track, typename World>
 class TrackOutput {
 public:
     /// `names`: of bodies by their index; empty for one without.
-    void Begin(World& world, const std::string& path, const RunSpec& spec, std::vector<std::string> names) {
+    void Begin(World& world, const std::string& path, const TrackContents& contents, const RunSpec& spec,
+               std::vector<std::string> names) {
         scree_capture::Options options;
         options.contacts = true;
+        options.tree = contents.tree;
+        options.stages = contents.stages;
         options.memory = std::size_t{1} << 40;  // no step is left out
         if (const auto* si = std::get_if<SequentialImpulses>(&spec.solver); si != nullptr && si->iterations) {
             options.velocityIterations = si->iterations->velocity;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Implementation of track_run.h. A track has angles. Rotations and boxes are made of them as the recorded engine makes
-// them, so that trees get the same bits as its own tree.
+// them, so that trees that follow get the same bits as its own tree.
 
 #include "testbed/engines/track_run.h"
 
@@ -16,6 +16,7 @@
 
 #include "scree/math.h"
 #include "testbed/engines/box2d_shape.h"
+#include "testbed/engines/pair_count.h"
 #include "testbed/engines/scree_shape.h"
 #include "testbed/engines/state_hash.h"
 
@@ -128,6 +129,12 @@ private:
     void CaptureFixtures(Snapshot& snapshot, std::vector<int>& firstFixtureOf) const;
     void CaptureContacts(const TrackStep& step, const std::vector<int>& firstFixtureOf, Snapshot& snapshot) const;
     void CaptureJoints(const std::vector<int>& placeOf, Snapshot& snapshot) const;
+    void CaptureNodes(const TrackStep& step, const std::vector<int>& firstFixtureOf, Snapshot& snapshot) const;
+    /// Index into Snapshot::fixtures.
+    [[nodiscard]] int FixtureAt(const TrackPlace& place, const std::vector<int>& firstFixtureOf) const {
+        const int first = m_track->GetParts().bodies[static_cast<size_t>(place.body)].firstFixture;
+        return firstFixtureOf[static_cast<size_t>(first + place.fixture)] + place.child;
+    }
 
     std::shared_ptr<TrackFile> m_track;
     bool m_isScree;
@@ -184,14 +191,10 @@ void TrackRun::CaptureFixtures(Snapshot& snapshot, std::vector<int>& firstFixtur
 
 void TrackRun::CaptureContacts(const TrackStep& step, const std::vector<int>& firstFixtureOf,
                                Snapshot& snapshot) const {
-    const auto indexOf = [&](const TrackPlace& place) {
-        const int first = m_track->GetParts().bodies[static_cast<size_t>(place.body)].firstFixture;
-        return firstFixtureOf[static_cast<size_t>(first + place.fixture)] + place.child;
-    };
     for (const TrackContact& contact : step.contacts) {
         ContactState state{};
-        state.fixtureA = indexOf(contact.a);
-        state.fixtureB = indexOf(contact.b);
+        state.fixtureA = FixtureAt(contact.a, firstFixtureOf);
+        state.fixtureB = FixtureAt(contact.b, firstFixtureOf);
         state.touching = true;
         state.pointCount = contact.pointCount;
         state.normal = contact.normal;
@@ -225,12 +228,28 @@ void TrackRun::CaptureJoints(const std::vector<int>& placeOf, Snapshot& snapshot
     }
 }
 
+void TrackRun::CaptureNodes(const TrackStep& step, const std::vector<int>& firstFixtureOf, Snapshot& snapshot) const {
+    snapshot.leafSize = step.nodes.empty() ? 0 : 1;
+    snapshot.nodes.reserve(step.nodes.size());
+    for (const TrackNode& node : step.nodes) {
+        const bool isLeaf = node.child1 < 0;
+        const int level = node.parent < 0 ? 0 : snapshot.nodes[static_cast<size_t>(node.parent)].level + 1;
+        snapshot.nodes.push_back({{node.lower, node.upper},
+                                  node.parent,
+                                  node.child1,
+                                  node.child2,
+                                  isLeaf ? FixtureAt(node.leaf, firstFixtureOf) : -1,
+                                  level});
+        snapshot.treeHeight = std::max(snapshot.treeHeight, level);
+    }
+}
+
 void TrackRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {
     const TrackStep& step = m_track->Read(m_step);
     const scenes::Scene& scene = m_track->GetParts();
     ClearWorld(snapshot);
     snapshot.engine = m_isScree ? "scree" : "box2d";
-    snapshot.broadPhase = "recorded";
+    snapshot.broadPhase = m_track->GetInfo().hasNodes ? m_track->GetInfo().engine : "recorded";
     snapshot.scene = scene.name;
     snapshot.size = scene.size;
     snapshot.step = m_step;
@@ -244,9 +263,11 @@ void TrackRun::Capture(Snapshot& snapshot, const CaptureParts& parts) {
         snapshot.bodies.push_back(StateOf(static_cast<int>(i), step.bodies[i]));
     }
     snapshot.stateHash = HashState(snapshot.bodies);
-    if (parts.fixtures || parts.contacts) CaptureFixtures(snapshot, firstFixtureOf);
+    if (parts.fixtures || parts.contacts || parts.nodes) CaptureFixtures(snapshot, firstFixtureOf);
     if (parts.contacts) CaptureContacts(step, firstFixtureOf, snapshot);
     if (parts.joints) CaptureJoints(placeOf, snapshot);
+    if (parts.nodes) CaptureNodes(step, firstFixtureOf, snapshot);
+    if (parts.nodes && parts.pairs) snapshot.pairsReported = CountPairs(LeafBoxes(snapshot));
     if (!parts.fixtures) snapshot.fixtures.clear();
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A recorded motion as a run: each step goes to the next one that was recorded. Nothing is simulated, and there is no
-// tree; what follows it (poses.h) has one. Times are those of the engine that was recorded.
+// A recorded motion as a run: each step goes to the next one that was recorded. Nothing is simulated. The tree is that
+// of the recorded engine, where the track has its nodes; other trees follow the motion (poses.h). Times are those of
+// the engine that was recorded.
 
 #pragma once
 

@@ -93,6 +93,7 @@ struct TrackInfo {
     std::string writer, engine;
     float timeStep = 0.0f;  ///< of the first step, s
     bool hasContacts = false, hasStages = false, hasNodes = false;
+    std::size_t marks = 0;  ///< in all steps
     std::size_t bytes = 0;  ///< of the file
     /// What is wrong with the file although it could be read up to some step ("ends within a record at byte 120: read
     /// up to step 37"), or nothing.

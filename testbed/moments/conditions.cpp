@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "testbed/base/text.h"
 #include "testbed/moments/lasting.h"
 
 namespace testbed {
@@ -247,7 +248,9 @@ private:
         Vec2 way{};
 
         void Begin(const Frame& frame, Vec2 p) {
-            *this = {.step = frame.now.step, .time = frame.time};
+            *this = Window();
+            step = frame.now.step;
+            time = frame.time;
             reach.Begin(p);
         }
     };
@@ -375,6 +378,22 @@ private:
     bool m_isOver = false;
 };
 
+class Marks final : public Condition {
+public:
+    explicit Marks(std::function<std::span<const std::string>(int)> marks) : m_marks(std::move(marks)) {}
+
+    void Look(const Frame& frame, std::vector<Moment>& found) override {
+        const int step = frame.now.step;
+        for (const std::string& mark : m_marks(step)) {
+            found.push_back({"mark", step, frame.time, step, {}, 0, "", ToPrintable(mark)});
+        }
+    }
+    void Finish(std::vector<Moment>&) override {}
+
+private:
+    std::function<std::span<const std::string>(int)> m_marks;
+};
+
 }  // namespace
 
 std::unique_ptr<Condition> MakeDivergeCondition(double distance, std::function<const Snapshot*(int)> other) {
@@ -414,5 +433,9 @@ std::unique_ptr<Condition> MakeJointGapCondition(double gap) { return std::make_
 std::unique_ptr<Condition> MakeJitterCondition() { return std::make_unique<Jitter>(); }
 std::unique_ptr<Condition> MakeAwakeCondition(double seconds) { return std::make_unique<Awake>(seconds); }
 std::unique_ptr<Condition> MakePileOnCondition(int contacts) { return std::make_unique<PileOn>(contacts); }
+
+std::unique_ptr<Condition> MakeMarkCondition(std::function<std::span<const std::string>(int)> marks) {
+    return std::make_unique<Marks>(std::move(marks));
+}
 
 }  // namespace testbed

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 
 #include "testbed/moments/expression.h"
@@ -47,5 +48,7 @@ namespace testbed {
 /// step, null behind its end.
 [[nodiscard]] std::unique_ptr<Condition> MakeDivergeCondition(double distance,
                                                               std::function<const Snapshot*(int step)> other);
+/// Texts that the program left in what it recorded. `marks` gives those of a step.
+[[nodiscard]] std::unique_ptr<Condition> MakeMarkCondition(std::function<std::span<const std::string>(int step)> marks);
 
 }  // namespace testbed

@@ -14,6 +14,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/text.h"
 #include "testbed/input/file_kind.h"
+#include "testbed/input/track_file.h"
 #include "testbed/moments/conditions.h"
 #include "testbed/options/options.h"
 
@@ -78,6 +79,10 @@ struct Asked : AskedConditions {
     }
 };
 
+std::unique_ptr<Condition> MakeMarks(const SceneInput& input) {
+    return MakeMarkCondition([track = input.motion](int step) { return std::span(track->Read(step).marks); });
+}
+
 /// Expressions, numbered where there are several.
 void AddExpressions(const std::vector<std::string>& texts, const WatchedFacts& facts, Asked& asked) {
     for (std::size_t i = 0; i < texts.size(); ++i) {
@@ -112,9 +117,18 @@ AskedConditions MakeConditions(const ConditionArguments& a, const SessionArgumen
     return MakeConditions(a, opened, input, {session.GetNames(), session.HasContacts(), session.HasTimes()});
 }
 
+AskedConditions MakeConditionsAndMarks(const ConditionArguments& a, const SessionArguments& opened,
+                                       const SceneInput& input, const Session& session) {
+    AskedConditions asked = MakeConditions(a, opened, input, session);
+    if (a.marks || input.motion == nullptr || input.motion->GetInfo().marks == 0) return asked;
+    asked.names.emplace_back("mark");
+    asked.conditions.push_back(MakeMarks(input));
+    return asked;
+}
+
 bool IsAnyAsked(const ConditionArguments& a) {
-    return a.tunnel || a.overlap || a.speed || a.spin || a.nonFinite || !a.escape.empty() || a.spike || a.jointGap ||
-           a.jitter || a.awake || a.pileOn || !a.diverge.empty() || !a.when.empty();
+    return a.tunnel || a.marks || a.overlap || a.speed || a.spin || a.nonFinite || !a.escape.empty() || a.spike ||
+           a.jointGap || a.jitter || a.awake || a.pileOn || !a.diverge.empty() || !a.when.empty();
 }
 
 AskedConditions MakeConditions(const ConditionArguments& a, const SessionArguments& opened, const SceneInput& input,
@@ -137,6 +151,15 @@ AskedConditions MakeConditions(const ConditionArguments& a, const SessionArgumen
         asked.Add("diverge", MakeDivergeCondition(a.distance, [other = MakeOther(a, opened, input)](int step) {
                       return other->After(step);
                   }));
+    }
+    if (a.marks) {
+        if (input.motion == nullptr) {
+            throw UsageError(
+                fmt::format("--marks: {} has none; they stand in a motion that a program recorded with "
+                            "Track::Mark",
+                            opened.input));
+        }
+        asked.Add("mark", MakeMarks(input));
     }
     AddExpressions(a.when, facts, asked);
     if (asked.names.empty()) {
@@ -174,6 +197,7 @@ void AddConditionOptions(CLI::App& app, ConditionArguments& a, const std::string
         ->type_name("N")
         ->check(ZeroOrAbove())
         ->group(group);
+    app.add_flag("--marks", a.marks, "Texts that the program left in a track with Track::Mark")->group(group);
     app.add_option("--when", a.when,
                    "Steps after which this holds, by names or indices of bodies (in a name \\\" is a quote and \\\\ a "
                    "backslash): 'body(\"player\").y < -5 and not "

@@ -18,7 +18,7 @@ namespace testbed {
 /// As typed.
 struct ConditionArguments {
     std::optional<int> pileOn;
-    bool tunnel = false, nonFinite = false, jitter = false;
+    bool tunnel = false, nonFinite = false, jitter = false, marks = false;
     std::optional<double> overlap, speed, spin, spike, jointGap, awake;
     std::string escape, diverge;
     std::vector<std::string> when;
@@ -44,6 +44,10 @@ struct WatchedFacts {
                                              const SceneInput& input, const WatchedFacts& facts);
 [[nodiscard]] AskedConditions MakeConditions(const ConditionArguments& arguments, const SessionArguments& opened,
                                              const SceneInput& input, const Session& session);
+/// Those, and the marks of a track as well: for what shows a session rather than judges it.
+[[nodiscard]] AskedConditions MakeConditionsAndMarks(const ConditionArguments& arguments,
+                                                     const SessionArguments& opened, const SceneInput& input,
+                                                     const Session& session);
 /// Whether any was asked for.
 [[nodiscard]] bool IsAnyAsked(const ConditionArguments& arguments);
 

@@ -17,6 +17,7 @@
 #include "testbed/base/text.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/saved_world.h"
+#include "testbed/input/track_file.h"
 
 namespace testbed {
 
@@ -129,7 +130,7 @@ void AddEnginesOption(CLI::App& app, SettingArguments& arguments, const std::str
                        "Engines to run, with commas: [NAME=]ENGINE[:KEY=VALUE]..., keys as for --set, for example "
                        "scree,scree:solver=soft@8:threads=2,box2d" +
                            (note.empty() ? "" : ". " + note));
-    option->type_name("LIST");
+    option->type_name("LIST")->each([&arguments](const std::string&) { arguments.hasEngines = true; });
     if (!arguments.engines.empty()) option->capture_default_str();
 }
 
@@ -176,10 +177,17 @@ std::string FindPoses(const SceneArguments& arguments, const SceneInput& input) 
     return arguments.input.poses.empty() ? "own" : arguments.input.poses;
 }
 
+std::string EnginesOf(const TrackFile& motion) {
+    const TrackInfo& info = motion.GetInfo();
+    if (!info.hasNodes) return SettingArguments().engines;
+    return info.engine == "scree" ? "recorded,box2d" : "scree,recorded";
+}
+
 Panes MakePanes(const SceneArguments& arguments, const SceneInput& input) {
     const std::vector<TypedSetting>& typed = arguments.settings.typed;
     const std::string_view base = input.world != nullptr ? std::string_view(input.world->settings) : comparisonBase;
-    Panes panes{.panes = ParsePanes(arguments.settings.engines, typed, base)};
+    const bool isUsual = input.motion != nullptr && !arguments.settings.hasEngines;
+    Panes panes{.panes = ParsePanes(isUsual ? EnginesOf(*input.motion) : arguments.settings.engines, typed, base)};
     panes.baseline = FindBaseline(panes.panes, arguments.settings.baseline);
     const std::string poses = FindPoses(arguments, input);
     if (poses == "own" || poses == "track") return panes;

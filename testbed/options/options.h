@@ -48,6 +48,7 @@ inline constexpr int maxStep = 1'000'000;
 /// How scenes are run, as typed.
 struct SettingArguments {
     std::string engines = "scree,box2d";
+    bool hasEngines = false;  ///< typed
     std::string baseline{};
     std::vector<TypedSetting> typed{};  ///< of --set and of the options of single keys, in the order typed
 };
@@ -75,6 +76,9 @@ struct SceneArguments {
     std::string output = "out";
 };
 void AddRunOptions(CLI::App& app, SceneArguments& arguments);
+/// What follows a motion if nothing else is said: our engine and Box2D, the recorded tree in place of its engine's own
+/// where there is one.
+[[nodiscard]] std::string EnginesOf(const TrackFile& motion);
 /// What runs beside each other from an input.
 [[nodiscard]] Panes MakePanes(const SceneArguments& arguments, const SceneInput& input);
 /// own, track or an engine's name: whose motion the trees follow.

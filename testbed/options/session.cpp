@@ -13,6 +13,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/text.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/engines/saved_world.h"
 #include "testbed/engines/track_run.h"
 #include "testbed/input/body_names.h"
@@ -38,9 +39,9 @@ Session::Session(const SceneInput& input, const RunSpec& spec, int steps, bool f
     : m_start(input.Start()),
       m_lastStep(steps),
       m_timeStep(double{m_start.scene.timeStep}),
-      m_follows(follows && m_start.motion != nullptr) {
+      m_measures(follows && m_start.motion != nullptr && spec.engine != recordedEngine) {
     if (IsMotion()) {
-        m_run = m_follows ? MakeFollower(m_start, spec) : MakeTrackRun(m_start.motion, m_start.step);
+        m_run = follows ? MakeFollower(m_start, spec) : MakeTrackRun(m_start.motion, m_start.step);
         m_names = NamesIn(m_start);
         m_lastStep = m_start.motion->GetLastStep();
         return;
@@ -90,7 +91,7 @@ std::string Session::NameOf(int body) const {
 bool Session::HasContacts() const { return !IsMotion() || m_start.motion->GetInfo().hasContacts; }
 
 bool Session::HasTimes() const {
-    if (!IsMotion() || m_follows) return true;
+    if (!IsMotion() || m_measures) return true;
     TrackFile& track = *m_start.motion;
     return !track.GetSteps().empty() && !track.Read(track.GetSteps().front()).stages.empty();
 }

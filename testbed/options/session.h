@@ -54,7 +54,7 @@ private:
     int m_lastStep;
     double m_timeStep;  ///< of an engine's run
     double m_time = 0.0;
-    bool m_follows;
+    bool m_measures;  ///< the tree that follows a motion
 };
 
 /// By index of a body, as files keep them; nothing for one without.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "testbed/base/text.h"
 #include "testbed/jobs/bench/against.h"
@@ -58,8 +59,19 @@ std::vector<std::string> ListScenes(const std::vector<std::string>& names) {
 
 /// KEY=VALUE for every value of a list with commas. Throws UsageError that names the option.
 std::vector<std::string> ListSettings(const std::string& key, const std::string& option, const std::string& list) {
+    // In si@4,2 the comma stands in a value: what is no number begins one.
+    std::vector<std::string> values;
+    bool isNumber = true;
+    for (const std::string_view part : Split(list, ',')) {
+        const bool wasNumber = std::exchange(isNumber, static_cast<bool>(ParseNumber<double>(part)));
+        if (isNumber && !wasNumber) {
+            values.back() += fmt::format("/{}", part);
+        } else {
+            values.emplace_back(part);
+        }
+    }
     std::vector<std::string> settings;
-    for (const std::string_view value : Split(list, ',')) {
+    for (const std::string& value : values) {
         RunSpec spec;
         settings.push_back(fmt::format("{}={}", key, value));
         (void)ApplySetting(spec, settings.back(), option + " " + list);

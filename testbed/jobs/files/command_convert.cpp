@@ -32,6 +32,7 @@ struct ConvertArguments {
     std::string in, out;
     std::optional<int> size, steps;
     std::string engine = "scree";
+    TrackContents contents;
     InputArguments input;
     SettingArguments settings;
 };
@@ -50,7 +51,7 @@ void RecordRun(const ConvertArguments& arguments) {
     const std::unique_ptr<InteractiveRun> run = MakeRun(input.Start(), spec);
     const int steps = arguments.steps.value_or(input.steps);
     Progress progress(arguments.in, std::max(1, steps));
-    RecordTrack(arguments.out, *run, [&] {
+    RecordTrack(arguments.out, arguments.contents, *run, [&] {
         for (int i = 0; i < steps; ++i) {
             run->Step();
             progress.Advance(1);
@@ -66,7 +67,8 @@ void MakeTrack(const ConvertArguments& arguments) {
         throw UsageError(fmt::format("{} is a track already; --from K runs an engine from its step K", arguments.in));
     }
     if (file.kind != FileKind::recording) return RecordRun(arguments);
-    const Replayed replayed = ReplayRecording(file.bytes, arguments.in, {.wantsTrack = true});
+    const Replayed replayed =
+        ReplayRecording(file.bytes, arguments.in, {.wantsTrack = true, .contents = arguments.contents});
     if (!replayed.damage.empty()) PrintError("scree: {} {}\n", arguments.in, replayed.damage);
     WriteTextFile(arguments.out, replayed.track);
 }
@@ -94,8 +96,9 @@ int RunConvert(const ConvertArguments& arguments) {
     if (std::filesystem::equivalent(arguments.in, arguments.out, ignored)) {
         throw UsageError(fmt::format("{} is read and written; give another name to write", arguments.out));
     }
-    if (kind != FileKind::track && (arguments.steps || arguments.engine != "scree")) {
-        throw UsageError("--steps and --engine are for tracks: other files hold one moment");
+    const bool wantsMore = arguments.contents.tree || arguments.contents.stages;
+    if (kind != FileKind::track && (arguments.steps || arguments.engine != "scree" || wantsMore)) {
+        throw UsageError("--steps, --engine, --tree and --stages are for tracks: other files hold one moment");
     }
     if (kind == FileKind::track) {
         MakeTrack(arguments);
@@ -129,6 +132,9 @@ void AddConvertCommand(CLI::App& app, Request& request) {
         ->capture_default_str();
     command->add_option("--steps", arguments->steps, "Steps of a run that becomes a track; the scene's if not given")
         ->check(CLI::Range(1, maxStep));
+    command->add_flag("--tree", arguments->contents.tree,
+                      "Keep the nodes of the engine's tree in a track: overlap shows them as the pane `recorded`");
+    command->add_flag("--stages", arguments->contents.stages, "Keep the engine's times of each step in a track");
     AddSetOption(*command, arguments->settings, comparisonNote);
     command->callback([&request, arguments] { request.action = [arguments] { return RunConvert(*arguments); }; });
 }

@@ -130,6 +130,7 @@ Facts FactsOfTrack(TrackFile file) {
     facts["contacts"] = info.hasContacts;
     facts["stages"] = info.hasStages;
     facts["tree"] = info.hasNodes;
+    facts["marks"] = info.marks;
     std::vector<std::string> names;
     for (const TrackBody& body : track.GetBodies()) names.push_back(body.name);
     facts["names"] = ListNames(names);
@@ -154,7 +155,7 @@ Facts FactsOfRecording(std::string_view bytes, const std::string& file) {
     Facts facts = FactsOfTrack(TrackFile(replayed.track, file));
     facts["version"] = GetRecordingVersion();
     facts["writer"] = "scree";
-    for (const char* key : {"contacts", "stages", "tree", "names"}) facts.erase(key);
+    for (const char* key : {"contacts", "stages", "tree", "marks", "names"}) facts.erase(key);
     facts["calls"] = replayed.calls;
     facts["damage"] = replayed.damage;
     return facts;

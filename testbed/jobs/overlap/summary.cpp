@@ -13,6 +13,8 @@
 #include <iterator>
 #include <string_view>
 
+#include "testbed/engines/engine_list.h"
+
 namespace testbed {
 
 namespace {
@@ -61,6 +63,7 @@ private:
 
 std::string Whole(double value, std::size_t) { return fmt::format("{:.0f}", value); }
 std::string Fine(double value, std::size_t) { return fmt::format("{:.3f}", value); }
+std::string Time(double value, std::size_t) { return value > 0 ? fmt::format("{:.3f}", value) : "-"; }
 
 /// "step 90" or "max of 5 steps".
 std::string DescribeSteps(const RunSummary& summary) {
@@ -108,16 +111,17 @@ void AppendTimeLines(Table& table, const RunSummary& summary) {
     const auto stat = [&](double TimingStats::*member) {
         return ForEachSeries(summary, [=](const TimingSeries& series) { return GetBroadPhaseStats(series).*member; });
     };
-    table.AddLine("broad phase median, ms", stat(&TimingStats::median), Fine);
-    table.AddLine("broad phase p99, ms", stat(&TimingStats::p99), Fine);
+    table.AddLine("broad phase median, ms", stat(&TimingStats::median), Time);
+    table.AddLine("broad phase p99, ms", stat(&TimingStats::p99), Time);
     table.AddLine("broad phase max, ms (step)", stat(&TimingStats::max), [&](double value, std::size_t index) {
+        if (!(value > 0)) return std::string("-");
         return fmt::format("{:.3f} ({})", value, GetBroadPhaseStats(summary.timing[index]).maxStep);
     });
     const auto addSum = [&](int first, int last) {
         table.AddLine(
             fmt::format("broad phase sum {}-{}, ms", first, last),
             ForEachSeries(summary, [=](const TimingSeries& series) { return SumBroadPhase(series, first, last); }),
-            Fine);
+            Time);
     };
     addSum(1, steps);
     if (steps >= claimLastStep) addSum(claimFirstStep, claimLastStep);
@@ -136,7 +140,8 @@ std::string FormatSummary(const RunSummary& summary) {
 std::string FormatSettings(const Panes& panes) {
     std::string text;
     for (const Pane& pane : panes.panes) {
-        const std::string settings = PrintSettings(pane.spec);
+        std::string settings = PrintSettings(pane.spec);
+        if (pane.spec.engine == recordedEngine) settings = "with the times of the program that recorded it";
         fmt::format_to(std::back_inserter(text), "{}{} {}", text.empty() ? "settings: " : "; ", pane.name,
                        settings.empty() ? "preset=own" : settings);
     }

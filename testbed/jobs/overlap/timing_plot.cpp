@@ -27,15 +27,17 @@ Plot MakeTimingPlot(std::span<const TimingSeries> series, const std::string& tit
     plot.roomBeside = 0.04;
     // Drawn last lies on top: Box2D below.
     std::vector<const TimingSeries*> order;
-    for (const TimingSeries& one : series) order.push_back(&one);
+    for (const TimingSeries& one : series) {
+        if (HasTimes(one)) order.push_back(&one);
+    }
     std::ranges::stable_partition(order, [](const TimingSeries* one) { return one->engine == "box2d"; });
     std::size_t others = 0;
     for (const TimingSeries* one : order) {
         const bool isBox2d = one->engine == "box2d", isFirst = one->pane == one->engine;
         if (isBox2d) plot.note = boxTwoDNote;
-        PlotCurve curve{.title = !isFirst  ? one->pane
-                                 : isBox2d ? "Box2D"
-                                           : "Scree",
+        PlotCurve curve{.title = isFirst && isBox2d                  ? "Box2D"
+                                 : isFirst && one->engine == "scree" ? "Scree"
+                                                                     : one->pane,
                         .look = isBox2d && isFirst ? boxTwoDLook : ourLooks[others++ % std::size(ourLooks)],
                         .pointSize = 0.9};
         for (const StepRecord& record : one->steps) {

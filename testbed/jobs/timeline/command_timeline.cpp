@@ -19,6 +19,7 @@
 #include "testbed/base/errors.h"
 #include "testbed/base/json_print.h"
 #include "testbed/base/new_file.h"
+#include "testbed/input/track_file.h"
 #include "testbed/jobs/timeline/commands.h"
 #include "testbed/jobs/timeline/lane.h"
 #include "testbed/options/condition_options.h"
@@ -113,7 +114,7 @@ Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arg
     Json lanes = Json::array();
     std::vector<Json> moments;
     for (NamedSession& one : sessions) {
-        AskedConditions asked = MakeConditions(arguments.conditions, arguments.session, input, one.session);
+        AskedConditions asked = MakeConditionsAndMarks(arguments.conditions, arguments.session, input, one.session);
         const LaneData lane = RecordLane(one.session, one.name, std::move(asked.conditions), grid, bodies, options);
         AddMoments(lane.moments, one.session, lanes.size(), moments);
         for (const auto& [name, packed] : lane.streams) {
@@ -137,23 +138,22 @@ Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arg
 }
 
 /// Of --poses: the recorded motion, or every engine's own.
-void ChoosePoses(TimelineArguments& arguments) {
-    const std::string& poses = arguments.session.reading.poses;
-    if (poses.empty()) return;
-    const bool isTrack = IsFirst("--poses", poses, "track", "own");
-    if (isTrack && arguments.engines.empty()) arguments.engines = "scree,box2d";
-}
+bool WantsTrack(const std::string& poses) { return !poses.empty() && IsFirst("--poses", poses, "track", "own"); }
 
 int RunTimeline(TimelineArguments arguments, const Request& request) {
-    ChoosePoses(arguments);
+    const bool wantsTrack = WantsTrack(arguments.session.reading.poses);
     const SceneInput input = ChooseSessionInput(arguments.session);
+    if (wantsTrack && arguments.engines.empty()) arguments.engines = EnginesOf(*input.motion);
     std::vector<NamedSession> sessions = OpenSessions(arguments.session, input, arguments.engines);
     if (sessions.size() > mostLanes) {
         throw UsageError(fmt::format("--engines {}: a page shows at most {}", arguments.engines, mostLanes));
     }
-    if (!arguments.nodes.empty() && input.motion != nullptr && arguments.engines.empty()) {
-        throw UsageError(fmt::format("--nodes: {} has no tree; --poses track lets those of engines follow it",
-                                     arguments.session.input));
+    const bool isAsRecorded = input.motion != nullptr && arguments.engines.empty();
+    if (!arguments.nodes.empty() && isAsRecorded && !input.motion->GetInfo().hasNodes) {
+        throw UsageError(
+            fmt::format("--nodes: {} has no tree; record it with scree_capture::Options::tree = true, or "
+                        "let those of engines follow it: --poses track",
+                        arguments.session.input));
     }
     CheckCanWrite(arguments.output);
     const std::size_t bodyCount = sessions.front().session.GetScene().bodies.size();
@@ -194,9 +194,11 @@ void AddTimelineCommand(CLI::App& app, Request& request) {
             "Up to four engines on one clock: [NAME=]ENGINE[:KEY=VALUE],..; of a motion: whose trees follow it")
         ->type_name("LIST");
     command
-        ->add_option("--poses", arguments->session.reading.poses,
-                     "track: the trees of the engines follow the recorded motion; engines: scree,box2d if not given. "
-                     "own: every engine simulates. track if not given for a motion with --engines, else own")
+        ->add_option(
+            "--poses", arguments->session.reading.poses,
+            "track: the trees of the engines follow the recorded motion; engines: scree,box2d if not given, or the "
+            "recorded tree in place of its engine's, where a track has one. "
+            "own: every engine simulates. track if not given for a motion with --engines, else own")
         ->type_name("own|track");
     command
         ->add_option("--nodes", arguments->nodes,

@@ -36,8 +36,8 @@ std::vector<std::string> Lines(const std::string& language) {
     return lines;
 }
 
-/// A level with a floor and a heap of crates; the player is thrown out of it after a second.
-void PlayGame(const std::string& path) {
+/// A level with a floor and a heap of crates, recorded after some steps; a second later the player is thrown out of it.
+void PlayGame(const std::string& path, int stepsBefore = 0) {
     b2World world(b2Vec2(0.0f, -10.0f));
     b2BodyDef floorDef;
     b2PolygonShape floor;
@@ -53,14 +53,19 @@ void PlayGame(const std::string& path) {
         crate.SetAsBox(0.4f, 0.4f);
         player->CreateFixture(&crate, 1.0f);
     }
+    const float dt = 1.0f / 60.0f;
+    for (int step = 0; step < stepsBefore; ++step) world.Step(dt, 8, 3);
     scree_capture::Options options;
     options.contacts = true;
     options.stages = true;
+    options.tree = true;
     scree_capture::Track track(world, path, options);
     track.Name(player, "player");
-    const float dt = 1.0f / 60.0f;
     for (int step = 1; step <= 120; ++step) {
-        if (step == 60) player->SetLinearVelocity(b2Vec2(40.0f, 20.0f));
+        if (step == 60) {
+            player->SetLinearVelocity(b2Vec2(40.0f, 20.0f));
+            track.Mark("thrown \"away\"");
+        }
         world.Step(dt, 8, 3);
         track.Step(dt);
     }
@@ -90,8 +95,9 @@ TEST(OwnWorld, EveryCommandOfThePageRuns) {
     EXPECT_TRUE(folder.Has("level.scene.json"));
 }
 
-/// Counts of a tree by the columns of metrics.csv, of the rows of Box2D.
-std::vector<std::string> TreeCounts(const std::string& csv) {
+/// Counts of a tree by the columns of metrics.csv, of the rows in which a column has this value.
+std::vector<std::string> TreeCounts(const std::string& csv, const std::string& column = "engine",
+                                    const std::string& value = "box2d") {
     std::istringstream lines(csv);
     std::string line;
     std::vector<std::string> names, rows;
@@ -104,15 +110,15 @@ std::vector<std::string> TreeCounts(const std::string& csv) {
             continue;
         }
         std::string counts;
-        bool isBox2d = false;
+        bool isMeant = false;
         for (std::size_t i = 0; i < std::min(cells.size(), names.size()); ++i) {
-            isBox2d = isBox2d || (names[i] == "engine" && cells[i] == "box2d");
+            isMeant = isMeant || (names[i] == column && cells[i] == value);
             for (const char* name :
                  {"step", "nodes", "height", "sibling_overlap", "overlap_mean", "pairs_reported", "false_pair_ratio"}) {
                 if (names[i] == name) counts += cells[i] + " ";
             }
         }
-        if (isBox2d) rows.push_back(counts);
+        if (isMeant) rows.push_back(counts);
     }
     return rows;
 }
@@ -128,12 +134,61 @@ TEST(OwnWorld, ACapturedMotionGivesTheTreesOfTheWorldThatWasCaptured) {
     EXPECT_EQ(run, TreeCounts(folder.Read("captured/tiles/metrics.csv")));
 }
 
+TEST(OwnWorld, ARecordedTreeIsTheLiveOneAndNotAFreshOne) {
+    const ScratchFolder folder;
+    for (const std::string engine : {"box2d", "scree"}) {
+        const std::string track = engine + ".track";
+        ASSERT_EQ(folder.Run("convert tiles " + track + " --size 16 --steps 60 --tree --engine " + engine).exitCode,
+                  exitDone);
+        const std::string steps = " --steps 15:60:15 --image 320x200 -o ";
+        // The tree of the engine that follows from the beginning is the one that was recorded.
+        ASSERT_EQ(folder.Run("metrics " + track + " --engines recorded," + engine + steps + engine).exitCode, exitDone);
+        const std::string csv = folder.Read(engine + "/" + engine + "/metrics.csv");
+        const std::vector<std::string> recorded = TreeCounts(csv, "pane", "recorded");
+        EXPECT_EQ(recorded.size(), 4u);
+        if (engine == "box2d") EXPECT_EQ(recorded, TreeCounts(csv, "pane", engine));
+    }
+    // Of a world that lived before it was recorded only the nodes tell its tree: a fresh one is another.
+    PlayGame(folder.GetPath() / "late.track", 100);
+    const ProgramResult shown = folder.Run("metrics late.track --engines recorded,box2d,scree --steps 1:1 -o late");
+    ASSERT_EQ(shown.exitCode, exitDone) << shown.output;
+    const std::string csv = folder.Read("late/late/metrics.csv");
+    EXPECT_NE(TreeCounts(csv, "pane", "recorded"), TreeCounts(csv, "pane", "box2d"));
+    // By itself the recorded tree stands in place of its engine's, and what has none says how to get it.
+    EXPECT_NE(folder.Run("overlap late.track --image 320x200 -o late").output.find("recorded/scree"),
+              std::string::npos);
+    ASSERT_EQ(folder.Run("convert pyramid plain.track --size 3 --steps 5").exitCode, exitDone);
+    for (const char* command : {"overlap plain.track --engines recorded", "overlap pyramid --engines recorded",
+                                "overlap late.track --engines recorded --from 3", "bench pyramid --engines recorded",
+                                "timeline plain.track --nodes every:2"}) {
+        const ProgramResult refused = folder.Run(command);
+        EXPECT_EQ(refused.exitCode, exitUsage) << command << "\n" << refused.output;
+        EXPECT_NE(refused.output.find("Options::tree"), std::string::npos) << command << "\n" << refused.output;
+    }
+    EXPECT_EQ(folder.Run("overlap late.track --engines recorded:solver=soft").exitCode, exitUsage);
+}
+
+TEST(OwnWorld, MarksAreMomentsOfASession) {
+    const ScratchFolder folder;
+    PlayGame(folder.GetPath() / "session.track");
+    const ProgramResult found = folder.Run("find session.track --marks --json found.json");
+    EXPECT_EQ(found.exitCode, exitDiffers) << found.output;
+    EXPECT_NE(found.output.find("thrown \"away\""), std::string::npos) << found.output;
+    EXPECT_NE(folder.Read("found.json").find("\"step\": 60"), std::string::npos) << folder.Read("found.json");
+    EXPECT_NE(folder.Run("info session.track").output.find("marks            1"), std::string::npos);
+    ASSERT_EQ(folder.Run("timeline session.track -o page.html").exitCode, exitDone);
+    EXPECT_NE(folder.Read("page.html").find("thrown"), std::string::npos);
+    // Without being asked for they are no fault.
+    EXPECT_EQ(folder.Run("find session.track").exitCode, exitDone);
+    EXPECT_EQ(folder.Run("find pyramid --size 3 --steps 5 --marks").exitCode, exitUsage);
+}
+
 TEST(OwnWorld, TheLinesOfCodeAreThoseOfTheHeaders) {
     // What stands on the page stands in this file, which is compiled.
     std::ifstream own(SCREE_SOURCE_DIR "/tests/testbed/cli/own_world_test.cpp");
     std::string text{std::istreambuf_iterator<char>(own), {}};
-    for (const char* line :
-         {"options.contacts = true;", "options.stages = true;", "track.Name(player, \"player\");", "track.Step(dt);"}) {
+    for (const char* line : {"options.contacts = true;", "options.stages = true;", "options.tree = true;",
+                             "track.Name(player, \"player\");", "track.Step(dt);"}) {
         EXPECT_NE(text.find(line), std::string::npos);
         bool isOnPage = false;
         for (const std::string& onPage : Lines("cpp")) isOnPage = isOnPage || onPage.find(line) != std::string::npos;

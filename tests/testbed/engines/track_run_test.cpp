@@ -33,6 +33,7 @@ public:
         const std::string path = m_folder.GetPath() / "churn.track";
         scree_capture::Options options;
         options.contacts = true;
+        options.tree = true;
         scree_capture::Track recorder(m_world, path, options);
         for (int step = 1; step <= stepCount; ++step) {
             if (Chance(0.2)) MakeBody();
@@ -119,6 +120,45 @@ TEST(TrackRun, ShowsWhatTheRecordedWorldShowed) {
             }
         }
         EXPECT_THROW(run->Step(), std::out_of_range);
+    }
+}
+
+/// Boxes and levels of all nodes from the root on, and of leaves the box of what they hold.
+std::vector<std::vector<float>> TreeOf(const Snapshot& snapshot) {
+    std::vector<std::vector<float>> tree;
+    std::vector<int> pending(snapshot.nodes.empty() ? 0 : 1, 0);
+    while (!pending.empty()) {
+        const NodeState& node = snapshot.nodes[static_cast<std::size_t>(pending.back())];
+        pending.pop_back();
+        tree.push_back(
+            {node.box.lower.x, node.box.lower.y, node.box.upper.x, node.box.upper.y, static_cast<float>(node.level)});
+        if (node.fixture < 0) {
+            pending.insert(pending.end(), {node.child2, node.child1});
+            continue;
+        }
+        const Box& tight = snapshot.fixtures[static_cast<std::size_t>(node.fixture)].tight;
+        tree.back().insert(tree.back().end(), {tight.lower.x, tight.lower.y, tight.upper.x, tight.upper.y});
+    }
+    return tree;
+}
+
+TEST(TrackRun, TheRecordedTreeIsThatOfTheWorld) {
+    for (const unsigned seed : {5u, 6u, 7u}) {
+        const Churn churn(seed, 150);
+        RunStart start(churn.track->GetParts());
+        start.motion = churn.track;
+        const auto run = MakeFollower(start, MakeSpec(recordedEngine));
+        for (const Snapshot& world : churn.snapshots) {
+            run->Step();
+            Snapshot shown;
+            run->Capture(shown);
+            ASSERT_FALSE(shown.nodes.empty());
+            ASSERT_EQ(TreeOf(shown), TreeOf(world)) << "seed " << seed << " step " << run->GetStep();
+            ASSERT_EQ(shown.nodes.size(), world.nodes.size());
+            ASSERT_EQ(shown.treeHeight, world.treeHeight);
+            ASSERT_EQ(shown.pairsReported, CountPairs(LeafBoxes(shown)));
+            ASSERT_NO_FATAL_FAILURE(checks::ExpectTreeHoldsFixtures(shown)) << "seed " << seed;
+        }
     }
 }
 

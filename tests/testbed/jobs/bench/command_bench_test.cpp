@@ -152,6 +152,26 @@ TEST(BenchPlan, APresetLeavesTheChosenSolverAndThreads) {
     EXPECT_FALSE(spec.sleeping);
 }
 
+TEST(BenchPlan, ACommaMayStandInASolverAndBetweenSolvers) {
+    BenchArguments arguments;
+    arguments.scenes = {"n2"};
+    arguments.settings.engines = "scree";
+    arguments.solver = "si@4,2,soft@6,si@5/1";
+    arguments.threads = "1,2";
+    std::vector<Solver> solvers;
+    const BenchPlan plan = MakeBenchPlan(arguments);
+    for (const Pane& pane : plan.cases.front().panes) {
+        if (pane.spec.threads == 1) solvers.push_back(pane.spec.solver);
+    }
+    EXPECT_EQ(plan.cases.front().panes.size(), 6u);
+    EXPECT_EQ(solvers, (std::vector<Solver>{SequentialImpulses{Iterations{4, 2}}, SoftStep{6},
+                                            SequentialImpulses{Iterations{5, 1}}}));
+    for (const char* illegal : {"si@4,2,3", "3,si", "si@4,", "soft@6,2"}) {
+        arguments.solver = illegal;
+        EXPECT_THROW((void)MakeBenchPlan(arguments), UsageError) << illegal;
+    }
+}
+
 TEST(BenchCommand, WritesWhatItPrints) {
     const ScratchFolder folder;
     const ProgramResult result =
