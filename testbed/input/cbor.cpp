@@ -179,7 +179,7 @@ JsonNode CborReader::NextTree(int depth) {
             break;
         case CborItem::Kind::text:
             node.kind = JsonNode::Kind::string;
-            node.text = item.Text();
+            node.keys.emplace_back(item.Text());
             break;
         case CborItem::Kind::bytes:
             Fail("bytes where a scene has none; leave them out");

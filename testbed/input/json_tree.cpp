@@ -39,7 +39,7 @@ public:
     bool string(std::string& value) {
         JsonNode node;
         node.kind = JsonNode::Kind::string;
-        node.text = std::move(value);
+        node.keys.push_back(std::move(value));
         return Add(std::move(node));
     }
     bool binary(std::vector<std::uint8_t>&) { return false; }

@@ -19,9 +19,13 @@ struct JsonNode {
     Kind kind = Kind::null;
     bool isWhole = false;           ///< number: written without fraction and exponent, and within 64 bits
     double number = 0.0;            ///< number; boolean: 0 or 1
-    std::string text;               ///< string
-    std::vector<std::string> keys;  ///< object: of its items
+    std::vector<std::string> keys;  ///< object: of its items; string: itself, since large files are mostly numbers
     std::vector<JsonNode> items;    ///< array, object
+
+    /// Of a string; nothing of another kind.
+    [[nodiscard]] std::string_view Text() const {
+        return kind == Kind::string ? std::string_view(keys.front()) : std::string_view();
+    }
 
     /// The item of that key, or nullptr.
     [[nodiscard]] const JsonNode* Find(std::string_view key) const;

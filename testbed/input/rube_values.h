@@ -41,9 +41,9 @@ public:
         float value = 0.0f;
         if (node.kind == JsonNode::Kind::string) {
             std::uint32_t bits = 0;
-            const char* const end = node.text.data() + node.text.size();
-            const auto [stop, error] = std::from_chars(node.text.data(), end, bits, 16);
-            if (node.text.size() != 8 || error != std::errc() || stop != end) {
+            const char* const end = node.Text().data() + node.Text().size();
+            const auto [stop, error] = std::from_chars(node.Text().data(), end, bits, 16);
+            if (node.Text().size() != 8 || error != std::errc() || stop != end) {
                 Fail(place, "give a number, or the bits of a float as eight hexadecimal digits such as \"3F800000\"");
             }
             value = std::bit_cast<float>(bits);
@@ -92,7 +92,7 @@ public:
         const JsonNode* value = node.Find(key);
         if (value == nullptr) return {};
         Expect(*value, JsonPlace{&place, key}, JsonNode::Kind::string);
-        return value->text;
+        return std::string(value->Text());
     }
     /// {"x": [...], "y": [...]}.
     [[nodiscard]] std::vector<scenes::Vec2> Points(const JsonNode& node, const JsonPlace& place) const {

@@ -74,7 +74,7 @@ private:
     void CheckHeader(const JsonNode& root, const Place& top) const {
         const JsonNode* format = root.Find("format");
         const JsonNode* version = root.Find("version");
-        if (format == nullptr || format->kind != Kind::string || format->text != sceneFormat) {
+        if (format == nullptr || format->kind != Kind::string || format->Text() != sceneFormat) {
             Fail(fmt::format("no scene file: it has to hold \"format\": \"{}\"", sceneFormat));
         }
         if (version == nullptr || version->kind != Kind::number || !version->isWhole || version->number < 1) {
@@ -103,7 +103,7 @@ private:
     }
     void Value(const JsonNode& node, const Place& place, std::string& value) const {
         Expect(node, place, Kind::string);
-        value = node.text;
+        value = node.Text();
     }
     template <typename Whole>
     requires std::is_integral_v<Whole>
@@ -120,8 +120,8 @@ private:
     void Value(const JsonNode& node, const Place& place, Enum& value) const {
         Expect(node, place, Kind::string);
         const std::span<const std::string_view> names = NamesOf(value);
-        const auto found = std::find(names.begin(), names.end(), node.text);
-        if (found == names.end()) Fail(place, DescribeUnknown("type", node.text, names));
+        const auto found = std::find(names.begin(), names.end(), node.Text());
+        if (found == names.end()) Fail(place, DescribeUnknown("type", node.Text(), names));
         value = static_cast<Enum>(found - names.begin());
     }
     static std::span<const std::string_view> NamesOf(scenes::BodyType) { return bodyTypeNames; }
@@ -221,10 +221,10 @@ private:
         Expect(node, place, Kind::string);
         Names names;
         for (const scenes::NamedSupport& known : scenes::SupportFunctions()) {
-            if (known.name == node.text) shape.support = known.function;
+            if (known.name == node.Text()) shape.support = known.function;
             names.push_back(known.name);
         }
-        if (shape.support == nullptr) Fail(place, DescribeUnknown("support function", node.text, names));
+        if (shape.support == nullptr) Fail(place, DescribeUnknown("support function", node.Text(), names));
     }
 
     void ReadVertices(const JsonNode& node, const Place& place, scenes::Shape& shape) const {

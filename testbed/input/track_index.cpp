@@ -43,7 +43,7 @@ nlohmann::ordered_json ToJson(const JsonNode& node) {
             }
             return node.number;
         case JsonNode::Kind::string:
-            return node.text;
+            return node.Text();
         case JsonNode::Kind::array: {
             auto array = nlohmann::ordered_json::array();
             for (const JsonNode& item : node.items) array.push_back(ToJson(item));
