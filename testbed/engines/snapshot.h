@@ -28,6 +28,11 @@ struct Box {
             {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
 }
 
+/// Whether two boxes touch or overlap; without branches, since trees are counted with it.
+[[nodiscard]] inline bool Overlaps(const Box& a, const Box& b) {
+    return (a.lower.x <= b.upper.x) & (b.lower.x <= a.upper.x) & (a.lower.y <= b.upper.y) & (b.lower.y <= a.upper.y);
+}
+
 /// State of one body; `index` is its index in scenes::Scene::bodies.
 struct BodyState {
     int index;

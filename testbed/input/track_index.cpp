@@ -260,6 +260,9 @@ private:
             } else if (key == "dt") {
                 const float dt = reader.NextFloat("dt");
                 if (!(std::isfinite(dt) && dt >= 0.0f)) reader.Fail("dt: give a finite number that is not negative");
+            } else if (key == "nodes") {
+                // None of an engine whose interface does not give its tree.
+                m_data.info.hasNodes = !reader.NextBytes("nodes").empty() || m_data.info.hasNodes;
             } else if (key == "marks") {
                 const std::uint64_t marks = reader.NextArray("marks");
                 for (std::uint64_t i = 0; i < marks; ++i) (void)reader.NextText("a mark");
@@ -267,7 +270,6 @@ private:
             } else if (!ReadObjectsOf(reader, key, step)) {
                 m_data.info.hasContacts = m_data.info.hasContacts || key == "contacts";
                 m_data.info.hasStages = m_data.info.hasStages || key == "stages";
-                m_data.info.hasNodes = m_data.info.hasNodes || key == "nodes";
                 reader.Skip();
             }
         }

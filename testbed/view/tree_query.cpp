@@ -17,10 +17,6 @@ bool Contains(const Box& box, Vec2 point) {
     return box.lower.x <= point.x && point.x <= box.upper.x && box.lower.y <= point.y && point.y <= box.upper.y;
 }
 
-bool Overlap(const Box& a, const Box& b) {
-    return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
-}
-
 double GetArea(const Box& box) {
     return (double{box.upper.x} - double{box.lower.x}) * (double{box.upper.y} - double{box.lower.y});
 }
@@ -133,7 +129,7 @@ QueryTrace TraceQuery(std::span<const NodeState> nodes, const Box& query) {
         const NodeState& node = nodes[static_cast<size_t>(index)];
         stack.pop_back();
         ++trace.tested;
-        if (!Overlap(node.box, query)) continue;
+        if (!Overlaps(node.box, query)) continue;
         trace.visited.push_back(index);
         if (node.child1 < 0) {
             ++trace.leaves;

@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: MIT
 #
 # Makes the pictures of the guides again and compares them pixel by pixel with the committed ones: the overlap of trees, the
-# window, a timeline and a report. Where a picture shows times, its sidecar has a mask. Pictures of pages also depend on the
-# browser: with another Chromium than the sidecar names, only their size is compared. Arguments: the program, a scratch
-# folder, and --update to write the pictures.
+# window, timelines, a report, and what is seen of the session of a game. Where a picture shows times, its sidecar has a mask.
+# Pictures of pages also depend on the browser: with another Chromium than the sidecar names, only their size is compared.
+# Arguments: the program, the game, a scratch folder, and --update to write the pictures.
 
 import json
 import pathlib
@@ -16,12 +16,12 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PICTURES = ROOT / 'testbed/pictures'
-program, scratch = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+program, game, scratch = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
 update = '--update' in sys.argv
 
 # For each picture in pages/: the command that makes what it shows, and the boxes in which it shows times or which engines
-# were built. For a page, also
-# its address in the scratch folder and the size of the picture. The documentation names the same commands.
+# were built. For a page, also its address in the scratch folder and the size of the picture; for another one, the file if it
+# is not called like the picture. The documentation names the same commands.
 PAGES = {
     'window': {'command': 'view pyramid --offscreen --frames 240 --screenshot window.png', 'mask': [[237, 665, 968, 800], [640, 4, 1110, 26]],
                'reason': 'times and the list of built engines differ'},
@@ -29,6 +29,11 @@ PAGES = {
                  'page': 'balls.html#step=14&body=7', 'size': (1440, 957), 'mask': [[40, 770, 1062, 957]]},
     'report': {'command': "snapshot check -g '^(tumbler|pyramid)/' --set iterations=2/1 --report report",
                'page': 'report/index.html', 'size': (1200, 860), 'mask': [[416, 104, 595, 173]]},
+    'session-trees': {'command': 'overlap session.track --step 60 -o out', 'file': 'out/session/step-0060/compare.png', 'mask': []},
+    'session-escape': {'command': 'find session.track --escape=-18,-2,18,30 --pictures out/escape',
+                       'file': 'out/escape/01-escape-step-0176.png', 'mask': []},
+    'session': {'command': 'timeline session.track --escape=-18,-2,18,30 -o session.html',
+                'page': 'session.html#step=150&body=175', 'size': (1440, 860), 'mask': [[40, 700, 1062, 860]]},
 }
 OVERLAP = {'command': 'overlap tiles add-pair-400 -o testbed/pictures',
            'files': ['tiles/step-0090/compare.png', 'tiles/step-0090/difference.png', 'add-pair-400/step-0020/compare.png',
@@ -58,6 +63,7 @@ def differs(committed, new):
 
 shutil.rmtree(scratch, ignore_errors=True)
 (scratch / 'testbed').mkdir(parents=True)
+run([game])  # session.track
 references = f' --references {ROOT / "tests/snapshots"}'
 chromium = run(['chromium', '--version']).split(' built')[0].strip() if shutil.which('chromium') else None
 said, failed = [], False
@@ -67,16 +73,17 @@ for name, picture in PAGES.items():
         said.append(f'{name}: not made, since chromium is not installed')
         continue
     command = picture['command'] + (references if picture['command'].startswith('snapshot') else '')
-    run(f'{program} {command}', (0, 1) if isPage else (0,))  # 1: pictures differ, as they are meant to in the report
+    run(f'{program} {command}', (0, 1))  # 1: pictures differ, or something is found, as it is meant to
     if isPage:
         width, height = picture['size']
         run([*BROWSER, f'--window-size={width},{height}', f'--screenshot={scratch / (name + ".png")}',
              f'file://{scratch}/{picture["page"]}'])
-    new, committed, sidecar = scratch / f'{name}.png', PICTURES / f'pages/{name}.png', PICTURES / f'pages/{name}.json'
+    new, committed, sidecar = scratch / picture.get('file', f'{name}.png'), PICTURES / f'pages/{name}.png', PICTURES / f'pages/{name}.json'
     if update:
         shutil.copy(new, committed)
-        facts = {'command': 'scree ' + picture['command'],
-                 'compare': {'mask': picture['mask'], 'reason': picture.get('reason', 'times differ from run to run')}}
+        facts = {'command': 'scree ' + picture['command']}
+        if picture['mask']:
+            facts['compare'] = {'mask': picture['mask'], 'reason': picture.get('reason', 'times differ from run to run')}
         if isPage:
             facts['chromium'] = chromium
         sidecar.write_text(json.dumps(facts, indent=2) + '\n')
@@ -98,9 +105,9 @@ for name in OVERLAP['files']:
 
 pages = '\n'.join(page.read_text() for page in (ROOT / 'testbed/docs').glob('*.md'))
 for command in [OVERLAP['command'], *(picture['command'] for picture in PAGES.values())]:
-    if f'`testbed/run {command}`' not in pages and f'\ntestbed/run {command}\n' not in pages:
+    if not any(text in pages for text in (f'`testbed/run {command}`', f'\ntestbed/run {command}\n', f'\nscree {command}\n')):
         said.append(f'no page of testbed/docs names the command: {command}')
         failed = True
 print('\n'.join(said))
 if failed:
-    sys.exit('to write the pictures: tests/docs/pictures.py PROGRAM FOLDER --update')
+    sys.exit('to write the pictures: tests/docs/pictures.py PROGRAM GAME FOLDER --update')

@@ -51,8 +51,21 @@ double AcrossAll(const Snapshot& snapshot, const PictureOptions& options) {
     return options.width / FitCamera(GetFitBoxes(area), options.width, options.height, {}).pixelsPerMetre;
 }
 
-/// Around the bodies of a moment, several times their size, and so wide that a small one is not alone; everything if
-/// they are nowhere.
+/// Whether a picture this wide shows something of another body; with `isStatic`, of a static one.
+bool ShowsOthers(const Snapshot& snapshot, const Moment& moment, Vec2 middle, double across,
+                 const PictureOptions& options, bool isStatic) {
+    const auto x = static_cast<float>(across / 2), y = static_cast<float>(across / 2 * options.height / options.width);
+    const Box view{{middle.x - x, middle.y - y}, {middle.x + x, middle.y + y}};
+    return std::ranges::any_of(snapshot.fixtures, [&](const FixtureState& fixture) {
+        const BodyState& body = snapshot.bodies[static_cast<std::size_t>(fixture.body)];
+        const bool isOther = std::ranges::find(moment.bodies, body.index) == moment.bodies.end();
+        const bool isMeant = isOther && (!isStatic || body.type == scenes::BodyType::isStatic);
+        return isMeant && Overlaps(fixture.tight, view);
+    });
+}
+
+/// Around the bodies of a moment, several times their size. If they would be alone, so wide that some of the level is
+/// there, too. Everything if they are nowhere.
 std::optional<Camera> CameraFor(const Snapshot& snapshot, const Moment& moment, const PictureOptions& options) {
     std::optional<Box> around;
     for (const FixtureState& fixture : snapshot.fixtures) {
@@ -69,10 +82,14 @@ std::optional<Camera> CameraFor(const Snapshot& snapshot, const Moment& moment, 
     }
     if (!around) return std::nullopt;
     const double width = double{around->upper.x} - around->lower.x, height = double{around->upper.y} - around->lower.y;
-    const double across = std::max(8.0 * std::max(width, height), AcrossAll(snapshot, options) / 6.0);
+    const double all = AcrossAll(snapshot, options);
+    double across = std::max(8.0 * std::max(width, height), all / 6.0);
     if (!std::isfinite(across) || across <= 0.0) return std::nullopt;
-    return MakeCamera({around->lower.x + width / 2, around->lower.y + height / 2, across}, options.width,
-                      options.height);
+    const double x = around->lower.x + width / 2, y = around->lower.y + height / 2;
+    const Vec2 middle{static_cast<float>(x), static_cast<float>(y)};
+    const double widest = ShowsOthers(snapshot, moment, middle, across, options, false) ? 0.0 : 3.0 * all;
+    while (across < widest && !ShowsOthers(snapshot, moment, middle, across / 1.25, options, true)) across *= 1.25;
+    return MakeCamera({x, y, across}, options.width, options.height);
 }
 
 /// Goes through the session again and draws what was found.

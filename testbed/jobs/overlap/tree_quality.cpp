@@ -21,18 +21,9 @@ double Common(float lo, float hi, float windowLo, float windowHi) {
 
 bool IsWithin(float value, float lo, float hi) { return lo <= value && value <= hi; }
 
-bool Overlap(const Box& a, const Box& b) {
-    return (a.lower.x <= b.upper.x) & (b.lower.x <= a.upper.x) & (a.lower.y <= b.upper.y) & (b.lower.y <= a.upper.y);
-}
-
 bool Contains(const Box& outer, const Box& inner) {
     return (outer.lower.x <= inner.lower.x) & (outer.lower.y <= inner.lower.y) & (inner.upper.x <= outer.upper.x) &
            (inner.upper.y <= outer.upper.y);
-}
-
-Box Union(const Box& a, const Box& b) {
-    return {{std::min(a.lower.x, b.lower.x), std::min(a.lower.y, b.lower.y)},
-            {std::max(a.upper.x, b.upper.x), std::max(a.upper.y, b.upper.y)}};
 }
 
 double OverlapArea(const Box& a, const Box& b) {
@@ -78,7 +69,7 @@ OutlineSums::OutlineSums(std::span<const NodeState> nodes, std::span<const Fixtu
         }
         const Content& c1 = m_contents[static_cast<size_t>(m_entryOf[static_cast<size_t>(node.child1)])];
         const Content& c2 = m_contents[static_cast<size_t>(m_entryOf[static_cast<size_t>(node.child2)])];
-        content.box = Union(c1.box, c2.box);
+        content.box = Join(c1.box, c2.box);
         content.length = c1.length + c2.length;
     }
 }
@@ -101,7 +92,7 @@ double OutlineSums::LengthInside(int entry, const Box& window) const {
     double sum = 0;
     while (entry < end) {
         const Content& content = m_contents[static_cast<size_t>(entry)];
-        if (!Overlap(content.box, window)) {
+        if (!Overlaps(content.box, window)) {
             entry = content.skip;
         } else if (Contains(window, content.box)) {
             sum += content.length;
