@@ -151,8 +151,8 @@ Facts FactsOfImage(const SavedWorld& world) {
 }
 
 Facts FactsOfRecording(std::string_view bytes, const std::string& file) {
-    const Replayed replayed = ReplayRecording(bytes, file, {.wantsTrack = true});
-    Facts facts = FactsOfTrack(TrackFile(replayed.track, file));
+    Replayed replayed = ReplayRecording(bytes, file, {.wantsTrack = true});
+    Facts facts = FactsOfTrack(TrackFile(std::move(replayed.track), file));
     facts["version"] = GetRecordingVersion();
     facts["writer"] = "scree";
     for (const char* key : {"contacts", "stages", "tree", "marks", "names"}) facts.erase(key);
@@ -182,7 +182,7 @@ InputFile ReadAnyFile(const std::string& path, const InputArguments& given) {
 }
 
 Facts ReadFacts(const std::string& path, const InputArguments& input) {
-    const InputFile file = ReadAnyFile(path, input);
+    InputFile file = ReadAnyFile(path, input);
     const FileKindInfo& info = GetInfo(file.kind);
     Facts facts{{"file", path}, {"kind", info.name}, {"what", info.what}, {"bytes", file.bytes.size()}};
     switch (file.kind) {
@@ -191,7 +191,7 @@ Facts ReadFacts(const std::string& path, const InputArguments& input) {
             facts.update(FactsOfScene(ReadScene(file.bytes, path)));
             break;
         case FileKind::track:
-            facts.update(FactsOfTrack(TrackFile(file.bytes, path)));
+            facts.update(FactsOfTrack(TrackFile(std::move(file.bytes), path)));
             break;
         case FileKind::image:
             facts.update(FactsOfImage(ReadWorldImage(file.bytes, path)));
