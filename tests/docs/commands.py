@@ -16,9 +16,9 @@ import sys
 root, program, recorder, scratch = map(pathlib.Path, sys.argv[1:5])
 words = sys.argv[5:]
 
-# Held elsewhere: pages with a test of their own, what installs or builds, and another machine's queue.
+# Held elsewhere: pages and reports with a test of their own, what installs or builds, and another machine's queue.
 OTHER_TESTS = ('testbed/docs/own-world.md',)
-NOT_RUN = re.compile(r'^(tests/run|tests/fuzz/run|tests/platforms/run|tests/determinism/renew|tests/capture/|cmake |g\+\+ |sbatch |sudo |apt|dpkg|ctest|build/|git |cd |\.ci/|SCREE_RECORD=)')
+NOT_RUN = re.compile(r'^(tests/run|tests/fuzz/run|tests/platforms/run|tests/determinism/renew|tests/capture/|cmake |g\+\+ |sbatch |sudo |apt|dpkg|ctest|build/|git |cd |\.ci/|SCREE_RECORD=|testbed/run requires --quick -o)')
 SMALL = {'tiles': 20, 'mixed': 100, 'slow-explosion': 100, 'tumbler': 50, 'falling-squares': 20, 'pyramid': 6}
 
 
@@ -30,6 +30,8 @@ def lighter(line):
     extra = []
     if command in ('overlap', 'render'):
         extra.append('--image 640x400')
+    if command == 'metrics':
+        extra.append('--image 160x100')  # every step is counted over as many pixels
     if command in ('overlap', 'render', 'metrics', 'view'):
         for scene, size in SMALL.items():
             if re.search(rf'\b{scene}\b(?!-|\.)', line) and '--size' not in line and 'add-pair' not in line:
