@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// capture_cost_ENGINE [STEPS]: what recording takes of the step of a heap of 1,000 bodies that are stirred, with and
-// without contacts, on the thread that steps. Prints medians of processor time and the share.
+// capture_cost_ENGINE [STEPS]: what recording takes of the step of a heap of 1,000 bodies that are stirred, without
+// more, with contacts, and with the nodes of the tree, on the thread that steps. Prints medians of processor time and
+// the share.
 
 #ifdef COST_OF_BOX2D
 #include <box2d/box2d.h>
@@ -83,7 +84,7 @@ double MedianOf(std::vector<double> values) {
 }
 
 /// True if the whole track is in its file.
-bool Measure(bool withContacts, int steps) {
+bool Measure(const char* name, bool withContacts, bool withTree, int steps) {
     World world(Vec2(0.0f, -10.0f));
     world.SetAllowSleeping(false);
     Fill(world);
@@ -91,6 +92,7 @@ bool Measure(bool withContacts, int steps) {
     for (int i = 0; i < settling; ++i) Advance(world);
     scree_capture::Options options;
     options.contacts = withContacts;
+    options.tree = withTree;
     scree_capture::Track track(world, "capture_cost.track", options);
     std::vector<double> stepping, recording;
     int touching = 0;
@@ -108,8 +110,8 @@ bool Measure(bool withContacts, int steps) {
     for (Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) touching += c->IsTouching() ? 1 : 0;
     track.Close();
     const double step = MedianOf(stepping), record = MedianOf(recording);
-    std::printf("%s contacts: step %.0f us, recording %.1f us, %.1f %%; %d contacts touch\n",
-                withContacts ? "with" : "without", step, record, 100.0 * record / step, touching);
+    std::printf("%s: step %.0f us, recording %.1f us, %.1f %%; %d contacts touch\n", name, step, record,
+                100.0 * record / step, touching);
     std::remove("capture_cost.track");
     return track.GetError().empty() && track.GetSkippedSteps() == 0;
 }
@@ -118,5 +120,7 @@ bool Measure(bool withContacts, int steps) {
 
 int main(int count, char** words) {
     const int steps = std::max(1, count > 1 ? std::atoi(words[1]) : 600);
-    return Measure(false, steps) && Measure(true, steps) ? 0 : 1;
+    const bool isGood = Measure("without contacts", false, false, steps) &&
+                        Measure("with contacts", true, false, steps) && Measure("with the tree", false, true, steps);
+    return isGood ? 0 : 1;
 }
