@@ -216,21 +216,23 @@ struct Api {
         scree::inspect::GetNodes(world, nodes);
         std::vector<std::int32_t> pending;
         if (!nodes.empty()) pending.push_back(0);
+        const std::size_t used = bytes.size();
+        bytes.resize(used + nodes.size() * detail::mostNodeBytes);
+        unsigned char* out = bytes.data() + used;
         while (!pending.empty()) {
             const scree::BvhNode& node = nodes[static_cast<std::size_t>(pending.back())];
             pending.pop_back();
-            bytes.push_back(node.fixture >= 0 ? 1 : 0);
-            for (const Vec2 corner : {node.box.lowerBound, node.box.upperBound}) {
-                detail::PutFloat(bytes, corner.x);
-                detail::PutFloat(bytes, corner.y);
-            }
+            const Vec2 lower = node.box.lowerBound, upper = node.box.upperBound;
             if (node.fixture >= 0) {
-                detail::PutPlace(bytes, places.At(node.fixture));
+                const detail::Place place = places.At(node.fixture);
+                out = detail::PutNode(out, {lower.x, lower.y, upper.x, upper.y}, &place);
             } else {
+                out = detail::PutNode(out, {lower.x, lower.y, upper.x, upper.y}, nullptr);
                 pending.push_back(node.child2);
                 pending.push_back(node.child1);
             }
         }
+        bytes.resize(static_cast<std::size_t>(out - bytes.data()));
     }
 
     static void WriteStages(const World& world, detail::CborWriter& out) {

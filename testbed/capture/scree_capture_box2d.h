@@ -81,25 +81,27 @@ inline void b2DynamicTree::Query<scree_capture::box2d_engine::NodeWalk>(scree_ca
     namespace detail = scree_capture::detail;
     std::vector<int32> pending;
     if (m_root != b2_nullNode) pending.push_back(m_root);
+    detail::Bytes& bytes = *walk->bytes;
+    const std::size_t used = bytes.size();
+    bytes.resize(used + static_cast<std::size_t>(m_nodeCount) * detail::mostNodeBytes);
+    unsigned char* out = bytes.data() + used;
     while (!pending.empty()) {
         const b2TreeNode& node = m_nodes[pending.back()];
         pending.pop_back();
-        detail::Bytes& bytes = *walk->bytes;
-        bytes.push_back(node.IsLeaf() ? 1 : 0);
-        detail::PutFloat(bytes, node.aabb.lowerBound.x);
-        detail::PutFloat(bytes, node.aabb.lowerBound.y);
-        detail::PutFloat(bytes, node.aabb.upperBound.x);
-        detail::PutFloat(bytes, node.aabb.upperBound.y);
+        const float corners[4] = {node.aabb.lowerBound.x, node.aabb.lowerBound.y, node.aabb.upperBound.x,
+                                  node.aabb.upperBound.y};
         if (node.IsLeaf()) {
             const b2FixtureProxy* proxy = static_cast<const b2FixtureProxy*>(node.userData);
             detail::Place place = walk->places->At(proxy->fixture);
             place.child = proxy->childIndex;
-            detail::PutPlace(bytes, place);
+            out = detail::PutNode(out, corners, &place);
         } else {
+            out = detail::PutNode(out, corners, nullptr);
             pending.push_back(node.child2);
             pending.push_back(node.child1);
         }
     }
+    bytes.resize(static_cast<std::size_t>(out - bytes.data()));
 }
 #endif
 

@@ -141,6 +141,14 @@ inline void PutPlace(Bytes& bytes, const Place& place) {
     bytes.insert(bytes.end(), text, PutPlace(text, place));
 }
 
+/// The most bytes of a node of a tree, and the bytes of one at `out`; with a place it is a leaf.
+static const std::size_t mostNodeBytes = 17 + mostPlaceBytes;
+inline unsigned char* PutNode(unsigned char* out, const float (&corners)[4], const Place* place) {
+    *out++ = place != nullptr ? 1 : 0;
+    for (std::size_t i = 0; i < 4; ++i) out = PutFloat(out, corners[i]);
+    return place != nullptr ? PutPlace(out, *place) : out;
+}
+
 /// The end of bytes that grow by whole contacts: a vector is slow byte by byte.
 class ContactBytes {
 public:

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// capture_cost_ENGINE [STEPS]: what recording takes of the step of a heap of 1,000 bodies that are stirred, without
-// more, with contacts, and with the nodes of the tree, on the thread that steps. Prints medians of processor time and
-// the share.
+// capture_cost_ENGINE [STEPS]: what recording takes of the step of a heap of 1,000 bodies that are stirred. It may
+// include contacts, or the nodes of the tree. Prints medians of processor time of the thread that steps, and the share.
 
 #ifdef COST_OF_BOX2D
 #include <box2d/box2d.h>

@@ -96,21 +96,25 @@ void GetBodies(const World& world, std::vector<BodyView>& views) {
 void GetTouchingContacts(const World& world, std::vector<ContactView>& views) {
     const WorldState& s = world.GetState();
     const ContactTable& contacts = s.contacts;
-    views.clear();
+    // Written in place, and over the views of an earlier call: whoever records does this in every step.
+    std::size_t count = 0;
     for (ContactIndex c = contacts.LastAliveBelow(contacts.flags.End()); IsSome(c); c = contacts.LastAliveBelow(c)) {
         if (!contacts.Has(c, ContactFlag::touching)) continue;
         const ContactPair& pair = contacts.pair[c];
         const Vec2 frame = FrameOf(s.bodies, pair.bodyA, pair.bodyB);
-        views.push_back({.fixtureA = ToInt(pair.fixtureA),
-                         .fixtureB = ToInt(pair.fixtureB),
-                         .isSensor = (s.fixtures.isSensor[pair.fixtureA] | s.fixtures.isSensor[pair.fixtureB]) != 0,
-                         .radiusA = s.fixtures.shape[pair.fixtureA]->m_radius,
-                         .radiusB = s.fixtures.shape[pair.fixtureB]->m_radius,
-                         .placeA = TransformIn(frame, s.bodies, pair.bodyA),
-                         .placeB = TransformIn(frame, s.bodies, pair.bodyB),
-                         .frame = frame,
-                         .manifold = contacts.manifold[c]});
+        if (count == views.size()) views.emplace_back();
+        ContactView& view = views[count++];
+        view.fixtureA = ToInt(pair.fixtureA);
+        view.fixtureB = ToInt(pair.fixtureB);
+        view.isSensor = (s.fixtures.isSensor[pair.fixtureA] | s.fixtures.isSensor[pair.fixtureB]) != 0;
+        view.radiusA = s.fixtures.shape[pair.fixtureA]->m_radius;
+        view.radiusB = s.fixtures.shape[pair.fixtureB]->m_radius;
+        view.placeA = TransformIn(frame, s.bodies, pair.bodyA);
+        view.placeB = TransformIn(frame, s.bodies, pair.bodyB);
+        view.frame = frame;
+        view.manifold = contacts.manifold[c];
     }
+    views.resize(count);
 }
 
 WorldManifold ContactView::GetPoints() const {
