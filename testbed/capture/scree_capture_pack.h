@@ -29,6 +29,8 @@ namespace detail {
 static const int keyInterval = 120;
 /// Bytes after which a block is written.
 static const std::size_t blockBytes = 256u << 10;
+/// Of records that wait before the thread is woken, since to wake it takes as long as to read some hundred contacts.
+static const std::size_t batchBytes = 4u << 20;
 
 /// An item of a list of an event, with the number that it is about.
 struct Item {
@@ -382,7 +384,7 @@ public:
         if (record->isKey) HandOver();
         m_batchBytes += record->CountBytes();
         m_batch.push_back(Job{Bytes(), std::move(record), false});
-        if (m_batchBytes >= std::min(blockBytes, m_memory / 2)) HandOver();
+        if (m_batchBytes >= std::min(batchBytes, m_memory / 2)) HandOver();
     }
     /// A payload besides steps; it ends their block.
     void Push(Bytes payload) {
@@ -422,7 +424,7 @@ private:
         m_batch.push_back(Job{Bytes(), Record(), true});
         HandOver();
     }
-    /// Gives the batch to the thread: waking it for each step takes longer than reading some.
+    /// Gives the batch to the thread.
     void HandOver() {
         if (m_batch.empty()) return;
         {
