@@ -16,7 +16,8 @@
 namespace testbed {
 
 bool HasTimes(const TimingSeries& series) {
-    return std::ranges::any_of(series.steps, [](const StepRecord& record) { return record.times.step > 0; });
+    const auto isTimed = [](const StepRecord& record) { return record.times.step > 0 || record.times.broadPhase > 0; };
+    return std::ranges::any_of(series.steps, isTimed);
 }
 
 TimingStats GetBroadPhaseStats(const TimingSeries& series) {
