@@ -20,12 +20,12 @@ namespace testbed {
 std::string ReadText(const std::filesystem::path& file, std::string_view cure) {
     if (std::filesystem::is_directory(file)) throw FileError(fmt::format("{}: a folder; {}", file.string(), cure));
     std::ifstream stream(file, std::ios::binary);
-    std::error_code ignored;
-    const std::uintmax_t size = std::filesystem::is_regular_file(file) ? std::filesystem::file_size(file, ignored) : 0;
+    std::error_code failure;
+    const std::uintmax_t size = std::filesystem::is_regular_file(file) ? std::filesystem::file_size(file, failure) : 0;
     constexpr std::size_t more = 1 << 16;  // of a pipe, or of a file that grows
     std::string text;
     std::size_t count = 0;
-    for (std::size_t room = (ignored ? 0 : size) + more; stream; room = more + text.size()) {
+    for (std::size_t room = (failure ? 0 : size) + more; stream; room = more + text.size()) {
         text.resize(count + room);
         stream.read(text.data() + count, static_cast<std::streamsize>(room));
         count += static_cast<std::size_t>(stream.gcount());

@@ -96,7 +96,6 @@ inline float FloatOf(std::uint32_t bits) {
 inline void PutLittle32(Bytes& out, std::uint32_t value) {
     for (int shift = 0; shift < 32; shift += 8) out.push_back(static_cast<unsigned char>(value >> shift));
 }
-inline void PutFloat(Bytes& out, float value) { PutLittle32(out, BitsOf(value)); }
 inline void PutVarint(Bytes& out, std::uint64_t value) {
     for (; value >= 0x80; value >>= 7) out.push_back(static_cast<unsigned char>(value | 0x80));
     out.push_back(static_cast<unsigned char>(value));

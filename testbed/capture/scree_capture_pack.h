@@ -138,10 +138,6 @@ inline unsigned char* PutPlace(unsigned char* out, const Place& place) {
     out = PutVarint(out, static_cast<std::uint64_t>(place.fixture));
     return PutVarint(out, static_cast<std::uint64_t>(place.child));
 }
-inline void PutPlace(Bytes& bytes, const Place& place) {
-    unsigned char text[mostPlaceBytes];
-    bytes.insert(bytes.end(), text, PutPlace(text, place));
-}
 
 /// The most bytes of a node of a tree, and the bytes of one at `out`; with a place it is a leaf.
 static const std::size_t mostNodeBytes = 17 + mostPlaceBytes;
@@ -380,7 +376,7 @@ public:
         return false;
     }
     void Push(Record record) {
-        // Batches end with blocks, so that a crash loses no more than a block.
+        // Batches end where all states are written anew, so that a crash loses no more steps than lie between.
         if (record->isKey) HandOver();
         m_batchBytes += record->CountBytes();
         m_batch.push_back(Job{Bytes(), std::move(record), false});

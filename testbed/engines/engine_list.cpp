@@ -57,6 +57,7 @@ constexpr EngineInfo engines[] = {
 #endif
 };
 
+/// It has no settings (HasSetting); the ability is what makes the solver of a spec that nobody reads a legal one.
 constexpr EngineInfo recorded = {.name = recordedEngine,
                                  .title = "the recorded engine",
                                  .abilities = Of({Ability::sequential}),
