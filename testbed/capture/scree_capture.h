@@ -58,20 +58,17 @@ struct Api {
                 const scree::inspect::BodyView& b = m_bodies[k];
                 if (slots[k].body != b.body) return false;
                 if (slots[k].quick != QuickIdentityOf(b.generation, b.type, b.newestFixture)) return false;
-                const float values[6] = {b.position.x,       b.position.y,       b.angle,
-                                         b.linearVelocity.x, b.linearVelocity.y, b.angularVelocity};
-                std::memcpy(now[k].bits, values, sizeof values);
+                now[k].Set(b.position, b.angle, b.linearVelocity, b.angularVelocity);
                 now[k].awake = b.type != scree::staticBody && b.isAwake;
             }
             return true;
         }
-        typedef std::vector<scree::inspect::ContactView> Contacts;
-        static void ReadContacts(const World& world, Contacts& contacts) {
-            scree::inspect::GetTouchingContacts(world, contacts);
-        }
+        typedef scree::inspect::TouchingContacts Contacts;
+        static void ReadContacts(const World& world, Contacts& contacts) { contacts.Take(world); }
+        static std::size_t CountBytes(const Contacts& contacts) { return contacts.CountBytes(); }
         static void Pack(const Contacts& contacts, const Places& places, detail::Bytes& bytes) {
             detail::ContactBytes out(bytes);
-            for (const scree::inspect::ContactView& c : contacts) {
+            contacts.ForEach([&](const scree::inspect::ContactView& c) {
                 const scree::WorldManifold world = c.GetPoints();
                 const int count = c.manifold.pointCount;
                 unsigned char* end = out.Begin(places.At(c.fixtureA), places.At(c.fixtureB), count, c.isSensor,
@@ -83,7 +80,7 @@ struct Api {
                     end = detail::PutFloat(detail::PutFloat(end, point.normalImpulse), point.tangentImpulse);
                 }
                 out.End(end);
-            }
+            });
         }
 
     private:
@@ -117,9 +114,7 @@ struct Api {
 
     static void ReadState(const Body& body, detail::State& state) {
         const Vec2 position = body.GetPosition(), velocity = body.GetLinearVelocity();
-        const float values[6] = {position.x, position.y, body.GetAngle(),
-                                 velocity.x, velocity.y, body.GetAngularVelocity()};
-        std::memcpy(state.bits, values, sizeof values);
+        state.Set(position, body.GetAngle(), velocity, body.GetAngularVelocity());
         state.awake = body.GetType() != scree::staticBody && body.IsAwake();
     }
 

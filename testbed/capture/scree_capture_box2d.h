@@ -148,9 +148,7 @@ struct Api {
 
     static void ReadState(const Body& body, detail::State& state) {
         const Vec2 &position = body.GetPosition(), &velocity = body.GetLinearVelocity();
-        const float values[6] = {position.x, position.y, body.GetAngle(),
-                                 velocity.x, velocity.y, body.GetAngularVelocity()};
-        std::memcpy(state.bits, values, sizeof values);
+        state.Set(position, body.GetAngle(), velocity, body.GetAngularVelocity());
         state.awake = body.GetType() != b2_staticBody && body.IsAwake();
     }
 

@@ -419,9 +419,7 @@ struct Api {
 
     static void ReadState(const Body& body, detail::State& state) {
         const Point position = body.GetPosition(), velocity = body.GetLinearVelocity();
-        const float values[6] = {position.x, position.y, body.GetAngle(),
-                                 velocity.x, velocity.y, body.GetAngularVelocity()};
-        std::memcpy(state.bits, values, sizeof values);
+        state.Set(position, body.GetAngle(), velocity, body.GetAngularVelocity());
         state.awake = body.GetType() != 0 && body.IsAwake();
     }
 

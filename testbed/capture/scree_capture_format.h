@@ -342,6 +342,12 @@ struct State {
     std::uint32_t bits[6];
     bool awake;
 
+    /// Position, angle, and their velocities, one by one: copied at once, they would wait for the last to be stored.
+    template <typename Vec2>
+    void Set(const Vec2& position, float angle, const Vec2& velocity, float spin) {
+        const float values[6] = {position.x, position.y, angle, velocity.x, velocity.y, spin};
+        for (int i = 0; i < 6; ++i) bits[i] = BitsOf(values[i]);
+    }
     bool IsSame(const State& other) const {
         return std::memcmp(bits, other.bits, sizeof bits) == 0 && awake == other.awake;
     }

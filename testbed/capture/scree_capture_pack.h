@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cfenv>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <string>
 #include <utility>
@@ -191,7 +192,7 @@ struct StepRecord {
     Bytes nodes, stages;
 
     std::size_t CountBytes() const {
-        return 64 + states.size() * sizeof(State) + contacts.size() * sizeof contacts[0] + nodes.size() + stages.size();
+        return 64 + states.size() * sizeof(State) + Api::Reader::CountBytes(contacts) + nodes.size() + stages.size();
     }
 };
 
@@ -391,8 +392,8 @@ public:
     /// A record to fill, with the memory of one that was written.
     Record TakeSpare() {
         if (m_spare.empty()) return Record(new StepRecord<Api>());
-        Record record = std::move(m_spare.back());
-        m_spare.pop_back();
+        Record record = std::move(m_spare.front());
+        m_spare.pop_front();
         return record;
     }
     /// Returns once all is in the file.
@@ -497,7 +498,7 @@ private:
     // Of the thread that steps.
     std::vector<Job> m_batch;
     std::size_t m_batchBytes = 0;
-    std::vector<Record> m_spare;
+    std::deque<Record> m_spare;  ///< the first is longest out of the sight of the thread that writes
     // Of the thread that writes.
     BlockMaker<Api> m_maker;
     Output m_output;

@@ -63,6 +63,7 @@ public:
             Read(*c, contacts.back());
         }
     }
+    static std::size_t CountBytes(const Contacts& contacts) { return contacts.size() * sizeof(ContactRecord); }
     static void Pack(const Contacts& contacts, const typename Api::Places& places, Bytes& bytes) {
         ContactBytes out(bytes);
         for (std::size_t k = 0; k < contacts.size(); ++k) {

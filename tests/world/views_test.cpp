@@ -40,8 +40,11 @@ void ExpectBodies(const World& world) {
 }
 
 int ExpectContacts(const World& world) {
+    inspect::TouchingContacts touching;
+    touching.Take(world);
     std::vector<inspect::ContactView> views;
-    inspect::GetTouchingContacts(world, views);
+    touching.ForEach([&views](const inspect::ContactView& view) { views.push_back(view); });
+    EXPECT_EQ(touching.Count(), static_cast<int>(views.size()));
     size_t at = 0;
     for (const Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) {
         if (!c->IsTouching()) continue;

@@ -68,20 +68,43 @@ struct BodyView {
 /// All bodies in the order of World::GetBodyList. O(bodies).
 SCREE_API void GetBodies(const World& world, std::vector<BodyView>& bodies);
 
-/// A touching contact in the same way: what its points follow from, which another thread may work out.
+/// A touching contact in the same way: what its points follow from.
 struct ContactView {
     int fixtureA, fixtureB;    ///< Fixture::GetIndex
     bool isSensor;             ///< one of them is
     float radiusA, radiusB;    ///< of the shapes
     Transform placeA, placeB;  ///< of the bodies, seen from `frame`
     Vec2 frame;
-    Manifold manifold;
+    Manifold manifold;  ///< without the ids of its points
 
     /// What Contact::GetWorldManifold gives; without points its normal is 0.
     SCREE_API WorldManifold GetPoints() const;
 };
-/// The contacts that touch, in the order of World::GetContactList. O(contacts).
-SCREE_API void GetTouchingContacts(const World& world, std::vector<ContactView>& contacts);
+
+/// The contacts that touch at one moment, in the order of World::GetContactList. It holds its own copy, in few bytes,
+/// so that a recorder can take it in every step and leave the rest to another thread.
+class TouchingContacts {
+public:
+    /// Takes those of a world in place of what it held. O(bodies + contacts); allocates where they are more than ever.
+    SCREE_API void Take(const World& world);
+    [[nodiscard]] int Count() const { return m_count; }
+    [[nodiscard]] size_t CountBytes() const { return m_used * sizeof(uint32_t) + m_places.size() * sizeof(Transform); }
+    /// Calls visit(const ContactView&) for each.
+    template <typename Visit>
+    void ForEach(Visit&& visit) const {
+        const uint32_t* at = m_words.data();
+        for (int i = 0; i < m_count; ++i) visit(ViewAt(at));
+    }
+
+private:
+    /// The contact whose words begin at `at`, which then is at those of the next one.
+    SCREE_API ContactView ViewAt(const uint32_t*& at) const;
+
+    std::vector<Transform> m_places;  ///< of the bodies by index; empty where contacts have frames of their own
+    std::vector<uint32_t> m_words;
+    size_t m_used = 0;
+    int m_count = 0;
+};
 
 /// The kernels that the last step ran.
 SCREE_API KernelSet GetKernels(const World& world);

@@ -5,6 +5,9 @@
 
 #include "scree/inspect.h"
 
+#include <algorithm>
+#include <cstring>
+
 #include "pipeline/parts/lane_solver.h"
 #include "state/frames.h"
 #include "world/world_state.h"
@@ -93,28 +96,91 @@ void GetBodies(const World& world, std::vector<BodyView>& views) {
     }
 }
 
-void GetTouchingContacts(const World& world, std::vector<ContactView>& views) {
+namespace {
+
+// A contact in words. The first one tells which of the others are there.
+constexpr uint32_t countBits = 3, typeShift = 2, typeBits = 3, sensorBit = 16, radiiBit = 32;
+constexpr size_t mostContactWords = 5 + 2 + 10 + 4 + 4 * maxManifoldPoints;
+
+template <typename T>
+uint32_t* Put(uint32_t* out, const T& value) {
+    std::memcpy(out, &value, sizeof value);
+    return out + sizeof value / sizeof(uint32_t);
+}
+template <typename T>
+void TakeTo(T& value, const uint32_t*& at) {
+    std::memcpy(&value, at, sizeof value);
+    at += sizeof value / sizeof(uint32_t);
+}
+
+}  // namespace
+
+void TouchingContacts::Take(const World& world) {
     const WorldState& s = world.GetState();
     const ContactTable& contacts = s.contacts;
-    // Written in place, and over the views of an earlier call: whoever records does this in every step.
-    std::size_t count = 0;
+    const bool isFar = s.bodies.IsFar();
+    if (isFar) {
+        m_places.clear();
+    } else {
+        m_places.assign(s.bodies.transform.begin(), s.bodies.transform.end());
+    }
+    m_count = 0;
+    // Written over the words of an earlier call: it is slow to bring memory to this core that another one has read.
+    uint32_t* out = m_words.data();
+    uint32_t* end = out + m_words.size();
     for (ContactIndex c = contacts.LastAliveBelow(contacts.flags.End()); IsSome(c); c = contacts.LastAliveBelow(c)) {
         if (!contacts.Has(c, ContactFlag::touching)) continue;
+        if (end - out < static_cast<ptrdiff_t>(mostContactWords)) {
+            const auto used = out - m_words.data();
+            m_words.resize(std::max(2 * m_words.size(), 64 * mostContactWords));
+            out = m_words.data() + used, end = m_words.data() + m_words.size();
+        }
         const ContactPair& pair = contacts.pair[c];
-        const Vec2 frame = FrameOf(s.bodies, pair.bodyA, pair.bodyB);
-        if (count == views.size()) views.emplace_back();
-        ContactView& view = views[count++];
-        view.fixtureA = ToInt(pair.fixtureA);
-        view.fixtureB = ToInt(pair.fixtureB);
-        view.isSensor = (s.fixtures.isSensor[pair.fixtureA] | s.fixtures.isSensor[pair.fixtureB]) != 0;
-        view.radiusA = s.fixtures.shape[pair.fixtureA]->m_radius;
-        view.radiusB = s.fixtures.shape[pair.fixtureB]->m_radius;
-        view.placeA = TransformIn(frame, s.bodies, pair.bodyA);
-        view.placeB = TransformIn(frame, s.bodies, pair.bodyB);
-        view.frame = frame;
-        view.manifold = contacts.manifold[c];
+        const Manifold& manifold = contacts.manifold[c];
+        const float radii[] = {s.fixtures.shape[pair.fixtureA]->m_radius, s.fixtures.shape[pair.fixtureB]->m_radius};
+        const bool hasRadii = radii[0] != polygonRadius || radii[1] != polygonRadius;
+        const bool isSensor = (s.fixtures.isSensor[pair.fixtureA] | s.fixtures.isSensor[pair.fixtureB]) != 0;
+        *out++ = static_cast<uint32_t>(manifold.pointCount) | static_cast<uint32_t>(manifold.type) << typeShift |
+                 (isSensor ? sensorBit : 0) | (hasRadii ? radiiBit : 0);
+        out = Put(out, pair);
+        if (hasRadii) out = Put(out, radii);
+        if (isFar) {
+            const Vec2 frame = FrameOf(s.bodies, pair.bodyA, pair.bodyB);
+            out = Put(out, TransformIn(frame, s.bodies, pair.bodyA));
+            out = Put(Put(out, TransformIn(frame, s.bodies, pair.bodyB)), frame);
+        }
+        if (manifold.pointCount > 0) out = Put(Put(out, manifold.localNormal), manifold.localPoint);
+        for (int i = 0; i < manifold.pointCount; ++i) {
+            const ManifoldPoint& point = manifold.points[i];
+            out = Put(Put(Put(out, point.localPoint), point.normalImpulse), point.tangentImpulse);
+        }
+        ++m_count;
     }
-    views.resize(count);
+    m_used = static_cast<size_t>(out - m_words.data());
+}
+
+ContactView TouchingContacts::ViewAt(const uint32_t*& at) const {
+    ContactView view{};
+    const uint32_t head = *at++;
+    view.isSensor = (head & sensorBit) != 0;
+    view.manifold.pointCount = static_cast<int8_t>(head & countBits);
+    view.manifold.type = static_cast<Manifold::Type>(head >> typeShift & typeBits);
+    ContactPair pair;
+    TakeTo(pair, at);
+    view.fixtureA = ToInt(pair.fixtureA), view.fixtureB = ToInt(pair.fixtureB);
+    view.radiusA = view.radiusB = polygonRadius;
+    if ((head & radiiBit) != 0) TakeTo(view.radiusA, at), TakeTo(view.radiusB, at);
+    if (m_places.empty()) {
+        TakeTo(view.placeA, at), TakeTo(view.placeB, at), TakeTo(view.frame, at);
+    } else {
+        view.placeA = m_places[ToSize(pair.bodyA)], view.placeB = m_places[ToSize(pair.bodyB)];
+    }
+    if (view.manifold.pointCount > 0) TakeTo(view.manifold.localNormal, at), TakeTo(view.manifold.localPoint, at);
+    for (int i = 0; i < view.manifold.pointCount; ++i) {
+        ManifoldPoint& point = view.manifold.points[i];
+        TakeTo(point.localPoint, at), TakeTo(point.normalImpulse, at), TakeTo(point.tangentImpulse, at);
+    }
+    return view;
 }
 
 WorldManifold ContactView::GetPoints() const {
