@@ -14,6 +14,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "testbed/base/errors.h"
@@ -77,17 +78,36 @@ Box ViewOf(const Snapshot& start, const scenes::Scene& scene) {
     return view.value_or(Box{{-5.0f, -5.0f}, {5.0f, 5.0f}});
 }
 
-void AddMoments(const std::vector<Moment>& found, const Session& session, std::size_t lane, std::vector<Json>& rows) {
-    for (const Moment& moment : found) {
-        std::string bodies;
-        for (const int body : moment.bodies) bodies += (bodies.empty() ? "" : ", ") + session.NameOf(body);
-        rows.push_back({{"lane", lane},
-                        {"step", moment.step},
+/// The moments of all lanes. One that several lanes have is told once: trees of several engines may follow one motion.
+class MomentRows {
+public:
+    void Add(const std::vector<Moment>& found, const Session& session, std::size_t lane) {
+        for (const Moment& moment : found) {
+            std::string bodies;
+            for (const int body : moment.bodies) bodies += (bodies.empty() ? "" : ", ") + session.NameOf(body);
+            Json row = {{"step", moment.step},
                         {"bodies", moment.bodies},
                         {"text", fmt::format("step {}: {}: {}{}{}", moment.step, moment.condition, bodies,
-                                             bodies.empty() ? "" : ": ", moment.what)}});
+                                             bodies.empty() ? "" : ": ", moment.what)}};
+            const auto [known, isNew] = m_places.try_emplace(row.dump(), m_rows.size());
+            if (isNew) {
+                row["lanes"] = Json::array();
+                m_rows.push_back(std::move(row));
+            }
+            Json& lanes = m_rows[known->second]["lanes"];
+            if (lanes.empty() || lanes.back() != lane) lanes.push_back(lane);
+        }
     }
-}
+    /// All rows by time.
+    [[nodiscard]] std::vector<Json> Take() {
+        std::ranges::stable_sort(m_rows, {}, [](const Json& moment) { return moment["step"].get<int>(); });
+        return std::move(m_rows);
+    }
+
+private:
+    std::vector<Json> m_rows;
+    std::unordered_map<std::string, std::size_t> m_places;  ///< of the rows by all but their lanes
+};
 
 /// Whether an option of two values has the first.
 bool IsFirst(std::string_view option, std::string_view given, std::string_view first, std::string_view second) {
@@ -112,11 +132,11 @@ Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arg
     BodyRows bodies(first.GetScene(), first.GetNames());
     Recorded recorded;
     Json lanes = Json::array();
-    std::vector<Json> moments;
+    MomentRows moments;
     for (NamedSession& one : sessions) {
         AskedConditions asked = MakeConditionsAndMarks(arguments.conditions, arguments.session, input, one.session);
         const LaneData lane = RecordLane(one.session, one.name, std::move(asked.conditions), grid, bodies, options);
-        AddMoments(lane.moments, one.session, lanes.size(), moments);
+        moments.Add(lane.moments, one.session, lanes.size());
         for (const auto& [name, packed] : lane.streams) {
             recorded.streams += fmt::format("<script type=\"text/plain\" id=\"timeline-{}-{}\">{}</script>\n", name,
                                             lanes.size(), packed);
@@ -127,13 +147,12 @@ Recorded Record(std::vector<NamedSession> sessions, const TimelineArguments& arg
         if (options.trees.worst > 0) options.trees = KeptTrees{.steps = lane.told["nodeSteps"].get<std::vector<int>>()};
         lanes.push_back(lane.told);
     }
-    std::ranges::stable_sort(moments, {}, [](const Json& moment) { return moment["step"].get<int>(); });
     recorded.data = {{"view", {view.lower.x, view.lower.y, view.upper.x, view.upper.y}},
                      {"unit", grid.GetUnit()},
                      {"exact", options.exact},
                      {"bodies", bodies.GetRows()},
                      {"lanes", lanes},
-                     {"moments", moments}};
+                     {"moments", moments.Take()}};
     return recorded;
 }
 

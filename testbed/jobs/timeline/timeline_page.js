@@ -400,14 +400,15 @@ const listen = (view) => {
 
 // Moments: marks on the bar with small pictures, and a list.
 const moments = data.moments;
-const placeOf = (moment) => lanes[moment.lane].times[lanes[moment.lane].indexOfStep(moment.step)];
+const laneOf = (moment) => lanes[moment.lanes[0]];
+const placeOf = (moment) => laneOf(moment).times[laneOf(moment).indexOfStep(moment.step)];
 const goToMoment = (moment) => {
   setPlaying(false);
   goToTime(placeOf(moment));
   if (moment.bodies.length > 0) choose({body: moment.bodies[0]});
 };
 const drawThumbnail = (canvas, moment) => {
-  const lane = lanes[moment.lane], back = lane.now.index, ratio = 2;
+  const lane = laneOf(moment), back = lane.now.index, ratio = 2;
   canvas.width = 72 * ratio;
   canvas.height = 44 * ratio;
   lane.seek(lane.indexOfStep(moment.step));
@@ -431,9 +432,10 @@ const showMoments = () => {
   const width = marks.clientWidth || 1;
   let free = -Infinity, drawn = 0;
   moments.forEach((moment) => {
-    const share = shareOf(lanes[moment.lane], lanes[moment.lane].indexOfStep(moment.step));
+    const share = shareOf(laneOf(moment), laneOf(moment).indexOfStep(moment.step));
     const row = document.createElement('li'), button = document.createElement('button'), mark = document.createElement('button');
-    const text = lanes.length > 1 ? `${lanes[moment.lane].name}: ${moment.text}` : moment.text;
+    const names = moment.lanes.map((one) => lanes[one].name).join(', ');
+    const text = moment.lanes.length < lanes.length ? `${names}: ${moment.text}` : moment.text;
     button.append(Object.assign(document.createElement('span'), {textContent: text}));
     mark.title = text;
     mark.setAttribute('aria-label', text);

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: the Scree authors
 # SPDX-License-Identifier: MIT
 #
-# Drives pages of timelines like a reader. Arguments: the test (reads, places, engines, crowded, alike, plays) and its page.
+# Drives pages of timelines like a reader. Arguments: the test (reads, places, engines, crowded, alike, plays, moments) and its page.
 
 import os
 import sys
@@ -219,9 +219,18 @@ def plays(browser, page):
             sys.exit('too little is drawn')
 
 
+def moments(browser, page):
+    """Prints the moments of the list; a click on the first goes there."""
+    browser.open('file://' + page)
+    browser.wait(BUSY)
+    print(browser.run('[...document.querySelectorAll("#moments button")].map((one) => one.textContent).join("\\n")'))
+    browser.click('#moments button')
+    expect('at the moment', text(browser, 'where'), 'step 4 ')
+
+
 def main(test, page):
     with tempfile.TemporaryDirectory() as profile, webdriver.Browser(profile) as browser:
-        {'reads': reads, 'places': places, 'engines': engines, 'crowded': crowded, 'alike': alike, 'plays': plays}[test](browser, page)
+        {'reads': reads, 'places': places, 'engines': engines, 'crowded': crowded, 'alike': alike, 'plays': plays, 'moments': moments}[test](browser, page)
         log = [entry for entry in browser.log('browser') if entry.get('level') == 'SEVERE']
         if log:
             sys.exit(f'the page complains: {log}')

@@ -89,6 +89,26 @@ TEST(Timeline, ShowsEnginesBesideEachOtherWithTheirTrees) {
     EXPECT_NE(streamOf("track.html", "nodes-0").substr(30), streamOf("track.html", "nodes-1").substr(30));
 }
 
+TEST(Timeline, TellsAMomentOnceWithTheLanesThatHaveIt) {
+    const ScratchFolder folder;
+    WriteScene(folder.GetPath() / "bullet.scene.json");
+    ASSERT_EQ(folder.Run("convert bullet.scene.json bullet.track --set continuous=off").exitCode, exitDone);
+    const auto momentsOf = [&folder](const std::string& words) {
+        const ProgramResult made = folder.Run("timeline " + words + " -o page.html");
+        EXPECT_EQ(made.exitCode, exitDone) << made.output;
+        return Drive(folder, "moments", "page.html");
+    };
+    const std::string tunnel = "step 4: tunnel: shot (1), body 0";
+    // Both lanes follow one motion.
+    EXPECT_EQ(momentsOf("bullet.track --engines scree,box2d --nodes at:2").rfind(tunnel, 0), 0u);
+    EXPECT_EQ(folder.Read("said").find("tunnel", tunnel.size()), std::string::npos);
+    // Of three runs, two have it.
+    const std::string some = momentsOf(
+        "bullet.scene.json --engines a=scree:continuous=off,b=scree:continuous=on,c=scree:continuous=off:solver=si");
+    EXPECT_EQ(some.rfind("a, c: " + tunnel, 0), 0u) << some;
+    EXPECT_EQ(some.find("b: "), std::string::npos) << some;
+}
+
 TEST(Timeline, ExactPositionsHaveAllBitsOfTheRun) {
     const ScratchFolder folder;
     const std::string scene = "falling-squares --size 4 --steps 90";
