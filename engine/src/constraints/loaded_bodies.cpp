@@ -16,22 +16,38 @@ namespace scree {
 class LoadSearch {
 public:
     LoadSearch(const LoadInput& input, const BodyTable& bodies, LoadedBodies& found)
-        : m_in(input), m_bodies(bodies), m_raised(found.m_raised), m_rowOf(found.m_rowOf) {}
+        : m_in(input), m_bodies(bodies), m_raised(found.m_raised), m_rowOf(found.m_rowOf), m_presses(found.m_presses) {}
 
     /// Most worlds are through after a look at the masses.
-    [[nodiscard]] bool MayFind() const {
+    void Run() {
         float largest = 0.0f, lightest = std::numeric_limits<float>::max();
         for (const BodyIndex body : m_in.bodies) {
             if (m_bodies.mass[body].invMass == 0.0f) continue;
             largest = Max(largest, MassToHold(body));
             lightest = Min(lightest, m_bodies.motion[body].mass);
         }
-        return largest > lightest;
+        if (largest <= lightest) return;
+        EnsureRows(m_rowOf, m_bodies.mass.size(), -1);
+        EnsureRows(m_presses, m_bodies.mass.size(), uint8_t{0});
+        if (!MarkLoads(lightest)) return;
+        Search();
+        for (const BodyIndex body : m_in.bodies) m_presses[body] = 0;
+    }
+
+private:
+    /// Marks what may be a load; false if nothing is.
+    [[nodiscard]] bool MarkLoads(float lightest) {
+        bool isSome = false;
+        for (const BodyIndex body : m_in.bodies) {
+            if (m_bodies.mass[body].invMass == 0.0f || MassToHold(body) <= lightest || IsHeld(body)) continue;
+            m_presses[body] = 1;
+            isSome = true;
+        }
+        return isSome;
     }
     /// Every other time from the last contact to the first: whichever way the list of a column goes, few times do.
-    void Run() {
+    void Search() {
         constexpr int mostRounds = 32;
-        EnsureRows(m_rowOf, m_bodies.mass.size(), -1);
         for (int round = 0; round < mostRounds; ++round) {
             bool isDone = true;
             const int count = static_cast<int>(m_in.list.size());
@@ -39,8 +55,6 @@ public:
             if (isDone) return;
         }
     }
-
-private:
     [[nodiscard]] Vec2 ForceOn(BodyIndex body) const {
         const MotionRow& motion = m_bodies.motion[body];
         return motion.gravityScale * motion.mass * m_in.gravity + m_bodies.GetForce(body).force;
@@ -71,10 +85,12 @@ private:
     /// True if some body has to bear more than was known.
     bool HandDown(int at) {
         const ContactPair& pair = m_in.contacts.pair[m_in.list[ToSize(at)]];
+        if ((m_presses[pair.bodyA] | m_presses[pair.bodyB]) == 0) return false;
         if (m_bodies.mass[pair.bodyA].invMass == 0.0f || m_bodies.mass[pair.bodyB].invMass == 0.0f) return false;
         return HandDown(at, pair.bodyA, pair.bodyB, 1.0f) || HandDown(at, pair.bodyB, pair.bodyA, -1.0f);
     }
     bool HandDown(int at, BodyIndex from, BodyIndex to, float sign) {
+        if (m_presses[from] == 0) return false;
         const int above = m_rowOf[from];
         const BodyIndex load = above < 0 ? from : m_raised[ToSize(above)].load;
         const float mass = above < 0 ? MassToHold(from) : m_raised[ToSize(above)].mass;
@@ -86,7 +102,6 @@ private:
         const Vec2 normal = sign * placed.normal, force = ForceOn(load);
         constexpr float leastShare = 0.1f;  // of the force that the contact bears
         if (Dot(normal, force) < leastShare * force.Length()) return false;
-        if (above < 0 && IsHeld(from)) return false;
         const Vec2 middle = 0.5f * (placed.points[0] + placed.points[m_in.contacts.manifold[contact].pointCount - 1]);
         Note(row, {.body = to,
                    .load = load,
@@ -104,6 +119,7 @@ private:
             return;
         }
         m_rowOf[raised.body] = static_cast<int>(m_raised.size());
+        m_presses[raised.body] = 1;
         m_raised.push_back(raised);
     }
     [[nodiscard]] Velocity Unaided(BodyIndex body) const {
@@ -116,12 +132,11 @@ private:
     const BodyTable& m_bodies;
     std::vector<LoadedBodies::Raised>& m_raised;
     Column<BodyIndex, int>& m_rowOf;
+    Column<BodyIndex, uint8_t>& m_presses;
 };
 
 void LoadedBodies::Raise(const LoadInput& input, BodyTable& bodies) {
-    LoadSearch search(input, bodies, *this);
-    if (!search.MayFind()) return;
-    search.Run();
+    LoadSearch(input, bodies, *this).Run();
     for (const Raised& raised : m_raised) {
         const float share = bodies.motion[raised.body].mass / raised.mass;
         bodies.mass[raised.body].invMass *= share;

@@ -44,7 +44,7 @@ public:
     /// sums of the contacts over it, by position in the list.
     void Lower(BodyTable& bodies, std::span<const ContactImpulse> impulses);
 
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_raised, m_rowOf); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_raised, m_rowOf, m_presses); }
 
 private:
     struct Raised {
@@ -62,6 +62,7 @@ private:
 
     std::vector<Raised> m_raised;
     Column<BodyIndex, int> m_rowOf;  ///< of m_raised, −1 none; all −1 between steps
+    Column<BodyIndex, uint8_t> m_presses;  ///< 1: a load, or raised for one; all 0 between steps
 
     friend class LoadSearch;
 };
