@@ -3,17 +3,14 @@
 //
 // Two disks → at most one contact point between their centres. Manifold layout of Box2D 2.4.
 
-#include "scree/collision.h"
+#include "geometry/collide_circles.h"
 
 namespace scree {
 
 void CollideCircles(Manifold* manifold, const CircleShape* circleA, const Transform& xfA, const CircleShape* circleB,
                     const Transform& xfB) {
     manifold->pointCount = 0;
-    const Vec2 centerA = Mul(xfA, circleA->m_p);
-    const Vec2 centerB = Mul(xfB, circleB->m_p);
-    const float radius = circleA->m_radius + circleB->m_radius;
-    if (!(DistanceSquared(centerB, centerA) <= radius * radius)) return;
+    if (!DoCirclesTouch(*circleA, xfA, *circleB, xfB)) return;
 
     manifold->type = Manifold::e_circles;
     manifold->localPoint = circleA->m_p;

@@ -10,6 +10,7 @@
 
 #include "base/compiler.h"
 #include "base/slots.h"
+#include "geometry/collide_circles.h"
 #include "geometry/collide_quads.h"
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/destroy_contact.h"
@@ -35,6 +36,9 @@ bool Stays(ContactIndex contact, const ContactEvents& events, NarrowPhaseTables 
 /// How many rows ahead the shapes, poses and the manifold of a contact are fetched, and its pair before them.
 constexpr int fetchAhead = 4, fetchPairAhead = 12;
 
+/// With fewer rows all is in the caches of a core, or comes there by itself.
+constexpr int leastContactsToFetch = 4096;
+
 /// Asks for what the update of a coming row reads; rows of neighbours are in memory anywhere.
 void Fetch(ContactIndex contact, const NarrowPhaseTables& t) {
     if (ToInt(contact) < fetchPairAhead) return;
@@ -48,7 +52,7 @@ void Fetch(ContactIndex contact, const NarrowPhaseTables& t) {
     Prefetch(t.fixtures.shape[pair.fixtureB]);
 }
 
-bool IsActive(ContactIndex contact, const NarrowPhaseTables& t) {
+SCREE_INLINE bool IsActive(ContactIndex contact, const NarrowPhaseTables& t) {
     const ContactPair& pair = t.contacts.pair[contact];
     return t.bodies.IsActive(pair.bodyA) || t.bodies.IsActive(pair.bodyB);
 }
@@ -77,25 +81,30 @@ public:
           m_isFar(tables.bodies.IsFar()),
           m_keepsOld(keepsOld),
           m_isQuick(isQuick),
+          m_fetches(tables.contacts.Size() >= leastContactsToFetch),
           m_work(work),
           m_scratch(scratch) {}
 
     /// Returns how many of those that are passed touch.
     int Compute(int begin, int end) {
         for (ContactIndex contact{end}; ToInt(contact = m_t.contacts.Before(contact)) >= begin;) {
-            Fetch(contact, m_t);
+            if (m_fetches) Fetch(contact, m_t);
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
             const uint8_t flags = m_t.contacts.flags[contact];
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
-            if (m_keepsOld) m_scratch.old[contact] = m_t.contacts.manifold[contact];
-            if (m_t.contacts.keepsSteady && StaysSteady(contact, m_t.bodies, m_t.contacts)) {
-                Note(contact, true, false);
-                continue;
+            const Manifold& manifold = m_t.contacts.manifold[contact];
+            if (m_keepsOld) m_scratch.old[contact] = manifold;
+            if (MayBeSteady(manifold)) {
+                if (StaysSteady(contact, m_t.bodies, m_t.contacts)) {
+                    Note(contact, true, false);
+                    continue;
+                }
+                m_t.contacts.ForgetSteady(contact);
             }
             if ((flags & ContactFlag::sensor) != 0 || !Batch(contact)) {
-                const int before = m_t.contacts.manifold[contact].pointCount;
+                const int before = manifold.pointCount;
                 const bool touches = ComputeManifold(contact, m_t.fixtures, m_t.bodies, m_work, m_t.contacts);
-                Note(contact, touches, m_t.contacts.manifold[contact].pointCount != before);
+                Note(contact, touches, manifold.pointCount != before);
             }
         }
         if (m_quads.batch.Size() > 0) ComputeBatch(m_quads);
@@ -112,17 +121,11 @@ private:
     };
 
     bool Batch(ContactIndex contact) {
-        m_t.contacts.ForgetSteady(contact);
         const ContactPair& pair = m_t.contacts.pair[contact];
         const Shape& a = *m_t.fixtures.shape[pair.fixtureA];
         const Shape& b = *m_t.fixtures.shape[pair.fixtureB];
         if (a.GetType() == Shape::e_circle && b.GetType() == Shape::e_circle && !m_isFar) {
-            Manifold& manifold = m_t.contacts.manifold[contact];
-            const OldPoints old(manifold);
-            CollideCircles(&manifold, static_cast<const CircleShape*>(&a), m_t.bodies.transform[pair.bodyA],
-                           static_cast<const CircleShape*>(&b), m_t.bodies.transform[pair.bodyB]);
-            old.CarryImpulses(manifold);
-            Note(contact, manifold.pointCount > 0, manifold.pointCount != old.GetCount());
+            CollideDisks(contact, static_cast<const CircleShape&>(a), static_cast<const CircleShape&>(b));
             return true;
         }
         if (!IsQuad(a)) return false;
@@ -134,6 +137,18 @@ private:
             return false;
         }
         return true;
+    }
+
+    /// Most of the pairs whose boxes overlap are apart, and were.
+    SCREE_INLINE void CollideDisks(ContactIndex contact, const CircleShape& a, const CircleShape& b) {
+        const ContactPair& pair = m_t.contacts.pair[contact];
+        const Transform &xfA = m_t.bodies.transform[pair.bodyA], &xfB = m_t.bodies.transform[pair.bodyB];
+        Manifold& manifold = m_t.contacts.manifold[contact];
+        if (manifold.pointCount == 0 && !DoCirclesTouch(a, xfA, b, xfB)) return Note(contact, false, false);
+        const OldPoints old(manifold);
+        CollideCircles(&manifold, &a, xfA, &b, xfB);
+        old.CarryImpulses(manifold);
+        Note(contact, manifold.pointCount > 0, manifold.pointCount != old.GetCount());
     }
 
     template <typename Batch, typename B>
@@ -165,7 +180,7 @@ private:
         lanes.batch.Clear();
     }
 
-    void Note(ContactIndex contact, bool touches, bool isRegrouped) {
+    SCREE_INLINE void Note(ContactIndex contact, bool touches, bool isRegrouped) {
         const auto finding =
             static_cast<uint8_t>(NarrowPhaseScratch::known | (touches ? NarrowPhaseScratch::touching : 0) |
                                  (isRegrouped ? NarrowPhaseScratch::regrouped : 0) |
@@ -180,7 +195,7 @@ private:
     }
 
     const NarrowPhaseTables& m_t;
-    const bool m_isFar, m_keepsOld, m_isQuick;
+    const bool m_isFar, m_keepsOld, m_isQuick, m_fetches;
     int m_passedTouching = 0;
     TOIStats& m_work;
     NarrowPhaseScratch& m_scratch;
@@ -237,7 +252,6 @@ int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhas
     };
     bool isTold = false;  // the listener has been called, and may have changed what was found ahead
     while (goOn()) {
-        if (!ahead) Fetch(contact, t);
         const uint8_t flags = t.contacts.flags[contact];
         const uint8_t known = ahead ? scratch.findings[contact] : uint8_t{NarrowPhaseScratch::nothing};
         if (known == NarrowPhaseScratch::passed) {

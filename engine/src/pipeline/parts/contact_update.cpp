@@ -54,14 +54,16 @@ bool StaysSteady(ContactIndex contact, const BodyTable& bodies, const ContactTab
 
 bool ComputeManifold(ContactIndex contact, const FixtureTable& fixtures, const BodyTable& bodies, TOIStats& work,
                      ContactTable& contacts) {
+    Manifold& manifold = contacts.manifold[contact];
+    if (MayBeSteady(manifold)) {
+        if (StaysSteady(contact, bodies, contacts)) return true;
+        contacts.ForgetSteady(contact);
+    }
     const ContactPair& pair = contacts.pair[contact];
     const Shape& shapeA = *fixtures.shape[pair.fixtureA];
     const Shape& shapeB = *fixtures.shape[pair.fixtureB];
     const Vec2 frame = FrameOf(bodies, pair.bodyA, pair.bodyB);
     const Transform xfA = TransformIn(frame, bodies, pair.bodyA), xfB = TransformIn(frame, bodies, pair.bodyB);
-    Manifold& manifold = contacts.manifold[contact];
-    if (StaysSteady(contact, bodies, contacts)) return true;
-    contacts.ForgetSteady(contact);
     if (contacts.Has(contact, ContactFlag::sensor)) {
         manifold.pointCount = 0;  // sensors push nobody
         DistanceProxy proxyA, proxyB;

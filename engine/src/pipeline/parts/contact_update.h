@@ -40,6 +40,8 @@ private:
     uint32_t m_key[maxManifoldPoints];
 };
 
+/// Whether a contact may have steady geometry: only contacts of two points do, from their first soft step on.
+inline bool MayBeSteady(const Manifold& manifold) { return manifold.pointCount == maxManifoldPoints; }
 /// True if the contact goes on with the geometry that it keeps (SteadyContact): its bodies lie about as they did.
 bool StaysSteady(ContactIndex contact, const BodyTable& bodies, const ContactTable& contacts);
 
