@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/compiler.h"
 #include "base/sin_cos_terms.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/integrate.h"
@@ -17,9 +18,8 @@ namespace scree {
 LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& islands, const ContactEvents& events,
                        SolverTables tables, SolverScratch& scratch)
     : m_settings(settings), m_islands(islands), m_tables(tables), m_s(scratch) {
-    m_s.lanes.members.clear();
     m_s.lanes.order.clear();
-    m_s.lanes.isChosen.assign(islands.islands.size(), 0);
+    m_s.lanes.choice.assign(islands.islands.size(), Choice::no);
     // What is rare is solved one by one. So are islands whose listener may change those that follow.
     const KernelSet& kernels = settings.kernels;
     if (kernels.locks || kernels.rolling || tables.bodies.IsFar() || events.HearsPostSolve()) return;
@@ -47,14 +47,15 @@ void LaneSolver::Choose() {
     // Counting sort, the largest first.
     int start[leastWideContacts] = {};
     for (size_t i = 0; i < islands.size(); ++i) {
-        m_s.lanes.isChosen[i] = Fits(islands[i]) ? 1 : 0;
-        if (m_s.lanes.isChosen[i] != 0) ++start[CountContacts(islands[i])];
+        if (!Fits(islands[i])) continue;
+        m_s.lanes.choice[i] = Choice::yes;
+        ++start[CountContacts(islands[i])];
     }
     int fitting = 0;
     for (int count = leastWideContacts - 1; count >= 0; --count) fitting += std::exchange(start[count], fitting);
     order.resize(ToSize(fitting));
     for (size_t i = 0; i < islands.size(); ++i) {
-        if (m_s.lanes.isChosen[i] != 0) order[ToSize(start[CountContacts(islands[i])]++)] = static_cast<int>(i);
+        if (Has(i)) order[ToSize(start[CountContacts(islands[i])]++)] = static_cast<int>(i);
     }
     // A group is worth it if its members have enough contacts beside those of the largest.
     size_t kept = 0;
@@ -64,7 +65,7 @@ void LaneSolver::Choose() {
         for (size_t i = begin; i < end; ++i) contacts += countOf(order[i]);
         const bool isWorthIt = contacts >= stepsOfOne * countOf(order[begin]);
         for (size_t i = begin; i < end; ++i) {
-            m_s.lanes.isChosen[ToSize(order[i])] = isWorthIt ? 1 : 0;
+            m_s.lanes.choice[ToSize(order[i])] = isWorthIt ? Choice::yes : Choice::no;
             if (isWorthIt) order[kept++] = order[i];
         }
     }
@@ -75,63 +76,79 @@ SolverCounts LaneSolver::Solve(const FixtureTable& fixtures) {
     constexpr int leastGroups = 8;
     LaneScratch& s = m_s.lanes;
     if (s.order.empty()) return {};
-    Prepare(fixtures);
+    s.slotOf.resize(ToSize(m_tables.bodies.slots.Size()));
     SolverCounts counts[maxWorkers];
     const auto groups = static_cast<int>((s.order.size() + islandLanes - 1) / islandLanes);
     m_tables.pool.For(groups, leastGroups, [&](int begin, int end, int worker) {
         for (int g = begin; g < end; ++g) {
-            const size_t first = ToSize(g) * islandLanes;
-            const std::span<const int> group{s.order.data() + first,
-                                             std::min<size_t>(islandLanes, s.order.size() - first)};
-            counts[worker] += SolveGroup(group, s.groups[worker]);
+            FetchAhead(fixtures, GroupOf(g + 1), GroupOf(g + 2));
+            counts[worker] += SolveGroup(fixtures, GroupOf(g), s.groups[worker]);
         }
     });
-    StoreContactImpulses(s.rows, m_tables.contacts.manifold);
     Sleep();
     SolverCounts sum;
     for (const SolverCounts& part : counts) sum += part;
     return sum;
 }
 
-/// Rows of all members, in the order of the islands.
-void LaneSolver::Prepare(const FixtureTable& fixtures) {
-    LaneScratch& s = m_s.lanes;
-    s.contacts.clear();
-    s.bodies.clear();
-    s.memberOf.resize(m_islands.islands.size());
-    s.slotOf.resize(ToSize(m_tables.bodies.slots.Size()));
-    for (size_t i = 0; i < m_islands.islands.size(); ++i) {
-        if (!Has(i)) continue;
-        s.memberOf[i] = static_cast<int>(s.members.size());
-        s.members.push_back({static_cast<int>(i), s.contacts.size(), false});
-        const auto append = [](auto& to, auto from) { to.insert(to.end(), from.begin(), from.end()); };
-        append(s.contacts, Contacts(m_islands, m_islands.islands[i]));
-        append(s.bodies, Bodies(m_islands, m_islands.islands[i]));
-    }
-    WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-        ForEachOf(m_tables.pool, s.bodies.size(),
-                  [&](size_t i) { IntegrateVelocity<forces>(m_settings, m_tables.bodies, s.bodies[i]); });
-    });
-    PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, s.contacts, m_settings.impulseScale,
-                     m_settings.kernels.restitution},
-                    m_tables.pool, s.rows);
+std::span<const int> LaneSolver::GroupOf(int number) const {
+    const std::vector<int>& order = m_s.lanes.order;
+    const size_t first = std::min(ToSize(number) * islandLanes, order.size());
+    return {order.data() + first, std::min<size_t>(islandLanes, order.size() - first)};
 }
 
-SolverCounts LaneSolver::SolveGroup(std::span<const int> group, IslandLanes& lanes) {
-    LaneScratch& s = m_s.lanes;
+/// Contacts of an island are in memory anywhere. Where their shapes are, their pairs tell.
+void LaneSolver::FetchAhead(const FixtureTable& fixtures, std::span<const int> next, std::span<const int> later) const {
+    const ContactTable& table = m_tables.contacts;
+    for (const int island : later) {
+        for (const ContactIndex contact : Contacts(m_islands, IslandOf(island))) Prefetch(&table.pair[contact]);
+    }
+    for (const int island : next) {
+        for (const ContactIndex contact : Contacts(m_islands, IslandOf(island))) {
+            Prefetch(fixtures.shape[table.pair[contact].fixtureA]);
+            Prefetch(fixtures.shape[table.pair[contact].fixtureB]);
+            Prefetch(&table.material[contact]);
+            PrefetchToWrite(&table.manifold[contact]);
+        }
+    }
+}
+
+/// Rows of a group, island by island.
+void LaneSolver::Prepare(const FixtureTable& fixtures, std::span<const int> group, LaneGroupScratch& scratch) {
+    scratch.contacts.clear();
+    for (const int island : group) {
+        const std::span<const ContactIndex> contacts = Contacts(m_islands, IslandOf(island));
+        scratch.contacts.insert(scratch.contacts.end(), contacts.begin(), contacts.end());
+        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+            for (const BodyIndex body : Bodies(m_islands, IslandOf(island)))
+                IntegrateVelocity<forces>(m_settings, m_tables.bodies, body);
+        });
+    }
+    PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, scratch.contacts, m_settings.impulseScale,
+                     m_settings.kernels.restitution},
+                    scratch.rows);
+}
+
+SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, std::span<const int> group,
+                                    LaneGroupScratch& scratch) {
     BodyTable& bodies = m_tables.bodies;
+    IslandLanes& lanes = scratch.lanes;
+    Prepare(fixtures, group, scratch);
     IslandLanes::Member members[islandLanes];
+    size_t row = 0;
     for (size_t lane = 0; lane < group.size(); ++lane) {
-        const Member& member = s.members[ToSize(s.memberOf[ToSize(group[lane])])];
-        const auto count = ToSize(CountContacts(IslandOf(member)));
-        members[lane] = {Bodies(m_islands, IslandOf(member)),
-                         {s.rows.velocity.data() + member.firstRow, count},
-                         {s.rows.position.data() + member.firstRow, count}};
+        const Island& island = IslandOf(group[lane]);
+        const auto count = ToSize(CountContacts(island));
+        members[lane] = {Bodies(m_islands, island),
+                         {scratch.rows.velocity.data() + row, count},
+                         {scratch.rows.position.data() + row, count}};
+        row += count;
     }
     const std::span<const IslandLanes::Member> all{members, group.size()};
-    lanes.Gather(all, bodies, s.slotOf);
+    lanes.Gather(all, bodies, m_s.lanes.slotOf);
     lanes.SolveVelocities(m_settings.velocityIterations, m_settings.impulseScale > 0.0f, m_settings.kernels.friction,
                           bodies);
+    StoreContactImpulses(scratch.rows, m_tables.contacts.manifold);
     SolverCounts counts;
     WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
         for (const IslandLanes::Member& member : all) {
@@ -142,7 +159,7 @@ SolverCounts LaneSolver::SolveGroup(std::span<const int> group, IslandLanes& lan
     lanes.SolvePositions(m_settings.positionIterations, ContactTolerance(m_settings),
                          {baumgarte, m_settings.lengthScale}, bodies);
     for (size_t lane = 0; lane < group.size(); ++lane) {
-        s.members[ToSize(s.memberOf[ToSize(group[lane])])].isSolved = lanes.IsSolved(lane);
+        if (lanes.IsSolved(lane)) m_s.lanes.choice[ToSize(group[lane])] = Choice::isSolved;
         for (const BodyIndex b : members[lane].bodies) {
             if (bodies.type[b] != dynamicBody) counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
         }
@@ -153,8 +170,10 @@ SolverCounts LaneSolver::SolveGroup(std::span<const int> group, IslandLanes& lan
 
 void LaneSolver::Sleep() {
     if (!m_settings.allowSleep) return;
-    for (const Member& member : m_s.lanes.members) {
-        SleepIsland(m_tables.bodies, Bodies(m_islands, IslandOf(member)), m_settings, member.isSolved);
+    for (size_t i = 0; i < m_islands.islands.size(); ++i) {
+        if (!Has(i)) continue;
+        SleepIsland(m_tables.bodies, Bodies(m_islands, m_islands.islands[i]), m_settings,
+                    m_s.lanes.choice[i] == Choice::isSolved);
     }
 }
 

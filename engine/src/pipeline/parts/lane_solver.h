@@ -24,20 +24,23 @@ public:
                SolverTables tables, SolverScratch& scratch);
 
     /// The island with this number is one of those chosen.
-    [[nodiscard]] bool Has(size_t island) const { return m_s.lanes.isChosen[island] != 0; }
+    [[nodiscard]] bool Has(size_t island) const { return m_s.lanes.choice[island] != LaneScratch::Choice::no; }
     [[nodiscard]] SolverCounts Solve(const FixtureTable& fixtures);
 
 private:
-    using Member = LaneScratch::Member;
+    using Choice = LaneScratch::Choice;
 
     void Choose();
     [[nodiscard]] bool Fits(const Island& island) const;
-    void Prepare(const FixtureTable& fixtures);
-    [[nodiscard]] SolverCounts SolveGroup(std::span<const int> group, IslandLanes& lanes);
+    /// Islands of a group; none behind the last.
+    [[nodiscard]] std::span<const int> GroupOf(int number) const;
+    void FetchAhead(const FixtureTable& fixtures, std::span<const int> next, std::span<const int> later) const;
+    /// Prepares, solves and moves up to eight islands: what that writes stays in the caches of a core.
+    [[nodiscard]] SolverCounts SolveGroup(const FixtureTable& fixtures, std::span<const int> group,
+                                          LaneGroupScratch& scratch);
+    void Prepare(const FixtureTable& fixtures, std::span<const int> group, LaneGroupScratch& scratch);
     void Sleep();
-    [[nodiscard]] const Island& IslandOf(const Member& member) const {
-        return m_islands.islands[ToSize(member.island)];
-    }
+    [[nodiscard]] const Island& IslandOf(int island) const { return m_islands.islands[ToSize(island)]; }
 
     const SolverSettings& m_settings;
     const IslandTable& m_islands;

@@ -70,27 +70,26 @@ struct NettedBody {
     Twist ahead;  ///< what the second half of a sub-step brings to it, before joints and contacts
 };
 
-/// Small islands that are solved side by side (pipeline/parts/lane_solver.h).
-struct LaneScratch {
-    struct Member {
-        int island;
-        size_t firstRow;  ///< in `rows`
-        bool isSolved;    ///< positions are within tolerance
-    };
-    std::vector<uint8_t> isChosen;  ///< per island
-    std::vector<int> order;         ///< islands by size, eight to a group
-    std::vector<Member> members;    ///< in the order of the islands
-    std::vector<int> memberOf;      ///< per island that is chosen
-    std::vector<BodyIndex> bodies;  ///< of all members
+/// What one worker needs for a group of islands.
+struct LaneGroupScratch {
     std::vector<ContactIndex> contacts;
     ContactRows rows;  ///< of `contacts`
+    IslandLanes lanes;
+};
+
+/// Small islands that are solved side by side (pipeline/parts/lane_solver.h).
+struct LaneScratch {
+    enum class Choice : uint8_t { no, yes, isSolved };  ///< the last: positions are within tolerance, too
+    std::vector<Choice> choice;                         ///< per island
+    std::vector<int> order;                             ///< islands by size, eight to a group
     Column<BodyIndex, int> slotOf;
-    IslandLanes groups[maxWorkers];
+    LaneGroupScratch groups[maxWorkers];
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes =
-            BytesOf(isChosen, order, members, memberOf, bodies, contacts, rows.velocity, rows.position, slotOf);
-        for (const IslandLanes& group : groups) bytes += group.GetMemoryBytes();
+        size_t bytes = BytesOf(choice, order, slotOf);
+        for (const LaneGroupScratch& group : groups) {
+            bytes += BytesOf(group.contacts, group.rows.velocity, group.rows.position) + group.lanes.GetMemoryBytes();
+        }
         return bytes;
     }
 };
