@@ -197,14 +197,6 @@ void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows) {
     PrepareRange(input, 0, input.island.size(), rows);
 }
 
-void PrepareContacts(const ContactPrepareInput& input, TaskPool& pool, ContactRows& rows) {
-    constexpr int leastToShare = 128;
-    rows.velocity.resize(input.island.size());
-    rows.position.resize(input.island.size());
-    pool.For(static_cast<int>(input.island.size()), leastToShare,
-             [&](int begin, int end, int /*worker*/) { PrepareRange(input, ToSize(begin), ToSize(end), rows); });
-}
-
 void WarmStartContacts(const ContactRows& rows, Column<BodyIndex, Velocity>& velocity) {
     for (const ContactVelocityRow& row : rows.velocity) {
         Velocity& stateA = velocity[row.bodyA];

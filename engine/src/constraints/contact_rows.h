@@ -11,7 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "base/task_pool.h"
 #include "scree/collision.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -72,8 +71,6 @@ struct ContactPrepareInput {
 
 /// Fills `rows` for contacts of one or more islands from the bodies' present positions and velocities.
 void PrepareContacts(const ContactPrepareInput& input, ContactRows& rows);
-/// The same on several threads.
-void PrepareContacts(const ContactPrepareInput& input, TaskPool& pool, ContactRows& rows);
 /// Applies the impulses of the last step.
 void WarmStartContacts(const ContactRows& rows, Column<BodyIndex, Velocity>& velocity);
 /// One iteration over all contacts: friction, then normals. Without `friction` no contact has any.

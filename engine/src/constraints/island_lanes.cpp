@@ -1,99 +1,106 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Rows of structures become structures of rows: lane by lane, a number at a time.
+// Finds out who takes part, and keeps bodies while they are solved.
 
 #include "constraints/island_lanes.h"
 
 #include <algorithm>
 
+#include "constraints/contact_block.h"
+
 namespace scree {
 
 namespace {
 
-void PackPoint(const ContactPointRow& from, size_t lane, LaneContact::Point& to) {
-    to.armAX[lane] = from.rA.x, to.armAY[lane] = from.rA.y, to.armBX[lane] = from.rB.x, to.armBY[lane] = from.rB.y;
-    to.normalMass[lane] = from.normalMass, to.tangentMass[lane] = from.tangentMass;
-    to.bias[lane] = from.velocityBias;
-    to.normalImpulse[lane] = from.normalImpulse, to.tangentImpulse[lane] = from.tangentImpulse;
-}
-
-void Pack(const ContactVelocityRow& from, size_t lane, LaneContact& to) {
-    to.invMassA[lane] = from.invMassA, to.invMassB[lane] = from.invMassB;
-    to.invIA[lane] = from.invIA, to.invIB[lane] = from.invIB;
-    to.normalX[lane] = from.normal.x, to.normalY[lane] = from.normal.y;
-    to.friction[lane] = from.friction, to.tangentSpeed[lane] = from.tangentSpeed;
-    to.pointCount[lane] = static_cast<float>(from.pointCount);
-    for (int p = 0; p < from.pointCount; ++p) PackPoint(from.points[p], lane, to.points[p]);
-    to.isBlock[lane] = from.block ? 1.0f : 0.0f;
-    if (!from.block) return;
-    to.k11[lane] = from.k11, to.k12[lane] = from.k12, to.k22[lane] = from.k22;
-    to.inv11[lane] = from.inv11, to.inv12[lane] = from.inv12, to.inv22[lane] = from.inv22;
-}
-
-void Pack(const ContactPositionRow& from, size_t lane, LaneContact& to) {
-    to.centerAX[lane] = from.massA.localCenter.x, to.centerAY[lane] = from.massA.localCenter.y;
-    to.centerBX[lane] = from.massB.localCenter.x, to.centerBY[lane] = from.massB.localCenter.y;
-    to.positionCount[lane] = static_cast<float>(from.pointCount);
-    to.isCircles[lane] = from.type == Manifold::e_circles ? 1.0f : 0.0f;
-    to.isFaceB[lane] = from.type == Manifold::e_faceB ? 1.0f : 0.0f;
-    to.localNormalX[lane] = from.localNormal.x, to.localNormalY[lane] = from.localNormal.y;
-    to.localPointX[lane] = from.localPoint.x, to.localPointY[lane] = from.localPoint.y;
-    to.radius[lane] = from.radius;
-    for (int p = 0; p < from.pointCount; ++p) {
-        to.points[p].localX[lane] = from.localPoints[p].x, to.points[p].localY[lane] = from.localPoints[p].y;
-    }
+/// A lane that has no contact says what another one says, and has no points.
+void Repeat(int from, int to, LaneNames& names) {
+    names.contact[to] = names.contact[from];
+    names.bodyA[to] = names.bodyA[from], names.bodyB[to] = names.bodyB[from];
+    names.radiusA[to] = names.radiusA[from], names.radiusB[to] = names.radiusB[from];
+    names.isCircles[to] = names.isCircles[from], names.isFaceB[to] = names.isFaceB[from];
+    names.pointCount[to] = 0.0f;
 }
 
 }  // namespace
 
-void IslandLanes::Gather(std::span<const Member> members, const BodyTable& bodies, Column<BodyIndex, int>& slotOf) {
-    m_members.assign(members.begin(), members.end());
+void IslandLanes::TakeBodies(const BodyTable& bodies, Column<BodyIndex, int>& slotOf) {
     m_bodies.clear();
+    m_slotCount = {};
     size_t contacts = 0, slots = 0;
-    for (const Member& member : members) {
-        contacts = std::max(contacts, member.velocity.size());
-        slots = std::max(slots, member.bodies.size() + member.velocity.size());
+    for (const Member& member : m_members) {
+        contacts = std::max(contacts, member.contacts.size());
+        slots = std::max(slots, member.bodies.size() + member.contacts.size());
     }
     m_contacts.resize(contacts);
     m_velocity.resize(slots * islandLanes);
     m_position.assign(slots * islandLanes, Position{});
     m_rotation.resize(slots * islandLanes);
-    // Contacts that a lane lacks name the first row of the lane and have no points; the rest of them is not used.
-    for (LaneContact& contact : m_contacts) {
-        for (int lane = 0; lane < islandLanes; ++lane) {
-            contact.bodyA[lane] = contact.bodyB[lane] = lane;
-            contact.pointCount[lane] = contact.positionCount[lane] = contact.isBlock[lane] = 0.0f;
-        }
-    }
-    std::fill(std::begin(m_active), std::end(m_active), 0.0f);
-    for (size_t lane = 0; lane < members.size(); ++lane) {
-        const Member& member = members[lane];
-        m_active[lane] = 1.0f;
-        m_slotCount[lane] = 0;
-        for (const BodyIndex body : member.bodies) {
+    for (size_t lane = 0; lane < m_members.size(); ++lane) {
+        for (const BodyIndex body : m_members[lane].bodies) {
             if (bodies.type[body] != dynamicBody) continue;
             slotOf[body] = static_cast<int>(m_slotCount[lane]);
             m_bodies.push_back({m_slotCount[lane]++ * islandLanes + lane, body});
         }
-        GatherContacts(lane, member, bodies, slotOf);
     }
 }
 
-void IslandLanes::GatherContacts(size_t lane, const Member& member, const BodyTable& bodies,
-                                 const Column<BodyIndex, int>& slotOf) {
-    const auto rowOf = [&](BodyIndex body) {
-        if (bodies.type[body] == dynamicBody) return slotOf[body] * islandLanes + static_cast<int>(lane);
-        const size_t row = m_slotCount[lane]++ * islandLanes + lane;
-        m_bodies.push_back({row, body});
-        return static_cast<int>(row);
-    };
-    for (size_t i = 0; i < member.velocity.size(); ++i) {
-        LaneContact& contact = m_contacts[i];
-        const ContactVelocityRow& row = member.velocity[i];
-        contact.bodyA[lane] = rowOf(row.bodyA), contact.bodyB[lane] = rowOf(row.bodyB);
-        Pack(row, lane, contact);
-        Pack(member.position[i], lane, contact);
+void IslandLanes::Name(const LaneInput& input, size_t number, const Column<BodyIndex, int>& slotOf, LaneNames& names) {
+    LaneContact& contact = m_contacts[number];
+    names.anyCircles = names.anyPairs = false;
+    int spare[islandLanes];
+    int spareCount = 0, known = 0;
+    for (int lane = 0; lane < islandLanes; ++lane) {
+        if (ToSize(lane) >= m_members.size() || number >= m_members[ToSize(lane)].contacts.size()) {
+            contact.bodyA[lane] = contact.bodyB[lane] = lane;  // the first row of the lane
+            spare[spareCount++] = lane;
+            continue;
+        }
+        const auto rowOf = [&](BodyIndex body) {
+            if (input.bodies.type[body] == dynamicBody) return slotOf[body] * islandLanes + lane;
+            const size_t row = m_slotCount[ToSize(lane)]++ * islandLanes + ToSize(lane);
+            m_bodies.push_back({row, body});
+            return static_cast<int>(row);
+        };
+        const ContactIndex index = m_members[ToSize(lane)].contacts[number];
+        const ContactPair& pair = input.contacts.pair[index];
+        const Manifold& manifold = input.contacts.manifold[index];
+        contact.bodyA[lane] = rowOf(pair.bodyA), contact.bodyB[lane] = rowOf(pair.bodyB);
+        names.contact[lane] = ToInt(index);
+        names.bodyA[lane] = ToInt(pair.bodyA), names.bodyB[lane] = ToInt(pair.bodyB);
+        names.radiusA[lane] = input.fixtures.shape[pair.fixtureA]->m_radius;
+        names.radiusB[lane] = input.fixtures.shape[pair.fixtureB]->m_radius;
+        const bool isCircles = manifold.type == Manifold::e_circles;
+        names.isCircles[lane] = isCircles ? 1.0f : 0.0f;
+        names.isFaceB[lane] = manifold.type == Manifold::e_faceB ? 1.0f : 0.0f;
+        names.pointCount[lane] = static_cast<float>(manifold.pointCount);
+        names.anyCircles = names.anyCircles || isCircles;
+        names.anyPairs = names.anyPairs || manifold.pointCount == 2;
+        known = lane;
+    }
+    for (int i = 0; i < spareCount; ++i) Repeat(known, spare[i], names);
+}
+
+void IslandLanes::Prepare(const LaneInput& input, std::span<const Member> members, Column<BodyIndex, int>& slotOf) {
+    static_assert(sizeof(Transform) == 4 * sizeof(float) && sizeof(MassRow) == 4 * sizeof(float));
+    static_assert(sizeof(Manifold) == manifoldFloats * sizeof(float));
+    static_assert(sizeof(ContactMaterial) == 4 * sizeof(float));
+    m_members.assign(members.begin(), members.end());
+    for (size_t lane = 0; lane < islandLanes; ++lane) m_active[lane] = lane < members.size() ? 1.0f : 0.0f;
+    TakeBodies(input.bodies, slotOf);
+    const LaneKernels& kernels = GetLaneKernels();
+    const LaneSource source{.transform = &input.bodies.transform.data()->p.x,
+                            .position = &input.bodies.position.data()->c.x,
+                            .velocity = &input.bodies.velocity.data()->v.x,
+                            .mass = &input.bodies.mass.data()->invMass,
+                            .manifold = &input.contacts.manifold.data()->points[0].localPoint.x,
+                            .material = &input.contacts.material.data()->friction,
+                            .impulseScale = input.impulseScale,
+                            .restitution = input.restitution};
+    LaneNames names;
+    for (size_t number = 0; number < m_contacts.size(); ++number) {
+        Name(input, number, slotOf, names);
+        kernels.prepare(source, names, m_contacts[number]);
     }
 }
 
@@ -120,12 +127,18 @@ void IslandLanes::SolveVelocities(int iterations, bool warmStart, bool friction,
     for (const Slot& slot : m_bodies) {
         if (bodies.mass[slot.body].invMass > 0.0f) bodies.velocity[slot.body] = m_velocity[slot.row];
     }
+}
+
+void IslandLanes::StoreImpulses(Column<ContactIndex, Manifold>& manifold) const {
     for (size_t lane = 0; lane < m_members.size(); ++lane) {
-        const std::span<ContactVelocityRow> rows = m_members[lane].velocity;
-        for (size_t i = 0; i < rows.size(); ++i) {
-            for (int p = 0; p < rows[i].pointCount; ++p) {
-                rows[i].points[p].normalImpulse = m_contacts[i].points[p].normalImpulse[lane];
-                rows[i].points[p].tangentImpulse = m_contacts[i].points[p].tangentImpulse[lane];
+        const std::span<const ContactIndex> contacts = m_members[lane].contacts;
+        for (size_t i = 0; i < contacts.size(); ++i) {
+            const LaneContact& contact = m_contacts[i];
+            const auto count = static_cast<int>(contact.pointCount[lane]);
+            for (int p = 0; p < count; ++p) {
+                ManifoldPoint& point = manifold[contacts[i]].points[p];
+                point.normalImpulse = contact.points[p].normalImpulse[lane];
+                point.tangentImpulse = contact.points[p].tangentImpulse[lane];
             }
         }
     }

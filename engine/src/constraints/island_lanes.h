@@ -16,18 +16,29 @@
 
 namespace scree {
 
+/// Where the rows of a group come from.
+struct LaneInput {
+    const BodyTable& bodies;
+    const FixtureTable& fixtures;
+    const ContactTable& contacts;
+    float impulseScale;  ///< dt / last dt; 0 without warm starting
+    bool restitution;    ///< some contact may bounce
+};
+
 class IslandLanes {
 public:
-    /// An island: all its bodies, and its rows in the order in which they are solved.
+    /// An island: all its bodies, and its contacts in the order in which they are solved.
     struct Member {
         std::span<const BodyIndex> bodies;
-        std::span<ContactVelocityRow> velocity;
-        std::span<const ContactPositionRow> position;
+        std::span<const ContactIndex> contacts;
     };
 
-    /// `slotOf` is scratch with a row per body; groups that are solved at once may share it.
-    void Gather(std::span<const Member> members, const BodyTable& bodies, Column<BodyIndex, int>& slotOf);
+    /// Rows of all contacts, from the bodies' present positions and velocities. `slotOf` is scratch with a row per
+    /// body; groups that are solved at once may share it.
+    void Prepare(const LaneInput& input, std::span<const Member> members, Column<BodyIndex, int>& slotOf);
     void SolveVelocities(int iterations, bool warmStart, bool friction, BodyTable& bodies);
+    /// Writes the impulses back into the manifolds.
+    void StoreImpulses(Column<ContactIndex, Manifold>& manifold) const;
     /// Stops in each island as soon as its smallest separation is at least `tolerance`; those islands are solved.
     void SolvePositions(int iterations, float tolerance, const PushApart& how, BodyTable& bodies);
     /// Calls visit(body, rotation) for the dynamic bodies, after SolvePositions.
@@ -52,8 +63,10 @@ private:
         BodyIndex body;
     };
 
-    void GatherContacts(size_t lane, const Member& member, const BodyTable& bodies,
-                        const Column<BodyIndex, int>& slotOf);
+    /// Slots of the bodies that contacts push, and room for all.
+    void TakeBodies(const BodyTable& bodies, Column<BodyIndex, int>& slotOf);
+    /// Names the contacts with this number in all islands, with slots for their bodies.
+    void Name(const LaneInput& input, size_t number, const Column<BodyIndex, int>& slotOf, LaneNames& names);
     [[nodiscard]] LaneTask MakeTask();
 
     std::vector<Member> m_members;

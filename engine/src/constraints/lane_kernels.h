@@ -51,7 +51,30 @@ struct LaneTask {
     float share, slop, largestPush;
 };
 
+/// Where preparing finds what it needs: columns of the tables of bodies and contacts, rows of floats.
+struct LaneSource {
+    const float* transform;  ///< by body: x, y, sine, cosine of the origin
+    const float* position;   ///< by body: x, y of the centre of mass, and two more
+    const float* velocity;   ///< by body: x, y, angular, and one more
+    const float* mass;       ///< by body: inverse mass, inverse inertia, centre of mass in the body's frame
+    const float* manifold;   ///< by contact: Manifold
+    const float* material;   ///< by contact: friction, restitution, restitution threshold, tangent speed
+    float impulseScale;      ///< of warm starting
+    bool restitution;        ///< some contact may bounce
+};
+
+/// What preparing is told of the n-th contacts of eight islands. A lane without one repeats another, with no points.
+struct alignas(32) LaneNames {
+    using Row = float[islandLanes];
+    int32_t contact[islandLanes], bodyA[islandLanes], bodyB[islandLanes];  ///< rows of the tables
+    Row radiusA, radiusB;                                                  ///< of the shapes
+    Row pointCount, isCircles, isFaceB;                                    ///< as in LaneContact
+    bool anyCircles, anyPairs;                                             ///< in some lane; of two points
+};
+
 struct LaneKernels {
+    /// Everything but bodyA and bodyB, from the bodies' present positions and velocities.
+    void (*prepare)(const LaneSource& source, const LaneNames& names, LaneContact& contact);
     void (*warmStart)(const LaneTask& task);
     void (*solveVelocities)(const LaneTask& task, int32_t iterations);
     /// Sets `rotation` of so many rows, a multiple of eight.

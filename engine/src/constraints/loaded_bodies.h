@@ -61,7 +61,7 @@ private:
     static Vec2 FindLost(const BodyTable& bodies, const Raised& raised, const ContactImpulse& impulse);
 
     std::vector<Raised> m_raised;
-    Column<BodyIndex, int> m_rowOf;  ///< of m_raised, −1 none; all −1 between steps
+    Column<BodyIndex, int> m_rowOf;        ///< of m_raised, −1 none; all −1 between steps
     Column<BodyIndex, uint8_t> m_presses;  ///< 1: a load, or raised for one; all 0 between steps
 
     friend class LoadSearch;

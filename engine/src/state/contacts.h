@@ -125,7 +125,8 @@ struct ContactTable {
     }
     /// The manifold of this contact holds for this step alone.
     void LeaveUnsteady(ContactIndex contact) {
-        if (steady.Has(contact)) steady[contact].isKept = manifold[contact].pointCount < maxManifoldPoints ? 0.0f : -1.0f;
+        if (steady.Has(contact))
+            steady[contact].isKept = manifold[contact].pointCount < maxManifoldPoints ? 0.0f : -1.0f;
     }
     /// The fresh contact touches: the soft step is to see how deep its bodies are in each other.
     void AskInitialOverlap(ContactIndex contact) {

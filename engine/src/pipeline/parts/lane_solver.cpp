@@ -113,42 +113,24 @@ void LaneSolver::FetchAhead(const FixtureTable& fixtures, std::span<const int> n
     }
 }
 
-/// Rows of a group, island by island.
-void LaneSolver::Prepare(const FixtureTable& fixtures, std::span<const int> group, LaneGroupScratch& scratch) {
-    scratch.contacts.clear();
-    for (const int island : group) {
-        const std::span<const ContactIndex> contacts = Contacts(m_islands, IslandOf(island));
-        scratch.contacts.insert(scratch.contacts.end(), contacts.begin(), contacts.end());
-        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            for (const BodyIndex body : Bodies(m_islands, IslandOf(island)))
-                IntegrateVelocity<forces>(m_settings, m_tables.bodies, body);
-        });
-    }
-    PrepareContacts({m_tables.bodies, fixtures, m_tables.contacts, scratch.contacts, m_settings.impulseScale,
-                     m_settings.kernels.restitution},
-                    scratch.rows);
-}
-
-SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, std::span<const int> group,
-                                    LaneGroupScratch& scratch) {
+SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, std::span<const int> group, IslandLanes& lanes) {
     BodyTable& bodies = m_tables.bodies;
-    IslandLanes& lanes = scratch.lanes;
-    Prepare(fixtures, group, scratch);
     IslandLanes::Member members[islandLanes];
-    size_t row = 0;
     for (size_t lane = 0; lane < group.size(); ++lane) {
         const Island& island = IslandOf(group[lane]);
-        const auto count = ToSize(CountContacts(island));
-        members[lane] = {Bodies(m_islands, island),
-                         {scratch.rows.velocity.data() + row, count},
-                         {scratch.rows.position.data() + row, count}};
-        row += count;
+        members[lane] = {Bodies(m_islands, island), Contacts(m_islands, island)};
     }
     const std::span<const IslandLanes::Member> all{members, group.size()};
-    lanes.Gather(all, bodies, m_s.lanes.slotOf);
+    WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
+        for (const IslandLanes::Member& member : all) {
+            for (const BodyIndex b : member.bodies) IntegrateVelocity<forces>(m_settings, bodies, b);
+        }
+    });
+    lanes.Prepare({bodies, fixtures, m_tables.contacts, m_settings.impulseScale, m_settings.kernels.restitution}, all,
+                  m_s.lanes.slotOf);
     lanes.SolveVelocities(m_settings.velocityIterations, m_settings.impulseScale > 0.0f, m_settings.kernels.friction,
                           bodies);
-    StoreContactImpulses(scratch.rows, m_tables.contacts.manifold);
+    lanes.StoreImpulses(m_tables.contacts.manifold);
     SolverCounts counts;
     WithBodyKernel(m_settings.kernels, [&](auto, auto limit) {
         for (const IslandLanes::Member& member : all) {

@@ -36,9 +36,7 @@ private:
     [[nodiscard]] std::span<const int> GroupOf(int number) const;
     void FetchAhead(const FixtureTable& fixtures, std::span<const int> next, std::span<const int> later) const;
     /// Prepares, solves and moves up to eight islands: what that writes stays in the caches of a core.
-    [[nodiscard]] SolverCounts SolveGroup(const FixtureTable& fixtures, std::span<const int> group,
-                                          LaneGroupScratch& scratch);
-    void Prepare(const FixtureTable& fixtures, std::span<const int> group, LaneGroupScratch& scratch);
+    [[nodiscard]] SolverCounts SolveGroup(const FixtureTable& fixtures, std::span<const int> group, IslandLanes& lanes);
     void Sleep();
     [[nodiscard]] const Island& IslandOf(int island) const { return m_islands.islands[ToSize(island)]; }
 

@@ -70,26 +70,17 @@ struct NettedBody {
     Twist ahead;  ///< what the second half of a sub-step brings to it, before joints and contacts
 };
 
-/// What one worker needs for a group of islands.
-struct LaneGroupScratch {
-    std::vector<ContactIndex> contacts;
-    ContactRows rows;  ///< of `contacts`
-    IslandLanes lanes;
-};
-
 /// Small islands that are solved side by side (pipeline/parts/lane_solver.h).
 struct LaneScratch {
     enum class Choice : uint8_t { no, yes, isSolved };  ///< the last: positions are within tolerance, too
     std::vector<Choice> choice;                         ///< per island
     std::vector<int> order;                             ///< islands by size, eight to a group
     Column<BodyIndex, int> slotOf;
-    LaneGroupScratch groups[maxWorkers];
+    IslandLanes groups[maxWorkers];  ///< per worker
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         size_t bytes = BytesOf(choice, order, slotOf);
-        for (const LaneGroupScratch& group : groups) {
-            bytes += BytesOf(group.contacts, group.rows.velocity, group.rows.position) + group.lanes.GetMemoryBytes();
-        }
+        for (const IslandLanes& group : groups) bytes += group.GetMemoryBytes();
         return bytes;
     }
 };
