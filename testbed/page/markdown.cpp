@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 #include <variant>
 
@@ -74,6 +75,13 @@ struct BlockPrinter {
     }
 };
 
+/// Only a page shows what such a section has.
+bool HasOnlyFigures(const PageSection& section) {
+    return !section.blocks.empty() && std::ranges::all_of(section.blocks, [](const PageBlock& block) {
+        return std::holds_alternative<PageFigures>(block) || std::holds_alternative<PageHtml>(block);
+    });
+}
+
 }  // namespace
 
 std::string MakeMarkdown(const Page& page) {
@@ -85,7 +93,7 @@ std::string MakeMarkdown(const Page& page) {
     }
     if (!page.facts.empty()) text += "\n";
     for (const PageSection& section : page.sections) {
-        if (section.folded) continue;
+        if (section.folded || HasOnlyFigures(section)) continue;
         if (!section.title.empty()) text += "## " + section.title + "\n\n";
         if (!section.intro.empty()) text += section.intro + "\n\n";
         for (const PageBlock& block : section.blocks) std::visit(BlockPrinter{text}, block);

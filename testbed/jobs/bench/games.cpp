@@ -174,8 +174,8 @@ Page MakeGamesPage(std::span<const GameRow> rows, std::span<const Player> player
     for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
     PageTable table{
         .caption =
-            "The least median of the rounds. Ratios: Box2D 2.4's time over ours at 8/3, Box2D 3's over ours with 4 "
-            "sub-steps, the solver that each has too.",
+            "Times are the least median of the rounds. The first ratio is Box2D 2.4's time over ours at 8/3, the "
+            "second Box2D 3's over ours with 4 sub-steps: each rival against the solver that it has, too.",
         .columns = {{.name = "case"}, {.name = "what"}, {.name = "unit"}}};
     for (const Player& player : players) table.columns.push_back({.name = player.name, .numeric = true});
     table.columns.push_back({.name = "× Box2D 2.4", .numeric = true});

@@ -81,7 +81,7 @@ ObjectBytes MeasureObjectBytes(std::string_view engine) {
 }
 
 std::string FormatObjectBytes(std::string_view engine, const ObjectBytes& bytes) {
-    return fmt::format("{:<6} bytes each: body {:.0f}, fixture {:.0f}, contact {:.0f}, joint {:.0f}\n", engine,
+    return fmt::format("{} takes {:.0f} bytes a body, {:.0f} a fixture, {:.0f} a contact, {:.0f} a joint.\n", engine,
                        bytes.body, bytes.fixture, bytes.contact, bytes.joint);
 }
 

@@ -89,8 +89,8 @@ double FairRatio(const BenchRow& row) { return row.threads == 1 && row.cpuRatio 
 PageTable MakeSummary(std::span<const BenchRow> rows) {
     PageTable table{.title = "In short",
                     .caption =
-                        "Ratio: time of the baseline over that of the row; of processor times where ours has one "
-                        "thread, else of wall times. Void ratios compare different work.",
+                        "The ratio is the baseline's time over the row's: processor time with one thread, wall time "
+                        "with several. Void ratios compare unlike work.",
                     .columns = {{.name = "scene"},
                                 {.name = "size", .numeric = true},
                                 {.name = "engine"},
@@ -216,8 +216,8 @@ PageTiles MakeTiles(std::span<const BenchRow> rows) {
         tiles.tiles.push_back(
             {pane.name, fmt::format("{:.2f}", std::exp(pane.sum / pane.count)), "×",
              fmt::format(
-                 "as fast as {}, geometric mean; from {:.2f} ({}) to {:.2f} ({}); faster in {} of {} rows that are "
-                 "not void; by processor time, by wall time with several threads",
+                 "as fast as {} on geometric mean, from {:.2f} in {} to {:.2f} in {}; faster in {} of {} rows that "
+                 "are not void",
                  rival, FairRatio(*pane.worst), pane.worst->scene, FairRatio(*pane.best), pane.best->scene, pane.faster,
                  pane.count)});
     }
@@ -227,7 +227,7 @@ PageTiles MakeTiles(std::span<const BenchRow> rows) {
 }  // namespace
 
 Page MakeBenchPage(const BenchReport& report) {
-    Page page{.title = "Bench", .intro = "All engines in one process, stepped in slices in turn."};
+    Page page{.title = "Bench", .intro = "All engines run in one process, a slice of steps each in turn."};
     page.facts.push_back({"command", report.command});
     const PageTiles tiles = MakeTiles(report.rows);
     PageSection table{.title = "Times", .intro = report.notes, .blocks = {}};
@@ -250,7 +250,7 @@ Page MakeBenchPage(const BenchReport& report) {
     if (!report.rows.empty()) {
         page.sections.push_back(
             {.title = "Stages",
-             .intro = "What the time went into. Rest is what no stage has: calls, events, sleeping.",
+             .intro = "What the time went into. What belongs to no stage is the rest: calls, events, sleeping.",
              .blocks = {MakeStageFigures(report.rows)}});
     }
     if (!report.plots.empty()) {

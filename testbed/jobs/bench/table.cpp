@@ -72,14 +72,18 @@ std::string FormatBenchRows(std::span<const BenchRow> rows) {
 }
 
 std::string FormatBenchNotes() {
-    return "Times in ms: create and the stages summed over the run; median, p99 and max of single steps; quartiles of\n"
-           "the repeats' totals. ratio: the baseline's total / this one's, for wall time and for processor time (all\n"
-           "threads), which other programs do not lengthen. Box2D's solver includes finding islands; its broad phase\n"
-           "includes the pair search after new fixtures, not its retest in Collide. Debian's libbox2d has its asserts "
-           "compiled in.\n"
-           "void: in the steps that both took, awake body-steps differ by over 2 % or touching contacts by over 20 %.\n"
-           "Settings: preset=like-box2d (Box2D's caps of speed, no continuous collision), unless --set says "
-           "otherwise.\n";
+    return "Times are in ms. `create` builds the world; the total adds up the stages of all steps. Median, p99 and "
+           "max\n"
+           "are of single steps, quartiles of the repeats' totals.\n\n"
+           "A ratio is the baseline's total over the row's. One is by wall time. The other is by processor time of "
+           "all\n"
+           "threads, which other programs do not lengthen.\n\n"
+           "Box2D's solver includes finding islands. Its broad phase includes the pair search after new fixtures, but\n"
+           "not the retest in Collide. Debian's libbox2d has its asserts compiled in.\n\n"
+           "A row is void if the engines did unlike work in the steps that both took: awake body-steps differ by over\n"
+           "2 %, or touching contacts by over 20 %.\n\n"
+           "Settings are preset=like-box2d (Box2D's caps of speed, no continuous collision), unless --set says "
+           "otherwise.\n\n";
 }
 
 }  // namespace testbed

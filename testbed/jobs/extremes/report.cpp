@@ -228,16 +228,17 @@ PageTable MakeMeasurements(std::span<const ExtremeResult> results) {
 }
 
 constexpr std::string_view meaning =
-    "Every case runs in a process of its own with a limit of processor time. Grades: 0 the engine aborts or hangs, 1 a "
-    "state is no longer finite, 2 energy more than doubles, a body passes a wall or leaves its place, or the "
-    "scene is refused, 3 all survives but one of the questions is answered badly, 4 everything as asked. A run whose "
-    "time was over before its end, with nothing broken until then, is `not finished` and has no grade. Where our "
-    "engine is told a length scale, its line says so; Box2D has its scale compiled in.\n\n"
-    "The questions: states are finite; energy rises by no more than 1 %; nobody escapes; two seconds after load nobody "
-    "overlaps by more than a tenth of its size; no step does more than 50 times the usual work; what should come to "
-    "rest "
-    "does within five seconds; a second run ends in the same states; bad input gets an error that names the field and "
-    "changes nothing. Grade 4 also asks for small overlaps (2 cm for bodies of 1 m) and joint gaps (1 cm).";
+    "Every case runs in a process of its own, with a limit of processor time, and gets a grade. 4: everything as "
+    "asked. 3: all survives, but one of the questions is answered badly. 2: energy more than doubles, a body passes a "
+    "wall or leaves its place, or the scene is refused. 1: a state is no longer finite. 0: the engine aborts or "
+    "hangs.\n\n"
+    "A run whose time was over before its end, with nothing broken until then, is `not finished` and has no grade. "
+    "Where our engine is told a length scale, its line says so. Box2D has its scale compiled in.\n\n"
+    "These are the questions. Are all states finite? Does energy rise by no more than 1 %? Does nobody escape? Two "
+    "seconds after a load came, does nobody overlap by more than a tenth of its size? Does no step do more than 50 "
+    "times the usual work? Does what should come to rest do so within five seconds? Does a second run end in the same "
+    "states? Does bad input get an error that names the field, and change nothing? Grade 4 also asks for small "
+    "overlaps (2 cm for bodies of 1 m) and small joint gaps (1 cm).";
 
 }  // namespace
 

@@ -297,18 +297,18 @@ std::string DescribeBox2d3(std::span<const LawGain> gains) {
 
 constexpr std::string_view howToRead =
     "Every point is one setting of one engine. Right is slower, up is wrong: a setting is worth using when nothing "
-    "lies left of it and below. The line of each engine joins these settings. Named points are defaults: `8/3` is "
-    "Box2D's "
-    "default (8 velocity and 3 position iterations at 60 Hz), `soft 4` and `soft 16` are our dial's `game` and "
-    "`precise`.\n\n"
+    "lies left of it and below. The line of each engine joins these settings. Named points are defaults. `8/3` is "
+    "Box2D's: 8 velocity and 3 position iterations at 60 Hz. `soft 4` and `soft 16` are our dial's `game` and "
+    "`precise`. A setting that fails, whose column falls or whose chain tears, has no point.";
+
+constexpr std::string_view howMeasured =
     "Cost is processor time of one thread per moving body and 1/60 s of simulated time, so that settings with other "
-    "steps compare. It is the median of repeats taken in turns, on the law's scene copied to about a thousand bodies. "
-    "Errors "
-    "are measured once, in double, from the states of the bodies; runs are deterministic. An error below the rounding "
-    "of "
-    "floats counts as that rounding. A setting that fails, whose column falls or whose chain tears, has no point.\n\n"
-    "Cost and errors come from two runs: most scenarios hold a few bodies, whose step is too short to be timed alone, "
-    "and some errors need runs of their own.";
+    "steps compare. It is the median of repeats taken in turns, on the law's scene copied to about a thousand "
+    "bodies.\n\n"
+    "Errors are measured once, in double, from the states of the bodies; runs are deterministic. An error below the "
+    "rounding of floats counts as that rounding.\n\n"
+    "Cost and errors come from two runs. Most laws need few bodies, whose step is too short to be timed alone, and "
+    "some errors need runs of their own.";
 
 }  // namespace
 
@@ -357,20 +357,22 @@ Plot MakeTradePlot(const Law& law, std::span<const TradeCase> cases) {
 Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path& plots, const std::string& command) {
     const std::vector<const SceneFacts*> scenes = ListScenes(cases);
     Page page{.title = "Speed against accuracy",
-              .intro = scenes.empty() ? "Laws of mechanics with a known result, run by every engine under many "
-                                        "settings: how far off they are and what that costs."
-                                      : "Scenes without a known result, run by every engine under many settings: how "
-                                        "far they are from much finer runs, and what that costs.",
+              .intro = scenes.empty() ? "Laws of mechanics with a known result. Every engine runs them under many "
+                                        "settings: how far off it is, and what that costs."
+                                      : "Scenes without a known result. Every engine runs them under many settings: "
+                                        "how far it is from much finer runs, and what that costs.",
               .facts = {{"command", command}, {"cases", fmt::format("{}", cases.size())}}};
     PageSection gains{.title = "Against Box2D's default",
                       .intro =
-                          "Equal accuracy: the cheapest setting that is as accurate as Box2D 2.4.1 at 8/3 and 60 Hz "
-                          "in every error of the law, as a speed-up over that. Equal cost: the most accurate setting "
-                          "that costs no more, by the error that gains least. Each engine chooses from its settings "
-                          "by this rule. `both choose` is our gain over Box2D's own; the numbers on top are its "
-                          "medians. A law is lost when one of them is below 1 or out of reach. Left out of the medians "
-                          "are laws whose errors no number of Box2D's iterations changes (`cannot trade`), and laws in "
-                          "which Box2D's default fails.",
+                          "Two questions are asked of each law. How fast is the cheapest setting that is as accurate "
+                          "as Box2D 2.4.1 at 8/3 and 60 Hz, in every error of the law? That is speed at equal "
+                          "accuracy. How accurate is the most accurate setting that costs no more? That is accuracy "
+                          "at equal cost; the error that gains least counts.\n\n"
+                          "Each engine chooses among its settings by this rule, Box2D too. `both choose` is our gain "
+                          "over Box2D's own, and the numbers on top are its medians. A law is lost if one of its two "
+                          "gains is below 1 or out of reach.\n\n"
+                          "Two kinds of laws are left out of the medians. In some, no number of Box2D's iterations "
+                          "changes the errors (`cannot trade`). In others, Box2D's default fails.",
                       .blocks = {MakeTiles(cases)}};
     const std::vector<LawGain> compared = CompareWithBaseline(cases, oursBoth);
     if (Has(cases, Family::box2d3)) {
@@ -399,6 +401,7 @@ Page MakeTradePage(std::span<const TradeCase> cases, const std::filesystem::path
                                .file = plots / (law->name + ".svg")});
     }
     figures.blocks.push_back(all);
+    page.sections.push_back({.title = "How it is measured", .intro = std::string(howMeasured), .blocks = {}});
     page.sections.push_back(figures);
     page.sections.push_back({.title = "All measurements", .blocks = {MakeAllTable(cases)}, .folded = true});
     return page;

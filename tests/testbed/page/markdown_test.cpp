@@ -20,6 +20,7 @@ Page MakeSample() {
     PageTable table{.columns = {{.name = "scene"}, {.name = "total", .unit = "ms", .numeric = true, .group = "ours"}}};
     table.rows.push_back({"a|b", PageCell::Number(1234.5, 1)});
     page.sections.push_back({.title = "Times", .intro = "In one run.", .blocks = {table, PageNote{"Mind this."}}});
+    page.sections.push_back({.title = "Curves", .intro = "Of one run.", .blocks = {PageFigures{}}});
     page.sections.push_back({.title = "Details", .blocks = {PageText{"long"}}, .folded = true});
     return page;
 }
@@ -32,6 +33,7 @@ TEST(Markdown, HasTextTablesAndNotesButNothingFolded) {
                          "> Mind this.\n\n"))
         << text;
     EXPECT_EQ(text.find("Details"), std::string::npos);
+    EXPECT_EQ(text.find("Curves"), std::string::npos) << "a section with nothing but figures";
 }
 
 TEST(Markdown, AChangeByHandIsSeen) {

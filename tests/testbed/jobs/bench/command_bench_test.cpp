@@ -177,7 +177,7 @@ TEST(BenchCommand, WritesWhatItPrints) {
     const ProgramResult result =
         folder.Run("bench n2 --sizes 25,50 --steps 5 --threads 1 --json rows.json -o out --targets --time-limit 60");
     ASSERT_EQ(result.exitCode, 0) << result.output;
-    EXPECT_NE(result.output.find("bytes each"), std::string::npos);
+    EXPECT_NE(result.output.find("bytes a body"), std::string::npos);
     EXPECT_NE(result.output.find("0 missed"), std::string::npos) << "five steps judge nothing";
     for (const char* file : {"out/bench.csv", "out/index.html", "out/plots/n2-total.svg", "out/plots/n2-total.png",
                              "out/plots/n2-steps.svg", "rows.json"}) {

@@ -38,7 +38,7 @@ TEST(BenchPage, HeadsEachEngineAndSolverByItsOwnMean) {
     EXPECT_EQ(tiles[0].value, "6.00");
     EXPECT_EQ(tiles[1].label, "scree soft");
     EXPECT_EQ(tiles[1].value, "1.50");
-    EXPECT_NE(tiles[1].note.find("from 0.75 (tumbler) to 3.00 (tiles); faster in 1 of 2"), std::string::npos);
+    EXPECT_NE(tiles[1].note.find("from 0.75 in tumbler to 3.00 in tiles; faster in 1 of 2"), std::string::npos);
     EXPECT_EQ(tiles[2].label, "box2d3 soft");
     EXPECT_EQ(tiles[2].value, "0.50") << "a void row does not count";
 }
