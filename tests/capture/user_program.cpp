@@ -21,3 +21,11 @@ void Record(scree_capture::Api::World& world, const scree_capture::Api::Body* pl
     track.Close();
     if (!scree_capture::WriteScene(world, "level.scene.json")) std::puts("level.scene.json cannot be written");
 }
+
+// What the front page shows.
+void RecordAll(scree_capture::Api::World& world, int steps, float dt) {
+    scree_capture::Track track(world, "session.track");  // once, when the level is loaded
+    for (int step = 0; step < steps; ++step) {
+        track.Step(dt);  // after every step of the world
+    }
+}

@@ -227,6 +227,30 @@ PageTable MakeMeasurements(std::span<const ExtremeResult> results) {
     return table;
 }
 
+/// In which cases each rival has a better grade than each setting of ours.
+std::string DescribeBetterRivals(std::span<const ExtremeResult> results) {
+    constexpr std::size_t mostNames = 8;
+    const std::vector<std::string> settings = SettingsOf(results);
+    std::vector<std::string> sentences;
+    for (const std::string& rival : settings) {
+        for (const std::string& ours : settings) {
+            if (IsOurs(rival) || !IsOurs(ours)) continue;
+            std::vector<std::string> better;
+            for (const ExtremeResult& result : results) {
+                const ExtremeResult* own = Find(results, result.name, ours);
+                if (result.setting != rival || own == nullptr || own->verdict.grade == Grade::notFinished) continue;
+                if (result.verdict.grade > own->verdict.grade) better.push_back(result.name);
+            }
+            if (better.empty()) continue;
+            const std::string names =
+                better.size() <= mostNames ? fmt::format(": {}", fmt::join(better, ", ")) : std::string();
+            sentences.push_back(fmt::format("{} has a better grade than {} in {} case{}{}.", rival, ours, better.size(),
+                                            better.size() == 1 ? "" : "s", names));
+        }
+    }
+    return fmt::format("{}", fmt::join(sentences, " "));
+}
+
 constexpr std::string_view meaning =
     "Every case runs in a process of its own, with a limit of processor time, and gets a grade. 4: everything as "
     "asked. 3: all survives, but one of the questions is answered badly. 2: energy more than doubles, a body passes a "
@@ -304,9 +328,13 @@ Page MakeExtremesPage(std::span<const ExtremeResult> results, const std::map<std
                   "What each engine does with masses, sizes, speeds, places, loads and input that no engine is made "
                   "for.",
               .facts = {{"command", command}, {"runs", fmt::format("{}", results.size())}}};
-    page.sections.push_back({.title = "Grades",
-                             .intro = std::string(meaning),
-                             .blocks = {MakeCounts(results), MakeGroups(results), MakeMatrix(results)}});
+    PageSection grades{.title = "Grades",
+                       .intro = std::string(meaning),
+                       .blocks = {MakeCounts(results), MakeGroups(results), MakeMatrix(results)}};
+    if (const std::string better = DescribeBetterRivals(results); !better.empty()) {
+        grades.blocks.insert(grades.blocks.begin(), PageNote{better, PageTone::warning});
+    }
+    page.sections.push_back(grades);
     page.sections.push_back({.title = "What was asked, and the answers", .blocks = {MakeAnswers(results)}});
     page.sections.push_back({.title = "Why not the full grade", .blocks = {MakeReasons(results)}});
     PageSection figures{.title = "Worst moments",
