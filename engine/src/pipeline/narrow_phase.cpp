@@ -36,9 +36,6 @@ bool Stays(ContactIndex contact, const ContactEvents& events, NarrowPhaseTables 
 /// How many rows ahead the shapes, poses and the manifold of a contact are fetched, and its pair before them.
 constexpr int fetchAhead = 4, fetchPairAhead = 12;
 
-/// With fewer rows all is in the caches of a core, or comes there by itself.
-constexpr int leastContactsToFetch = 4096;
-
 /// Asks for what the update of a coming row reads; rows of neighbours are in memory anywhere.
 void Fetch(ContactIndex contact, const NarrowPhaseTables& t) {
     if (ToInt(contact) < fetchPairAhead) return;
@@ -81,14 +78,13 @@ public:
           m_isFar(tables.bodies.IsFar()),
           m_keepsOld(keepsOld),
           m_isQuick(isQuick),
-          m_fetches(tables.contacts.Size() >= leastContactsToFetch),
           m_work(work),
           m_scratch(scratch) {}
 
     /// Returns how many of those that are passed touch.
     int Compute(int begin, int end) {
         for (ContactIndex contact{end}; ToInt(contact = m_t.contacts.Before(contact)) >= begin;) {
-            if (m_fetches) Fetch(contact, m_t);
+            Fetch(contact, m_t);
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
             const uint8_t flags = m_t.contacts.flags[contact];
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
@@ -195,7 +191,7 @@ private:
     }
 
     const NarrowPhaseTables& m_t;
-    const bool m_isFar, m_keepsOld, m_isQuick, m_fetches;
+    const bool m_isFar, m_keepsOld, m_isQuick;
     int m_passedTouching = 0;
     TOIStats& m_work;
     NarrowPhaseScratch& m_scratch;
