@@ -32,8 +32,8 @@ constexpr Abilities Of(std::initializer_list<Ability> abilities) {
 constexpr EngineInfo engines[] = {
     {.name = "scree",
      .title = "Scree",
-     .abilities = Of({Ability::sequential, Ability::softSteps, Ability::dial, Ability::freeSpeed, Ability::lengthScales,
-                      Ability::threads, Ability::features, Ability::broadPhases}),
+     .abilities = Of({Ability::sequential, Ability::softSteps, Ability::softTuning, Ability::dial, Ability::freeSpeed,
+                      Ability::lengthScales, Ability::threads, Ability::features, Ability::broadPhases}),
      .makeRun = MakeScreeRun,
      .makeFollower = MakeScreeFollower,
      .makeLab = MakeScreeLab},
@@ -45,7 +45,7 @@ constexpr EngineInfo engines[] = {
      .makeLab = MakeBox2dLab},
     {.name = "box2d3",
      .title = "Box2D 3",
-     .abilities = Of({Ability::softSteps, Ability::threads}),
+     .abilities = Of({Ability::softSteps, Ability::softTuning, Ability::threads}),
 #ifdef SCREE_HAS_BOX2D3
      .makeRun = MakeBox2d3Run,
      .makeFollower = MakeBox2d3Follower,
@@ -65,11 +65,15 @@ constexpr EngineInfo recorded = {.name = recordedEngine,
                                  .makeFollower = nullptr,
                                  .makeLab = nullptr};
 
-constexpr std::pair<Ability, std::string_view> abilityNames[] = {
-    {Ability::sequential, "sequential impulses"}, {Ability::softSteps, "soft steps"},
-    {Ability::dial, "an accuracy dial"},          {Ability::freeSpeed, "speed without caps"},
-    {Ability::lengthScales, "length scales"},     {Ability::threads, "threads"},
-    {Ability::features, "chosen features"},       {Ability::broadPhases, "choice of broad phases"}};
+constexpr std::pair<Ability, std::string_view> abilityNames[] = {{Ability::sequential, "sequential impulses"},
+                                                                 {Ability::softSteps, "soft steps"},
+                                                                 {Ability::dial, "an accuracy dial"},
+                                                                 {Ability::freeSpeed, "speed without caps"},
+                                                                 {Ability::softTuning, "tuning of soft contacts"},
+                                                                 {Ability::lengthScales, "length scales"},
+                                                                 {Ability::threads, "threads"},
+                                                                 {Ability::features, "chosen features"},
+                                                                 {Ability::broadPhases, "choice of broad phases"}};
 
 }  // namespace
 

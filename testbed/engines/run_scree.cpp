@@ -193,7 +193,8 @@ void ScreeRun::AddProxy(ScreeProxy proxy) {
 
 void ScreeRun::CheckSettings() const {
     const RunSpec own = DescribeScreeWorld(*m_world);
-    for (const std::string_view name : {"caps", "lengthScale", "features", "broadPhase"}) {
+    for (const std::string_view name :
+         {"caps", "contactHertz", "contactDamping", "pushSpeed", "lengthScale", "features", "broadPhase"}) {
         const SettingKey& key = FindSettingKey(name);
         if (key.print(own) == key.print(GetSpec())) continue;
         throw std::invalid_argument(fmt::format(

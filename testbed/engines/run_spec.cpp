@@ -28,7 +28,8 @@ constexpr int maxVelocityIterations = 200, maxPositionIterations = 200, maxSubst
 constexpr double minTimeStep = 0.0001, maxTimeStep = 0.1;       // s
 constexpr float minLengthScale = 1e-6f, maxLengthScale = 1e6f;  // m
 constexpr std::array<std::string_view, 4> markNames = {"draft", "game", "fine", "precise"};
-constexpr std::string_view ofScene = "scene";
+constexpr float minSoftTuning = 0.001f, maxSoftTuning = 1e6f;
+constexpr std::string_view ofScene = "scene", ofEngine = "own";
 
 /// What a reader returns for text that has not the form of a value.
 std::string NotAValue() { return "is none"; }
@@ -57,6 +58,23 @@ std::string ReadSwitch(std::string_view value, RunSpec& spec) {
 template <bool RunSpec::*member>
 std::string PrintSwitch(const RunSpec& spec) {
     return spec.*member ? "on" : "off";
+}
+
+/// A number of the spec that is the engine's own unless it is given, by its member.
+template <std::optional<float> RunSpec::*member>
+std::string ReadOwnOr(std::string_view value, RunSpec& spec) {
+    if (value == ofEngine) {
+        (spec.*member).reset();
+        return Done();
+    }
+    float number = 0;
+    const std::string problem = ReadNumberInto(value, number);
+    if (problem.empty()) spec.*member = number;
+    return problem;
+}
+template <std::optional<float> RunSpec::*member>
+std::string PrintOwnOr(const RunSpec& spec) {
+    return spec.*member ? fmt::format("{}", *(spec.*member)) : std::string(ofEngine);
 }
 
 std::string ReadIterations(std::string_view value, RunSpec& spec) {
@@ -213,6 +231,7 @@ std::string PrintNothing(const RunSpec&) { return {}; }
 constexpr unsigned softSteps = static_cast<unsigned>(Ability::softSteps);
 constexpr unsigned sequential = static_cast<unsigned>(Ability::sequential);
 constexpr unsigned dial = static_cast<unsigned>(Ability::dial);
+constexpr unsigned softTuning = static_cast<unsigned>(Ability::softTuning);
 
 constexpr SettingKey settingKeys[] = {
     {.name = "preset",
@@ -326,6 +345,35 @@ constexpr SettingKey settingKeys[] = {
      .isLive = true,
      .read = ReadSwitch<&RunSpec::warmStarting>,
      .print = PrintSwitch<&RunSpec::warmStarting>},
+    {.name = "contactHertz",
+     .values = "a number from 0.001 to 1e6, or own",
+     .unit = "1/s",
+     .what = "soft step: frequency of the springs of contacts; own is 30, and long sub-steps "
+             "limit it",
+     .flag = "",
+     .needs = softTuning,
+     .isLive = false,
+     .read = ReadOwnOr<&RunSpec::contactHertz>,
+     .print = PrintOwnOr<&RunSpec::contactHertz>},
+    {.name = "contactDamping",
+     .values = "a number from 0.001 to 1e6, or own",
+     .unit = "",
+     .what = "soft step: damping ratio of these springs; own is 10",
+     .flag = "",
+     .needs = softTuning,
+     .isLive = false,
+     .read = ReadOwnOr<&RunSpec::contactDamping>,
+     .print = PrintOwnOr<&RunSpec::contactDamping>},
+    {.name = "pushSpeed",
+     .values = "a number from 0.001 to 1e6, or own",
+     .unit = "m/s",
+     .what = "soft step: largest speed at which contacts push overlapping bodies apart; own is 1 in scree, "
+             "times the length scale, and 3 in box2d3",
+     .flag = "",
+     .needs = softTuning,
+     .isLive = false,
+     .read = ReadOwnOr<&RunSpec::pushSpeed>,
+     .print = PrintOwnOr<&RunSpec::pushSpeed>},
     {.name = "lengthScale",
      .values = "a number from 1e-6 to 1e6",
      .unit = "m",
@@ -423,6 +471,11 @@ std::string FindValueProblem(const RunSpec& spec) {
     }
     if (spec.gravity && !(std::isfinite(spec.gravity->x) && std::isfinite(spec.gravity->y))) {
         return "gravity must be finite";
+    }
+    for (const std::optional<float>& tuning : {spec.contactHertz, spec.contactDamping, spec.pushSpeed}) {
+        if (tuning && !(*tuning >= minSoftTuning && *tuning <= maxSoftTuning)) {
+            return "frequency, damping ratio and push speed of soft contacts are legal from 0.001 to 1e6";
+        }
     }
     if (!(spec.lengthScale >= minLengthScale && spec.lengthScale <= maxLengthScale)) {
         return "the length scale is legal from 1e-6 to 1e6 m";

@@ -28,6 +28,7 @@ enum class Ability : unsigned {
     broadPhases = 32,  ///< a choice of algorithms
     sequential = 64,   ///< sequential impulses
     dial = 128,        ///< the accuracy dial and tolerances
+    softTuning = 256,  ///< how stiff the contacts of soft steps are
 };
 
 struct Abilities {
@@ -82,6 +83,9 @@ struct RunSpec {
     bool continuous = true;                 ///< nothing passes through static fixtures between two steps
     bool sleeping = true;                   ///< bodies at rest fall asleep
     bool warmStarting = true;               ///< a step begins with the impulses of the last one
+    std::optional<float> contactHertz{};    ///< of soft contacts, 1/s; this and the next two none: the engine's own
+    std::optional<float> contactDamping{};  ///< of soft contacts: damping ratio
+    std::optional<float> pushSpeed{};       ///< at which soft contacts push overlapping bodies apart at most, m/s
     float lengthScale = 1.0f;               ///< of a typical body, m: tolerances are Box2D's times this
     int threads = 1;                        ///< that share a step, 1 … maxThreads
     std::string features = "automatic";     ///< what the world models: automatic, full, none, or names joined by +

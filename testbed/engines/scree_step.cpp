@@ -67,6 +67,9 @@ scree::WorldDef MakeScreeWorldDef(const RunSpec& spec) {
     def.allowSleep = spec.sleeping;
     def.warmStarting = spec.warmStarting;
     def.continuousPhysics = spec.continuous;
+    def.softStep.contactHertz = spec.contactHertz.value_or(def.softStep.contactHertz);
+    def.softStep.contactDampingRatio = spec.contactDamping.value_or(def.softStep.contactDampingRatio);
+    def.softStep.contactPushSpeed = spec.pushSpeed.value_or(def.softStep.contactPushSpeed);
     def.lengthScale = spec.lengthScale;
     def.workerCount = spec.threads;
     def.broadPhase = *scree::BroadPhaseFromName(spec.broadPhase);
@@ -90,6 +93,11 @@ RunSpec DescribeScreeWorld(const scree::World& world) {
     spec.warmStarting = def.warmStarting;
     spec.continuous = def.continuousPhysics;
     spec.caps = std::isfinite(def.maxTranslation);
+    const auto unlessOwn = [](float value, float own) { return value == own ? std::nullopt : std::optional(value); };
+    constexpr scree::SoftStepDef own;
+    spec.contactHertz = unlessOwn(def.softStep.contactHertz, own.contactHertz);
+    spec.contactDamping = unlessOwn(def.softStep.contactDampingRatio, own.contactDampingRatio);
+    spec.pushSpeed = unlessOwn(def.softStep.contactPushSpeed, own.contactPushSpeed);
     spec.lengthScale = def.lengthScale;
     spec.broadPhase = scree::GetName(def.broadPhase);
     if (def.featureMode == scree::FeatureMode::full) spec.features = "full";

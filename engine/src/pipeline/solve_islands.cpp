@@ -6,6 +6,9 @@
 
 #include "pipeline/solve_islands.h"
 
+#include <algorithm>
+#include <tuple>
+
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/integrate.h"
 #include "pipeline/parts/isolated_bodies.h"
@@ -26,7 +29,7 @@ JointStep JointStepOf(const SolverSettings& settings) {
 class IslandSolver {
 public:
     IslandSolver(const SolverSettings& settings, const IslandTable& islands, const Island& island, SolverTables tables,
-                 SolverScratch& scratch)
+                 IslandRows& scratch)
         : m_settings(settings),
           m_tables(tables),
           m_scratch(scratch),
@@ -101,7 +104,7 @@ private:
 
     const SolverSettings& m_settings;
     SolverTables m_tables;
-    SolverScratch& m_scratch;
+    IslandRows& m_scratch;
     std::span<const BodyIndex> m_bodies;
     std::span<const ContactIndex> m_contacts;
     std::span<const JointIndex> m_joints;
@@ -111,20 +114,21 @@ private:
 /// Separations are linear in the bodies' motion, with the normals and arms of the start of the step.
 class WideSolver {
 public:
+    /// `delta` has a row for each body of the world.
     WideSolver(const SolverSettings& settings, const IslandTable& islands, const Island& island, SolverTables tables,
-               SolverScratch& scratch, ContactBlocks& blocks)
+               IslandRows& scratch, ContactBlocks& blocks, Column<BodyIndex, Velocity>& delta)
         : m_settings(settings),
           m_tables(tables),
           m_bodies(tables.bodies),
           m_s(scratch),
           m_blocks(blocks),
+          m_delta(delta),
           m_own(Bodies(islands, island)),
           m_contacts(Contacts(islands, island)),
           m_joints(Joints(islands, island)),
           m_kernels(GetContactKernels()) {}
 
     void Prepare(const FixtureTable& fixtures) {
-        m_s.delta.resize(ToSize(m_bodies.slots.Size()));
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             ForEachOf(Pool(), m_own.size(),
                       [&](size_t i) { IntegrateVelocity<forces>(m_settings, m_bodies, m_own[i]); });
@@ -132,7 +136,7 @@ public:
         m_s.locked.Gather(m_settings.kernels, m_own, m_bodies);
         m_blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
                         m_settings.kernels.restitution, m_settings.lengthScale});
-        m_task = m_blocks.Task(m_bodies.velocity, m_s.delta);
+        m_task = m_blocks.Task(m_bodies.velocity, m_delta);
         m_task.friction = m_settings.kernels.friction;
         m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;
         PrepareRolling(m_settings, fixtures, m_contacts, m_settings.impulseScale, m_tables, m_s.rolling);
@@ -160,7 +164,7 @@ public:
             const SolverCounts counts = CountOver(Pool(), m_own.size(), [&](size_t i) {
                 const BodyIndex b = m_own[i];
                 bool capped = false;
-                m_s.delta[b] = MotionOf<limit>(m_settings, m_bodies, b, capped);
+                m_delta[b] = MotionOf<limit>(m_settings, m_bodies, b, capped);
                 return SolverCounts{capped ? 1 : 0, 0};
             });
             return counts.capped;
@@ -173,19 +177,19 @@ public:
         for (int i = 0; i < m_settings.positionIterations && !(contactsSolved && jointsSolved); ++i) {
             contactsSolved = IsWithinTolerance(RunPushApart(Pool(), m_task, m_kernels, baumgarte));
             jointsSolved = !HasJoints() || CorrectJoints();
-            m_s.locked.Stop(m_s.delta);
+            m_s.locked.Stop(m_delta);
         }
         return jointsSolved && (contactsSolved || (IsSleepy() && AreContactsSolved()));
     }
 
     int Finish() {
-        const PoseFinisher finisher(m_settings, m_bodies, m_s.delta, {.keepsRests = false, .hasLimit = false});
+        const PoseFinisher finisher(m_settings, m_bodies, m_delta, {.keepsRests = false, .hasLimit = false});
         const auto bodyAt = [this](size_t i) { return m_own[i]; };
         return finisher
             .Finish(Pool(), m_own.size(), bodyAt,
                     [this](BodyIndex b) {
                         Move(b);
-                        m_s.delta[b] = {};
+                        m_delta[b] = {};
                         return SolverCounts{0, FinishPose(m_bodies, b) ? 1 : 0};
                     })
             .nonFinite;
@@ -206,7 +210,7 @@ private:
     /// After the last pass.
     [[nodiscard]] bool AreContactsSolved() const {
         for (size_t i = 0; i < m_contacts.size(); ++i) {
-            if (!IsWithinTolerance(m_blocks.GetSeparation(i, m_s.delta))) return false;
+            if (!IsWithinTolerance(m_blocks.GetSeparation(i, m_delta))) return false;
         }
         return true;
     }
@@ -219,8 +223,8 @@ private:
     }
 
     void Move(BodyIndex b) {
-        m_bodies.SetMotion(b, m_s.delta[b].v);
-        m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
+        m_bodies.SetMotion(b, m_delta[b].v);
+        m_bodies.position[b].a = m_bodies.startPosition[b].a + m_delta[b].w;
     }
 
     bool CorrectJoints() {
@@ -230,8 +234,8 @@ private:
         const bool solved = SolveJointPositions(JointWork());
         for (const BodyIndex body : m_own) {
             if (m_bodies.info[body].jointCount == 0) continue;
-            m_s.delta[body].v = m_bodies.GetMotion(body);
-            m_s.delta[body].w = m_bodies.position[body].a - m_bodies.startPosition[body].a;
+            m_delta[body].v = m_bodies.GetMotion(body);
+            m_delta[body].w = m_bodies.position[body].a - m_bodies.startPosition[body].a;
         }
         return solved;
     }
@@ -239,8 +243,9 @@ private:
     const SolverSettings& m_settings;
     SolverTables m_tables;
     BodyTable& m_bodies;
-    SolverScratch& m_s;
+    IslandRows& m_s;
     ContactBlocks& m_blocks;
+    Column<BodyIndex, Velocity>& m_delta;
     std::span<const BodyIndex> m_own;
     std::span<const ContactIndex> m_contacts;
     std::span<const JointIndex> m_joints;
@@ -337,30 +342,100 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& is
                        [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
 }
 
-void SolveOne(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
-              const Island& island, const ContactEvents& events, SolverTables tables, SolverScratch& scratch,
-              SolverCounts& counts) {
-    IslandSolver solver(settings, islands, island, tables, scratch);
+/// What all islands share.
+struct IslandWork {
+    const SolverSettings& settings;
+    const FixtureTable& fixtures;
+    const IslandTable& islands;
+    const ContactEvents& events;
+    SolverScratch& scratch;
+};
+
+/// The phases of either solver.
+template <typename Solver, typename Report>
+SolverCounts RunPhases(Solver&& solver, const FixtureTable& fixtures, Report&& report) {
+    SolverCounts counts;
     solver.Prepare(fixtures);
     solver.SolveVelocities();
-    counts.capped += solver.IntegratePositions();
+    counts.capped = solver.IntegratePositions();
     const bool positionsSolved = solver.SolvePositions();
-    counts.nonFinite += solver.Finish();
-    ReportImpulses(scratch.contacts, events, tables.contacts);
+    counts.nonFinite = solver.Finish();
+    report();
     solver.Sleep(positionsSolved);
+    return counts;
 }
 
-void SolveWide(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
-               const Island& island, const ContactEvents& events, SolverTables tables, SolverScratch& scratch,
-               ContactBlocks& blocks, SolverCounts& counts) {
-    WideSolver solver(settings, islands, island, tables, scratch, blocks);
-    solver.Prepare(fixtures);
-    solver.SolveVelocities();
-    counts.capped += solver.IntegratePositions();
-    const bool positionsSolved = solver.SolvePositions();
-    counts.nonFinite += solver.Finish();
-    ReportBlockImpulses({blocks, false, Contacts(islands, island)}, events, tables.contacts, scratch.impulses);
-    solver.Sleep(positionsSolved);
+/// By the loops of `tables.pool`, with the rows of `worker`.
+SolverCounts SolveLone(const IslandWork& work, const LoneIsland& lone, SolverTables tables, int worker) {
+    const Island& island = work.islands.islands[ToSize(lone.island)];
+    SolverScratch& s = work.scratch;
+    IslandRows& rows = s.islandRows[worker];
+    if (lone.blocks < 0) {
+        return RunPhases(IslandSolver(work.settings, work.islands, island, tables, rows), work.fixtures,
+                         [&] { ReportImpulses(rows.contacts, work.events, tables.contacts); });
+    }
+    ContactBlocks& blocks = s.wide[ToSize(lone.blocks)];
+    return RunPhases(WideSolver(work.settings, work.islands, island, tables, rows, blocks, s.delta), work.fixtures,
+                     [&] {
+                         ReportBlockImpulses({blocks, false, Contacts(work.islands, island)}, work.events,
+                                             tables.contacts, s.impulses);
+                     });
+}
+
+/// Lists the islands that are in no group of `lanes`, with room for the blocks of the large ones.
+void ListLone(const IslandTable& islands, const LaneSolver& lanes, const BodyTable& bodies, SolverScratch& s) {
+    s.lone.clear();
+    int wide = 0;
+    for (size_t i = 0; i < islands.islands.size(); ++i) {
+        if (lanes.Has(i)) continue;
+        const Island& island = islands.islands[i];
+        const int size = CountContacts(island) + island.jointEnd - island.jointBegin;
+        s.lone.push_back({static_cast<int>(i), IsWide(island) ? wide++ : -1, size});
+    }
+    if (wide == 0) return;
+    if (s.wide.size() < ToSize(wide)) s.wide.resize(ToSize(wide));
+    s.delta.resize(ToSize(bodies.slots.Size()));
+}
+
+/// Large islands one after the other, each by loops that the workers share. Then the others, each by one worker.
+/// Neither way changes a bit.
+SolverCounts ShareLone(const IslandWork& work, SolverTables tables) {
+    // Smaller ones have too few contacts of one colour for a loop of several workers.
+    constexpr int leastSharedSize = 2048;
+    // Less of all together is not worth waking a worker's attention.
+    constexpr int leastSize = 256;
+    std::vector<LoneIsland>& lone = work.scratch.lone;
+    std::ranges::sort(lone, [](const LoneIsland& a, const LoneIsland& b) {
+        return std::tie(b.size, a.island) < std::tie(a.size, b.island);
+    });
+    int64_t rest = 0;
+    for (const LoneIsland& one : lone) rest += one.size;
+    SolverCounts counts;
+    size_t first = 0;
+    const int workers = tables.pool.GetWorkerCount();
+    for (; first < lone.size(); ++first) {
+        const LoneIsland& one = lone[first];
+        if (one.size < leastSharedSize || static_cast<int64_t>(one.size) * workers <= rest) break;
+        counts += SolveLone(work, one, tables, 0);
+        rest -= one.size;
+    }
+    // Dealt like cards, the largest first, so that parts and neighbouring parts are of like size.
+    constexpr int partsPerWorker = 4;
+    const auto count = static_cast<int>(lone.size() - first);
+    const int rounds = count >= partsPerWorker * workers ? partsPerWorker : 1;
+    const int parts = std::min(count, rounds * workers);
+    TaskPool alone(1, {});
+    const SolverTables own{alone, tables.bodies, tables.contacts, tables.joints};
+    SolverCounts ofWorker[maxWorkers];
+    tables.pool.For(parts, rest < leastSize ? parts + 1 : 2, [&](int begin, int end, int worker) {
+        for (int part = begin; part < end; ++part) {
+            for (int i = part % rounds * workers + part / rounds; i < count; i += parts) {
+                ofWorker[worker] += SolveLone(work, lone[first + ToSize(i)], own, worker);
+            }
+        }
+    });
+    for (const SolverCounts& some : ofWorker) counts += some;
+    return counts;
 }
 
 }  // namespace
@@ -369,15 +444,12 @@ SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fi
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
     SolverCounts counts = SolveIsolated(settings, islands, tables.pool, tables.bodies);
     LaneSolver lanes(settings, islands, events, tables, scratch);
-    size_t wide = 0;
-    for (size_t i = 0; i < islands.islands.size(); ++i) {
-        const Island& island = islands.islands[i];
-        if (IsWide(island)) {
-            if (wide == scratch.wide.size()) scratch.wide.emplace_back();
-            SolveWide(settings, fixtures, islands, island, events, tables, scratch, scratch.wide[wide++], counts);
-        } else if (!lanes.Has(i)) {
-            SolveOne(settings, fixtures, islands, island, events, tables, scratch, counts);
-        }
+    ListLone(islands, lanes, tables.bodies, scratch);
+    const IslandWork work{settings, fixtures, islands, events, scratch};
+    if (tables.pool.IsOpen() && !events.HearsPostSolve()) {
+        counts += ShareLone(work, tables);
+    } else {  // in their order, in which the listener hears of them
+        for (const LoneIsland& lone : scratch.lone) counts += SolveLone(work, lone, tables, 0);
     }
     counts += lanes.Solve(fixtures);
     return counts;

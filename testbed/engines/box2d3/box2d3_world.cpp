@@ -30,6 +30,9 @@ b2WorldDef MakeDef(const RunSpec& spec, float restitutionThreshold) {
     def.enableSleep = spec.sleeping;
     def.enableContinuous = spec.continuous;
     def.workerCount = spec.threads;
+    def.contactHertz = spec.contactHertz.value_or(def.contactHertz);
+    def.contactDampingRatio = spec.contactDamping.value_or(def.contactDampingRatio);
+    def.contactSpeed = spec.pushSpeed.value_or(def.contactSpeed);
     return def;
 }
 

@@ -22,23 +22,44 @@ namespace {
 
 constexpr int maxRepeats = 1000;
 
+/// `count` of the published sizes, as evenly spread as they lie, the largest among them; 0: all.
+std::vector<int> PickSizes(const scenes::Sweep& sweep, int count) {
+    const int published = (sweep.end - sweep.begin) / sweep.increment + 1;
+    const int picked = count == 0 ? published : std::min(count, published);
+    std::vector<int> sizes;
+    for (int i = 1; i <= picked; ++i) {
+        const int number = (published * i + picked - 1) / picked;  // from 1
+        sizes.push_back(sweep.begin + (number - 1) * sweep.increment);
+    }
+    return sizes;
+}
+
+/// The count of "sweep" (0: all) and "sweep@COUNT"; none for other texts. Throws UsageError.
+std::optional<int> ReadSweep(std::string_view text) {
+    constexpr std::string_view all = "sweep", some = "sweep@";
+    if (text == all) return 0;
+    if (!text.starts_with(some)) return std::nullopt;
+    const Parsed<int> count = ParseNumber<int>(text.substr(some.size()));
+    if (!count || *count < 1)
+        throw UsageError(fmt::format("--sizes {}: after @ comes a number of sizes, 1 or more", text));
+    return *count;
+}
+
 /// A scene at every size that is asked for. Throws UsageError.
 std::vector<SceneInput> ChooseSizes(const std::string& given, const BenchArguments& arguments) {
     const std::string& text = arguments.sizes;
     std::vector<SceneInput> scenes{ChooseScene(given, std::nullopt, arguments.input)};
     const scenes::SceneInfo* info = scenes.front().info;
     if (text == "default") return scenes;
-    if (text == "sweep") {
+    if (const std::optional<int> count = ReadSweep(text)) {
         if (info == nullptr || !info->sweep) return scenes;
         scenes.clear();
-        for (int n = info->sweep->begin; n <= info->sweep->end; n += info->sweep->increment) {
-            scenes.push_back(MakeInput(*info, n));
-        }
+        for (const int size : PickSizes(*info->sweep, *count)) scenes.push_back(MakeInput(*info, size));
         return scenes;
     }
     scenes.clear();
     for (const int size :
-         ParseIntList("--sizes", text, "default, sweep or sizes with commas, for example 1000,10000")) {
+         ParseIntList("--sizes", text, "default, sweep, sweep@COUNT or sizes with commas, for example 1000,10000")) {
         scenes.push_back(ChooseScene(given, size, arguments.input));
     }
     return scenes;
@@ -140,7 +161,8 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("SCENE", arguments.scenes,
                    DescribeSceneArgument("Scenes") + "; the whole published suite if none is given");
     AddFormatOption(app, arguments.input);
-    app.add_option("--sizes", arguments.sizes, "default, sweep (the published sizes), or sizes with commas")
+    app.add_option("--sizes", arguments.sizes,
+                   "default, sweep (the published sizes), sweep@COUNT (so many of them), or sizes with commas")
         ->capture_default_str();
     AddEnginesOption(app, arguments.settings, "");
     app.add_option("--baseline", arguments.settings.baseline,

@@ -79,6 +79,11 @@ RunSpec RandomSpec() {
     if (engine.abilities.Has(Ability::freeSpeed)) spec.caps = *rc::gen::arbitrary<bool>();
     if (engine.abilities.Has(Ability::threads)) spec.threads = *rc::gen::inRange(1, maxThreads + 1);
     if (engine.abilities.Has(Ability::features)) spec.features = RandomFeatures();
+    if (engine.abilities.Has(Ability::softTuning)) {
+        for (auto member : {&RunSpec::contactHertz, &RunSpec::contactDamping, &RunSpec::pushSpeed}) {
+            if (*rc::gen::arbitrary<bool>()) spec.*member = Between(0.001f, *rc::gen::element(1.0f, 100.0f, 1e6f));
+        }
+    }
     if (engine.abilities.Has(Ability::broadPhases)) {
         spec.broadPhase =
             *rc::gen::elementOf(std::vector<std::string>(scree::broadPhaseNames.begin(), scree::broadPhaseNames.end()));
@@ -210,6 +215,12 @@ TEST(RunSpec, RefusesWhatIsNoValueAndChangesNothing) {
                                 "warmStarting=ON",
                                 "lengthScale=0",
                                 "lengthScale=nan",
+                                "contactHertz=0",
+                                "contactHertz=nan",
+                                "contactDamping=-1",
+                                "contactDamping=scene",
+                                "pushSpeed=inf",
+                                "pushSpeed=1e7",
                                 "threads=0",
                                 "threads=65",
                                 "threads=2x",
@@ -232,8 +243,9 @@ TEST(RunSpec, RefusesWhatIsNoValueAndChangesNothing) {
 }
 
 TEST(RunSpec, AnEngineLeavesWhatItDoesNotHave) {
-    for (const char* setting : {"solver=soft@8", "substeps=4", "accuracy=draft", "tolerance=0.01", "caps=off",
-                                "lengthScale=0.1", "threads=2", "features=full", "broadPhase=keys"}) {
+    for (const char* setting :
+         {"solver=soft@8", "substeps=4", "accuracy=draft", "tolerance=0.01", "caps=off", "lengthScale=0.1", "threads=2",
+          "features=full", "broadPhase=keys", "contactHertz=60", "contactDamping=5", "pushSpeed=own"}) {
         RunSpec spec = MakeSpec("box2d");
         EXPECT_FALSE(ApplySetting(spec, setting)) << setting;
         EXPECT_EQ(spec, MakeSpec("box2d")) << setting;
@@ -270,6 +282,14 @@ TEST(RunSpec, EverySettingReachesTheEngine) {
              {isSequential ? "iterations=2/1" : "substeps=1", "timeStep=1/120", "gravity=0.5/-9", "warmStarting=off"}) {
             EXPECT_NE(hash(name, {setting}), plain) << name << ' ' << setting;
         }
+        if (!engine.abilities.Has(Ability::softTuning)) continue;
+        const uint64_t soft = hash(name, {"substeps=4"});
+        for (const char* tuning : {"contactHertz=10", "contactDamping=2", "pushSpeed=0.01"}) {
+            EXPECT_NE(hash(name, {"substeps=4", tuning}), soft) << name << ' ' << tuning;
+        }
+        const std::string push = name == "scree" ? "pushSpeed=1" : "pushSpeed=3";
+        EXPECT_EQ(hash(name, {"substeps=4", "contactHertz=30", "contactDamping=10", push}), soft)
+            << name << ": what the table of settings says of the engine's own";
     }
     const uint64_t plain = hash("scree", {});
     EXPECT_EQ(hash("scree", {"accuracy=draft"}), hash("scree", {"iterations=4/2"}));
@@ -343,6 +363,9 @@ TEST(RunSpec, OnlyLiveKeysChangeWhileASceneRuns) {
                                           {"sleeping=off", true},
                                           {"warmStarting=off", true},
                                           {"caps=on", false},
+                                          {"contactHertz=60", false},
+                                          {"contactDamping=5", false},
+                                          {"pushSpeed=2", false},
                                           {"lengthScale=0.5", false},
                                           {"threads=2", false},
                                           {"features=full", false},

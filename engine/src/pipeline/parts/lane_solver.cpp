@@ -19,7 +19,7 @@ LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& island
                        SolverTables tables, SolverScratch& scratch)
     : m_settings(settings), m_islands(islands), m_tables(tables), m_s(scratch) {
     m_s.lanes.order.clear();
-    m_s.lanes.choice.assign(islands.islands.size(), Choice::no);
+    m_s.lanes.isChosen.assign(islands.islands.size(), 0);
     // What is rare is solved one by one. So are islands whose listener may change those that follow.
     const KernelSet& kernels = settings.kernels;
     if (kernels.locks || kernels.rolling || tables.bodies.IsFar() || events.HearsPostSolve()) return;
@@ -48,7 +48,7 @@ void LaneSolver::Choose() {
     int start[leastWideContacts] = {};
     for (size_t i = 0; i < islands.size(); ++i) {
         if (!Fits(islands[i])) continue;
-        m_s.lanes.choice[i] = Choice::yes;
+        m_s.lanes.isChosen[i] = 1;
         ++start[CountContacts(islands[i])];
     }
     int fitting = 0;
@@ -65,7 +65,7 @@ void LaneSolver::Choose() {
         for (size_t i = begin; i < end; ++i) contacts += countOf(order[i]);
         const bool isWorthIt = contacts >= stepsOfOne * countOf(order[begin]);
         for (size_t i = begin; i < end; ++i) {
-            m_s.lanes.choice[ToSize(order[i])] = isWorthIt ? Choice::yes : Choice::no;
+            m_s.lanes.isChosen[ToSize(order[i])] = isWorthIt ? 1 : 0;
             if (isWorthIt) order[kept++] = order[i];
         }
     }
@@ -85,7 +85,6 @@ SolverCounts LaneSolver::Solve(const FixtureTable& fixtures) {
             counts[worker] += SolveGroup(fixtures, GroupOf(g), s.groups[worker]);
         }
     });
-    Sleep();
     SolverCounts sum;
     for (const SolverCounts& part : counts) sum += part;
     return sum;
@@ -141,22 +140,16 @@ SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, std::span<cons
     lanes.SolvePositions(m_settings.positionIterations, ContactTolerance(m_settings),
                          {baumgarte, m_settings.lengthScale}, bodies);
     for (size_t lane = 0; lane < group.size(); ++lane) {
-        if (lanes.IsSolved(lane)) m_s.lanes.choice[ToSize(group[lane])] = Choice::isSolved;
         for (const BodyIndex b : members[lane].bodies) {
             if (bodies.type[b] != dynamicBody) counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
         }
     }
     lanes.ForEachRotation(bodies, [&](BodyIndex b, Rot q) { counts.nonFinite += FinishPose(bodies, b, q) ? 1 : 0; });
-    return counts;
-}
-
-void LaneSolver::Sleep() {
-    if (!m_settings.allowSleep) return;
-    for (size_t i = 0; i < m_islands.islands.size(); ++i) {
-        if (!Has(i)) continue;
-        SleepIsland(m_tables.bodies, Bodies(m_islands, m_islands.islands[i]), m_settings,
-                    m_s.lanes.choice[i] == Choice::isSolved);
+    if (!m_settings.allowSleep) return counts;
+    for (size_t lane = 0; lane < group.size(); ++lane) {
+        SleepIsland(bodies, members[lane].bodies, m_settings, lanes.IsSolved(lane));
     }
+    return counts;
 }
 
 }  // namespace scree

@@ -24,20 +24,17 @@ public:
                SolverTables tables, SolverScratch& scratch);
 
     /// The island with this number is one of those chosen.
-    [[nodiscard]] bool Has(size_t island) const { return m_s.lanes.choice[island] != LaneScratch::Choice::no; }
+    [[nodiscard]] bool Has(size_t island) const { return m_s.lanes.isChosen[island] != 0; }
     [[nodiscard]] SolverCounts Solve(const FixtureTable& fixtures);
 
 private:
-    using Choice = LaneScratch::Choice;
-
     void Choose();
     [[nodiscard]] bool Fits(const Island& island) const;
     /// Islands of a group; none behind the last.
     [[nodiscard]] std::span<const int> GroupOf(int number) const;
     void FetchAhead(const FixtureTable& fixtures, std::span<const int> next, std::span<const int> later) const;
-    /// Prepares, solves and moves up to eight islands: what that writes stays in the caches of a core.
+    /// All of a step for up to eight islands: what that writes stays in the caches of a core.
     [[nodiscard]] SolverCounts SolveGroup(const FixtureTable& fixtures, std::span<const int> group, IslandLanes& lanes);
-    void Sleep();
     [[nodiscard]] const Island& IslandOf(int island) const { return m_islands.islands[ToSize(island)]; }
 
     const SolverSettings& m_settings;

@@ -72,29 +72,47 @@ struct NettedBody {
 
 /// Small islands that are solved side by side (pipeline/parts/lane_solver.h).
 struct LaneScratch {
-    enum class Choice : uint8_t { no, yes, isSolved };  ///< the last: positions are within tolerance, too
-    std::vector<Choice> choice;                         ///< per island
-    std::vector<int> order;                             ///< islands by size, eight to a group
+    std::vector<uint8_t> isChosen;  ///< per island
+    std::vector<int> order;         ///< islands by size, eight to a group
     Column<BodyIndex, int> slotOf;
     IslandLanes groups[maxWorkers];  ///< per worker
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = BytesOf(choice, order, slotOf);
+        size_t bytes = BytesOf(isChosen, order, slotOf);
         for (const IslandLanes& group : groups) bytes += group.GetMemoryBytes();
         return bytes;
     }
+};
+
+/// Rows of an island that is solved by itself (sequential impulses).
+struct IslandRows {
+    ContactRows contacts;
+    RollingRows rolling;
+    LockedBodies locked;
+    JointConstraints joints;
+
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(contacts.velocity, contacts.position) + rolling.GetMemoryBytes() + locked.GetMemoryBytes() +
+               joints.GetMemoryBytes();
+    }
+};
+
+/// An island that is in no group of LaneScratch.
+struct LoneIsland {
+    int island;
+    int blocks;  ///< of SolverScratch::wide; -1: it is solved contact by contact
+    int size;    ///< contacts and joints
 };
 
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
     bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
     JointTree tree;
-    JointTree restTree;  ///< of `rest`; each keeps its order while its joints stay the same
-    ContactRows contacts;
-    ContactBlocks blocks;  ///< of the soft step
-    RollingRows rolling;   ///< of the contacts or the blocks
+    JointTree restTree;    ///< of `rest`; each keeps its order while its joints stay the same
+    ContactBlocks blocks;  ///< of the soft step, as the rows that follow
+    RollingRows rolling;
     LoadedBodies loaded;
-    LockedBodies locked;  ///< of the bodies that are solved
+    LockedBodies locked;
     JointConstraints joints;
     Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<SoftBody> soft;
@@ -104,20 +122,22 @@ struct SolverScratch {
     std::vector<Twist> before;  ///< of these: velocity before a pass over the contacts
     IslandTable rest;           ///< jointed bodies that go on after a time of impact
     LaneScratch lanes;
-    std::vector<ContactBlocks> wide;  ///< of the large islands, in their order (sequential impulses)
+    std::vector<LoneIsland> lone;
+    IslandRows islandRows[maxWorkers];  ///< per worker
+    std::vector<ContactBlocks> wide;    ///< of the large islands, in their order (sequential impulses)
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t ofWide = BytesOf(wide);
-        for (const ContactBlocks& one : wide) ofWide += one.GetMemoryBytes();
-        return ofWide + BytesOf(contacts.velocity, contacts.position, delta, soft, jointed, netted, before, impulses) +
-               rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
-               restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() +
-               rolling.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
+        size_t ofIslands = BytesOf(wide, lone);
+        for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
+        for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
+        return ofIslands + BytesOf(delta, soft, jointed, netted, before, impulses) + rest.GetMemoryBytes() +
+               startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() + restTree.GetMemoryBytes() +
+               blocks.GetMemoryBytes() + joints.GetMemoryBytes() + rolling.GetMemoryBytes() + loaded.GetMemoryBytes() +
+               locked.GetMemoryBytes() + lanes.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
-        contacts = {};
         blocks = {};
         rolling = {};
         loaded = {};
@@ -131,6 +151,8 @@ struct SolverScratch {
         before = {};
         rest = {};
         lanes = {};
+        lone = {};
+        for (IslandRows& rows : islandRows) rows = {};
         wide = {};
         impulses = {};
     }

@@ -127,10 +127,20 @@ TEST(BenchPlan, TheSuiteIsTheDefaultAndSizesAreChecked) {
     ASSERT_EQ(plan.cases.size(), 30u + 11u) << "25:750:25 and 1:11:1";
     EXPECT_EQ(plan.cases[0].scene.size, 25);
     EXPECT_EQ(plan.cases[29].scene.size, 750);
+    const auto sizesOf = [&arguments](const char* scene, const char* sizes) {
+        arguments.scenes = {scene};
+        arguments.sizes = sizes;
+        std::vector<int> chosen;
+        for (const BenchCase& one : MakeBenchPlan(arguments).cases) chosen.push_back(one.scene.size);
+        return chosen;
+    };
+    EXPECT_EQ(sizesOf("tiles", "sweep@4"), (std::vector{60, 100, 160, 200})) << "of 20:200:20";
+    EXPECT_EQ(sizesOf("tumbler", "sweep@1"), std::vector{1000});
+    EXPECT_EQ(sizesOf("big-mobile", "sweep@99"), sizesOf("big-mobile", "sweep"));
     arguments.scenes = {"slow-explosion"};
     arguments.sizes = "10000,1000000";
     EXPECT_EQ(MakeBenchPlan(arguments).cases.back().scene.size, 1'000'000) << "above the sweep is legal";
-    for (const char* sizes : {"0", "abc", "10,", "99999999"}) {
+    for (const char* sizes : {"0", "abc", "10,", "99999999", "sweep@", "sweep@0", "sweep@x"}) {
         arguments.sizes = sizes;
         EXPECT_THROW((void)MakeBenchPlan(arguments), UsageError) << sizes;
     }
