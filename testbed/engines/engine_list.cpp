@@ -32,8 +32,9 @@ constexpr Abilities Of(std::initializer_list<Ability> abilities) {
 constexpr EngineInfo engines[] = {
     {.name = "scree",
      .title = "Scree",
-     .abilities = Of({Ability::sequential, Ability::softSteps, Ability::softTuning, Ability::dial, Ability::freeSpeed,
-                      Ability::lengthScales, Ability::threads, Ability::features, Ability::broadPhases}),
+     .abilities =
+         Of({Ability::sequential, Ability::softSteps, Ability::softTuning, Ability::joints, Ability::dial,
+             Ability::freeSpeed, Ability::lengthScales, Ability::threads, Ability::features, Ability::broadPhases}),
      .makeRun = MakeScreeRun,
      .makeFollower = MakeScreeFollower,
      .makeLab = MakeScreeLab},
@@ -70,6 +71,7 @@ constexpr std::pair<Ability, std::string_view> abilityNames[] = {{Ability::seque
                                                                  {Ability::dial, "an accuracy dial"},
                                                                  {Ability::freeSpeed, "speed without caps"},
                                                                  {Ability::softTuning, "tuning of soft contacts"},
+                                                                 {Ability::joints, "ways to solve joints"},
                                                                  {Ability::lengthScales, "length scales"},
                                                                  {Ability::threads, "threads"},
                                                                  {Ability::features, "chosen features"},

@@ -7,6 +7,7 @@
 
 #include "scree/contact.h"
 #include "scree/far_position.h"
+#include "scree/inspect.h"
 #include "scree/world.h"
 #include "testbed/engines/capture_scree.h"
 #include "testbed/engines/lab_world.h"
@@ -37,6 +38,7 @@ struct ScreeNames {
     static std::unique_ptr<World> MakeWorld(const RunSpec& spec) {
         auto world = std::make_unique<World>(MakeScreeWorldDef(spec));
         world->SetErrorHandler(ThrowError, nullptr);
+        scree::inspect::SetDirectJoints(*world, spec.directJoints);
         return world;
     }
 

@@ -84,6 +84,7 @@ public:
         Create([&] {
             m_world = std::make_unique<scree::World>(def);
             m_world->SetErrorHandler(ThrowError, nullptr);
+            scree::inspect::SetDirectJoints(*m_world, GetSpec().directJoints);
             if (needs.loops != nullptr) m_world->SetWorkers(GetSpec().threads, needs.loops->GetCallbacks());
             if (HasConveyor()) m_world->SetContactListener(&m_conveyor);
             Load();
@@ -263,6 +264,7 @@ void ScreeRun::ApplyToWorld(const RunSpec& spec) {
     m_world->SetAllowSleeping(spec.sleeping);
     m_world->SetWarmStarting(spec.warmStarting);
     m_world->SetContinuousPhysics(spec.continuous);
+    scree::inspect::SetDirectJoints(*m_world, spec.directJoints);
 }
 
 void ScreeRun::CreateDrag(int body, Vec2 localPoint) {

@@ -30,6 +30,7 @@ constexpr float minLengthScale = 1e-6f, maxLengthScale = 1e6f;  // m
 constexpr std::array<std::string_view, 4> markNames = {"draft", "game", "fine", "precise"};
 constexpr float minSoftTuning = 0.001f, maxSoftTuning = 1e6f;
 constexpr std::string_view ofScene = "scene", ofEngine = "own";
+constexpr std::string_view directJoints = "direct", iterativeJoints = "iterative";
 
 /// What a reader returns for text that has not the form of a value.
 std::string NotAValue() { return "is none"; }
@@ -58,6 +59,12 @@ std::string ReadSwitch(std::string_view value, RunSpec& spec) {
 template <bool RunSpec::*member>
 std::string PrintSwitch(const RunSpec& spec) {
     return spec.*member ? "on" : "off";
+}
+
+std::string ReadJoints(std::string_view value, RunSpec& spec) {
+    if (value != directJoints && value != iterativeJoints) return NotAValue();
+    spec.directJoints = value == directJoints;
+    return Done();
 }
 
 /// A number of the spec that is the engine's own unless it is given, by its member.
@@ -232,6 +239,7 @@ constexpr unsigned softSteps = static_cast<unsigned>(Ability::softSteps);
 constexpr unsigned sequential = static_cast<unsigned>(Ability::sequential);
 constexpr unsigned dial = static_cast<unsigned>(Ability::dial);
 constexpr unsigned softTuning = static_cast<unsigned>(Ability::softTuning);
+constexpr unsigned joints = static_cast<unsigned>(Ability::joints);
 
 constexpr SettingKey settingKeys[] = {
     {.name = "preset",
@@ -345,6 +353,15 @@ constexpr SettingKey settingKeys[] = {
      .isLive = true,
      .read = ReadSwitch<&RunSpec::warmStarting>,
      .print = PrintSwitch<&RunSpec::warmStarting>},
+    {.name = "joints",
+     .values = "direct or iterative",
+     .unit = "",
+     .what = "soft step: joints are solved directly where they can be, or all of them in turn",
+     .flag = "",
+     .needs = joints,
+     .isLive = true,
+     .read = ReadJoints,
+     .print = [](const RunSpec& spec) { return std::string(spec.directJoints ? directJoints : iterativeJoints); }},
     {.name = "contactHertz",
      .values = "a number from 0.001 to 1e6, or own",
      .unit = "1/s",

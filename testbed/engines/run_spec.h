@@ -29,6 +29,7 @@ enum class Ability : unsigned {
     sequential = 64,   ///< sequential impulses
     dial = 128,        ///< the accuracy dial and tolerances
     softTuning = 256,  ///< how stiff the contacts of soft steps are
+    joints = 512,      ///< a choice of how joints are solved
 };
 
 struct Abilities {
@@ -83,6 +84,7 @@ struct RunSpec {
     bool continuous = true;                 ///< nothing passes through static fixtures between two steps
     bool sleeping = true;                   ///< bodies at rest fall asleep
     bool warmStarting = true;               ///< a step begins with the impulses of the last one
+    bool directJoints = true;               ///< soft step: joints are solved directly where they can be, not in turn
     std::optional<float> contactHertz{};    ///< of soft contacts, 1/s; this and the next two none: the engine's own
     std::optional<float> contactDamping{};  ///< of soft contacts: damping ratio
     std::optional<float> pushSpeed{};       ///< at which soft contacts push overlapping bodies apart at most, m/s

@@ -89,6 +89,7 @@ scree::WorldDef MakeScreeWorldDef(const RunSpec& spec) {
 RunSpec DescribeScreeWorld(const scree::World& world) {
     const scree::WorldDef& def = scree::inspect::GetDefinition(world);
     RunSpec spec = MakeSpec("scree");
+    spec.directJoints = scree::inspect::GetDirectJoints(world);
     spec.sleeping = def.allowSleep;
     spec.warmStarting = def.warmStarting;
     spec.continuous = def.continuousPhysics;

@@ -111,7 +111,8 @@ TEST(ContactBlocks, NoColourPushesABodyTwice) {
         const WorldState& s = world.GetState();
         const std::vector<ContactIndex> list = TouchingContacts(s);
         ContactBlocks blocks;
-        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
+        ColoursTaken taken;
+        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
         ExpectProper(s, list, blocks.GetColours());
         if (spread < 1.0f) {
             EXPECT_GT(blocks.GetColourCount(), 64);
@@ -125,7 +126,8 @@ TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
     WorldState& s = world.GetState();
     const std::vector<ContactIndex> list = TouchingContacts(s);
     ContactBlocks blocks;
-    blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 0.25f});
+    ColoursTaken taken;
+    blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 0.25f}, taken);
     Column<ContactIndex, Manifold> stored = s.contacts.manifold;
     for (Manifold& m : stored) m.points[0].normalImpulse = m.points[1].normalImpulse = -1.0f;
     blocks.Store(4.0f, *s.pool, stored);
@@ -182,6 +184,7 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
     for (const bool onMoverSurface : {false, true}) {
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
+            ColoursTaken taken;
             blocks.Build({.pool = *s.pool,
                           .bodies = s.bodies,
                           .fixtures = s.fixtures,
@@ -189,7 +192,8 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
                           .list = list,
                           .impulseScale = 0.5f,
                           .onMoverSurface = onMoverSurface,
-                          .kernels = *kernels});
+                          .kernels = *kernels},
+                         taken);
             Column<BodyIndex, Velocity> unused(s.bodies.velocity.size());
             const KernelTask task = blocks.Task(unused, unused);
             size_t lanes = 0, circles = 0, spare = 0;
@@ -221,13 +225,15 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
 std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s,
                               const std::vector<ContactIndex>& list) {
     ContactBlocks blocks;
+    ColoursTaken taken;
     blocks.Build({.pool = *s.pool,
                   .bodies = s.bodies,
                   .fixtures = s.fixtures,
                   .contacts = s.contacts,
                   .list = list,
                   .impulseScale = 1.0f,
-                  .kernels = kernels});
+                  .kernels = kernels},
+                 taken);
     Column<BodyIndex, Velocity> velocity = s.bodies.velocity;
     Column<BodyIndex, Velocity> delta(velocity.size());
     KernelTask task = blocks.Task(velocity, delta);
@@ -288,13 +294,15 @@ TEST(ContactKernels, BothPointsOfAContactAreSolvedAtOnce) {
         s.contacts.material[list[0]].friction = 0.0f;
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
+            ColoursTaken taken;
             blocks.Build({.pool = *s.pool,
                           .bodies = s.bodies,
                           .fixtures = s.fixtures,
                           .contacts = s.contacts,
                           .list = list,
                           .impulseScale = 1.0f,
-                          .kernels = *kernels});
+                          .kernels = *kernels},
+                         taken);
             Column<BodyIndex, Velocity> velocity = s.bodies.velocity, delta(velocity.size());
             const KernelTask task = blocks.Task(velocity, delta);
             kernels->relax(task);
@@ -335,7 +343,8 @@ TEST(ContactKernels, OneContactEqualsTheScalarRows) {
         ContactRows rows;
         PrepareContacts({s.bodies, s.fixtures, s.contacts, list, 1.0f}, rows);
         ContactBlocks blocks;
-        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f});
+        ColoursTaken taken;
+        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
         const KernelTask task = blocks.Task(wide, delta);
         for (int i = 0; i < 8; ++i) {
             SolveContactVelocities(rows, scalar);

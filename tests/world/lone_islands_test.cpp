@@ -122,6 +122,56 @@ TEST_P(LoneIslands, AreHeardOfInTheirOrder) {
     EXPECT_EQ(one.GetBits(), many.GetBits());
 }
 
+/// Pyramids of the same base, and their scratch after a few steps.
+size_t ScratchOfPyramids(int count, int base, int workers) {
+    WorldDef def;
+    def.workerCount = workers;
+    World world(def);
+    AddGround(world, 1e5f);
+    for (int pyramid = 0; pyramid < count; ++pyramid) {
+        for (int row = 0; row < base; ++row) {
+            for (int i = 0; i < base - row; ++i) {
+                const float at = 1.01f * (static_cast<float>(i) + 0.5f * static_cast<float>(row));
+                const Vec2 place{3.0f * static_cast<float>(base * pyramid) + at, 0.5f + static_cast<float>(row)};
+                AddBox(AddBody(world, dynamicBody, place), 0.5f, 0.5f);
+            }
+        }
+    }
+    StepFor(world, 5);
+    EXPECT_EQ(world.GetState().solverScratch.wide.size(), static_cast<size_t>(count));
+    return inspect::GetMemoryUse(world).solverScratch;
+}
+
+TEST(RoomOfLoneIslands, IsThatOfTheirContacts) {
+    for (const int workers : {1, 3}) {
+        const size_t few = ScratchOfPyramids(20, 12, workers), many = ScratchOfPyramids(200, 12, workers);
+        EXPECT_LT(many, 12 * few) << workers;
+    }
+}
+
+TEST(RoomOfLoneIslands, IsGivenBack) {
+    World world{{0.0f, -10.0f}};
+    AddGround(world, 1000.0f);
+    std::vector<Body*> large;
+    const auto add = [&](float x, int base, std::vector<Body*>* list) {
+        for (int row = 0; row < base; ++row) {
+            for (int i = 0; i < base - row; ++i) {
+                const float at = x + 1.01f * (static_cast<float>(i) + 0.5f * static_cast<float>(row));
+                Body* body = AddBody(world, dynamicBody, {at, 0.5f + static_cast<float>(row)});
+                AddBox(body, 0.5f, 0.5f);
+                if (list != nullptr) list->push_back(body);
+            }
+        }
+    };
+    add(100.0f, 10, nullptr);
+    add(0.0f, 60, &large);
+    StepFor(world, 5);
+    const size_t before = inspect::GetMemoryUse(world).solverScratch;
+    for (Body* body : large) world.DestroyBody(body);
+    StepFor(world, 5);
+    EXPECT_LT(inspect::GetMemoryUse(world).solverScratch, before / 2);
+}
+
 INSTANTIATE_TEST_SUITE_P(OfSize, LoneIslands, testing::Values(Heaps::small, Heaps::mixed, Heaps::oneLarge));
 
 }  // namespace

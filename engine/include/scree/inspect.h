@@ -55,6 +55,11 @@ SCREE_API MemoryUse GetMemoryUse(const World& world);
 /// they may differ.
 SCREE_API void SetIsolatedPath(World& world, bool apart);
 
+/// Whether the soft step solves joints directly where it can (the default), or all of them in turn, as it solves nets:
+/// to measure what that gives. Images and recordings do not contain it.
+SCREE_API void SetDirectJoints(World& world, bool direct);
+SCREE_API bool GetDirectJoints(const World& world);
+
 /// The values of a body for recorders, read at once.
 struct BodyView {
     const Body* body;

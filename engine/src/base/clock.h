@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Wall time for the profile. Times are reported and never decide anything.
+// Wall time for the profile, and for who takes part in a step (sharing_gauge.h). Times decide nothing else.
 //
 // A step of an empty world takes as long as ten looks at the system's clock. So laps are counted in ticks of the
 // processor, and the clock, read at both ends, tells how long these were.
@@ -36,6 +36,7 @@ public:
 
 private:
     using Clock = std::chrono::steady_clock;
+    friend class PoolRegion;
 
     /// Another core's count may lag behind.
     static float TicksBetween(uint64_t from, uint64_t to) { return to > from ? static_cast<float>(to - from) : 0.0f; }

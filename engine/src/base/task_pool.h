@@ -3,11 +3,10 @@
 //
 // Loops over independent items on several threads. A loop is cut into chunks by position alone, and each thread takes
 // the next chunk that nobody has. So a thread that lost its core to another process delays a loop by one chunk at most.
-// Items are independent, so no result depends on who took what. Loops below a size stay on the caller: that is decided
-// from counts, never from clocks.
+// Items are independent, so no result depends on who took what. Loops below a size stay on the caller.
 //
-// Workers sleep between steps: Begin wakes them once, End lets them sleep, and PoolRegion does both. Between the loops
-// of a step they wait by spinning for a while and then yielding.
+// Workers sleep between steps: Begin wakes them once, End lets them sleep, and PoolRegion does both for a step, if
+// sharing pays. Between the loops of a step they wait by spinning for a while and then yielding.
 
 #pragma once
 
@@ -15,7 +14,9 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "base/clock.h"
 #include "base/compiler.h"
+#include "base/sharing_gauge.h"
 #include "scree/tasks.h"
 
 #if defined(SCREE_HAS_THREADS)
@@ -68,6 +69,7 @@ public:
     }
 
 private:
+    friend class PoolRegion;
     static constexpr int leastWide = 4;
 
     void Run(int count, TaskFunction function, void* context);
@@ -83,6 +85,7 @@ private:
     const int m_workerCount;
     const int m_chunkCount;
     const TaskCallbacks m_callbacks;
+    SharingGauge m_gauge;
 #if defined(SCREE_HAS_THREADS)
     std::vector<std::thread> m_threads;
 #endif
@@ -100,20 +103,31 @@ private:
     std::atomic<bool> m_quit{false};
 };
 
-/// Keeps the workers of a pool awake while it lives, if there is work worth sharing.
+/// A step. Keeps the workers of a pool awake while it lives, if that pays.
 class PoolRegion {
 public:
-    PoolRegion(TaskPool& pool, bool hasWork) : m_pool(hasWork ? &pool : nullptr) {
-        if (m_pool != nullptr) m_pool->Begin();
+    /// `work`: how much there is to do; 0 if it is not worth sharing. A program's task system is always used: it knows
+    /// its cores.
+    PoolRegion(TaskPool& pool, int work)
+        : m_pool(work > 0 && pool.GetWorkerCount() > 1 ? &pool : nullptr), m_work(work) {
+        if (m_pool == nullptr) return;
+        m_start = Stopwatch::ReadTicks();
+        if (IsGiven() || m_pool->m_gauge.Shares()) m_pool->Begin();
     }
     ~PoolRegion() {
-        if (m_pool != nullptr) m_pool->End();
+        if (m_pool == nullptr) return;
+        if (m_pool->IsOpen()) m_pool->End();
+        if (!IsGiven()) m_pool->m_gauge.Note(double{Stopwatch::TicksBetween(m_start, Stopwatch::ReadTicks())}, m_work);
     }
     PoolRegion(const PoolRegion&) = delete;
     PoolRegion& operator=(const PoolRegion&) = delete;
 
 private:
+    [[nodiscard]] bool IsGiven() const { return m_pool->m_callbacks.enqueue != nullptr; }
+
     TaskPool* m_pool;
+    double m_work;
+    uint64_t m_start = 0;
 };
 
 }  // namespace scree

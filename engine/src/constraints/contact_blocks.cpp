@@ -118,27 +118,27 @@ void ContactBlocks::Sort(const BlockInput& input) {
     for (size_t i = 0; i < count; ++i) (m_sided[i].isFixedA ? m_fixed : m_movers).push_back(static_cast<int>(i));
 }
 
-void ContactBlocks::ColourMovers() {
+void ContactBlocks::ColourMovers(ColoursTaken& taken) {
     int base = 0;
     while (!m_movers.empty()) {
         for (const int i : m_movers) {
             const SidedContact& contact = At(i);
-            m_used[contact.a] = m_used[contact.b] = 0;
+            taken[contact.a] = taken[contact.b] = 0;
         }
         m_next.clear();
         int highest = -1;
         for (const int i : m_movers) {
             const SidedContact& contact = At(i);
-            uint64_t& usedA = m_used[contact.a];
-            uint64_t& usedB = m_used[contact.b];
-            const uint64_t free = ~(usedA | usedB);
+            uint64_t& takenA = taken[contact.a];
+            uint64_t& takenB = taken[contact.b];
+            const uint64_t free = ~(takenA | takenB);
             if (free == 0) {
                 m_next.push_back(i);
                 continue;
             }
             const int colour = std::countr_zero(free);
-            usedA |= uint64_t{1} << colour;
-            usedB |= uint64_t{1} << colour;
+            takenA |= uint64_t{1} << colour;
+            takenB |= uint64_t{1} << colour;
             m_colours[ToSize(i)] = base + colour;
             highest = colour > highest ? colour : highest;
         }
@@ -148,12 +148,12 @@ void ContactBlocks::ColourMovers() {
     m_colourCount = m_moverColourCount = base;
 }
 
-void ContactBlocks::ColourFixed() {
+void ContactBlocks::ColourFixed(ColoursTaken& taken) {
     // The k-th contact of a body with the unmovable has the k-th colour.
-    for (const int i : m_fixed) m_used[At(i).b] = 0;
+    for (const int i : m_fixed) taken[At(i).b] = 0;
     int most = 0;
     for (const int i : m_fixed) {
-        const int colour = static_cast<int>(m_used[At(i).b]++);
+        const int colour = static_cast<int>(taken[At(i).b]++);
         m_colours[ToSize(i)] = m_colourCount + colour;
         most = colour + 1 > most ? colour + 1 : most;
     }
@@ -300,18 +300,18 @@ bool ContactBlocks::IsLaidOut(const BlockInput& input) const {
                       [](const SidedContact& was, ContactIndex contact) { return was.contact == contact; });
 }
 
-void ContactBlocks::LayOut(const BlockInput& input) {
-    m_used.resize(ToSize(input.bodies.slots.Size()));
+void ContactBlocks::LayOut(const BlockInput& input, ColoursTaken& taken) {
+    taken.resize(ToSize(input.bodies.slots.Size()));
     Sort(input);
-    ColourMovers();
-    ColourFixed();
+    ColourMovers(taken);
+    ColourFixed(taken);
     MakeRanges();
     m_grouping = input.contacts.grouping;
 }
 
-void ContactBlocks::Build(const BlockInput& input) {
+void ContactBlocks::Build(const BlockInput& input, ColoursTaken& taken) {
     m_isFresh = !IsLaidOut(input);
-    if (m_isFresh) LayOut(input);
+    if (m_isFresh) LayOut(input, taken);
     Fill(input);
 }
 

@@ -42,12 +42,16 @@ struct BlockInput {
     const ContactKernels& kernels = GetContactKernels();
 };
 
-/// Blocks and what colouring needs, kept between steps.
+/// Scratch of colouring: per body of the world the colours taken in a round. Blocks that are built at once need their
+/// own; each of many need not, which would be as many rows as bodies times blocks.
+using ColoursTaken = Column<BodyIndex, uint64_t>;
+
+/// Blocks, kept between steps.
 class ContactBlocks {
 public:
     /// Colours and fills; colours are kept while the list and its grouping are the same. O(contacts); with more than 64
     /// contacts on one body in rounds of 64 colours.
-    void Build(const BlockInput& input);
+    void Build(const BlockInput& input, ColoursTaken& taken);
     /// Writes the impulses into the manifolds, times `scale`.
     void Store(float scale, TaskPool& pool, Column<ContactIndex, Manifold>& manifold) const;
     /// Impulses summed over the step (soft step) or accumulated, by position in the list; for reports.
@@ -74,9 +78,11 @@ public:
     [[nodiscard]] int GetColourCount() const { return m_colourCount; }
     /// Colour of each contact of the list.
     [[nodiscard]] std::span<const int> GetColours() const { return m_colours; }
+    /// Contacts for which there is room.
+    [[nodiscard]] size_t GetRoom() const { return m_sided.capacity(); }
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(m_blocks, m_ranges, m_sided, m_colours, m_used, m_movers, m_fixed, m_next, m_start, m_lane,
-                       m_order, m_contact);
+        return BytesOf(m_blocks, m_ranges, m_sided, m_colours, m_movers, m_fixed, m_next, m_start, m_lane, m_order,
+                       m_contact);
     }
 
 private:
@@ -96,10 +102,10 @@ private:
     static SidedContact SortSides(const BlockInput& input, ContactIndex contact);
 
     [[nodiscard]] bool IsLaidOut(const BlockInput& input) const;
-    void LayOut(const BlockInput& input);
+    void LayOut(const BlockInput& input, ColoursTaken& taken);
     void Sort(const BlockInput& input);
-    void ColourMovers();
-    void ColourFixed();
+    void ColourMovers(ColoursTaken& taken);
+    void ColourFixed(ColoursTaken& taken);
     void MakeRanges();
     void Fill(const BlockInput& input);
     [[nodiscard]] bool AreKept(const BlockInput& input, size_t block) const;
@@ -115,7 +121,6 @@ private:
     std::vector<BlockRange> m_ranges;
     std::vector<SidedContact> m_sided;    ///< per contact of the list
     std::vector<int> m_colours;           ///< per contact of the list
-    Column<BodyIndex, uint64_t> m_used;   ///< per body: colours taken in this round
     std::vector<int> m_movers, m_fixed;   ///< positions in the list; movers that have no colour yet
     std::vector<int> m_next;              ///< the same for the next round
     std::vector<int> m_start;             ///< per group: first lane

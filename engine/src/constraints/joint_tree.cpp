@@ -38,7 +38,7 @@ JointTree::JointTree() : m(std::make_unique<JointForest>()) {}
 JointTree::~JointTree() = default;
 
 void JointTree::Build(const JointTreeInput& input) {
-    m->Build(input.bodies, input.joints, input.list, double{input.substepScale});
+    m->Build(input.bodies, input.joints, input.list, {double{input.substepScale}, input.direct});
 }
 bool JointTree::IsEmpty() const { return m->trees.IsEmpty() && m->joints.empty(); }
 JointNet& JointTree::GetNets() { return m->nets; }

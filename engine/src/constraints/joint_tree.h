@@ -30,6 +30,7 @@ struct JointTreeInput {
     const JointTable& joints;
     std::span<const JointIndex> list;  ///< joints to hold
     float substepScale;                ///< makes impulses of a sub-step of those that the joints keep
+    bool direct = true;                ///< otherwise all are taken for nets
 };
 
 class JointTree {

@@ -74,9 +74,10 @@ void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTab
 }
 
 /// True if the joints are those of the order that is there.
-bool JointForest::IsKnown() {
-    if (m_keys == m_oldKeys) return true;
+bool JointForest::IsKnown(bool direct) {
+    if (m_keys == m_oldKeys && m_direct == direct) return true;
     m_oldKeys = m_keys;
+    m_direct = direct;
     return false;
 }
 
@@ -84,7 +85,7 @@ void JointForest::PlanTrees() {
     m_links.clear();
     for (const Key& key : m_keys)
         m_links.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, key.kind});
-    trees.Plan(m_links);
+    trees.Plan(m_direct ? std::span<TreeEdge>(m_links) : std::span<TreeEdge>());
 }
 
 /// Rows of the bodies of joints that belong to no tree.
@@ -120,6 +121,7 @@ void JointForest::FindParts() {
         if (m_links[i].isTree) continue;
         c.part = FindPart(Moves(c.a) ? c.a : c.b);
         ++m_parts[ToSize(c.part)].candidates;
+        m_parts[ToSize(c.part)].isNet = !m_direct;
     }
 }
 
@@ -250,9 +252,9 @@ void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTab
 }
 
 void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
-                        double recentScale) {
+                        How how) {
     Collect(bodyTable, jointTable, list);
-    const bool isKnown = IsKnown();
+    const bool isKnown = IsKnown(how.direct);
     if (!isKnown) {
         PlanTrees();
         m_isNet.assign(m_candidates.size(), 0);
@@ -266,7 +268,7 @@ void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable
         CollectBodies(bodyTable);
         MakeLinks();
     }
-    Refresh(bodyTable, jointTable, recentScale);
+    Refresh(bodyTable, jointTable, how.recentScale);
     others.clear(), bounded.clear();
     size_t next = 0;
     for (const JointIndex joint : list) {

@@ -57,10 +57,13 @@ public:
     std::vector<JointIndex> bounded;  ///< joints held here that have limits, motors or springs besides
     bool isForVelocities = false;     ///< the factors of `joints` are not for aiming
 
-    /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. `recentScale`
-    /// makes impulses of a sub-step of the stored ones. O(bodies + joints) for trees.
-    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
-               double recentScale);
+    struct How {
+        double recentScale;  ///< makes impulses of a sub-step of the stored ones
+        bool direct;         ///< otherwise all joints are taken for nets
+    };
+    /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. O(bodies +
+    /// joints) for trees.
+    void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list, How how);
     [[nodiscard]] size_t GetMemoryBytes() const;
 
     /// Calls visit(const TreeResult&) for each joint.
@@ -103,7 +106,7 @@ private:
     int RowOf(const BodyTable& table, BodyIndex body);
     [[nodiscard]] bool Moves(int row) const;
     void Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list);
-    bool IsKnown();
+    bool IsKnown(bool direct);
     void PlanTrees();
     void CollectBodies(const BodyTable& bodyTable);
     int FindPart(int row);
@@ -122,6 +125,7 @@ private:
     std::vector<TreeShape> m_shapes;  ///< of these
     std::vector<TreeEdge> m_links;    ///< of these
     std::vector<Key> m_keys, m_oldKeys;
+    bool m_direct = true;
     Column<BodyIndex, int> m_rowOf;           ///< per body of the world, −1: none
     std::vector<std::vector<int>> m_near;     ///< per candidate: those it is coupled with, rising
     std::vector<std::vector<int>> m_ofBody;   ///< per row: its candidates

@@ -135,7 +135,8 @@ public:
         });
         m_s.locked.Gather(m_settings.kernels, m_own, m_bodies);
         m_blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
-                        m_settings.kernels.restitution, m_settings.lengthScale});
+                        m_settings.kernels.restitution, m_settings.lengthScale},
+                       m_s.coloursTaken);
         m_task = m_blocks.Task(m_bodies.velocity, m_delta);
         m_task.friction = m_settings.kernels.friction;
         m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;
@@ -394,6 +395,13 @@ void ListLone(const IslandTable& islands, const LaneSolver& lanes, const BodyTab
     }
     if (wide == 0) return;
     if (s.wide.size() < ToSize(wide)) s.wide.resize(ToSize(wide));
+    // The place of a large island among the others changes. Its room is not to stay wherever it was.
+    constexpr size_t mostRoom = 4, anyRoom = 1024;
+    for (const LoneIsland& lone : s.lone) {
+        if (lone.blocks < 0) continue;
+        ContactBlocks& blocks = s.wide[ToSize(lone.blocks)];
+        if (blocks.GetRoom() > mostRoom * ToSize(lone.size) + anyRoom) blocks = {};
+    }
     s.delta.resize(ToSize(bodies.slots.Size()));
 }
 

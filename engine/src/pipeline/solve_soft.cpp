@@ -184,11 +184,12 @@ public:
         const bool isLoaded = HasJoints() && IsLoaded();
         RaiseLoaded(fixtures);
         m_s.before.resize(m_s.jointed.size());
-        m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale()});
+        m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), m_settings.directJoints});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
-        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
-                          m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady,
-                          true});
+        m_s.blocks.Build(
+            {Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
+             m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true},
+            m_s.coloursTaken);
         PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();

@@ -77,6 +77,9 @@ void SetIsolatedPath(World& world, bool apart) {
     world.GetState().isolatedPath = apart ? IsolatedPath::apart : IsolatedPath::asIslands;
 }
 
+void SetDirectJoints(World& world, bool direct) { world.GetState().directJoints = direct; }
+bool GetDirectJoints(const World& world) { return world.GetState().directJoints; }
+
 void GetBodies(const World& world, std::vector<BodyView>& views) {
     const WorldState& s = world.GetState();
     const BodyTable& bodies = s.bodies;

@@ -270,17 +270,17 @@ void Fields(Self& s, Visit& visit) {
            isEdited, edited, islands, active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch,
            continuousScratch, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
            draw, recorder, definitions, featureCounts, kernels, locks, autoClearForces, lastInverseDt, idleSubsteps,
-           report, distanceWork, measureErrors, isolatedPath] = s;
+           report, distanceWork, measureErrors, isolatedPath, directJoints] = s;
     visit(isEdited, autoClearForces, lastInverseDt);
     std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
     visit(toi);
     visit.LeftOut(def, bodies, fixtures, contacts, joints);  // walked by themselves
     visit.LeftOut(world, pool, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
                   draw, recorder, definitions);
-    // Made anew from the rest, of the last step only, or without a bearing on results.
+    // Made anew from the rest, of the last step only, for measurements, or without a bearing on results.
     visit.LeftOut(broadPhase, broadPhaseKind, pairs, editedPairs, edited, islands, active, substepGroups,
                   narrowPhaseScratch, islandScratch, solverScratch, featureCounts, kernels, locks, idleSubsteps, report,
-                  distanceWork, measureErrors, isolatedPath);
+                  distanceWork, measureErrors, isolatedPath, directJoints);
 }
 
 /// The shapes of the living fixtures, and the boxes of those in the broad phase.

@@ -41,7 +41,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
 /// The stages of a step with something to do. Apart, so that a step without them passes by their code.
 SCREE_NOINLINE void RunStages(WorldState& s, const StepRequest& request, const ContactEvents& events, Stopwatch& watch,
                               StepResults& r) {
-    const PoolRegion region(*s.pool, HasWorkToShare(s));
+    const PoolRegion region(*s.pool, CountWorkToShare(s));
     r.touchingCount =
         UpdateManifolds(events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts}, s.narrowPhaseScratch);
     r.profile.narrowPhase = watch.Lap();

@@ -34,8 +34,8 @@ struct StepResults {
 /// One step of a world whose caller has checked the request.
 StepReport RunStep(WorldState& state, const StepRequest& request);
 
-/// Few bodies without contacts are done before workers wake.
-bool HasWorkToShare(const WorldState& state);
+/// Bodies and contacts of the coming step; 0 if they are so few that they are done before workers wake.
+int CountWorkToShare(const WorldState& state);
 /// The solver of these settings for the lists that are gathered; notes whether they are empty.
 SolveReport RunSolver(WorldState& state, const SolverSettings& settings, const ContactEvents& events);
 /// Times of impact after the solver; `substeps` are those that it took.

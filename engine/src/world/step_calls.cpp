@@ -56,10 +56,12 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
 
 }  // namespace
 
-bool HasWorkToShare(const WorldState& s) {
+int CountWorkToShare(const WorldState& s) {
     constexpr int leastContacts = 128;
     const size_t movers = s.bodies.Listed().size();
-    return movers >= leastBoxesToShare || (movers >= leastBodies && s.contacts.active.Count() >= leastContacts);
+    const int contacts = s.contacts.active.Count();
+    const bool isEnough = movers >= leastBoxesToShare || (movers >= leastBodies && contacts >= leastContacts);
+    return isEnough ? static_cast<int>(movers) + contacts : 0;
 }
 
 SolveReport RunSolver(WorldState& s, const SolverSettings& settings, const ContactEvents& events) {
@@ -107,6 +109,7 @@ SolverSettings MakeSettings(const WorldState& s, const StepRequest& request) {
             .kernels = s.kernels,
             .allowSleep = s.def.allowSleep,
             .exactDrift = s.def.exactDrift,
+            .directJoints = s.directJoints,
             .contactHertz = s.def.softStep.contactHertz,
             .contactDampingRatio = s.def.softStep.contactDampingRatio,
             .contactPushSpeed = s.def.softStep.contactPushSpeed * s.def.lengthScale,

@@ -101,6 +101,7 @@ struct WorldState {
     TOIStats distanceWork;  ///< of the last step
     bool measureErrors = false;
     IsolatedPath isolatedPath = IsolatedPath::apart;  ///< changes no bit
+    bool directJoints = true;                         ///< inspect::SetDirectJoints
 
     [[nodiscard]] ContactEvents Events(bool restartsTimers = true) {
         const bool someReport = featureCounts.users[static_cast<size_t>(Feature::events)] > 0;

@@ -79,6 +79,7 @@ RunSpec RandomSpec() {
     if (engine.abilities.Has(Ability::freeSpeed)) spec.caps = *rc::gen::arbitrary<bool>();
     if (engine.abilities.Has(Ability::threads)) spec.threads = *rc::gen::inRange(1, maxThreads + 1);
     if (engine.abilities.Has(Ability::features)) spec.features = RandomFeatures();
+    if (engine.abilities.Has(Ability::joints)) spec.directJoints = *rc::gen::arbitrary<bool>();
     if (engine.abilities.Has(Ability::softTuning)) {
         for (auto member : {&RunSpec::contactHertz, &RunSpec::contactDamping, &RunSpec::pushSpeed}) {
             if (*rc::gen::arbitrary<bool>()) spec.*member = Between(0.001f, *rc::gen::element(1.0f, 100.0f, 1e6f));
@@ -215,6 +216,8 @@ TEST(RunSpec, RefusesWhatIsNoValueAndChangesNothing) {
                                 "warmStarting=ON",
                                 "lengthScale=0",
                                 "lengthScale=nan",
+                                "joints=on",
+                                "joints=",
                                 "contactHertz=0",
                                 "contactHertz=nan",
                                 "contactDamping=-1",
@@ -243,9 +246,9 @@ TEST(RunSpec, RefusesWhatIsNoValueAndChangesNothing) {
 }
 
 TEST(RunSpec, AnEngineLeavesWhatItDoesNotHave) {
-    for (const char* setting :
-         {"solver=soft@8", "substeps=4", "accuracy=draft", "tolerance=0.01", "caps=off", "lengthScale=0.1", "threads=2",
-          "features=full", "broadPhase=keys", "contactHertz=60", "contactDamping=5", "pushSpeed=own"}) {
+    for (const char* setting : {"solver=soft@8", "substeps=4", "accuracy=draft", "tolerance=0.01", "caps=off",
+                                "lengthScale=0.1", "threads=2", "features=full", "broadPhase=keys", "contactHertz=60",
+                                "contactDamping=5", "pushSpeed=own", "joints=direct"}) {
         RunSpec spec = MakeSpec("box2d");
         EXPECT_FALSE(ApplySetting(spec, setting)) << setting;
         EXPECT_EQ(spec, MakeSpec("box2d")) << setting;
@@ -363,6 +366,7 @@ TEST(RunSpec, OnlyLiveKeysChangeWhileASceneRuns) {
                                           {"sleeping=off", true},
                                           {"warmStarting=off", true},
                                           {"caps=on", false},
+                                          {"joints=iterative", true},
                                           {"contactHertz=60", false},
                                           {"contactDamping=5", false},
                                           {"pushSpeed=2", false},

@@ -37,6 +37,7 @@ struct SolverSettings {
     const KernelSet& kernels;           ///< what to leave out; a listener may add to it between two islands
     bool allowSleep;
     bool exactDrift;  ///< sequential impulses: positions advance by the mean of the velocities before and after
+    bool directJoints = true;  ///< soft step: joints are solved directly where they can be
     float contactHertz, contactDampingRatio, contactPushSpeed;  ///< soft step
     float lengthScale = 1.0f;                                   ///< factor on tolerances
     const Tolerance* tolerance = nullptr;  ///< soft step: islands may take more than `substeps` to keep it
@@ -90,10 +91,11 @@ struct IslandRows {
     RollingRows rolling;
     LockedBodies locked;
     JointConstraints joints;
+    ColoursTaken coloursTaken;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(contacts.velocity, contacts.position) + rolling.GetMemoryBytes() + locked.GetMemoryBytes() +
-               joints.GetMemoryBytes();
+        return BytesOf(contacts.velocity, contacts.position, coloursTaken) + rolling.GetMemoryBytes() +
+               locked.GetMemoryBytes() + joints.GetMemoryBytes();
     }
 };
 
@@ -110,6 +112,7 @@ struct SolverScratch {
     JointTree tree;
     JointTree restTree;    ///< of `rest`; each keeps its order while its joints stay the same
     ContactBlocks blocks;  ///< of the soft step, as the rows that follow
+    ColoursTaken coloursTaken;
     RollingRows rolling;
     LoadedBodies loaded;
     LockedBodies locked;
@@ -131,14 +134,15 @@ struct SolverScratch {
         size_t ofIslands = BytesOf(wide, lone);
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
-        return ofIslands + BytesOf(delta, soft, jointed, netted, before, impulses) + rest.GetMemoryBytes() +
-               startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() + restTree.GetMemoryBytes() +
-               blocks.GetMemoryBytes() + joints.GetMemoryBytes() + rolling.GetMemoryBytes() + loaded.GetMemoryBytes() +
-               locked.GetMemoryBytes() + lanes.GetMemoryBytes();
+        return ofIslands + BytesOf(coloursTaken, delta, soft, jointed, netted, before, impulses) +
+               rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
+               restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() +
+               rolling.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
         blocks = {};
+        coloursTaken = {};
         rolling = {};
         loaded = {};
         locked = {};
