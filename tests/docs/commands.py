@@ -41,7 +41,7 @@ def lighter(line):
     line = re.sub(r'--against \S+', f'--against {program}', line)
     if command == 'bench' and '--from' not in line:
         line = re.sub(r'--(repeat|steps) \d+', '', line)
-        line = re.sub(r'--sizes [\w,]+', '--sizes 100,200', line)
+        line = re.sub(r'--sizes [\w,@]+', '--sizes 100,200', line)
         if not re.search(r'bench (?!-)\S', line):
             line = line.replace('scree bench', 'scree bench pyramid')
         extra.append('--repeat 1 --steps 3')

@@ -5,7 +5,10 @@
 
 #pragma once
 
+#include <bit>
+#include <cstdint>
 #include <limits>
+#include <vector>
 
 #include "scree/inspect.h"
 #include "scree/scree.h"
@@ -61,6 +64,18 @@ inline StepReport StepWith(World& world, int substeps, int steps = 1) {
     StepReport report;
     for (int i = 0; i < steps; ++i) report = world.Step(1.0f / 60.0f, substeps);
     return report;
+}
+
+/// Poses, velocities and sleep of all bodies, to the bit.
+inline std::vector<uint32_t> BitsOf(const World& world) {
+    std::vector<uint32_t> bits;
+    for (const Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        const Vec2 p = body->GetPosition(), v = body->GetLinearVelocity();
+        for (const float x : {p.x, p.y, body->GetAngle(), v.x, v.y, body->GetAngularVelocity()})
+            bits.push_back(std::bit_cast<uint32_t>(x));
+        bits.push_back(body->IsAwake() ? 1 : 0);
+    }
+    return bits;
 }
 
 /// Collects refused calls.

@@ -29,17 +29,6 @@ public:
         AddCircle(lone, 0.3f);
         if (oneByOne) lone->SetMotionLocks({.x = true});
     }
-    /// Pose and velocity of all bodies, to the bit.
-    [[nodiscard]] std::vector<uint32_t> GetBits() const {
-        std::vector<uint32_t> bits;
-        for (const Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-            const Vec2 p = body->GetPosition(), v = body->GetLinearVelocity();
-            for (const float x : {p.x, p.y, body->GetAngle(), v.x, v.y, body->GetAngularVelocity()})
-                bits.push_back(std::bit_cast<uint32_t>(x));
-            bits.push_back(body->IsAwake() ? 1 : 0);
-        }
-        return bits;
-    }
 
     World world;
 
@@ -83,7 +72,7 @@ TEST(IslandLanes, GiveTheBitsOfOneByOne) {
             alone.world.Step(frame, 8, 3);
             solvedInLanes += lanes.world.GetState().solverScratch.lanes.order.size();
             ASSERT_TRUE(alone.world.GetState().solverScratch.lanes.order.empty());
-            ASSERT_EQ(lanes.GetBits(), alone.GetBits()) << "seed " << seed << ", step " << step;
+            ASSERT_EQ(BitsOf(lanes.world), BitsOf(alone.world)) << "seed " << seed << ", step " << step;
         }
     }
     EXPECT_GT(solvedInLanes, size_t{8 * 60 * 8});
@@ -95,7 +84,7 @@ TEST(IslandLanes, OfSeveralWorkersAreThoseOfOne) {
         one.world.Step(frame, 8, 3);
         many.world.Step(frame, 8, 3);
     }
-    EXPECT_EQ(one.GetBits(), many.GetBits());
+    EXPECT_EQ(BitsOf(one.world), BitsOf(many.world));
 }
 
 /// What is built first, and beside it, half a kilometre away, crates at rest or a pyramid that falls down.

@@ -17,6 +17,10 @@ namespace scree {
 
 inline constexpr int blockLanes = 8;
 
+/// Above this condition number of the 2×2 effective mass the two points of a contact are as good as one, and solving
+/// them together would lose digits: one is solved.
+inline constexpr float maxConditionNumber = 1000.0f;
+
 struct alignas(32) ContactBlock {
     using Row = float[blockLanes];
 

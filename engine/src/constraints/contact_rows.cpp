@@ -6,16 +6,13 @@
 #include "constraints/contact_rows.h"
 
 #include "base/compiler.h"
+#include "constraints/contact_block.h"
 #include "geometry/outline.h"
 #include "state/frames.h"
 
 namespace scree {
 
 namespace {
-
-/// Above this condition number of the 2×2 effective mass the two points are as good as one, and the block solve would
-/// lose digits: solve one point only.
-constexpr float maxConditionNumber = 1000.0f;
 
 // Forced inline: at -O2 the call costs a tenth of the whole solve.
 SCREE_INLINE void ApplyImpulse(Velocity& a, Velocity& b, const ContactVelocityRow& row, const ContactPointRow& point,

@@ -173,8 +173,12 @@ TEST(Picture, TheHighestCountsStayApartWithoutAnOpacity) {
         const std::vector<Color> palette = MakePalette(Style::alpha, opacity, end);
         // Places of half the highest count, of three quarters and of all of it: the red of the background is 51.
         const int half = palette[end / 2].g, most = palette[end * 3 / 4].g, all = palette[end].g;
-        if (end > 2) EXPECT_GE(half - all, 5) << end;
-        if (end > 10) EXPECT_GE(most - all, 1) << end;
+        if (end > 2) {
+            EXPECT_GE(half - all, 5) << end;
+        }
+        if (end > 10) {
+            EXPECT_GE(most - all, 1) << end;
+        }
     }
     for (const uint32_t end : {1u, 50u, 95u}) EXPECT_EQ(GetOpacity({}, end), 0.04) << end;
     for (uint32_t end = 96; end < 2000; ++end) {

@@ -194,7 +194,9 @@ TEST_F(ViewTime, AWindowOnADisplayOpensWhatWasDraggedAndSavedInIt) {
         const json facts = json::parse(info.output)["files"][0];
         // The track also has the body that the pointer held the box by.
         EXPECT_EQ(facts["bodies"], steps > 0 ? 12 : 11) << file;
-        if (steps > 0) EXPECT_EQ(facts["last_step"], steps);
+        if (steps > 0) {
+            EXPECT_EQ(facts["last_step"], steps);
+        }
     }
     // Without a step more the saved scene is the moment, and the end of the saved track is where the drag ended.
     ASSERT_EQ(PlayOnDisplay(scene + " --paused", "4 dump scene.json\n", 8).exitCode, 0);
