@@ -54,7 +54,7 @@ ChildEnd Collect(const Child& child, const ProcessEnd& processEnd) {
     end.ending.signal = processEnd.GetSignal();
     end.ending.exitCode = std::max(processEnd.GetExitCode(), 0);
     end.ending.timedOut = child.killed || end.ending.signal == SIGXCPU;
-    end.output = child.output.Read();
+    end.output = LastLine(child.output.Read());  // engines may have written lines of their own before
     end.words = LastLine(child.words.Read());
     end.ending.output = !end.output.empty();
     return end;
