@@ -30,6 +30,7 @@ enum class Abuse {
     handleReuse,        ///< a body made and destroyed more often than 2^16 times
     crash,              ///< for tests: ends the process by a signal
     hang,               ///< for tests: never returns
+    chatter,            ///< for tests: writes a line to standard output, as engines may
 };
 
 /// What became of it.

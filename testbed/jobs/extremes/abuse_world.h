@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <memory>
@@ -77,6 +78,9 @@ public:
                 break;
             case Abuse::crash:
                 std::raise(SIGABRT);
+                break;
+            case Abuse::chatter:
+                std::puts("an engine says something");
                 break;
             case Abuse::hang:
                 for (volatile bool forever = true; forever;) {

@@ -81,6 +81,7 @@ std::vector<ExtremeCase> MakeInputCases() {
         MakeAbuse("handle-reuse", handling, "a slot used again 70,000 times", Abuse::handleReuse),
         MakeAbuse("test-crash", "test", "ends by a signal", Abuse::crash, true),
         MakeAbuse("test-hang", "test", "never ends", Abuse::hang, true),
+        MakeAbuse("test-chatter", "test", "writes a line of its own", Abuse::chatter, true),
     };
 }
 

@@ -43,14 +43,12 @@ TEST(ExtremesCommand, ACrashIsGradeZeroWithItsSignal) {
 }
 
 TEST(ExtremesCommand, LinesThatAnEngineWritesAreNoCrash) {
-    if (!IsBuilt("box2d3")) GTEST_SKIP() << "Box2D 3 is not built in: the engine that writes a line in this case";
     const ScratchFolder folder;
-    const ProgramResult result =
-        folder.Run("extremes -g '^mode-flush$' --engines box2d3:solver=soft@4 -o out --json lines.jsonl");
+    const ProgramResult result = folder.Run("extremes -g test-chatter -o out --json lines.jsonl");
     ASSERT_EQ(result.exitCode, 0) << result.output;
     const std::vector<ExtremeResult> results = ReadLines(folder.Read("lines.jsonl"));
-    ASSERT_EQ(results.size(), 1u);
-    EXPECT_NE(results[0].verdict.grade, Grade::abort) << result.output;
+    ASSERT_GE(results.size(), 2u);
+    for (const ExtremeResult& one : results) EXPECT_EQ(one.verdict.grade, Grade::accurate) << one.setting;
 }
 
 TEST(ExtremesCommand, AHangIsGradeZeroAtTheLimit) {
