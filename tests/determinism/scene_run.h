@@ -21,6 +21,7 @@
 #include "testbed/engines/scree_scene.h"
 #include "testbed/engines/scree_shape.h"
 #include "testbed/engines/state_hash.h"
+#include "world/world_state.h"
 
 namespace determinism {
 
@@ -38,6 +39,7 @@ class SceneRun {
 public:
     SceneRun(const scenes::Scene& scene, const scree::WorldDef& def, StepKind kind)
         : m_scene(scene), m_kind(kind), m_conveyor(scene), m_world(std::make_unique<scree::World>(def)) {
+        m_world->GetState().pool->ShareAlways();  // or few steps would tell what several workers do
         Attach();
         while (m_bodyCount < scene.InitialBodyCount()) AddBody();
         std::vector<scree::Joint*> joints;

@@ -24,6 +24,7 @@ class Piles {
 public:
     /// `oneByOne`: a lone body with a lock, which moves alike without it, keeps islands out of the lanes.
     Piles(uint32_t seed, bool oneByOne, int workers = 1) : world(DefOf(workers)), m_random(seed) {
+        world.GetState().pool->ShareAlways();
         for (int pile = 0; pile < 30; ++pile) AddPile(40.0f * static_cast<float>(pile));
         Body* lone = AddBody(world, dynamicBody, {-100.0f, 0.0f});
         AddCircle(lone, 0.3f);

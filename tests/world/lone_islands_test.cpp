@@ -33,6 +33,7 @@ public:
     enum Size { small, mixed, oneLarge };
 
     Heaps(uint32_t seed, Size size, int workers) : world(DefOf(workers)), m_random(seed) {
+        world.GetState().pool->ShareAlways();
         const int heaps = 12 + static_cast<int>(m_random() % 20);
         for (int i = 0; i < heaps; ++i) {
             const bool isLarge = size == oneLarge && i == heaps / 2;
@@ -120,6 +121,7 @@ size_t ScratchOfPyramids(int count, int base, int workers) {
     WorldDef def;
     def.workerCount = workers;
     World world(def);
+    world.GetState().pool->ShareAlways();
     AddGround(world, 1e5f);
     for (int pyramid = 0; pyramid < count; ++pyramid) {
         for (int row = 0; row < base; ++row) {

@@ -36,6 +36,8 @@ public:
     TaskPool& operator=(const TaskPool&) = delete;
 
     [[nodiscard]] int GetWorkerCount() const { return m_workerCount; }
+    /// From now on every step with work to share is shared, whether that pays or not: for tests.
+    void ShareAlways() { m_sharesAlways = true; }
     /// Between Begin and End, with more than one worker.
     [[nodiscard]] bool IsOpen() const { return m_inStep; }
     void Begin();
@@ -86,6 +88,7 @@ private:
     const int m_chunkCount;
     const TaskCallbacks m_callbacks;
     SharingGauge m_gauge;
+    bool m_sharesAlways = false;
 #if defined(SCREE_HAS_THREADS)
     std::vector<std::thread> m_threads;
 #endif
@@ -112,18 +115,19 @@ public:
         : m_pool(work > 0 && pool.GetWorkerCount() > 1 ? &pool : nullptr), m_work(work) {
         if (m_pool == nullptr) return;
         m_start = Stopwatch::ReadTicks();
-        if (IsGiven() || m_pool->m_gauge.Shares()) m_pool->Begin();
+        if (SharesAlways() || m_pool->m_gauge.Shares()) m_pool->Begin();
     }
     ~PoolRegion() {
         if (m_pool == nullptr) return;
         if (m_pool->IsOpen()) m_pool->End();
-        if (!IsGiven()) m_pool->m_gauge.Note(double{Stopwatch::TicksBetween(m_start, Stopwatch::ReadTicks())}, m_work);
+        if (!SharesAlways())
+            m_pool->m_gauge.Note(double{Stopwatch::TicksBetween(m_start, Stopwatch::ReadTicks())}, m_work);
     }
     PoolRegion(const PoolRegion&) = delete;
     PoolRegion& operator=(const PoolRegion&) = delete;
 
 private:
-    [[nodiscard]] bool IsGiven() const { return m_pool->m_callbacks.enqueue != nullptr; }
+    [[nodiscard]] bool SharesAlways() const { return m_pool->m_sharesAlways || m_pool->m_callbacks.enqueue != nullptr; }
 
     TaskPool* m_pool;
     double m_work;
