@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/leave_raw.h"
 #include "broad_phase/bounds.h"
 #include "broad_phase/pair_sink.h"
 #include "broad_phase/ray_probe.h"
@@ -77,8 +78,8 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    std::vector<float> m_block;  ///< the four coordinate arrays
-    std::vector<ItemId> m_ids;
+    std::vector<float, LeaveRaw<float>> m_block;  ///< the four coordinate arrays
+    std::vector<ItemId, LeaveRaw<ItemId>> m_ids;
     size_t m_stride = 0;  ///< floats from one coordinate array to the next
     uint32_t m_size = 0;
 };

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/leave_raw.h"
 #include "base/task_pool.h"
 #include "broad_phase/flat_tree.h"
 #include "broad_phase/proxy_store.h"
@@ -34,7 +35,7 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const { return (m_items.capacity() + m_other.capacity()) * sizeof(KeyItem); }
 
 private:
-    std::vector<KeyItem> m_items, m_other;
+    std::vector<KeyItem, LeaveRaw<KeyItem>> m_items, m_other;
 };
 
 }  // namespace scree::broadphase

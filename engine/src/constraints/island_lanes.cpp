@@ -27,17 +27,23 @@ void Repeat(int from, int to, LaneNames& names) {
 void IslandLanes::TakeBodies(const BodyTable& bodies, Column<BodyIndex, int>& slotOf) {
     m_bodies.clear();
     m_slotCount = {};
-    size_t contacts = 0, slots = 0;
+    size_t contacts = 0, slots[islandLanes] = {};
     for (const Member& member : m_members) {
-        contacts = std::max(contacts, member.contacts.size());
-        slots = std::max(slots, member.bodies.size() + member.contacts.size());
+        contacts = std::max(contacts, ToSize(member.first) + member.contacts.size());
+        slots[member.lane] += member.bodies.size() + member.contacts.size();
     }
+    const size_t rows = *std::max_element(slots, slots + islandLanes) * islandLanes;
     m_contacts.resize(contacts);
-    m_velocity.resize(slots * islandLanes);
-    m_position.assign(slots * islandLanes, Position{});
-    m_rotation.resize(slots * islandLanes);
-    for (size_t lane = 0; lane < m_members.size(); ++lane) {
-        for (const BodyIndex body : m_members[lane].bodies) {
+    m_named.assign(contacts * islandLanes, ContactIndex::none);
+    m_velocity.resize(rows);
+    m_position.assign(rows, Position{});
+    m_rotation.resize(rows);
+    for (const Member& member : m_members) {
+        const size_t lane = ToSize(member.lane);
+        for (size_t i = 0; i < member.contacts.size(); ++i) {
+            m_named[(ToSize(member.first) + i) * islandLanes + lane] = member.contacts[i];
+        }
+        for (const BodyIndex body : member.bodies) {
             if (bodies.type[body] != dynamicBody) continue;
             slotOf[body] = static_cast<int>(m_slotCount[lane]);
             m_bodies.push_back({m_slotCount[lane]++ * islandLanes + lane, body});
@@ -51,7 +57,9 @@ void IslandLanes::Name(const LaneInput& input, size_t number, const Column<BodyI
     int spare[islandLanes];
     int spareCount = 0, known = 0;
     for (int lane = 0; lane < islandLanes; ++lane) {
-        if (ToSize(lane) >= m_members.size() || number >= m_members[ToSize(lane)].contacts.size()) {
+        const ContactIndex index = m_named[number * islandLanes + ToSize(lane)];
+        contact.isActive[lane] = IsNone(index) ? 0.0f : 1.0f;
+        if (IsNone(index)) {
             contact.bodyA[lane] = contact.bodyB[lane] = lane;  // the first row of the lane
             spare[spareCount++] = lane;
             continue;
@@ -62,7 +70,6 @@ void IslandLanes::Name(const LaneInput& input, size_t number, const Column<BodyI
             m_bodies.push_back({row, body});
             return static_cast<int>(row);
         };
-        const ContactIndex index = m_members[ToSize(lane)].contacts[number];
         const ContactPair& pair = input.contacts.pair[index];
         const Manifold& manifold = input.contacts.manifold[index];
         contact.bodyA[lane] = rowOf(pair.bodyA), contact.bodyB[lane] = rowOf(pair.bodyB);
@@ -86,7 +93,7 @@ void IslandLanes::Prepare(const LaneInput& input, std::span<const Member> member
     static_assert(sizeof(Manifold) == manifoldFloats * sizeof(float));
     static_assert(sizeof(ContactMaterial) == 4 * sizeof(float));
     m_members.assign(members.begin(), members.end());
-    for (size_t lane = 0; lane < islandLanes; ++lane) m_active[lane] = lane < members.size() ? 1.0f : 0.0f;
+    m_isSolved.assign(members.size(), 0);
     TakeBodies(input.bodies, slotOf);
     const LaneKernels& kernels = GetLaneKernels();
     const LaneSource source{.transform = &input.bodies.transform.data()->p.x,
@@ -130,18 +137,35 @@ void IslandLanes::SolveVelocities(int iterations, bool warmStart, bool friction,
 }
 
 void IslandLanes::StoreImpulses(Column<ContactIndex, Manifold>& manifold) const {
-    for (size_t lane = 0; lane < m_members.size(); ++lane) {
-        const std::span<const ContactIndex> contacts = m_members[lane].contacts;
-        for (size_t i = 0; i < contacts.size(); ++i) {
-            const LaneContact& contact = m_contacts[i];
+    for (const Member& member : m_members) {
+        const int lane = member.lane;
+        for (size_t i = 0; i < member.contacts.size(); ++i) {
+            const LaneContact& contact = m_contacts[ToSize(member.first) + i];
             const auto count = static_cast<int>(contact.pointCount[lane]);
             for (int p = 0; p < count; ++p) {
-                ManifoldPoint& point = manifold[contacts[i]].points[p];
+                ManifoldPoint& point = manifold[member.contacts[i]].points[p];
                 point.normalImpulse = contact.points[p].normalImpulse[lane];
                 point.tangentImpulse = contact.points[p].tangentImpulse[lane];
             }
         }
     }
+}
+
+bool IslandLanes::EndSolved(float tolerance) {
+    bool isAnyLeft = false;
+    for (size_t i = 0; i < m_members.size(); ++i) {
+        if (m_isSolved[i] != 0) continue;
+        const Member& member = m_members[i];
+        const std::span<LaneContact> own(m_contacts.data() + member.first, member.contacts.size());
+        const auto isWithin = [&](const LaneContact& contact) { return contact.separation[member.lane] >= tolerance; };
+        if (!std::ranges::all_of(own, isWithin)) {
+            isAnyLeft = true;
+            continue;
+        }
+        m_isSolved[i] = 1;
+        for (LaneContact& contact : own) contact.isActive[member.lane] = 0.0f;
+    }
+    return isAnyLeft;
 }
 
 void IslandLanes::SolvePositions(int iterations, float tolerance, const PushApart& how, BodyTable& bodies) {
@@ -153,14 +177,8 @@ void IslandLanes::SolvePositions(int iterations, float tolerance, const PushApar
     task.largestPush = maxLinearCorrection * how.lengthScale;
     kernels.turn(task, static_cast<int32_t>(m_position.size()));
     for (int i = 0; i < iterations; ++i) {
-        alignas(32) float smallest[islandLanes];
-        kernels.solvePositions(task, m_active, smallest);
-        bool isAnyLeft = false;
-        for (int lane = 0; lane < islandLanes; ++lane) {
-            if (smallest[lane] >= tolerance) m_active[lane] = 0.0f;
-            isAnyLeft = isAnyLeft || m_active[lane] != 0.0f;
-        }
-        if (!isAnyLeft) break;
+        kernels.solvePositions(task);
+        if (!EndSolved(tolerance)) break;
     }
     for (const Slot& slot : m_bodies) {
         if (bodies.mass[slot.body].invMass <= 0.0f) continue;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Up to eight small islands as lanes of the vector kernels (lane_kernels.h): packs their rows and bodies, and takes
+// Small islands in the lanes of the vector kernels (lane_kernels.h): packs their rows and bodies, and takes
 // back what became of them. Bits are those of contact_rows.h island by island.
 
 #pragma once
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/leave_raw.h"
 #include "constraints/contact_rows.h"
 #include "constraints/lane_kernels.h"
 
@@ -27,10 +28,12 @@ struct LaneInput {
 
 class IslandLanes {
 public:
-    /// An island: all its bodies, and its contacts in the order in which they are solved.
+    /// An island: all its bodies, and its contacts in the order in which they are solved. They are the contacts
+    /// `first`, `first` + 1 … of its lane, which no other island has.
     struct Member {
         std::span<const BodyIndex> bodies;
         std::span<const ContactIndex> contacts;
+        int lane, first;
     };
 
     /// Rows of all contacts, from the bodies' present positions and velocities. `slotOf` is scratch with a row per
@@ -51,9 +54,9 @@ public:
             visit(slot.body, q);
         }
     }
-    [[nodiscard]] bool IsSolved(size_t member) const { return m_active[member] == 0.0f; }
+    [[nodiscard]] bool IsSolved(size_t member) const { return m_isSolved[member] != 0; }
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(m_members, m_contacts, m_bodies, m_velocity, m_position, m_rotation);
+        return BytesOf(m_members, m_isSolved, m_contacts, m_named, m_bodies, m_velocity, m_position, m_rotation);
     }
 
 private:
@@ -65,19 +68,22 @@ private:
 
     /// Slots of the bodies that contacts push, and room for all.
     void TakeBodies(const BodyTable& bodies, Column<BodyIndex, int>& slotOf);
-    /// Names the contacts with this number in all islands, with slots for their bodies.
+    /// Names the contacts with this number in all lanes, with slots for their bodies.
     void Name(const LaneInput& input, size_t number, const Column<BodyIndex, int>& slotOf, LaneNames& names);
     [[nodiscard]] LaneTask MakeTask();
+    /// Ends the position passes of islands that are within tolerance. False if none is left.
+    bool EndSolved(float tolerance);
 
     std::vector<Member> m_members;
-    std::vector<LaneContact> m_contacts;
+    std::vector<uint8_t> m_isSolved;  ///< per member: its positions are within tolerance
+    std::vector<LaneContact, LeaveRaw<LaneContact>> m_contacts;
+    std::vector<ContactIndex> m_named;  ///< by number and lane
     std::vector<Slot> m_bodies;
     std::array<size_t, islandLanes> m_slotCount{};
     std::vector<Velocity> m_velocity;  ///< by slot and lane
     std::vector<Position> m_position;
     struct alignas(16) Row : std::array<float, 4> {};
     std::vector<Row> m_rotation;
-    alignas(32) float m_active[islandLanes] = {};  ///< 1: an island whose positions are not within tolerance yet
 };
 
 }  // namespace scree

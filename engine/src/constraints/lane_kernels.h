@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Small islands side by side: one island in each of eight lanes, contact after contact in the order of contact_rows.h.
-// The same arithmetic as there, lane by lane, hence the same bits: how an island is solved does not depend on what it
-// lies beside. Plain data only, because translation units for different instruction sets share it.
+// Small islands side by side: eight lanes, in each of them islands one after the other, contact after contact in the
+// order of contact_rows.h. The same arithmetic as there, lane by lane, hence the same bits: how an island is solved
+// does not depend on what it lies beside. Plain data only, because translation units for different instruction sets
+// share it.
 
 #pragma once
 
@@ -13,7 +14,7 @@ namespace scree {
 
 inline constexpr int islandLanes = 8;
 
-/// The n-th contact of each of eight islands; an island without one has no points there.
+/// The n-th contact of each of eight lanes; a lane without one has no points there.
 struct alignas(32) LaneContact {
     using Row = float[islandLanes];
 
@@ -35,11 +36,13 @@ struct alignas(32) LaneContact {
     Row positionCount;                       ///< in the position pass
     Row isCircles, isFaceB;                  ///< 1 or 0: kind of the manifold
     Row localNormalX, localNormalY, localPointX, localPointY;
-    Row radius;  ///< of both shapes together
+    Row radius;      ///< of both shapes together
+    Row isActive;    ///< 1: the positions of its island are not within tolerance yet; else 0
+    Row separation;  ///< the smallest in the last position pass, at most 0
     Point points[2];
 };
 
-/// A group of eight islands.
+/// A group of islands.
 struct LaneTask {
     LaneContact* contacts;
     int32_t count;
@@ -63,7 +66,7 @@ struct LaneSource {
     bool restitution;        ///< some contact may bounce
 };
 
-/// What preparing is told of the n-th contacts of eight islands. A lane without one repeats another, with no points.
+/// What preparing is told of the n-th contacts of eight lanes. A lane without one repeats another, with no points.
 struct alignas(32) LaneNames {
     using Row = float[islandLanes];
     int32_t contact[islandLanes], bodyA[islandLanes], bodyB[islandLanes];  ///< rows of the tables
@@ -73,14 +76,14 @@ struct alignas(32) LaneNames {
 };
 
 struct LaneKernels {
-    /// Everything but bodyA and bodyB, from the bodies' present positions and velocities.
+    /// Everything but bodyA, bodyB and what positions do, from the bodies' present positions and velocities.
     void (*prepare)(const LaneSource& source, const LaneNames& names, LaneContact& contact);
     void (*warmStart)(const LaneTask& task);
     void (*solveVelocities)(const LaneTask& task, int32_t iterations);
     /// Sets `rotation` of so many rows, a multiple of eight.
     void (*turn)(const LaneTask& task, int32_t rows);
-    /// One iteration in the lanes where `active` is 1; `smallest` separations, at most 0.
-    void (*solvePositions)(const LaneTask& task, const float* active, float* smallest);
+    /// One iteration for the contacts that are active.
+    void (*solvePositions)(const LaneTask& task);
 };
 
 /// The best form this processor has. All forms give the same bits.

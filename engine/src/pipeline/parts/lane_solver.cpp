@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Islands of like size share a group, since a group takes as long as its largest member.
+// A group takes as long as its largest island. Smaller ones fill up the lanes beside it.
 
 #include "pipeline/parts/lane_solver.h"
 
@@ -15,10 +15,53 @@
 
 namespace scree {
 
+namespace {
+
+/// Islands by their number of contacts: a counting sort, from which they are taken.
+class IslandsBySize {
+public:
+    /// Of the islands that are chosen.
+    IslandsBySize(const std::vector<Island>& islands, const std::vector<uint8_t>& isChosen, std::vector<int>& sorted)
+        : m_sorted(sorted) {
+        for (size_t i = 0; i < islands.size(); ++i) {
+            if (isChosen[i] != 0) ++m_end[CountContacts(islands[i])];
+        }
+        int count = 0;
+        for (int size = 0; size < leastWideContacts; ++size) {
+            m_begin[size] = count;
+            count += std::exchange(m_end[size], count);
+        }
+        sorted.resize(ToSize(count));
+        for (size_t i = 0; i < islands.size(); ++i) {
+            if (isChosen[i] != 0) sorted[ToSize(m_end[CountContacts(islands[i])]++)] = static_cast<int>(i);
+        }
+    }
+
+    /// The largest number of contacts of an island that has at most so many; 0: there is none.
+    [[nodiscard]] int GetLargest(int most) {
+        while (m_largest > 0 && IsEmpty(m_largest)) --m_largest;
+        int size = std::min(most, m_largest);
+        while (size > 0 && IsEmpty(size)) --size;
+        return size;
+    }
+    /// One that has so many.
+    int Take(int size) { return m_sorted[ToSize(m_begin[size]++)]; }
+
+private:
+    [[nodiscard]] bool IsEmpty(int size) const { return m_begin[size] == m_end[size]; }
+
+    const std::vector<int>& m_sorted;
+    int m_begin[leastWideContacts] = {}, m_end[leastWideContacts] = {};
+    int m_largest = leastWideContacts - 1;
+};
+
+}  // namespace
+
 LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& islands, const ContactEvents& events,
                        SolverTables tables, SolverScratch& scratch)
     : m_settings(settings), m_islands(islands), m_tables(tables), m_s(scratch) {
-    m_s.lanes.order.clear();
+    m_s.lanes.places.clear();
+    m_s.lanes.groups.clear();
     m_s.lanes.isChosen.assign(islands.islands.size(), 0);
     // What is rare is solved one by one. So are islands whose listener may change those that follow.
     const KernelSet& kernels = settings.kernels;
@@ -39,50 +82,44 @@ bool LaneSolver::Fits(const Island& island) const {
 }
 
 void LaneSolver::Choose() {
-    // A step of the vector kernels takes as long as so many of the others.
-    constexpr int stepsOfOne = 2;
-    std::vector<int>& order = m_s.lanes.order;
+    // A contact of the vector kernels takes as long as so many of the others.
+    constexpr int contactsOfOne = 2;
+    LaneScratch& s = m_s.lanes;
     const std::vector<Island>& islands = m_islands.islands;
-    const auto countOf = [&](int island) { return CountContacts(islands[ToSize(island)]); };
-    // Counting sort, the largest first.
-    int start[leastWideContacts] = {};
-    for (size_t i = 0; i < islands.size(); ++i) {
-        if (!Fits(islands[i])) continue;
-        m_s.lanes.isChosen[i] = 1;
-        ++start[CountContacts(islands[i])];
-    }
-    int fitting = 0;
-    for (int count = leastWideContacts - 1; count >= 0; --count) fitting += std::exchange(start[count], fitting);
-    order.resize(ToSize(fitting));
-    for (size_t i = 0; i < islands.size(); ++i) {
-        if (Has(i)) order[ToSize(start[CountContacts(islands[i])]++)] = static_cast<int>(i);
-    }
-    // A group is worth it if its members have enough contacts beside those of the largest.
-    size_t kept = 0;
-    for (size_t begin = 0; begin < order.size(); begin += islandLanes) {
-        const size_t end = std::min(begin + islandLanes, order.size());
+    for (size_t i = 0; i < islands.size(); ++i) s.isChosen[i] = Fits(islands[i]) ? 1 : 0;
+    IslandsBySize rest(islands, s.isChosen, s.bySize);
+    while (const int height = rest.GetLargest(leastWideContacts)) {
+        const auto begin = static_cast<int>(s.places.size());
         int contacts = 0;
-        for (size_t i = begin; i < end; ++i) contacts += countOf(order[i]);
-        const bool isWorthIt = contacts >= stepsOfOne * countOf(order[begin]);
-        for (size_t i = begin; i < end; ++i) {
-            m_s.lanes.isChosen[ToSize(order[i])] = isWorthIt ? 1 : 0;
-            if (isWorthIt) order[kept++] = order[i];
+        for (int lane = 0; lane < islandLanes; ++lane) {
+            int first = 0;
+            while (const int size = rest.GetLargest(height - first)) {
+                s.places.push_back({rest.Take(size), lane, first});
+                first += size;
+            }
+            contacts += first;
         }
+        if (contacts >= contactsOfOne * height) {
+            s.groups.push_back({begin, static_cast<int>(s.places.size())});
+            continue;
+        }
+        for (const LaneScratch::Place& place : Places(s.places).subspan(ToSize(begin))) {
+            s.isChosen[ToSize(place.island)] = 0;
+        }
+        s.places.resize(ToSize(begin));
     }
-    order.resize(kept);
 }
 
 SolverCounts LaneSolver::Solve(const FixtureTable& fixtures) {
     constexpr int leastGroups = 8;
     LaneScratch& s = m_s.lanes;
-    if (s.order.empty()) return {};
+    if (s.groups.empty()) return {};
     s.slotOf.resize(ToSize(m_tables.bodies.slots.Size()));
     SolverCounts counts[maxWorkers];
-    const auto groups = static_cast<int>((s.order.size() + islandLanes - 1) / islandLanes);
-    m_tables.pool.For(groups, leastGroups, [&](int begin, int end, int worker) {
-        for (int g = begin; g < end; ++g) {
+    m_tables.pool.For(static_cast<int>(s.groups.size()), leastGroups, [&](int begin, int end, int worker) {
+        for (size_t g = ToSize(begin); g < ToSize(end); ++g) {
             FetchAhead(fixtures, GroupOf(g + 1), GroupOf(g + 2));
-            counts[worker] += SolveGroup(fixtures, GroupOf(g), s.groups[worker]);
+            counts[worker] += SolveGroup(fixtures, GroupOf(g), worker);
         }
     });
     SolverCounts sum;
@@ -90,20 +127,21 @@ SolverCounts LaneSolver::Solve(const FixtureTable& fixtures) {
     return sum;
 }
 
-std::span<const int> LaneSolver::GroupOf(int number) const {
-    const std::vector<int>& order = m_s.lanes.order;
-    const size_t first = std::min(ToSize(number) * islandLanes, order.size());
-    return {order.data() + first, std::min<size_t>(islandLanes, order.size() - first)};
+LaneSolver::Places LaneSolver::GroupOf(size_t number) const {
+    const LaneScratch& s = m_s.lanes;
+    if (number >= s.groups.size()) return {};
+    const auto [begin, end] = s.groups[number];
+    return Places(s.places).subspan(ToSize(begin), ToSize(end - begin));
 }
 
 /// Contacts of an island are in memory anywhere. Where their shapes are, their pairs tell.
-void LaneSolver::FetchAhead(const FixtureTable& fixtures, std::span<const int> next, std::span<const int> later) const {
+void LaneSolver::FetchAhead(const FixtureTable& fixtures, Places next, Places later) const {
     const ContactTable& table = m_tables.contacts;
-    for (const int island : later) {
-        for (const ContactIndex contact : Contacts(m_islands, IslandOf(island))) Prefetch(&table.pair[contact]);
+    for (const LaneScratch::Place& place : later) {
+        for (const ContactIndex contact : Contacts(m_islands, IslandOf(place.island))) Prefetch(&table.pair[contact]);
     }
-    for (const int island : next) {
-        for (const ContactIndex contact : Contacts(m_islands, IslandOf(island))) {
+    for (const LaneScratch::Place& place : next) {
+        for (const ContactIndex contact : Contacts(m_islands, IslandOf(place.island))) {
             Prefetch(fixtures.shape[table.pair[contact].fixtureA]);
             Prefetch(fixtures.shape[table.pair[contact].fixtureB]);
             Prefetch(&table.material[contact]);
@@ -112,14 +150,15 @@ void LaneSolver::FetchAhead(const FixtureTable& fixtures, std::span<const int> n
     }
 }
 
-SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, std::span<const int> group, IslandLanes& lanes) {
+SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, Places group, int worker) {
     BodyTable& bodies = m_tables.bodies;
-    IslandLanes::Member members[islandLanes];
-    for (size_t lane = 0; lane < group.size(); ++lane) {
-        const Island& island = IslandOf(group[lane]);
-        members[lane] = {Bodies(m_islands, island), Contacts(m_islands, island)};
+    IslandLanes& lanes = m_s.lanes.lanes[worker];
+    std::vector<IslandLanes::Member>& all = m_s.lanes.members[worker];
+    all.clear();
+    for (const LaneScratch::Place& place : group) {
+        const Island& island = IslandOf(place.island);
+        all.push_back({Bodies(m_islands, island), Contacts(m_islands, island), place.lane, place.first});
     }
-    const std::span<const IslandLanes::Member> all{members, group.size()};
     WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
         for (const IslandLanes::Member& member : all) {
             for (const BodyIndex b : member.bodies) IntegrateVelocity<forces>(m_settings, bodies, b);
@@ -139,16 +178,14 @@ SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, std::span<cons
     });
     lanes.SolvePositions(m_settings.positionIterations, ContactTolerance(m_settings),
                          {baumgarte, m_settings.lengthScale}, bodies);
-    for (size_t lane = 0; lane < group.size(); ++lane) {
-        for (const BodyIndex b : members[lane].bodies) {
+    for (const IslandLanes::Member& member : all) {
+        for (const BodyIndex b : member.bodies) {
             if (bodies.type[b] != dynamicBody) counts.nonFinite += FinishPose(bodies, b) ? 1 : 0;
         }
     }
     lanes.ForEachRotation(bodies, [&](BodyIndex b, Rot q) { counts.nonFinite += FinishPose(bodies, b, q) ? 1 : 0; });
     if (!m_settings.allowSleep) return counts;
-    for (size_t lane = 0; lane < group.size(); ++lane) {
-        SleepIsland(bodies, members[lane].bodies, m_settings, lanes.IsSolved(lane));
-    }
+    for (size_t i = 0; i < all.size(); ++i) SleepIsland(bodies, all[i].bodies, m_settings, lanes.IsSolved(i));
     return counts;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Sequential impulses for many small islands: eight side by side in the lanes of vectors (constraints/island_lanes.h).
+// Sequential impulses for many small islands, side by side in the eight lanes of vectors (constraints/island_lanes.h).
 // Bits are those of solving them one by one, so that it is free which islands are taken.
 
 #pragma once
@@ -28,13 +28,15 @@ public:
     [[nodiscard]] SolverCounts Solve(const FixtureTable& fixtures);
 
 private:
+    using Places = std::span<const LaneScratch::Place>;
+
     void Choose();
     [[nodiscard]] bool Fits(const Island& island) const;
-    /// Islands of a group; none behind the last.
-    [[nodiscard]] std::span<const int> GroupOf(int number) const;
-    void FetchAhead(const FixtureTable& fixtures, std::span<const int> next, std::span<const int> later) const;
-    /// All of a step for up to eight islands: what that writes stays in the caches of a core.
-    [[nodiscard]] SolverCounts SolveGroup(const FixtureTable& fixtures, std::span<const int> group, IslandLanes& lanes);
+    /// The islands of a group; none behind the last.
+    [[nodiscard]] Places GroupOf(size_t number) const;
+    void FetchAhead(const FixtureTable& fixtures, Places next, Places later) const;
+    /// All of a step for the islands of a group: what that writes stays in the caches of a core.
+    [[nodiscard]] SolverCounts SolveGroup(const FixtureTable& fixtures, Places group, int worker);
     [[nodiscard]] const Island& IslandOf(int island) const { return m_islands.islands[ToSize(island)]; }
 
     const SolverSettings& m_settings;

@@ -73,14 +73,26 @@ struct NettedBody {
 
 /// Small islands that are solved side by side (pipeline/parts/lane_solver.h).
 struct LaneScratch {
+    /// Where an island is in its group: the contacts from `first` on of a lane.
+    struct Place {
+        int island, lane, first;
+    };
+    /// A range of `places`.
+    struct Group {
+        int begin, end;
+    };
     std::vector<uint8_t> isChosen;  ///< per island
-    std::vector<int> order;         ///< islands by size, eight to a group
+    std::vector<int> bySize;        ///< islands that fit
+    std::vector<Place> places;      ///< of the islands chosen
+    std::vector<Group> groups;
     Column<BodyIndex, int> slotOf;
-    IslandLanes groups[maxWorkers];  ///< per worker
+    IslandLanes lanes[maxWorkers];  ///< per worker
+    std::vector<IslandLanes::Member> members[maxWorkers];
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = BytesOf(isChosen, order, slotOf);
-        for (const IslandLanes& group : groups) bytes += group.GetMemoryBytes();
+        size_t bytes = BytesOf(isChosen, bySize, places, groups, slotOf);
+        for (const IslandLanes& one : lanes) bytes += one.GetMemoryBytes();
+        for (const auto& list : members) bytes += BytesOf(list);
         return bytes;
     }
 };
