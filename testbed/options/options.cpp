@@ -159,6 +159,10 @@ void AddSettingFlags(CLI::App& app, SettingArguments& arguments, std::initialize
     }
 }
 
+void AddMarkdownOption(CLI::App& app, std::string& file) {
+    app.add_option("--markdown", file, "Also write the report's text and tables as Markdown")->type_name("FILE");
+}
+
 void AddRunOptions(CLI::App& app, SceneArguments& arguments) {
     app.add_option("--size", arguments.size, "Size of a scene that `scree list` shows; its default if not given");
     AddInputOptions(app, arguments.input);

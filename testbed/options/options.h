@@ -76,6 +76,8 @@ struct SceneArguments {
     std::string output = "out";
 };
 void AddRunOptions(CLI::App& app, SceneArguments& arguments);
+/// --markdown: where the tables go as a page of text.
+void AddMarkdownOption(CLI::App& app, std::string& file);
 /// What follows a motion if nothing else is said: our engine and Box2D, the recorded tree in place of its engine's own
 /// where there is one.
 [[nodiscard]] std::string EnginesOf(const TrackFile& motion);

@@ -203,8 +203,7 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->type_name("DIR");
     app.add_option("-o,--output", arguments.output, "Folder for all results: bench.csv, plots/, index.html")
         ->type_name("DIR");
-    app.add_option("--markdown", arguments.markdown, "Also write the report's text and tables as Markdown")
-        ->type_name("FILE");
+    AddMarkdownOption(app, arguments.markdown);
     app.add_flag(
         "--targets", arguments.targets,
         "Compare with the targets of speed, also with continuous collision on; exit 1 when a target is missed or void");

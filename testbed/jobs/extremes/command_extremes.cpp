@@ -244,8 +244,7 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
-    command->add_option("--markdown", arguments->markdown, "Also write the report's text and tables as Markdown")
-        ->type_name("FILE");
+    AddMarkdownOption(*command, arguments->markdown);
     AddSetOption(*command, arguments->settings, "Applied in all engines. A case keeps the settings that it is about");
     AddEnginesOption(*command, arguments->settings,
                      "Instead of box2d 8/3, scree 8/3, scree soft 4 and, where it is built in, box2d3 soft 4");

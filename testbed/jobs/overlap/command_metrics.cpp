@@ -17,6 +17,7 @@
 #include "testbed/jobs/overlap/show_steps.h"
 #include "testbed/jobs/overlap/summary.h"
 #include "testbed/options/options.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -27,6 +28,7 @@ struct MetricsArguments {
     std::string steps;
     SceneArguments run;
     PictureArguments picture;
+    std::string markdown;
 };
 
 int RunMetrics(const MetricsArguments& arguments, const Request& request) {
@@ -53,6 +55,9 @@ int RunMetrics(const MetricsArguments& arguments, const Request& request) {
     });
     summary.timing = engines.GetTiming();
     SaveMetrics(output, name, {name, job.input.size, DescribeCommand(request.arguments)}, summary.rows);
+    if (!arguments.markdown.empty())
+        WriteMarkdown(arguments.markdown,
+                      MakeSummaryPage({MakeSummarySection(summary, panes)}, DescribeCommand(request.arguments)));
     progress.Finish(fmt::format("{} steps, {} measured", engines.GetStep(), job.selection.Count()));
     fmt::print("{}{}\n{}", FormatSummary(summary), FormatSettings(panes), FormatFiles(output.GetFiles()));
     return exitDone;
@@ -70,6 +75,7 @@ void AddMetricsCommand(CLI::App& app, Request& request) {
         ->type_name("N|A:B:S");
     AddRunOptions(*command, arguments->run);
     AddCountOptions(*command, arguments->picture);
+    AddMarkdownOption(*command, arguments->markdown);
     command->callback(
         [&request, arguments] { request.action = [&request, arguments] { return RunMetrics(*arguments, request); }; });
 }

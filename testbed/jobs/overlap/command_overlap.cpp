@@ -23,6 +23,7 @@
 #include "testbed/jobs/overlap/timing_plot.h"
 #include "testbed/options/options.h"
 #include "testbed/page/gnuplot.h"
+#include "testbed/page/markdown.h"
 
 namespace testbed {
 
@@ -34,6 +35,7 @@ struct OverlapArguments {
     PictureArguments picture;
     StepArguments steps;
     SequenceArguments sequence;
+    std::string markdown;
 };
 
 /// The plot shows at least the steps that the dissertation's figures show.
@@ -91,7 +93,8 @@ void SaveTiming(PictureSession& session, const SceneJob& job, const std::vector<
     });
 }
 
-void RunScene(PictureSession& session, const OverlapArguments& arguments, const SceneJob& job) {
+/// Returns the table of the scene.
+PageSection RunScene(PictureSession& session, const OverlapArguments& arguments, const SceneJob& job) {
     const Panes panes = MakePanes(arguments.run, job.input);
     const int runTo = job.input.motion == nullptr ? plotSteps : std::min(plotSteps, job.input.steps);
     const bool isSequence = job.selection.worst == 0 && job.selection.Count() > 1;
@@ -122,6 +125,7 @@ void RunScene(PictureSession& session, const OverlapArguments& arguments, const 
     progress.Finish(session.Describe(engines.GetStep(), job.selection.Count()));
     fmt::print("{}{}\n", FormatSummary(summary), FormatSettings(panes));
     std::fflush(stdout);
+    return MakeSummarySection(summary, panes);
 }
 
 int RunOverlap(const OverlapArguments& arguments, const Request& request) {
@@ -134,7 +138,10 @@ int RunOverlap(const OverlapArguments& arguments, const Request& request) {
     PictureSession session = MakePictureSession(
         {arguments.picture, arguments.run, arguments.sequence, options, DescribeCommand(request.arguments)},
         request.contextOptions);
-    for (const SceneJob& job : jobs) RunScene(session, arguments, job);
+    std::vector<PageSection> tables;
+    for (const SceneJob& job : jobs) tables.push_back(RunScene(session, arguments, job));
+    if (!arguments.markdown.empty())
+        WriteMarkdown(arguments.markdown, MakeSummaryPage(std::move(tables), DescribeCommand(request.arguments)));
     fmt::print("{}", FormatFiles(session.output.GetFiles()));
     return exitDone;
 }
@@ -152,6 +159,7 @@ void AddOverlapCommand(CLI::App& app, Request& request) {
     AddRunOptions(*command, arguments->run);
     AddCountOptions(*command, arguments->picture);
     AddLookOptions(*command, arguments->picture);
+    AddMarkdownOption(*command, arguments->markdown);
     command->callback([&request, arguments] {
         request.action = [&request, arguments] {
             return SkipMissingBackend(arguments->picture, [&] { return RunOverlap(*arguments, request); });

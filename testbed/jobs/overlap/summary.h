@@ -13,6 +13,7 @@
 #include "testbed/engines/panes.h"
 #include "testbed/engines/timing.h"
 #include "testbed/jobs/overlap/metrics.h"
+#include "testbed/page/page.h"
 
 namespace testbed {
 
@@ -29,6 +30,11 @@ inline constexpr int claimFirstStep = 70, claimLastStep = 100;
 
 /// Lines of text, each ended by a newline. Where several steps were shown, tree figures are the largest of them.
 [[nodiscard]] std::string FormatSummary(const RunSummary& summary);
+
+/// The same as a section of a page.
+[[nodiscard]] PageSection MakeSummarySection(const RunSummary& summary, const Panes& panes);
+/// The page of such sections, with the command, the machine and the commit.
+[[nodiscard]] Page MakeSummaryPage(std::vector<PageSection> sections, const std::string& command);
 
 /// "settings: scree preset=like-box2d; box2d preset=like-box2d", a line.
 [[nodiscard]] std::string FormatSettings(const Panes& panes);

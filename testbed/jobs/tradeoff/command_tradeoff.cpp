@@ -249,8 +249,7 @@ void AddTradeoffCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
-    command->add_option("--markdown", arguments->markdown, "Also write the report's text and tables as Markdown")
-        ->type_name("FILE");
+    AddMarkdownOption(*command, arguments->markdown);
     AddSetOption(*command, arguments->settings,
                  "Applied to all settings but Box2D's default, which they are compared with. A law about speed or "
                  "continuous collision keeps the caps it needs");
