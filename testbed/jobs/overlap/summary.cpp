@@ -163,6 +163,8 @@ PageSection MakeSummarySection(const RunSummary& summary, const Panes& panes) {
         }
     };
     forOthers([&](std::size_t i) { table.columns.push_back({.name = NameRatio(summary, i, " / "), .numeric = true}); });
+    std::string settings = FormatSettings(panes);
+    if (!settings.empty()) settings.pop_back();  // the end of a line
     for (const Line& line : ListLines(summary)) {
         std::vector<PageCell> row{line.label};
         row.insert(row.end(), line.text.begin(), line.text.end());
@@ -170,7 +172,7 @@ PageSection MakeSummarySection(const RunSummary& summary, const Panes& panes) {
         table.rows.push_back(std::move(row));
     }
     return {.title = fmt::format("{}, size {}", summary.scene, summary.size),
-            .intro = FormatSettings(panes),
+            .intro = settings,
             .blocks = {table}};
 }
 
