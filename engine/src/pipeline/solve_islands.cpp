@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "pipeline/parts/ballistic_path.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/integrate.h"
-#include "pipeline/parts/isolated_bodies.h"
 #include "pipeline/parts/lane_solver.h"
 #include "pipeline/parts/pose_finisher.h"
 #include "pipeline/parts/report_impulses.h"
@@ -254,93 +254,16 @@ private:
     KernelTask m_task{};
 };
 
-/// The ballistic path: the same arithmetic without constraints, hence the same bits.
-class BallisticPath {
-public:
-    BallisticPath(const SolverSettings& settings, BodyTable& bodies)
-        : m_settings(settings), m_bodies(bodies), m_moveIsolated(GetMoveIsolated()) {
-        m_task = {&bodies.velocity.data()->v.x,
-                  &bodies.position.data()->c.x,
-                  &bodies.startPosition.data()->c.x,
-                  &bodies.transform.data()->p.x,
-                  &bodies.mass.data()->invMass,
-                  bodies.force.empty() ? nullptr : &bodies.force.data()->force.x,
-                  &bodies.motion.data()->linearDamping,
-                  settings.kernels.bodyForces,
-                  settings.kernels.speedLimit,
-                  settings.dt,
-                  settings.gravity.x,
-                  settings.gravity.y,
-                  settings.maxTranslation,
-                  settings.maxRotation,
-                  SleepSpeed(settings) * SleepSpeed(settings),
-                  angularSleepTolerance * angularSleepTolerance};
-    }
-
-    SolverCounts Move(std::span<const BodyIndex> rows) const {
-        SolverCounts counts;
-        size_t done = 0;
-        const bool byEight = !m_settings.exactDrift && !m_bodies.IsFar() && !m_settings.kernels.locks;
-        for (; byEight && done + laneCount <= rows.size(); done += laneCount) {
-            counts += MoveEight(rows.subspan(done, laneCount));
-        }
-        for (; done < rows.size(); ++done) counts += MoveOne(rows[done]);
-        return counts;
-    }
-
-private:
-    static constexpr size_t laneCount = 8;
-
-    SolverCounts MoveEight(std::span<const BodyIndex> rows) const {
-        SolverCounts counts;
-        int32_t plain[laneCount];
-        for (size_t lane = 0; lane < laneCount; ++lane) plain[lane] = ToInt(rows[lane]);
-        switch (m_moveIsolated(m_task, plain)) {
-            case IsolatedMove::refused:
-                for (const BodyIndex body : rows) counts += MoveOne(body);
-                break;
-            case IsolatedMove::fast:
-                if (!m_settings.allowSleep) break;
-                for (const BodyIndex body : rows) m_bodies.sleepTime[body] = 0.0f;
-                break;
-            case IsolatedMove::slow:
-                for (const BodyIndex body : rows) Sleep(body);
-                break;
-        }
-        return counts;
-    }
-
-    SolverCounts MoveOne(BodyIndex body) const {
-        SolverCounts counts;
-        WithBodyKernel(m_settings.kernels, [&](auto forces, auto limit) {
-            IntegrateVelocity<forces>(m_settings, m_bodies, body);
-            if (m_settings.kernels.locks) StopLocked(m_bodies, body, m_bodies.velocity[body]);
-            counts.capped = IntegratePosition<limit>(m_settings, m_bodies, body) ? 1 : 0;
-        });
-        counts.nonFinite = FinishPose(m_bodies, body) ? 1 : 0;
-        Sleep(body);
-        return counts;
-    }
-
-    void Sleep(BodyIndex body) const {
-        if (!m_settings.allowSleep) return;
-        if (UpdateSleepTimer(m_bodies, body, m_settings) >= timeToSleep) {
-            m_bodies.PutToSleep(body);
-        }
-    }
-
-    const SolverSettings& m_settings;
-    BodyTable& m_bodies;
-    MoveIsolatedFunction m_moveIsolated;
-    IsolatedBodiesTask m_task;
-};
-
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& islands, TaskPool& pool,
                            BodyTable& bodies) {
-    if (islands.isolated.empty()) return {};
-    const BallisticPath path(settings, bodies);
-    return CountRanges(pool, islands.isolated.size(), pool.IsWide() ? leastBodies : leastIsolatedBodies,
-                       [&](int begin, int end) { return path.Move(Range(islands.isolated, begin, end)); });
+    const BallisticPath path(settings, bodies, 0);
+    return WithBodyKernel(settings.kernels, [&](auto forces, auto limit) {
+        return path.Move(pool, islands.isolated, [&](BodyIndex body) {
+            IntegrateVelocity<forces>(settings, bodies, body);
+            if (settings.kernels.locks) StopLocked(bodies, body, bodies.velocity[body]);
+            return IntegratePosition<limit>(settings, bodies, body);
+        });
+    });
 }
 
 /// What all islands share.

@@ -23,6 +23,7 @@
 #include <array>
 
 #include "base/two_sum.h"
+#include "pipeline/parts/ballistic_path.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/pose_finisher.h"
 #include "pipeline/parts/report_impulses.h"
@@ -119,8 +120,8 @@ template <bool forces, bool limit>
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& active, TaskPool& pool,
                            BodyTable& bodies) {
     const float h = settings.dt / static_cast<float>(settings.substeps);
-    return CountOver(pool, active.isolated.size(), [&](size_t at) {
-        const BodyIndex body = active.isolated[at];
+    const BallisticPath path(settings, bodies, settings.substeps);
+    return path.Move(pool, active.isolated, [&](BodyIndex body) {
         bodies.NoteStart(body);
         SoftBody soft = MakeSoftBody<forces>(settings, bodies, body);
         Velocity v = bodies.velocity[body];
@@ -135,11 +136,7 @@ SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& ac
             StopLocked(bodies, body, delta);
         }
         bodies.velocity[body] = v;
-        SolverCounts counts;
-        counts.capped = MoveBody<limit>(settings, bodies, body, delta) ? 1 : 0;
-        counts.nonFinite = FinishPose(bodies, body) ? 1 : 0;
-        if (settings.allowSleep && UpdateSleepTimer(bodies, body, settings) >= timeToSleep) bodies.PutToSleep(body);
-        return counts;
+        return MoveBody<limit>(settings, bodies, body, delta);
     });
 }
 

@@ -171,9 +171,7 @@ PageSection MakeSummarySection(const RunSummary& summary, const Panes& panes) {
         forOthers([&](std::size_t i) { row.emplace_back(FormatRatio(summary, line, i)); });
         table.rows.push_back(std::move(row));
     }
-    return {.title = fmt::format("{}, size {}", summary.scene, summary.size),
-            .intro = settings,
-            .blocks = {table}};
+    return {.title = fmt::format("{}, size {}", summary.scene, summary.size), .intro = settings, .blocks = {table}};
 }
 
 Page MakeSummaryPage(std::vector<PageSection> sections, const std::string& command) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Bodies that nothing touches, eight at a time: forces, damping, motion, pose. The same arithmetic as body by body in
-// solve_islands.cpp, hence the same bits (the dissertation, §5.2.1). Plain data only, because translation units for
-// different instruction sets share it.
+// solve_islands.cpp and solve_soft.cpp, hence the same bits (the dissertation, §5.2.1). Plain data only, because
+// translation units for different instruction sets share it.
 
 #pragma once
 
@@ -22,6 +22,7 @@ struct IsolatedBodiesTask {
     const float* motion;   ///< linear damping, angular damping, gravity scale, mass
     bool hasForces;        ///< some body has damping, a gravity scale or a force
     bool hasLimit;         ///< of motion
+    int32_t substeps;      ///< of the soft step; 0: sequential impulses
     float dt;
     float gravityX, gravityY;
     float maxTranslation, maxRotation;
@@ -34,7 +35,7 @@ enum class IsolatedMove : int32_t {
     slow,     ///< moved, and some are slow enough for the sleep timer to run
 };
 
-/// Moves the bodies of eight different rows through one step of sequential impulses without constraints.
+/// Moves the bodies of eight different rows through one step without constraints.
 using MoveIsolatedFunction = IsolatedMove (*)(const IsolatedBodiesTask& task, const int32_t* eight);
 
 /// The best form this processor has. All forms give the same bits.
