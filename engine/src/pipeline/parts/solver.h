@@ -86,8 +86,8 @@ struct LaneScratch {
     std::vector<Place> places;      ///< of the islands chosen
     std::vector<Group> groups;
     Column<BodyIndex, int> slotOf;
-    IslandLanes lanes[maxWorkers];  ///< per worker
-    std::vector<IslandLanes::Member> members[maxWorkers];
+    IslandLanes lanes[maxWorkers];                         ///< per worker
+    std::vector<IslandLanes::Member> members[maxWorkers];  ///< likewise: of the group that it solves
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         size_t bytes = BytesOf(isChosen, bySize, places, groups, slotOf);
