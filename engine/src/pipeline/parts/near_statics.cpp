@@ -27,6 +27,17 @@ float ReachOfBody(BodyIndex body, const NearStatics::Tables& t) {
 
 }  // namespace
 
+NearStatics::Row NearStatics::NeedRow(BodyIndex body, const BodyTable& bodies) {
+    EnsureRows(m_rows, ToSize(bodies.slots.Size()), Row::none);
+    Row& row = m_rows[body];
+    if (IsSome(row)) return row;
+    ReserveRows(m_balls.size() + 1, m_balls, m_calm);
+    m_balls.emplace_back();
+    m_calm.emplace_back();
+    row = ToIndex<Row>(m_balls.size() - 1);
+    return row;
+}
+
 void NearStatics::Empty(Ball& ball) {
     if (ball.crowd >= 0) m_freeCrowds.push_back(ball.crowd);
     ball = Ball();
@@ -80,29 +91,29 @@ std::optional<std::span<const FixtureIndex>> NearStatics::Read(const Ball& ball)
 }
 
 std::optional<std::span<const FixtureIndex>> NearStatics::Get(BodyIndex body, const BodyTable& bodies) const {
-    if (!m_enabled || bodies.IsFar() || !m_balls.Has(body)) return std::nullopt;
-    const Ball& ball = m_balls[body];
+    const Row row = RowOf(body);
+    if (!m_enabled || bodies.IsFar() || IsNone(row)) return std::nullopt;
+    const Ball& ball = m_balls[row];
     return IsInside(ball, body, bodies) ? Read(ball) : std::nullopt;
 }
 
 std::optional<std::span<const FixtureIndex>> NearStatics::Find(BodyIndex body, const Tables& tables) {
     if (!m_enabled || tables.bodies.IsFar()) return std::nullopt;
-    if (!m_balls.Has(body)) EnsureRows(m_balls, ToSize(tables.bodies.slots.Size()));
-    Ball& ball = m_balls[body];
+    Ball& ball = m_balls[NeedRow(body, tables.bodies)];
     if (!IsInside(ball, body, tables.bodies)) MakeBall(body, tables, ball);
     return Read(ball);
 }
 
-void NearStatics::PrepareCalm(const BodyTable& bodies, bool atOutlines) {
-    if (m_atOutlines != atOutlines) m_calm.clear();
+void NearStatics::PrepareCalm(bool atOutlines) {
+    if (m_atOutlines != atOutlines) std::ranges::fill(m_calm, Calm());
     m_atOutlines = atOutlines;
-    if (m_enabled && !bodies.IsFar()) EnsureRows(m_calm, ToSize(bodies.slots.Size()));
 }
 
 void NearStatics::NoteCalm(BodyIndex body, const BodyTable& bodies, float reach, float slack) {
-    const Ball& ball = m_balls[body];
+    const Row row = m_rows[body];
+    const Ball& ball = m_balls[row];
     const Position& at = bodies.position[body];
-    m_calm[body] = {at.c, at.a, reach, Min(slack, ball.radius - Distance(at.c, ball.centre))};
+    m_calm[row] = {at.c, at.a, reach, Min(slack, ball.radius - Distance(at.c, ball.centre))};
 }
 
 }  // namespace scree

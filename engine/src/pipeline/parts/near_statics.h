@@ -31,16 +31,18 @@ public:
     };
 
     /// To be called when a static fixture comes, moves or changes. O(1).
-    void ForgetAll() { m_balls.clear(), m_calm.clear(), m_crowds.clear(), m_freeCrowds.clear(); }
+    void ForgetAll() { m_rows.clear(), m_balls.clear(), m_calm.clear(), m_crowds.clear(), m_freeCrowds.clear(); }
     /// To be called when the body gets a fixture or another centre of mass.
     void Forget(BodyIndex body) {
-        if (m_balls.Has(body)) Empty(m_balls[body]);
-        if (m_calm.Has(body)) m_calm[body] = Calm();
+        const Row row = RowOf(body);
+        if (IsNone(row)) return;
+        Empty(m_balls[row]);
+        m_calm[row] = Calm();
     }
     /// From now on nothing is known of any body: a program holds a shape that it may change at any time.
     void Disable() { m_enabled = false; }
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_balls, m_calm, m_crowds, m_freeCrowds); }
-    void Trim() { m_balls = {}, m_calm = {}, m_crowds = {}, m_freeCrowds = {}; }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_rows, m_balls, m_calm, m_crowds, m_freeCrowds); }
+    void Trim() { m_rows = {}, m_balls = {}, m_calm = {}, m_crowds = {}, m_freeCrowds = {}; }
 
     /// The static fixtures, in ascending order, that the body can meet on its way from startPosition to position; all
     /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid
@@ -49,16 +51,17 @@ public:
     /// The same without asking the broad phase: nothing where Find would have to. Safe for several threads.
     [[nodiscard]] std::optional<std::span<const FixtureIndex>> Get(BodyIndex body, const BodyTable& bodies) const;
 
-    /// Makes room for what NoteCalm notes. What was noted with other answers of `atOutlines` is forgotten.
-    void PrepareCalm(const BodyTable& bodies, bool atOutlines);
+    /// To be called before NoteCalm and StaysCalm. What was noted with other answers of `atOutlines` is forgotten.
+    void PrepareCalm(bool atOutlines);
     /// Notes that the body, where it is at the end of the step, was shown to meet no static fixture while none of its
     /// points moves by more than `slack`. Its core reaches `reach` from its centre. Only for a body that Get has
     /// answered.
     void NoteCalm(BodyIndex body, const BodyTable& bodies, float reach, float slack);
     /// True if the body stays within what was noted on its whole way.
     [[nodiscard]] bool StaysCalm(BodyIndex body, const BodyTable& bodies) const {
-        if (!m_enabled || !m_calm.Has(body)) return false;
-        const Calm& calm = m_calm[body];
+        const Row row = RowOf(body);
+        if (!m_enabled || IsNone(row)) return false;
+        const Calm& calm = m_calm[row];
         const auto isWithin = [&](const Position& p) {
             const float left = calm.slack - Abs(p.a - calm.angle) * calm.reach;
             return left >= 0.0f && DistanceSquared(p.c, calm.centre) <= left * left;
@@ -67,6 +70,8 @@ public:
     }
 
 private:
+    /// Of a body that was asked about. Levels are mostly static bodies, about which nobody asks.
+    enum class Row : int { none = -1 };
     /// In a ball, and in a crowd: among the short segments of a chain.
     static constexpr int mostFixtures = 8, mostInCrowd = 48;
 
@@ -87,14 +92,18 @@ private:
         float slack = -1.0f;  ///< m; negative: nothing is known
     };
 
+    [[nodiscard]] Row RowOf(BodyIndex body) const { return m_rows.Has(body) ? m_rows[body] : Row::none; }
+    /// The row of the body, made if there is none.
+    Row NeedRow(BodyIndex body, const BodyTable& bodies);
     void MakeBall(BodyIndex body, const Tables& tables, Ball& ball);
     /// There is no ball any more.
     void Empty(Ball& ball);
     [[nodiscard]] static bool IsInside(const Ball& ball, BodyIndex body, const BodyTable& bodies);
     [[nodiscard]] std::optional<std::span<const FixtureIndex>> Read(const Ball& ball) const;
 
-    Column<BodyIndex, Ball> m_balls;  ///< by body
-    Column<BodyIndex, Calm> m_calm;   ///< by body
+    Column<BodyIndex, Row> m_rows;
+    Column<Row, Ball> m_balls;
+    Column<Row, Calm> m_calm;
     std::vector<Crowd> m_crowds;
     std::vector<int> m_freeCrowds;
     bool m_atOutlines = false;  ///< what m_calm is about

@@ -41,7 +41,6 @@ void ToiPairs::Clear() {
     EnsureRows(m_s.isPassedOver, count);
     for (const BodyIndex body : m_s.lookers) m_s.isPassedOver[body] = 0;  // of the last step
     m_s.lookers.clear();
-    EnsureRows(m_s.knownTo, ToSize(m_t.fixtures.slots.Size()));
     for (const BodyIndex body : m_s.touched) {
         m_s.firstPair[body] = -1;
         if (!m_s.resuming) m_s.alpha[body] = 0.0f;
@@ -103,7 +102,7 @@ void ToiPairs::FindAll() {
 /// Looks over all bodies, on all workers: who needs no pairs. Asks nobody outside and changes only what is kept for
 /// the body.
 void ToiPairs::Screen() {
-    m_s.nearStatics.PrepareCalm(m_bodies, m_atOutlines);
+    m_s.nearStatics.PrepareCalm(m_atOutlines);
     const std::vector<BodyIndex>& lookers = m_s.lookers;
     m_s.screened.resize(lookers.size());
     m_t.pool.For(static_cast<int>(lookers.size()), leastToScreen, [&](int begin, int end, int /*worker*/) {
@@ -431,6 +430,7 @@ void ToiPairs::AddCandidates(BodyIndex body) {
 
 /// Marks the fixtures that have a pair with `fixture` already: one pass, however many are to be asked about.
 void ToiPairs::MarkKnown(BodyIndex body, FixtureIndex fixture) {
+    EnsureRows(m_s.knownTo, ToSize(m_t.fixtures.slots.Size()));
     if (m_s.round == std::numeric_limits<int>::max()) {
         m_s.round = 0;
         std::ranges::fill(m_s.knownTo, 0);
