@@ -55,3 +55,6 @@ function(CompileTogether target)
   # To the compiler what a file has for itself is in a header: it is included. Nor may it shadow another file's.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
+
+# Files of the engine with names that headers of their folder, which they do not include, use for something else.
+set(SCREE_ALONE "/(collide_polygons|contact_kernels|time_of_impact)\\.cpp$")
