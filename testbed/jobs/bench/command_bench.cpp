@@ -16,6 +16,7 @@
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
+#include "testbed/base/memory.h"
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/engines/engine_list.h"
@@ -95,6 +96,7 @@ int CompareBuilds(const BenchArguments& arguments, const Request& request) {
 }
 
 int RunBench(const BenchArguments& arguments, const Request& request) {
+    KeepFreedMemory();
     if (arguments.games) return RunGames(arguments, request);
     if (!arguments.cores.empty()) return RunCores(arguments, request);
     if (!arguments.against.empty()) return CompareBuilds(arguments, request);

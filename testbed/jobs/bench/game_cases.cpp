@@ -224,6 +224,12 @@ std::vector<GameCase> MakeCases() {
          .timing = GameTiming::queries},
         {.name = "load", .what = "a level of 22,000 made", .build = Level, .frames = 1, .timing = GameTiming::creation},
         {.name = "load-step", .what = "its first step", .build = Level, .frames = 1, .timing = GameTiming::firstStep},
+        {.name = "load-fresh",
+         .what = "the same level made in memory that the program did not have before",
+         .build = Level,
+         .frames = 1,
+         .timing = GameTiming::creation,
+         .isFresh = true},
     };
 }
 

@@ -33,6 +33,7 @@ struct GameCase {
     int frames = 200;
     int worlds = 1;  ///< stepped in turn; the time is that of one
     GameTiming timing = GameTiming::frame;
+    bool isFresh = false;  ///< worlds are made in memory that the program did not have before
 };
 
 [[nodiscard]] std::span<const GameCase> GetGameCases();

@@ -13,6 +13,7 @@
 #include <limits>
 
 #include "testbed/base/errors.h"
+#include "testbed/base/memory.h"
 #include "testbed/base/output.h"
 #include "testbed/base/statistics.h"
 #include "testbed/base/stopwatch.h"
@@ -51,6 +52,7 @@ class Table {
 public:
     Table(const GameCase& game, const scenes::Scene& scene, RunSpec spec) : m_game(game) {
         spec.sleeping = game.sleeping;
+        if (game.isFresh) ReturnFreedMemory();
         const Stopwatch watch;
         for (int i = 0; i < game.worlds; ++i) m_worlds.push_back(MakeLab(scene, spec));
         m_creationMs = watch.GetMilliseconds();
