@@ -9,13 +9,11 @@
 #include <fmt/format.h>
 #include <sched.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "testbed/base/json_print.h"
 #include "testbed/engines/box2d_version.h"
 #include "testbed_generated/commit.h"
 #ifdef SCREE_HAS_BOX2D3
@@ -76,32 +74,6 @@ nlohmann::ordered_json ToJson(const Provenance& provenance) {
                                      {"date", provenance.date}};
     for (const auto& [engine, version] : provenance.versions) object["versions"][engine] = version;
     return object;
-}
-
-std::vector<std::pair<std::string, std::string>> ListFacts(std::span<const nlohmann::ordered_json> provenances) {
-    std::vector<std::pair<std::string, std::string>> facts;
-    const auto add = [&](const std::string& name, const std::string& value) {
-        const auto found = std::ranges::find(facts, name, &std::pair<std::string, std::string>::first);
-        if (found == facts.end()) {
-            facts.emplace_back(name, value);
-        } else if (found->second.find(value) == std::string::npos) {
-            found->second += "; " + value;
-        }
-    };
-    for (const nlohmann::ordered_json& one : provenances) {
-        for (const auto& [name, value] : one.items()) {
-            if (!value.is_object()) {
-                add(name, value.is_string() ? value.get<std::string>() : PrintJson(value));
-                continue;
-            }
-            std::string list;
-            for (const auto& [engine, version] : value.items()) {
-                list += fmt::format("{}{} {}", list.empty() ? "" : ", ", engine, version.get<std::string>());
-            }
-            add(name, list);
-        }
-    }
-    return facts;
 }
 
 }  // namespace testbed

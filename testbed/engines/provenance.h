@@ -7,7 +7,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,8 +28,5 @@ struct Provenance {
 
 /// As an object with the members' names.
 [[nodiscard]] nlohmann::ordered_json ToJson(const Provenance& provenance);
-/// What of such objects (several, where runs were merged) stands on a page: names and values, each value once.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> ListFacts(
-    std::span<const nlohmann::ordered_json> provenances);
 
 }  // namespace testbed

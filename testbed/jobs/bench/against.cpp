@@ -23,7 +23,7 @@
 #include "testbed/base/process.h"
 #include "testbed/base/progress.h"
 #include "testbed/base/statistics.h"
-#include "testbed/engines/provenance.h"
+#include "testbed/page/facts.h"
 
 namespace testbed {
 
@@ -246,7 +246,7 @@ Page MakeAgainstPage(const AgainstResult& result, const std::string& command) {
                   "build's time over this one's: above 1 this build is faster. The interval holds the true median "
                   "with a probability of 95 %, judged from the order of the rounds alone."};
     page.facts.push_back({"command", command});
-    for (const auto& [name, value] : ListFacts(result.made)) page.facts.push_back({name, value});
+    AddFacts(page, result.made);
     PageTable table{.columns = {{.name = "scene"},
                                 {.name = "size", .numeric = true},
                                 {.name = "pane"},

@@ -17,6 +17,7 @@
 #include "testbed/base/text.h"
 #include "testbed/engines/engine_run.h"
 #include "testbed/engines/provenance.h"
+#include "testbed/page/facts.h"
 #include "testbed/page/markdown.h"
 #include "testbed/page/page.h"
 
@@ -109,9 +110,7 @@ Page MakeCoresPage(const std::vector<CoresRow>& rows, const std::vector<int>& co
                   "counted, not measured: every task of a step runs and is timed on one thread.\n\nThe time with N "
                   "cores is what no loop has, the longest task of each loop, and 1 µs for the end of each loop. "
                   "Memory and caches that cores share are not in this model."};
-    page.facts.push_back({"command", command});
-    const nlohmann::ordered_json made[] = {ToJson(FindProvenance())};
-    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    AddFacts(page, command, ToJson(FindProvenance()));
     PageTable table{.caption =
                         "Shared: the part of a step that is in loops. Loops: how many of them a step has. Both are "
                         "those with the most cores. Times of a step are the least of the repeats.",

@@ -20,6 +20,7 @@
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/provenance.h"
 #include "testbed/jobs/bench/game_cases.h"
+#include "testbed/page/facts.h"
 #include "testbed/page/markdown.h"
 #include "testbed/page/page.h"
 
@@ -171,9 +172,7 @@ Page MakeGamesPage(std::span<const GameRow> rows, std::span<const Player> player
     page.intro +=
         fmt::format("\n\nBox2D 3 is faster than our soft step in: {}. Box2D 2.4 is faster than our 8/3 in: {}.",
                     ListLost(rows, players, "box2d3"), ListLost(rows, players, "box2d"));
-    page.facts.push_back({"command", command});
-    const nlohmann::ordered_json made[] = {ToJson(FindProvenance())};
-    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    AddFacts(page, command, ToJson(FindProvenance()));
     PageTable table{
         .caption =
             "Times are the least median of the rounds. The first ratio is Box2D 2.4's time over ours at 8/3, the "

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "testbed/engines/provenance.h"
+#include "testbed/page/facts.h"
 #include "testbed/page/stacked_bars.h"
 
 namespace testbed {
@@ -243,7 +243,7 @@ Page MakeBenchPage(const BenchReport& report) {
                 "ratios of processor time.",
                 PageTone::warning});
     }
-    for (const auto& [name, value] : ListFacts(report.made)) page.facts.push_back({name, value});
+    AddFacts(page, report.made);
     if (!report.targets.empty()) {
         page.sections.push_back({.title = "Targets", .blocks = {MakeTargetsTable(report.targets)}});
     }

@@ -31,6 +31,7 @@
 #include "testbed/jobs/extremes/report.h"
 #include "testbed/jobs/extremes/run_case.h"
 #include "testbed/options/options.h"
+#include "testbed/page/facts.h"
 #include "testbed/page/markdown.h"
 
 namespace testbed {
@@ -207,7 +208,7 @@ int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
     lines.Finish();
     output.WriteText("cases.csv", MakeExtremesCsv(results));
     Page page = MakeExtremesPage(results, pictures, DescribeCommand(request.arguments));
-    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    AddFacts(page, made);
     output.WriteText("index.html", MakePage(page));
     if (!arguments.markdown.empty()) WriteMarkdown(arguments.markdown, page);
     fmt::print("{}", FormatExtremes(results));

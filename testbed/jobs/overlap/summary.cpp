@@ -16,6 +16,7 @@
 
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/provenance.h"
+#include "testbed/page/facts.h"
 
 namespace testbed {
 
@@ -182,9 +183,7 @@ Page MakeSummaryPage(std::vector<PageSection> sections, const std::string& comma
                   "multiple of the root's area. The overlap count of a pixel is the number of nodes that cover "
                   "it.",
               .sections = std::move(sections)};
-    page.facts.push_back({"command", command});
-    const nlohmann::ordered_json made[] = {ToJson(FindProvenance())};
-    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    AddFacts(page, command, ToJson(FindProvenance()));
     return page;
 }
 

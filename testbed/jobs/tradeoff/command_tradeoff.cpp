@@ -26,6 +26,7 @@
 #include "testbed/jobs/tradeoff/report.h"
 #include "testbed/options/options.h"
 #include "testbed/options/scene_input.h"
+#include "testbed/page/facts.h"
 #include "testbed/page/gnuplot.h"
 #include "testbed/page/markdown.h"
 
@@ -182,7 +183,7 @@ void WriteReport(OutputFolder& output, std::span<const TradeCase> cases, std::sp
         plots = output.Prepare(relative).parent_path();
     }
     Page page = MakeTradePage(cases, plots, command);
-    for (const auto& [name, value] : ListFacts(made)) page.facts.push_back({name, value});
+    AddFacts(page, made);
     output.WriteText("index.html", MakePage(page));
     if (!markdown.empty()) WriteMarkdown(markdown, page);
 }

@@ -27,16 +27,6 @@ TEST(Provenance, HasNothingEmpty) {
     EXPECT_EQ(ToJson(p)["versions"].size(), GetEngines().size());
 }
 
-TEST(Provenance, OfSeveralRunsEachValueStandsOnce) {
-    nlohmann::ordered_json one = ToJson(FindProvenance()), other = one;
-    other["processor"] = "another one";
-    const nlohmann::ordered_json both[] = {one, other, one};
-    const auto facts = ListFacts(both);
-    EXPECT_EQ(facts.size(), one.size());
-    EXPECT_EQ(facts.front().second, one["processor"].get<std::string>() + "; another one");
-    for (std::size_t i = 1; i < facts.size(); ++i) EXPECT_EQ(facts[i].second.find(';'), std::string::npos);
-}
-
 TEST(Provenance, StandsInEveryLineAndOnThePage) {
     const ScratchFolder folder;
     ASSERT_EQ(folder.Run("bench tiles --sizes 3 --steps 2 --repeat 1 --json l.jsonl -o out").exitCode, 0);
