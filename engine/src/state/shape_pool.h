@@ -8,7 +8,8 @@
 #pragma once
 
 #include <array>
-#include <cstring>
+#include <bit>
+#include <cstdint>
 #include <vector>
 
 #include "base/slots.h"
@@ -16,7 +17,16 @@
 
 namespace scree {
 
-/// Whether a type of shape is worth comparing, by which bits, and where these are remembered.
+/// A round of Fibonacci hashing.
+inline uint64_t HashPair(uint64_t sum, float x, float y) {
+    const uint64_t word = uint64_t{std::bit_cast<uint32_t>(x)} | uint64_t{std::bit_cast<uint32_t>(y)} << 32;
+    sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
+    return sum ^ sum >> 32;
+}
+inline bool AreSameBits(float a, float b) { return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b); }
+inline bool AreSameBits(Vec2 a, Vec2 b) { return AreSameBits(a.x, b.x) && AreSameBits(a.y, b.y); }
+
+/// Whether a type of shape is worth comparing, and how its bits are.
 template <typename T>
 struct ShapeBits {
     static constexpr bool areShared = false;
@@ -25,20 +35,28 @@ struct ShapeBits {
 template <>
 struct ShapeBits<CircleShape> {
     static constexpr bool areShared = true;
-    using Bits = std::array<float, 3>;
-    static Bits Of(const CircleShape& s) { return {s.m_radius, s.m_p.x, s.m_p.y}; }
+    static uint64_t Hash(const CircleShape& s) { return HashPair(HashPair(0, s.m_radius, s.m_p.x), s.m_p.y, 0.0f); }
+    static bool AreEqual(const CircleShape& a, const CircleShape& b) {
+        return AreSameBits(a.m_radius, b.m_radius) && AreSameBits(a.m_p, b.m_p);
+    }
 };
 
 template <>
 struct ShapeBits<PolygonShape> {
     static constexpr bool areShared = true;
-    using Bits = std::array<float, 4 + 4 * maxPolygonVertices>;
-    static Bits Of(const PolygonShape& s) {
-        Bits bits{s.m_radius, s.m_centroid.x, s.m_centroid.y, static_cast<float>(s.m_count)};
-        const size_t count = ToSize(s.m_count);
-        std::memcpy(&bits[4], s.m_vertices, count * sizeof(Vec2));
-        std::memcpy(&bits[4 + 2 * maxPolygonVertices], s.m_normals, count * sizeof(Vec2));
-        return bits;
+    /// Normals follow from the rest.
+    static uint64_t Hash(const PolygonShape& s) {
+        uint64_t sum = HashPair(HashPair(0, s.m_radius, static_cast<float>(s.m_count)), s.m_centroid.x, s.m_centroid.y);
+        for (int i = 0; i < s.m_count; ++i) sum = HashPair(sum, s.m_vertices[i].x, s.m_vertices[i].y);
+        return sum;
+    }
+    static bool AreEqual(const PolygonShape& a, const PolygonShape& b) {
+        if (a.m_count != b.m_count) return false;
+        bool same = AreSameBits(a.m_radius, b.m_radius) && AreSameBits(a.m_centroid, b.m_centroid);
+        for (int i = 0; same && i < a.m_count; ++i) {
+            same = AreSameBits(a.m_vertices[i], b.m_vertices[i]) && AreSameBits(a.m_normals[i], b.m_normals[i]);
+        }
+        return same;
     }
 };
 
@@ -48,14 +66,10 @@ public:
     /// The row of a shape with these bits, shared or new.
     int Take(const T& value) {
         if constexpr (ShapeBits<T>::areShared) {
-            const auto bits = ShapeBits<T>::Of(value);
-            int& known = m_known[PlaceOf(bits)];
-            if (known >= 0) {
-                const auto there = ShapeBits<T>::Of(m_items[known]);
-                if (std::memcmp(&bits, &there, sizeof bits) == 0) {
-                    ++m_users[known];
-                    return known;
-                }
+            int& known = m_known[PlaceOf(value)];
+            if (known >= 0 && ShapeBits<T>::AreEqual(value, m_items[known])) {
+                ++m_users[known];
+                return known;
             }
             return known = Add(value);
         } else {
@@ -84,20 +98,7 @@ public:
 private:
     static constexpr size_t knownCount = 256;
 
-    template <typename Bits>
-    static size_t PlaceOf(const Bits& bits) {
-        // Fibonacci hashing. Half of the numbers are enough: a polygon's normals, the second half, follow from the
-        // rest.
-        constexpr size_t size = std::tuple_size_v<Bits>, words = size < 8 ? size : size / 2;
-        uint64_t sum = 0;
-        for (size_t i = 0; i < words; i += 2) {
-            uint64_t word = 0;
-            std::memcpy(&word, &bits[i], i + 1 < words ? sizeof word : sizeof(float));
-            sum = (sum ^ word) * 0x9E3779B97F4A7C15u;
-            sum ^= sum >> 32;
-        }
-        return static_cast<size_t>(sum >> 56);
-    }
+    static size_t PlaceOf(const T& value) { return static_cast<size_t>(ShapeBits<T>::Hash(value) >> 56); }
 
     int Add(const T& value) {
         if (m_free.empty()) {
@@ -116,7 +117,7 @@ private:
     /// Nobody shall share the row any more. Shapes that their users may have changed are not known, hence not found.
     void Forget(int row) {
         if constexpr (ShapeBits<T>::areShared) {
-            int& known = m_known[PlaceOf(ShapeBits<T>::Of(m_items[row]))];
+            int& known = m_known[PlaceOf(m_items[row])];
             if (known == row) known = -1;
         }
     }

@@ -17,7 +17,6 @@ namespace scree {
 
 namespace {
 
-/// Row of the handle in the columns of the fixture table.
 /// What the fixture would use if it were a sensor, or none.
 Features FeaturesAs(WorldState& s, FixtureIndex fixture, bool sensor) {
     uint8_t& own = s.fixtures.isSensor[fixture];

@@ -150,6 +150,7 @@ Finding Check(const FixtureDef& def) {
 }
 
 Finding CheckMass(const Shape& shape, float density, const char* field) {
+    if (density == 0.0f) return {};
     MassData data;
     shape.ComputeMass(&data, density);
     if (data.mass == 0.0f) return {};
