@@ -28,12 +28,14 @@ Arms PrepareRange(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     c.along = MakeSlide(arms, row.axis);
     const float alongInverse = InverseMass(c.pair, c.along);
     c.alongMass = InverseOrZero(alongInverse);
-    c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
+    if (row.motor.enabled) c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
     c.translation = Dot(row.axis, arms.gap);
     c.angleA = pose.a.a, c.angleB = pose.b.a;
     c.apart = pose.b.c - pose.a.c;
-    c.armB = arms.b.Length();
-    c.reach = c.apart.Length() + c.armB;
+    if (row.limit.enabled) {
+        c.armB = arms.b.Length();
+        c.reach = c.apart.Length() + c.armB;
+    }
     c.spring = {};
     if (row.stiffness > 0.0f && alongInverse > 0.0f) {
         c.spring = MakeSpring({row.stiffness, row.damping, c.translation, alongInverse}, in.step.dt);

@@ -15,13 +15,13 @@ struct WheelConstraint {
     JointRow row;  ///< in the joint's table
     JointPair pair;
     AxisRow along, across;
-    float acrossMass, alongMass, turnMass;  ///< effective
+    float acrossMass, alongMass, turnMass;  ///< effective; that of turning where there is a motor
     Spring spring;
     float translation;  ///< at the start of the step, m
     // As of then too, and what tells how far the translation may have come since.
     float angleA, angleB;
     Vec2 apart;         ///< from A's centre of mass to B's
-    float reach, armB;  ///< lengths of `apart` and B's anchor together, and of B's anchor alone, m
+    float reach, armB;  ///< where there are limits: `apart` and B's anchor together, and B's anchor alone, m
 };
 
 /// Masses and arms of this step; scales the stored impulses.
