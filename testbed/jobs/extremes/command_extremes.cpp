@@ -39,7 +39,7 @@ namespace testbed {
 namespace {
 
 struct ExtremesArguments {
-    bool quick = false, full = false, list = false;
+    bool quick = false, full = false, standing = false, list = false;
     std::string filter;
     std::string from;
     std::string markdown;
@@ -50,6 +50,18 @@ struct ExtremesArguments {
     ShardArguments shard;
     std::string runCase, setting;  ///< internal: run this one here
 };
+
+/// What --standing stands for, where -g or --engines is not given: what must stand, at every mark, beside the others.
+ExtremesArguments ChooseStanding(ExtremesArguments arguments) {
+    if (arguments.filter.empty()) arguments.filter = "^(built flush|loads|loops|machines)$";
+    if (arguments.settings.engines.empty()) {
+        arguments.settings.engines =
+            "game=scree:accuracy=game,fine=scree:accuracy=fine,precise=scree:accuracy=precise,"
+            "tolerant=scree:tolerance=0.01,si=scree:solver=si@8/3,box2d";
+        if (IsBuilt("box2d3")) arguments.settings.engines += ",box2d3:solver=soft@4";
+    }
+    return arguments;
+}
 
 /// The settings that every case runs under. A name begins with its engine's.
 std::vector<Pane> ChooseSettings(const SettingArguments& arguments) {
@@ -173,7 +185,8 @@ void PrintCases(std::span<const ExtremeCase* const> cases) {
     for (const ExtremeCase* one : cases) fmt::print("{:24} {:22} {}\n", one->name, one->group, one->what);
 }
 
-int RunExtremes(const ExtremesArguments& arguments, const Request& request) {
+int RunExtremes(const ExtremesArguments& typed, const Request& request) {
+    const ExtremesArguments arguments = typed.standing ? ChooseStanding(typed) : typed;
     if (!arguments.runCase.empty()) return RunOneHere(arguments);
     if (arguments.quick && arguments.full) throw UsageError("--quick and --full exclude each other");
     const std::vector<const ExtremeCase*> cases = ChooseCases(arguments.filter);
@@ -227,6 +240,9 @@ void AddExtremesCommand(CLI::App& app, Request& request) {
     auto arguments = std::make_shared<ExtremesArguments>();
     command->add_flag("--quick", arguments->quick, "Shorter runs, at most 5 s of processor time each");
     command->add_flag("--full", arguments->full, "At most 60 s of processor time each instead of 10");
+    command->add_flag("--standing", arguments->standing,
+                      "What must stand, at which setting: the groups built flush, loads, loops and machines, at every "
+                      "mark of our engine, at its 8/3, and in the others; -g and --engines replace their part");
     command->add_flag("--list", arguments->list, "Only show the cases");
     command
         ->add_option("-g,--only", arguments->filter,

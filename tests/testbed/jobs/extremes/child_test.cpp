@@ -87,6 +87,38 @@ TEST(ExtremesCommand, RunsCasesAndWritesTheMatrix) {
     EXPECT_EQ(folder.Read("again/cases.csv"), csv);
 }
 
+TEST(ExtremesCommand, StandingTakesItsGroupsAtEveryMark) {
+    const ScratchFolder folder;
+    const ProgramResult list = folder.Run("extremes --standing --list");
+    ASSERT_EQ(list.exitCode, 0) << list.output;
+    std::size_t asked = 0;
+    for (const ExtremeCase& one : GetExtremeCases()) {
+        const bool stands =
+            one.group == "built flush" || one.group == "loads" || one.group == "loops" || one.group == "machines";
+        asked += stands ? 1 : 0;
+        EXPECT_EQ(
+            list.output.find("\n" + one.name + " ") != std::string::npos || list.output.starts_with(one.name + " "),
+            stands)
+            << one.name;
+    }
+    EXPECT_GE(asked, 40u);
+    const ProgramResult run =
+        folder.Run("extremes --standing --quick -g '^flush-pyramid-15$' -o out --json lines.jsonl");
+    ASSERT_EQ(run.exitCode, 0) << run.output;
+    std::vector<std::string> settings;
+    for (const ExtremeResult& one : ReadLines(folder.Read("lines.jsonl"))) settings.push_back(one.setting);
+    std::vector<std::string> marks = {"scree game",     "scree fine", "scree precise",
+                                      "scree tolerant", "scree si",   "box2d 8/3"};
+    if (IsBuilt("box2d3")) marks.push_back("box2d3 soft 4");
+    std::ranges::sort(settings);
+    std::ranges::sort(marks);
+    EXPECT_EQ(settings, marks);
+    const ProgramResult one =
+        folder.Run("extremes --standing --quick -g '^flush-pyramid-15$' --engines scree -o out --json one.jsonl");
+    ASSERT_EQ(one.exitCode, 0) << one.output;
+    EXPECT_EQ(ReadLines(folder.Read("one.jsonl")).size(), 1u);
+}
+
 TEST(ExtremesCommand, RefusesWhatItCannotMean) {
     const ScratchFolder folder;
     EXPECT_EQ(folder.Run("extremes --quick --full").exitCode, 2);
