@@ -5,21 +5,20 @@
 
 #include <fmt/core.h>
 #include <zlib.h>
-#include <CLI/Version.hpp>
 
+#include <CLI/Version.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "testbed/base/errors.h"
 #include "testbed/cli/commands.h"
 #include "testbed/engines/box2d_version.h"
-#ifdef SCREE_HAS_BOX2D3
-#include "testbed/engines/box2d3/box2d3_engine.h"
-#endif
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/provenance.h"
 #include "testbed/page/gnuplot.h"
@@ -99,12 +98,11 @@ int RunEnv(const Request& request) {
     for (const EngineInfo& engine : GetEngines()) {
         PrintLine(fmt::format("engine {}", engine.name), DescribeAbilities(engine.abilities));
     }
-#ifdef SCREE_HAS_BOX2D3
-    PrintLine("box2d3", GetBox2d3Version());
-#else
-    PrintLine("box2d3", "not found when this was built: box2d3_ROOT names where Box2D 3.2 or newer is installed");
-#endif
     const Provenance provenance = FindProvenance();
+    const auto box2d3 = std::ranges::find(provenance.versions, "box2d3", &std::pair<std::string, std::string>::first);
+    PrintLine("box2d3", box2d3 != provenance.versions.end()
+                            ? box2d3->second
+                            : "not found when this was built: box2d3_ROOT names where Box2D 3.2 or newer is installed");
     PrintLine("version", fmt::format("{}, commit {}", provenance.versions.front().second, provenance.commit));
     PrintLine("cpu", provenance.processor);
     PrintLine("cpu features", CpuFeatures());

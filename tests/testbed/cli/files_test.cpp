@@ -14,6 +14,7 @@
 #include <string>
 
 #include "testbed/base/errors.h"
+#include "testbed/engines/engine_list.h"
 #include "testbed/picture/png.h"
 #include "tests/testbed/program.h"
 
@@ -242,6 +243,7 @@ TEST(EnvOutput, NamesBackendsAndVersions) {
     for (const char* word : {"osmesa", "egl", "cpu", "compiler", "box2d", "fmt", "CLI11", "zlib", "gnuplot"}) {
         EXPECT_NE(result.output.find(word), std::string::npos) << word << "\n" << result.output;
     }
+    EXPECT_EQ(result.output.find("box2d3          not found") == std::string::npos, IsBuilt("box2d3")) << result.output;
 }
 
 }  // namespace
