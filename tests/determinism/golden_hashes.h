@@ -22,11 +22,11 @@ struct GoldenHash {
 inline constexpr GoldenHash golden[] = {
     {"tiles", 30, 60, 0x09305017abf583e2, 0xbf1e3b62fdc337e0},
     {"falling-squares", 16, 200, 0x1f5ba929a69a9c91, 0x7af4efd5080a9fcc},
-    {"falling-circles", 16, 200, 0xdf47a7cd2c4443bc, 0x0edd4c7e1f2b92c7},
-    {"tumbler", 100, 150, 0xcaf1ffb7890dfb43, 0xb071afac360f9611},
-    {"add-pair-400", 400, 40, 0xb70f993d94f92389, 0x608feb4e4671bedf},
-    {"mild-n2", 10, 60, 0x1e7301a34157693d, 0x433c840371e76fb5},
-    {"n2", 40, 60, 0xbb1efa84e0a384c9, 0xba9c6e61d038f0b8},
+    {"falling-circles", 16, 200, 0x423f558f6b452cd7, 0x0edd4c7e1f2b92c7},
+    {"tumbler", 100, 150, 0x4e1fbec4f17f4f71, 0xb071afac360f9611},
+    {"add-pair-400", 400, 40, 0x391bdaa5253195f7, 0x608feb4e4671bedf},
+    {"mild-n2", 10, 60, 0xc7c8d518f35ffe1a, 0x433c840371e76fb5},
+    {"n2", 40, 60, 0x2430de8bc485e9f0, 0xba9c6e61d038f0b8},
     {"multi-fixture", 5, 60, 0x2586c8967129a7a0, 0x5e75a03200641f8b},
     {"mostly-static-single", 20, 60, 0x642b833134143ee0, 0x2a47fae2ab139346},
     {"big-mobile", 5, 120, 0xaf812665a3e6aba7, 0x767df767730ffa46},
@@ -35,6 +35,6 @@ inline constexpr GoldenHash golden[] = {
 };
 
 /// Of round_shapes.h: sequential impulses, and a step with a tolerance.
-inline constexpr uint64_t goldenRound[2] = {0xbda28e0cc18dddb6, 0x4e542732da2ed834};
+inline constexpr uint64_t goldenRound[2] = {0x00a20258b1293bab, 0x4e542732da2ed834};
 
 }  // namespace determinism

@@ -32,6 +32,14 @@ TEST(World, ListsMoversBeforeStaticBodiesNewestFirst) {
     EXPECT_EQ(world.GetBodyCount(), 2);
 }
 
+TEST(World, WithoutBodiesTakesSteps) {
+    World world({0.0f, -10.0f});
+    EXPECT_EQ(world.Step(1.0f / 60.0f, 8, 3).awakeBodyCount, 0);
+    EXPECT_EQ(world.Step(1.0f / 60.0f, 4).awakeBodyCount, 0);
+    EXPECT_EQ(world.Step(1.0f / 60.0f, Tolerance()).awakeBodyCount, 0);
+    EXPECT_EQ(world.Step(1.0f / 60.0f, Accuracy::game).awakeBodyCount, 0);
+}
+
 TEST(World, MassOfSeveralFixturesIsThatOfTheirUnion) {
     World world({0.0f, 0.0f});
     Body* body = AddBody(world, dynamicBody, {5, 5}, 0.3f);

@@ -256,6 +256,7 @@ private:
 
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& islands, TaskPool& pool,
                            BodyTable& bodies) {
+    if (islands.isolated.empty()) return {};
     const BallisticPath path(settings, bodies, 0);
     return WithBodyKernel(settings.kernels, [&](auto forces, auto limit) {
         return path.Move(pool, islands.isolated, [&](BodyIndex body) {
@@ -294,30 +295,39 @@ SolverCounts SolveLone(const IslandWork& work, const LoneIsland& lone, SolverTab
     const Island& island = work.islands.islands[ToSize(lone.island)];
     SolverScratch& s = work.scratch;
     IslandRows& rows = s.islandRows[worker];
-    if (lone.blocks < 0) {
+    if (!IsWide(island)) {
         return RunPhases(IslandSolver(work.settings, work.islands, island, tables, rows), work.fixtures,
                          [&] { ReportImpulses(rows.contacts, work.events, tables.contacts); });
     }
-    ContactBlocks& blocks = s.wide[ToSize(lone.blocks)];
+    ContactBlocks& blocks = lone.blocks < 0 ? rows.blocks : s.wide[ToSize(lone.blocks)];
+    const auto report = [&] {
+        std::ranges::copy(blocks.GetColours(), s.colours.begin() + island.contactBegin);
+        ReportBlockImpulses({blocks, false, Contacts(work.islands, island)}, work.events, tables.contacts, s.impulses);
+    };
     return RunPhases(WideSolver(work.settings, work.islands, island, tables, rows, blocks, s.delta), work.fixtures,
-                     [&] {
-                         ReportBlockImpulses({blocks, false, Contacts(work.islands, island)}, work.events,
-                                             tables.contacts, s.impulses);
-                     });
+                     report);
 }
 
 /// Lists the islands that are in no group of `lanes`, with room for the blocks of the large ones.
 void ListLone(const IslandTable& islands, const LaneSolver& lanes, const BodyTable& bodies, SolverScratch& s) {
+    // It pays to keep the blocks of an island until the next step: their contacts need not be coloured again. Small
+    // islands may be thousands, and then new blocks in a cache are faster than kept ones outside.
+    constexpr int leastKeptContacts = 128;
     s.lone.clear();
-    int wide = 0;
+    s.colours.clear();
+    int kept = 0;
+    bool isAnyWide = false;
     for (size_t i = 0; i < islands.islands.size(); ++i) {
         if (lanes.Has(i)) continue;
         const Island& island = islands.islands[i];
         const int size = CountContacts(island) + island.jointEnd - island.jointBegin;
-        s.lone.push_back({static_cast<int>(i), IsWide(island) ? wide++ : -1, size});
+        s.lone.push_back({static_cast<int>(i), CountContacts(island) >= leastKeptContacts ? kept++ : -1, size});
+        isAnyWide = isAnyWide || IsWide(island);
     }
-    if (wide == 0) return;
-    if (s.wide.size() < ToSize(wide)) s.wide.resize(ToSize(wide));
+    if (!isAnyWide) return;
+    s.colours.resize(islands.contacts.size());
+    s.delta.resize(ToSize(bodies.slots.Size()));
+    if (s.wide.size() < ToSize(kept)) s.wide.resize(ToSize(kept));
     // The place of a large island among the others changes. Its room is not to stay wherever it was.
     constexpr size_t mostRoom = 4, anyRoom = 1024;
     for (const LoneIsland& lone : s.lone) {
@@ -325,7 +335,6 @@ void ListLone(const IslandTable& islands, const LaneSolver& lanes, const BodyTab
         ContactBlocks& blocks = s.wide[ToSize(lone.blocks)];
         if (blocks.GetRoom() > mostRoom * ToSize(lone.size) + anyRoom) blocks = {};
     }
-    s.delta.resize(ToSize(bodies.slots.Size()));
 }
 
 /// Large islands one after the other, each by loops that the workers share. Then the others, each by one worker.

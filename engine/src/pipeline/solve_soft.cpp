@@ -119,6 +119,7 @@ bool MoveBody(const SolverSettings& settings, BodyTable& bodies, BodyIndex b, Ve
 template <bool forces, bool limit>
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& active, TaskPool& pool,
                            BodyTable& bodies) {
+    if (active.isolated.empty()) return {};
     const float h = settings.dt / static_cast<float>(settings.substeps);
     const BallisticPath path(settings, bodies, settings.substeps);
     return path.Move(pool, active.isolated, [&](BodyIndex body) {

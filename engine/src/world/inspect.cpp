@@ -35,14 +35,15 @@ void GetContactColours(const World& world, std::vector<int>& colours) {
             colours[ToSize(s.contacts.GetNumber(list[i]))] = found[i];
         }
     };
-    // The soft step solves all active contacts, or group by group; sequential impulses those of large islands.
+    // The soft step solves all active contacts, or group by group; sequential impulses those of wide islands.
     const std::span<const SubstepGroup> groups = s.substepGroups.Get();
     const std::vector<ContactIndex>& active = groups.empty() ? s.active.contacts : groups.back().lists.contacts;
     if (!s.active.contacts.empty()) return note(active, s.solverScratch.blocks.GetColours());
-    size_t wide = 0;
+    const std::span<const int> found(s.solverScratch.colours);
+    if (found.size() != s.islands.contacts.size()) return;
     for (const Island& island : s.islands.islands) {
-        if (!IsWide(island) || wide == s.solverScratch.wide.size()) continue;
-        note(Contacts(s.islands, island), s.solverScratch.wide[wide++].GetColours());
+        if (!IsWide(island)) continue;
+        note(Contacts(s.islands, island), found.subspan(ToSize(island.contactBegin), ToSize(CountContacts(island))));
     }
 }
 

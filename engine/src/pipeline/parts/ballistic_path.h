@@ -17,7 +17,7 @@ namespace scree {
 
 class BallisticPath {
 public:
-    /// `substeps` of the soft step; 0: sequential impulses.
+    /// `substeps` of the soft step; 0: sequential impulses. There is a body.
     BallisticPath(const SolverSettings& settings, BodyTable& bodies, int substeps)
         : m_settings(settings), m_bodies(bodies), m_moveIsolated(GetMoveIsolated()) {
         const bool isDriftExact = substeps == 0 && settings.exactDrift;  // sub-steps are exact by themselves
@@ -44,7 +44,6 @@ public:
     /// Moves the bodies and updates their sleep. one(body) moves one to its end position; true if a cap acted.
     template <typename One>
     SolverCounts Move(TaskPool& pool, const std::vector<BodyIndex>& isolated, One&& one) const {
-        if (isolated.empty()) return {};
         return CountRanges(pool, isolated.size(), pool.IsWide() ? leastBodies : leastIsolatedBodies,
                            [&](int begin, int end) { return MoveRange(Range(isolated, begin, end), one); });
     }

@@ -104,17 +104,18 @@ struct IslandRows {
     LockedBodies locked;
     JointConstraints joints;
     ColoursTaken coloursTaken;
+    ContactBlocks blocks;  ///< of islands whose blocks are not kept
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(contacts.velocity, contacts.position, coloursTaken) + rolling.GetMemoryBytes() +
-               locked.GetMemoryBytes() + joints.GetMemoryBytes();
+               locked.GetMemoryBytes() + joints.GetMemoryBytes() + blocks.GetMemoryBytes();
     }
 };
 
 /// An island that is in no group of LaneScratch.
 struct LoneIsland {
     int island;
-    int blocks;  ///< of SolverScratch::wide; -1: it is solved contact by contact
+    int blocks;  ///< of SolverScratch::wide; -1: it keeps none
     int size;    ///< contacts and joints
 };
 
@@ -140,10 +141,11 @@ struct SolverScratch {
     std::vector<LoneIsland> lone;
     IslandRows islandRows[maxWorkers];  ///< per worker
     std::vector<ContactBlocks> wide;    ///< of the large islands, in their order (sequential impulses)
+    std::vector<int> colours;           ///< by place in the list of contacts of islands; set of those that have blocks
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t ofIslands = BytesOf(wide, lone);
+        size_t ofIslands = BytesOf(wide, lone, colours);
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
         return ofIslands + BytesOf(coloursTaken, delta, soft, jointed, netted, before, impulses) +
@@ -170,6 +172,7 @@ struct SolverScratch {
         lone = {};
         for (IslandRows& rows : islandRows) rows = {};
         wide = {};
+        colours = {};
         impulses = {};
     }
 };
