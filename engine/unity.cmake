@@ -58,4 +58,4 @@ endfunction()
 
 # Files of the engine that stand alone. Three have names that headers of their folder, which they do not include, use for
 # something else. Beside others g++ 12 makes find_islands.cpp slower: that stage took twice the time in slow-explosion.
-set(SCREE_ALONE "/(collide_polygons|contact_kernels|time_of_impact|find_islands)\\.cpp$")
+set(SCREE_ALONE "/(collide_polygons|contact_kernels|lane_kernels|time_of_impact|find_islands)\\.cpp$")

@@ -49,10 +49,14 @@ SCREE_KERNEL Vector4 Mul4(const Placement4& t, Vector4 v) {
 }
 
 SCREE_KERNEL F8 Abs8(F8 a) { return Max8(a, Splat8(0.0f) - a); }
+SCREE_KERNEL F8 Minus8(F8 a) { return Splat8(-1.0f) * a; }
+/// Rows of 1 and 0 as a mask.
+SCREE_KERNEL Mask8 IsSet8(const float* row) { return Greater8(Load8(row), Splat8(0.5f)); }
 
 struct Vector8 {
     F8 x, y;
 };
+SCREE_KERNEL Vector8 LoadVector8(const float* x, const float* y) { return {Load8(x), Load8(y)}; }
 SCREE_KERNEL Vector8 operator+(Vector8 a, Vector8 b) { return {a.x + b.x, a.y + b.y}; }
 SCREE_KERNEL Vector8 operator-(Vector8 a, Vector8 b) { return {a.x - b.x, a.y - b.y}; }
 SCREE_KERNEL Vector8 operator*(F8 s, Vector8 a) { return {s * a.x, s * a.y}; }

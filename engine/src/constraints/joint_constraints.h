@@ -19,6 +19,7 @@
 #include "constraints/revolute.h"
 #include "constraints/weld.h"
 #include "constraints/wheel.h"
+#include "constraints/wheel_lanes.h"
 
 namespace scree {
 
@@ -34,6 +35,7 @@ using ConstraintTables = std::tuple<std::vector<typename JointTraits<Row>::Const
 struct JointConstraints {
     std::vector<JointRun> runs;
     std::vector<JointRun> bounds;  ///< joints that a direct solve holds, of which limits, motors and springs remain
+    WheelLanes wheels;             ///< of these, what is solved side by side
     OfJointTypes<ConstraintTables> byType;
 
     void Clear() {
@@ -42,7 +44,7 @@ struct JointConstraints {
         std::apply([](auto&... constraints) { (constraints.clear(), ...); }, byType);
     }
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = (runs.capacity() + bounds.capacity()) * sizeof(JointRun);
+        size_t bytes = (runs.capacity() + bounds.capacity()) * sizeof(JointRun) + wheels.GetMemoryBytes();
         std::apply([&](const auto&... c) { ((bytes += c.capacity() * sizeof(c[0])), ...); }, byType);
         return bytes;
     }

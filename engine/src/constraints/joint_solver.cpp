@@ -29,12 +29,21 @@ const PhaseTable& GetPhases() {
 
 }  // namespace
 
+void PlanBounds(const JointTask& task, std::span<const JointIndex> bounded) {
+    task.scratch.wheels.Plan(bounded, task.bodies, task.joints);
+}
+
 void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints,
                         std::span<const JointIndex> bounded) {
     task.scratch.Clear();
     const PhaseTable& phases = GetPhases();
     for (const JointIndex joint : joints) phases[task.joints.info[joint].type]->prepare(task, joint);
-    for (const JointIndex joint : bounded) phases[task.joints.info[joint].type]->prepareBounds(task, joint);
+    WheelLanes& wheels = task.scratch.wheels;
+    for (const JointIndex joint : bounded) {
+        const JointType type = task.joints.info[joint].type;
+        if (type != e_wheelJoint || wheels.IsEmpty()) phases[type]->prepareBounds(task, joint);
+    }
+    if (!wheels.IsEmpty()) wheels.Store(task.step.impulseScale, task.joints.Store<WheelRow>().rows);
 }
 
 void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded) {
@@ -47,11 +56,18 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
         runs.back().end = number + 1;
     };
     for (const JointIndex joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
-    for (const JointIndex joint : bounded) {
-        if (phases[task.joints.info[joint].type]->isIdle(task, joint)) continue;
-        ForgetExactImpulse(joint, task.joints);
-        add(joint, task.scratch.bounds, &JointPhases::prepareBounds);
-    }
+    const auto addBounds = [&](bool areWheels) {
+        for (const JointIndex joint : bounded) {
+            const JointType type = task.joints.info[joint].type;
+            if ((type == e_wheelJoint) != areWheels || phases[type]->isIdle(task, joint)) continue;
+            ForgetExactImpulse(joint, task.joints);
+            add(joint, task.scratch.bounds, &JointPhases::prepareBounds);
+        }
+    };
+    addBounds(false);
+    // Wheels come last, side by side or not.
+    WheelLanes& wheels = task.scratch.wheels;
+    wheels.IsEmpty() ? addBounds(true) : wheels.Prepare(task.step, task.bodies);
     WarmStartJoints(task);
 }
 
@@ -59,12 +75,14 @@ void WarmStartJoints(const JointTask& task) {
     const PhaseTable& phases = GetPhases();
     for (const JointRun& run : task.scratch.runs) phases[run.type]->warmStart(task, run);
     for (const JointRun& run : task.scratch.bounds) phases[run.type]->warmStartBounds(task, run);
+    if (!task.scratch.wheels.IsEmpty()) task.scratch.wheels.WarmStart(task.bodies.velocity);
 }
 
 void SolveJointVelocities(const JointTask& task) {
     const PhaseTable& phases = GetPhases();
     for (const JointRun& run : task.scratch.runs) phases[run.type]->solveVelocity(task, run);
     for (const JointRun& run : task.scratch.bounds) phases[run.type]->solveBounds(task, run);
+    if (!task.scratch.wheels.IsEmpty()) task.scratch.wheels.Solve(task.step, task.bodies.velocity);
 }
 
 bool SolveJointPositions(const JointTask& task) {
@@ -72,7 +90,9 @@ bool SolveJointPositions(const JointTask& task) {
     bool solved = true;
     for (const JointRun& run : task.scratch.runs) solved = phases[run.type]->solvePosition(task, run) && solved;
     for (const JointRun& run : task.scratch.bounds) solved = phases[run.type]->solveBoundPosition(task, run) && solved;
-    return solved;
+    WheelLanes& wheels = task.scratch.wheels;
+    if (wheels.IsEmpty()) return solved;
+    return wheels.SolvePositions(task.step, task.bodies, task.joints.Store<WheelRow>().rows) && solved;
 }
 
 }  // namespace scree

@@ -11,6 +11,8 @@
 
 namespace scree {
 
+/// To be called once in a step before the others, if there are joints that a direct solve holds.
+void PlanBounds(const JointTask& task, std::span<const JointIndex> bounded);
 /// Makes the constraints of these joints, in this order, and warm-starts them. Of `bounded`, which a direct solve
 /// holds, only limits, motors and springs, and those that are idle are left out.
 void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded = {});

@@ -51,23 +51,23 @@ Arms PrepareRange(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     return arms;
 }
 
-void PrepareAcross(const Arms& arms, const WheelRow& row, WheelConstraint& c) {
-    c.across = MakeSlide(arms, row.axis.Skew());
+}  // namespace
+
+void PrepareAcross(const Arms& arms, Vec2 axis, WheelConstraint& c) {
+    c.across = MakeSlide(arms, axis.Skew());
     c.acrossMass = InverseOrZero(InverseMass(c.pair, c.across));
 }
 
-}  // namespace
-
 void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     const Arms arms = PrepareRange(in, row, c);
-    PrepareAcross(arms, row, c);
+    PrepareAcross(arms, row.axis, c);
 }
 
 void PrepareBounds(const JointInput& in, WheelRow& row, WheelConstraint& c) {
     const Arms arms = PrepareRange(in, row, c);
     c.across = {};
     c.acrossMass = 0.0f;
-    if (row.limit.enabled) PrepareAcross(arms, row, c);  // SolvePosition removes both errors
+    if (row.limit.enabled) PrepareAcross(arms, row.axis, c);  // SolvePosition removes both errors
 }
 
 void WarmStart(const WheelConstraint& c, const WheelRow& row, Column<BodyIndex, Velocity>& velocity) {

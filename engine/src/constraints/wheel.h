@@ -26,7 +26,9 @@ struct WheelConstraint {
 
 /// Masses and arms of this step; scales the stored impulses.
 void Prepare(const JointInput& in, WheelRow& row, WheelConstraint& c);
-/// The same for limits, motors and springs alone.
+/// The part of that which keeps the offset across the axis at 0.
+void PrepareAcross(const Arms& arms, Vec2 axis, WheelConstraint& c);
+/// The same as Prepare for limits, motors and springs alone.
 void PrepareBounds(const JointInput& in, WheelRow& row, WheelConstraint& c);
 void WarmStart(const WheelConstraint& c, const WheelRow& row, Column<BodyIndex, Velocity>& velocity);
 /// Only limits, motors and springs.

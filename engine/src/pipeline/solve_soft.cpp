@@ -206,6 +206,7 @@ public:
                   .hasNets = !m_tree.GetNets().IsEmpty(),
                   .isLoaded = isLoaded};
         if (m_plan.hasNets) GatherNetted();
+        PlanBounds(JointWork(1.0f), m_tree.GetBounded());
     }
 
     void Substep(int index) {
@@ -442,7 +443,7 @@ private:
     void PrepareRows(bool isFirst) {
         if (!m_plan.hasRows) return;
         PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers(), m_tree.GetBounded());
-        m_rowsAct = !m_s.joints.runs.empty() || !m_s.joints.bounds.empty();
+        m_rowsAct = !m_s.joints.runs.empty() || !m_s.joints.bounds.empty() || !m_s.joints.wheels.IsEmpty();
     }
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Wheel joints side by side: the bits of solving them one by one, for random cars.
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree {
+namespace {
+
+using namespace test;
+
+/// A car on bumps of its own: one to four wheels with or without spring, motor and limits, on a body that may be fixed.
+class Car {
+public:
+    Car(World& world, uint32_t seed, float x) : m_random(seed) {
+        Body* ground = AddBody(world, staticBody, {x, 0.0f});
+        for (int i = -8; i < 8; ++i) {
+            EdgeShape edge;
+            edge.SetTwoSided({static_cast<float>(i), Any(0.0f, 0.4f)}, {static_cast<float>(i) + 1.0f, Any(0.0f, 0.4f)});
+            ground->CreateFixture(&edge, 0.0f)->SetFriction(0.9f);
+        }
+        const bool isFixed = m_random() % 8 == 0;
+        Body* chassis = AddBody(world, isFixed ? staticBody : dynamicBody, {x, 2.0f}, Any(-0.3f, 0.3f));
+        AddBox(chassis, 1.2f, 0.25f, Any(0.5f, 3.0f));
+        chassis->SetLinearVelocity({Any(-6.0f, 6.0f), Any(-2.0f, 0.0f)});
+        m_bodies.push_back(chassis);
+        const int count = 1 + static_cast<int>(m_random() % 4);
+        for (int i = 0; i < count; ++i) AddWheel(world, {x - 1.0f + 0.7f * static_cast<float>(i), 1.3f});
+    }
+
+    /// Of all bodies, and of what the joints do.
+    [[nodiscard]] std::vector<uint32_t> GetBits() const {
+        std::vector<uint32_t> bits;
+        const auto add = [&bits](float x) { bits.push_back(std::bit_cast<uint32_t>(x)); };
+        for (const Body* body : m_bodies) {
+            add(body->GetPosition().x), add(body->GetPosition().y), add(body->GetAngle());
+            add(body->GetLinearVelocity().x), add(body->GetLinearVelocity().y), add(body->GetAngularVelocity());
+        }
+        for (const WheelJoint* joint : m_joints) {
+            const Vec2 force = joint->GetReactionForce(60.0f);
+            add(force.x), add(force.y), add(joint->GetMotorTorque(60.0f));
+        }
+        return bits;
+    }
+    /// Wheels that are within 2 mm of a limit.
+    [[nodiscard]] int CountAtLimits() const {
+        int count = 0;
+        for (const WheelJoint* joint : m_joints) {
+            const float at = joint->GetJointTranslation();
+            const float room = Min(at - joint->GetLowerLimit(), joint->GetUpperLimit() - at);
+            if (joint->IsLimitEnabled() && room < 0.002f) ++count;
+        }
+        return count;
+    }
+
+private:
+    float Any(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
+    bool OneIn(uint32_t count) { return m_random() % count == 0; }
+
+    void AddWheel(World& world, Vec2 place) {
+        Body* wheel = AddBody(world, dynamicBody, place);
+        AddCircle(wheel, Any(0.2f, 0.35f))->SetFriction(0.9f);
+        WheelJointDef def;
+        const Vec2 anchor = place + Vec2{OneIn(4) ? Any(-0.1f, 0.1f) : 0.0f, 0.0f};
+        def.Initialize(m_bodies.front(), wheel, anchor, {OneIn(3) ? Any(-0.5f, 0.5f) : 0.0f, 1.0f});
+        if (!OneIn(3)) LinearStiffness(def.stiffness, def.damping, Any(2.0f, 8.0f), 0.5f, m_bodies.front(), wheel);
+        if (OneIn(3)) def.maxSpringForce = Any(1.0f, 40.0f);
+        def.enableMotor = OneIn(2);
+        def.motorSpeed = Any(-20.0f, 20.0f);
+        def.maxMotorTorque = Any(0.0f, 20.0f);
+        def.enableLimit = OneIn(2);
+        def.lowerTranslation = Any(-0.2f, 0.0f);
+        def.upperTranslation = def.lowerTranslation + Any(0.0f, 0.2f);
+        m_joints.push_back(static_cast<WheelJoint*>(world.CreateJoint(&def)));
+        m_bodies.push_back(wheel);
+    }
+
+    std::mt19937 m_random;
+    std::vector<Body*> m_bodies;
+    std::vector<WheelJoint*> m_joints;
+};
+
+/// Many cars, and a wheel to spare that turns in the air.
+struct Cars {
+    /// `oneByOne`: the spare wheel has turned so far that the lanes take none; its cosine and sine matter to nobody.
+    Cars(uint32_t seed, bool oneByOne) {
+        for (uint32_t i = 0; i < 40; ++i) cars.emplace_back(world, 1000 * seed + i, 40.0f * static_cast<float>(i));
+        Body* post = AddBody(world, staticBody, {-50.0f, 5.0f});
+        Body* wheel = AddBody(world, dynamicBody, {-50.0f, 5.0f}, oneByOne ? 2.0e8f : 0.0f);
+        AddCircle(wheel, 0.3f);
+        WheelJointDef def;
+        def.Initialize(post, wheel, wheel->GetPosition(), {0.0f, 1.0f});
+        def.stiffness = 1000.0f, def.damping = 50.0f;
+        world.CreateJoint(&def);
+        world.SetAllowSleeping(false);
+    }
+    [[nodiscard]] bool AreInLanes() const { return !world.GetState().solverScratch.joints.wheels.IsEmpty(); }
+
+    World world{{0.0f, -10.0f}};
+    std::vector<Car> cars;
+};
+
+TEST(WheelLanes, GiveTheBitsOfOneByOne) {
+    int atLimits = 0, inLanes = 0;
+    for (uint32_t seed = 0; seed < 6 && !HasFailure(); ++seed) {
+        Cars lanes(seed, false), alone(seed, true);
+        for (int step = 0; step < 150; ++step) {
+            lanes.world.Step(frame, 4);
+            alone.world.Step(frame, 4);
+            inLanes += lanes.AreInLanes() ? 1 : 0;  // unless a few go on after a time of impact
+            ASSERT_FALSE(alone.AreInLanes());
+            for (size_t i = 0; i < lanes.cars.size(); ++i) {
+                ASSERT_EQ(lanes.cars[i].GetBits(), alone.cars[i].GetBits())
+                    << "seed " << seed << ", step " << step << ", car " << i;
+                atLimits += lanes.cars[i].CountAtLimits();
+            }
+        }
+    }
+    EXPECT_GT(inLanes, 300);
+    EXPECT_GT(atLimits, 10000);
+}
+
+}  // namespace
+}  // namespace scree
