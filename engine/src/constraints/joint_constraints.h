@@ -17,6 +17,7 @@
 #include "constraints/prismatic.h"
 #include "constraints/pulley.h"
 #include "constraints/revolute.h"
+#include "constraints/revolute_lanes.h"
 #include "constraints/weld.h"
 #include "constraints/wheel.h"
 #include "constraints/wheel_lanes.h"
@@ -34,17 +35,27 @@ using ConstraintTables = std::tuple<std::vector<typename JointTraits<Row>::Const
 
 struct JointConstraints {
     std::vector<JointRun> runs;
-    std::vector<JointRun> bounds;  ///< joints that a direct solve holds, of which limits, motors and springs remain
-    WheelLanes wheels;             ///< of these, what is solved side by side
+    // Joints that a direct solve holds, of which limits, motors and springs remain, in this order: of revolute joints
+    // and wheels either the runs or the lanes.
+    std::vector<JointRun> bounds;
+    RevoluteLanes hinges;
+    std::vector<JointRun> wheelBounds;
+    WheelLanes wheels;
     OfJointTypes<ConstraintTables> byType;
 
+    /// Some joint is solved row by row at present.
+    [[nodiscard]] bool Act() const {
+        return !runs.empty() || !bounds.empty() || hinges.Act() || !wheelBounds.empty() || !wheels.IsEmpty();
+    }
     void Clear() {
         runs.clear();
         bounds.clear();
+        wheelBounds.clear();
         std::apply([](auto&... constraints) { (constraints.clear(), ...); }, byType);
     }
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = (runs.capacity() + bounds.capacity()) * sizeof(JointRun) + wheels.GetMemoryBytes();
+        size_t bytes = (runs.capacity() + bounds.capacity() + wheelBounds.capacity()) * sizeof(JointRun) +
+                       hinges.GetMemoryBytes() + wheels.GetMemoryBytes();
         std::apply([&](const auto&... c) { ((bytes += c.capacity() * sizeof(c[0])), ...); }, byType);
         return bytes;
     }

@@ -30,6 +30,7 @@ const PhaseTable& GetPhases() {
 }  // namespace
 
 void PlanBounds(const JointTask& task, std::span<const JointIndex> bounded) {
+    task.scratch.hinges.Plan(bounded, task.bodies, task.joints);
     task.scratch.wheels.Plan(bounded, task.bodies, task.joints);
 }
 
@@ -37,12 +38,16 @@ void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joint
                         std::span<const JointIndex> bounded) {
     task.scratch.Clear();
     const PhaseTable& phases = GetPhases();
-    for (const JointIndex joint : joints) phases[task.joints.info[joint].type]->prepare(task, joint);
+    RevoluteLanes& hinges = task.scratch.hinges;
     WheelLanes& wheels = task.scratch.wheels;
+    for (const JointIndex joint : joints) phases[task.joints.info[joint].type]->prepare(task, joint);
     for (const JointIndex joint : bounded) {
         const JointType type = task.joints.info[joint].type;
-        if (type != e_wheelJoint || wheels.IsEmpty()) phases[type]->prepareBounds(task, joint);
+        const bool isInLanes =
+            (type == e_revoluteJoint && !hinges.IsEmpty()) || (type == e_wheelJoint && !wheels.IsEmpty());
+        if (!isInLanes) phases[type]->prepareBounds(task, joint);
     }
+    if (!hinges.IsEmpty()) hinges.Store(task.step.impulseScale, task.joints.Store<RevoluteRow>().rows);
     if (!wheels.IsEmpty()) wheels.Store(task.step.impulseScale, task.joints.Store<WheelRow>().rows);
 }
 
@@ -56,43 +61,54 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
         runs.back().end = number + 1;
     };
     for (const JointIndex joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
-    const auto addBounds = [&](bool areWheels) {
+    const auto addBounds = [&](std::vector<JointRun>& runs, auto&& isWanted) {
         for (const JointIndex joint : bounded) {
             const JointType type = task.joints.info[joint].type;
-            if ((type == e_wheelJoint) != areWheels || phases[type]->isIdle(task, joint)) continue;
+            if (!isWanted(type) || phases[type]->isIdle(task, joint)) continue;
             ForgetExactImpulse(joint, task.joints);
-            add(joint, task.scratch.bounds, &JointPhases::prepareBounds);
+            add(joint, runs, &JointPhases::prepareBounds);
         }
     };
-    addBounds(false);
-    // Wheels come last, side by side or not.
-    WheelLanes& wheels = task.scratch.wheels;
-    wheels.IsEmpty() ? addBounds(true) : wheels.Prepare(task.step, task.bodies);
+    const auto isHinge = [](JointType type) { return type == e_revoluteJoint; };
+    const auto isWheel = [](JointType type) { return type == e_wheelJoint; };
+    JointConstraints& s = task.scratch;
+    addBounds(s.bounds, [&](JointType type) { return !isHinge(type) && !isWheel(type); });
+    s.hinges.IsEmpty() ? addBounds(s.bounds, isHinge) : s.hinges.Prepare(task.step, task.bodies, task.bodies.velocity);
+    s.wheels.IsEmpty() ? addBounds(s.wheelBounds, isWheel) : s.wheels.Prepare(task.step, task.bodies);
     WarmStartJoints(task);
 }
 
 void WarmStartJoints(const JointTask& task) {
     const PhaseTable& phases = GetPhases();
-    for (const JointRun& run : task.scratch.runs) phases[run.type]->warmStart(task, run);
-    for (const JointRun& run : task.scratch.bounds) phases[run.type]->warmStartBounds(task, run);
-    if (!task.scratch.wheels.IsEmpty()) task.scratch.wheels.WarmStart(task.bodies.velocity);
+    JointConstraints& s = task.scratch;
+    for (const JointRun& run : s.runs) phases[run.type]->warmStart(task, run);
+    for (const JointRun& run : s.bounds) phases[run.type]->warmStartBounds(task, run);
+    if (s.hinges.Act()) s.hinges.WarmStart(task.bodies.velocity);
+    for (const JointRun& run : s.wheelBounds) phases[run.type]->warmStartBounds(task, run);
+    if (!s.wheels.IsEmpty()) s.wheels.WarmStart(task.bodies.velocity);
 }
 
 void SolveJointVelocities(const JointTask& task) {
     const PhaseTable& phases = GetPhases();
-    for (const JointRun& run : task.scratch.runs) phases[run.type]->solveVelocity(task, run);
-    for (const JointRun& run : task.scratch.bounds) phases[run.type]->solveBounds(task, run);
-    if (!task.scratch.wheels.IsEmpty()) task.scratch.wheels.Solve(task.step, task.bodies.velocity);
+    JointConstraints& s = task.scratch;
+    for (const JointRun& run : s.runs) phases[run.type]->solveVelocity(task, run);
+    for (const JointRun& run : s.bounds) phases[run.type]->solveBounds(task, run);
+    if (s.hinges.Act()) s.hinges.Solve(task.step, task.bodies.velocity);
+    for (const JointRun& run : s.wheelBounds) phases[run.type]->solveBounds(task, run);
+    if (!s.wheels.IsEmpty()) s.wheels.Solve(task.step, task.bodies.velocity);
 }
 
 bool SolveJointPositions(const JointTask& task) {
     const PhaseTable& phases = GetPhases();
+    JointConstraints& s = task.scratch;
     bool solved = true;
-    for (const JointRun& run : task.scratch.runs) solved = phases[run.type]->solvePosition(task, run) && solved;
-    for (const JointRun& run : task.scratch.bounds) solved = phases[run.type]->solveBoundPosition(task, run) && solved;
-    WheelLanes& wheels = task.scratch.wheels;
-    if (wheels.IsEmpty()) return solved;
-    return wheels.SolvePositions(task.step, task.bodies, task.joints.Store<WheelRow>().rows) && solved;
+    const auto note = [&solved](bool one) { solved = one && solved; };
+    for (const JointRun& run : s.runs) note(phases[run.type]->solvePosition(task, run));
+    for (const JointRun& run : s.bounds) note(phases[run.type]->solveBoundPosition(task, run));
+    if (s.hinges.Act()) note(s.hinges.SolvePositions(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows));
+    for (const JointRun& run : s.wheelBounds) note(phases[run.type]->solveBoundPosition(task, run));
+    if (!s.wheels.IsEmpty()) note(s.wheels.SolvePositions(task.step, task.bodies, task.joints.Store<WheelRow>().rows));
+    return solved;
 }
 
 }  // namespace scree

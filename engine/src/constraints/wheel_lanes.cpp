@@ -1,81 +1,35 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Levels → batches → lanes. What has come near a limit is looked at joint by joint.
+// Batches → lanes. What has come near a limit is looked at joint by joint.
 
 #include "constraints/wheel_lanes.h"
 
-#include <algorithm>
 #include <bit>
 
-#include "base/sin_cos_terms.h"
 #include "constraints/wheel.h"
 
 namespace scree {
 
-namespace {
-
-/// A batch takes as long as so many joints one by one.
-constexpr size_t jointsOfOne = 3;
-
-bool IsPushed(const BodyTable& bodies, BodyIndex body) { return bodies.mass[body].invMass > 0.0f; }
-
-}  // namespace
-
 void WheelLanes::Plan(std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table) {
-    constexpr float mostAngle = 0.1f * sin_cos::largestDirect;  // that the kernels can turn
+    constexpr size_t jointsOfOne = 3;  // a batch takes as long as so many one by one
     m_batches.clear();
-    m_taken.clear();
-    if (bodies.IsFar()) return;
-    for (const JointIndex joint : joints) {
-        const JointInfo& info = table.info[joint];
-        if (info.type != e_wheelJoint) continue;
-        if (Abs(bodies.position[info.bodyA].a) > mostAngle || Abs(bodies.position[info.bodyB].a) > mostAngle) return;
-        m_taken.push_back({joint, 0});
-    }
+    FindJointsOfType(e_wheelJoint, joints, bodies, table, m_taken);
     if (m_taken.size() < jointsOfOne) return;
-    FindLevels(bodies, table);
-    if (m_order.size() / wheelLanes * jointsOfOne <= m_taken.size()) Fill(bodies, table);
+    const std::span<const JointIndex> order = m_levels.Sort(m_taken, bodies, table);
+    if (order.size() / wheelLanes * jointsOfOne <= m_taken.size()) Fill(order, bodies, table);
 }
 
-/// A joint comes after those before it that push one of its bodies. Sorts by level into batches.
-void WheelLanes::FindLevels(const BodyTable& bodies, const JointTable& table) {
-    EnsureRows(m_level, ToSize(bodies.slots.Size()));
-    for (const Taken& taken : m_taken) {
-        const JointInfo& info = table.info[taken.joint];
-        m_level[info.bodyA] = m_level[info.bodyB] = 0;
-    }
-    m_start.clear();
-    for (Taken& taken : m_taken) {
-        const JointInfo& info = table.info[taken.joint];
-        int level = 0;
-        for (const BodyIndex body : {info.bodyA, info.bodyB}) {
-            if (IsPushed(bodies, body)) level = std::max(level, m_level[body]);
-        }
-        m_level[info.bodyA] = m_level[info.bodyB] = level + 1;
-        taken.level = level;
-        if (ToSize(level) >= m_start.size()) m_start.resize(ToSize(level) + 1, 0);
-        ++m_start[ToSize(level)];
-    }
-    int begin = 0;
-    for (int& start : m_start) {
-        const int batches = (start + wheelLanes - 1) / wheelLanes;
-        start = begin;
-        begin += batches * wheelLanes;
-    }
-    m_order.assign(ToSize(begin), JointIndex::none);
-    for (const Taken& taken : m_taken) m_order[ToSize(m_start[ToSize(taken.level)]++)] = taken.joint;
-}
-
-void WheelLanes::Fill(const BodyTable& bodies, const JointTable& table) {
-    m_batches.resize(m_order.size() / wheelLanes);
+void WheelLanes::Fill(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table) {
+    static_assert(wheelLanes == jointBatchSize);
+    m_batches.resize(order.size() / wheelLanes);
     const Column<JointRow, WheelRow>& rows = table.Store<WheelRow>().rows;
-    for (size_t i = 0; i < m_order.size(); ++i) {
+    for (size_t i = 0; i < order.size(); ++i) {
         WheelBatch& b = m_batches[i / wheelLanes];
         const size_t lane = i % wheelLanes;
         if (lane == 0) b.anyArmB = b.anyMotor = b.anySpring = b.anyLimit = 0;
-        const bool isSpare = IsNone(m_order[i]);
-        const JointInfo& info = table.info[isSpare ? m_order[i - lane] : m_order[i]];
+        const bool isSpare = IsNone(order[i]);
+        const JointInfo& info = table.info[isSpare ? order[i - lane] : order[i]];
         const WheelRow& row = rows[info.row];
         const MassRow &massA = bodies.mass[info.bodyA], &massB = bodies.mass[info.bodyB];
         const Vec2 anchorA = row.localAnchorA - massA.localCenter, anchorB = row.localAnchorB - massB.localCenter;

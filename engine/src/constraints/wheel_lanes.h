@@ -1,17 +1,15 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Springs, motors and limits of many wheel joints, eight at a time. Joints that push the same body are in different
-// batches, in their order. So the bits are those of solving the joints one after the other.
+// Springs, motors and limits of many wheel joints, eight at a time, with the bits of one after the other.
 
 #pragma once
 
 #include <span>
 #include <vector>
 
-#include "base/bytes.h"
+#include "constraints/joint_levels.h"
 #include "constraints/wheel_lane_kernels.h"
-#include "state/joints.h"
 
 namespace scree {
 
@@ -32,23 +30,15 @@ public:
     /// Writes the impulses times `scale` into the rows.
     void Store(float scale, Column<JointRow, WheelRow>& rows);
 
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches, m_taken, m_level, m_order, m_start); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches, m_taken) + m_levels.GetMemoryBytes(); }
 
 private:
-    struct Taken {
-        JointIndex joint;
-        int level;  ///< how many joints before it must be solved first
-    };
-
-    void FindLevels(const BodyTable& bodies, const JointTable& table);
-    void Fill(const BodyTable& bodies, const JointTable& table);
+    void Fill(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table);
     [[nodiscard]] WheelLaneTask Task();
 
     std::vector<WheelBatch> m_batches;
-    std::vector<Taken> m_taken;
-    Column<BodyIndex, int> m_level;   ///< of the next joint that pushes the body
-    std::vector<JointIndex> m_order;  ///< by batch and lane; none: to spare
-    std::vector<int> m_start;         ///< by level: the next place of m_order
+    std::vector<JointIndex> m_taken;
+    JointLevels m_levels;
 };
 
 }  // namespace scree

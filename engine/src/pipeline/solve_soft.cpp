@@ -443,7 +443,7 @@ private:
     void PrepareRows(bool isFirst) {
         if (!m_plan.hasRows) return;
         PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers(), m_tree.GetBounded());
-        m_rowsAct = !m_s.joints.runs.empty() || !m_s.joints.bounds.empty() || !m_s.joints.wheels.IsEmpty();
+        m_rowsAct = m_s.joints.Act();
     }
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {

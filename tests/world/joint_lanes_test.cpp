@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Wheel joints side by side: the bits of solving them one by one, for random cars.
+// Wheel and revolute joints side by side: the bits of solving them one by one, for random cars and figures.
 
 #include <gtest/gtest.h>
 
@@ -127,6 +127,120 @@ TEST(WheelLanes, GiveTheBitsOfOneByOne) {
     }
     EXPECT_GT(inLanes, 300);
     EXPECT_GT(atLimits, 10000);
+}
+
+/// A figure of two to six limbs, in a tree, whose hinges have limits, motors or springs.
+class Figure {
+public:
+    Figure(World& world, uint32_t seed, float x) : m_random(seed) {
+        Body* ground = AddBody(world, staticBody, {x, 0.0f});
+        AddBox(ground, 12.0f, 0.5f);
+        AddLimb(world, {x, 3.0f});
+        const int count = 1 + static_cast<int>(m_random() % 5);
+        for (int i = 0; i < count; ++i) AddHinge(world);
+    }
+
+    /// Of all bodies, and of what the joints do.
+    [[nodiscard]] std::vector<uint32_t> GetBits() const {
+        std::vector<uint32_t> bits;
+        const auto add = [&bits](float x) { bits.push_back(std::bit_cast<uint32_t>(x)); };
+        for (const Body* body : m_limbs) {
+            add(body->GetPosition().x), add(body->GetPosition().y), add(body->GetAngle());
+            add(body->GetLinearVelocity().x), add(body->GetLinearVelocity().y), add(body->GetAngularVelocity());
+        }
+        for (const RevoluteJoint* joint : m_joints) {
+            const Vec2 force = joint->GetReactionForce(60.0f);
+            add(force.x), add(force.y), add(joint->GetReactionTorque(60.0f)), add(joint->GetMotorTorque(60.0f));
+        }
+        return bits;
+    }
+    /// Hinges that are out of their range, or within a milliradian of an end.
+    [[nodiscard]] int CountAtLimits() const {
+        int count = 0;
+        for (const RevoluteJoint* joint : m_joints) {
+            const float at = joint->GetJointAngle();
+            const float room = Min(at - joint->GetLowerLimit(), joint->GetUpperLimit() - at);
+            if (joint->IsLimitEnabled() && room < 0.001f) ++count;
+        }
+        return count;
+    }
+
+private:
+    float Any(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
+    bool OneIn(uint32_t count) { return m_random() % count == 0; }
+
+    Body* AddLimb(World& world, Vec2 place) {
+        Body* limb = AddBody(world, dynamicBody, place, Any(-0.5f, 0.5f));
+        Fixture* fixture = AddBox(limb, Any(0.2f, 0.5f), Any(0.1f, 0.2f), Any(0.5f, 3.0f));
+        Filter filter;
+        filter.groupIndex = -1;
+        fixture->SetFilterData(filter);
+        limb->SetAngularVelocity(Any(-4.0f, 4.0f));
+        m_limbs.push_back(limb);
+        return limb;
+    }
+    void AddHinge(World& world) {
+        Body* parent = m_limbs[m_random() % m_limbs.size()];
+        const Vec2 anchor = parent->GetWorldPoint({OneIn(2) ? 0.4f : -0.4f, 0.0f});
+        Body* limb = AddLimb(world, anchor + Vec2{Any(-0.4f, 0.4f), Any(-0.2f, 0.2f)});
+        RevoluteJointDef def;
+        def.Initialize(parent, limb, anchor);
+        def.enableLimit = !OneIn(4);
+        def.lowerAngle = Any(-1.0f, 0.1f);
+        def.upperAngle = def.lowerAngle + (OneIn(5) ? 0.0f : Any(0.0f, 1.0f));
+        def.enableMotor = OneIn(3);
+        def.motorSpeed = Any(-4.0f, 4.0f);
+        def.maxMotorTorque = Any(0.0f, 5.0f);
+        def.enableSpring = OneIn(3);
+        AngularStiffness(def.stiffness, def.damping, Any(1.0f, 6.0f), 0.5f, parent, limb);
+        def.targetAngle = Any(-0.5f, 0.5f);
+        if (OneIn(2)) def.maxSpringTorque = Any(0.1f, 5.0f);
+        m_joints.push_back(static_cast<RevoluteJoint*>(world.CreateJoint(&def)));
+    }
+
+    std::mt19937 m_random;
+    std::vector<Body*> m_limbs;
+    std::vector<RevoluteJoint*> m_joints;
+};
+
+/// Many figures, and a hinge to spare in the air.
+struct Figures {
+    /// `oneByOne` as of Cars.
+    Figures(uint32_t seed, bool oneByOne) {
+        for (uint32_t i = 0; i < 40; ++i) figures.emplace_back(world, 1000 * seed + i, 40.0f * static_cast<float>(i));
+        Body* post = AddBody(world, staticBody, {-50.0f, 5.0f});
+        Body* disk = AddBody(world, dynamicBody, {-50.0f, 5.0f}, oneByOne ? 2.0e8f : 0.0f);
+        AddCircle(disk, 0.3f);
+        RevoluteJointDef def;
+        def.Initialize(post, disk, disk->GetPosition());
+        def.enableMotor = true;
+        world.CreateJoint(&def);
+        world.SetAllowSleeping(false);
+    }
+    [[nodiscard]] bool AreInLanes() const { return !world.GetState().solverScratch.joints.hinges.IsEmpty(); }
+
+    World world{{0.0f, -10.0f}};
+    std::vector<Figure> figures;
+};
+
+TEST(RevoluteLanes, GiveTheBitsOfOneByOne) {
+    int atLimits = 0, inLanes = 0;
+    for (uint32_t seed = 0; seed < 6 && !HasFailure(); ++seed) {
+        Figures lanes(seed, false), alone(seed, true);
+        for (int step = 0; step < 150; ++step) {
+            lanes.world.Step(frame, 4);
+            alone.world.Step(frame, 4);
+            inLanes += lanes.AreInLanes() ? 1 : 0;  // unless a few go on after a time of impact
+            ASSERT_FALSE(alone.AreInLanes());
+            for (size_t i = 0; i < lanes.figures.size(); ++i) {
+                ASSERT_EQ(lanes.figures[i].GetBits(), alone.figures[i].GetBits())
+                    << "seed " << seed << ", step " << step << ", figure " << i;
+                atLimits += lanes.figures[i].CountAtLimits();
+            }
+        }
+    }
+    EXPECT_GT(inLanes, 300);
+    EXPECT_GT(atLimits, 5000);
 }
 
 }  // namespace

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// A joint's level is one above those of the joints before it that push one of its bodies. A counting sort by level.
+
+#include "constraints/joint_levels.h"
+
+#include <algorithm>
+
+#include "base/lazy_rows.h"
+#include "base/sin_cos_terms.h"
+
+namespace scree {
+
+std::span<const JointIndex> JointLevels::Sort(std::span<const JointIndex> joints, const BodyTable& bodies,
+                                              const JointTable& table) {
+    EnsureRows(m_next, ToSize(bodies.slots.Size()));
+    for (const JointIndex joint : joints) {
+        const JointInfo& info = table.info[joint];
+        m_next[info.bodyA] = m_next[info.bodyB] = 0;
+    }
+    m_levels.resize(joints.size());
+    m_start.clear();
+    for (size_t i = 0; i < joints.size(); ++i) {
+        const JointInfo& info = table.info[joints[i]];
+        int level = 0;
+        for (const BodyIndex body : {info.bodyA, info.bodyB}) {
+            if (bodies.mass[body].invMass > 0.0f) level = std::max(level, m_next[body]);
+        }
+        m_next[info.bodyA] = m_next[info.bodyB] = level + 1;
+        m_levels[i] = level;
+        if (ToSize(level) >= m_start.size()) m_start.resize(ToSize(level) + 1, 0);
+        ++m_start[ToSize(level)];
+    }
+    int begin = 0;
+    for (int& start : m_start) {
+        const int batches = (start + jointBatchSize - 1) / jointBatchSize;
+        start = begin;
+        begin += batches * jointBatchSize;
+    }
+    m_order.assign(ToSize(begin), JointIndex::none);
+    for (size_t i = 0; i < joints.size(); ++i) m_order[ToSize(m_start[ToSize(m_levels[i])]++)] = joints[i];
+    return m_order;
+}
+
+void FindJointsOfType(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
+                      const JointTable& table, std::vector<JointIndex>& found) {
+    constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
+    found.clear();
+    if (bodies.IsFar()) return;
+    for (const JointIndex joint : joints) {
+        const JointInfo& info = table.info[joint];
+        if (info.type != type) continue;
+        if (Abs(bodies.position[info.bodyA].a) > mostAngle || Abs(bodies.position[info.bodyB].a) > mostAngle) {
+            found.clear();
+            return;
+        }
+        found.push_back(joint);
+    }
+}
+
+}  // namespace scree
