@@ -7,22 +7,35 @@
 
 #include <algorithm>
 
-#include "base/lazy_rows.h"
 #include "base/sin_cos_terms.h"
 
 namespace scree {
 
-std::span<const JointIndex> JointLevels::Sort(std::span<const JointIndex> joints, const BodyTable& bodies,
-                                              const JointTable& table) {
-    EnsureRows(m_next, ToSize(bodies.slots.Size()));
+void JointLevels::Take(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
+                       const JointTable& table) {
+    constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
+    m_taken.clear();
+    if (bodies.IsFar()) return;
     for (const JointIndex joint : joints) {
+        const JointInfo& info = table.info[joint];
+        if (info.type != type) continue;
+        if (Abs(bodies.position[info.bodyA].a) > mostAngle || Abs(bodies.position[info.bodyB].a) > mostAngle) {
+            return m_taken.clear();
+        }
+        m_taken.push_back(joint);
+    }
+}
+
+void JointLevels::FindLevels(const BodyTable& bodies, const JointTable& table) {
+    EnsureRows(m_next, ToSize(bodies.slots.Size()));
+    for (const JointIndex joint : m_taken) {
         const JointInfo& info = table.info[joint];
         m_next[info.bodyA] = m_next[info.bodyB] = 0;
     }
-    m_levels.resize(joints.size());
+    m_levels.resize(m_taken.size());
     m_start.clear();
-    for (size_t i = 0; i < joints.size(); ++i) {
-        const JointInfo& info = table.info[joints[i]];
+    for (size_t i = 0; i < m_taken.size(); ++i) {
+        const JointInfo& info = table.info[m_taken[i]];
         int level = 0;
         for (const BodyIndex body : {info.bodyA, info.bodyB}) {
             if (bodies.mass[body].invMass > 0.0f) level = std::max(level, m_next[body]);
@@ -32,31 +45,24 @@ std::span<const JointIndex> JointLevels::Sort(std::span<const JointIndex> joints
         if (ToSize(level) >= m_start.size()) m_start.resize(ToSize(level) + 1, 0);
         ++m_start[ToSize(level)];
     }
+}
+
+std::span<const JointIndex> JointLevels::Sort(JointType type, std::span<const JointIndex> joints,
+                                              const BodyTable& bodies, const JointTable& table) {
+    constexpr size_t jointsOfBatch = 3;  // a batch takes as long as so many one by one
+    Take(type, joints, bodies, table);
+    if (m_taken.size() < jointsOfBatch) return {};
+    FindLevels(bodies, table);
     int begin = 0;
     for (int& start : m_start) {
         const int batches = (start + jointBatchSize - 1) / jointBatchSize;
         start = begin;
         begin += batches * jointBatchSize;
     }
+    if (ToSize(begin / jointBatchSize) * jointsOfBatch > m_taken.size()) return {};
     m_order.assign(ToSize(begin), JointIndex::none);
-    for (size_t i = 0; i < joints.size(); ++i) m_order[ToSize(m_start[ToSize(m_levels[i])]++)] = joints[i];
+    for (size_t i = 0; i < m_taken.size(); ++i) m_order[ToSize(m_start[ToSize(m_levels[i])]++)] = m_taken[i];
     return m_order;
-}
-
-void FindJointsOfType(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
-                      const JointTable& table, std::vector<JointIndex>& found) {
-    constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
-    found.clear();
-    if (bodies.IsFar()) return;
-    for (const JointIndex joint : joints) {
-        const JointInfo& info = table.info[joint];
-        if (info.type != type) continue;
-        if (Abs(bodies.position[info.bodyA].a) > mostAngle || Abs(bodies.position[info.bodyB].a) > mostAngle) {
-            found.clear();
-            return;
-        }
-        found.push_back(joint);
-    }
 }
 
 }  // namespace scree

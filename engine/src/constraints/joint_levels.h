@@ -18,20 +18,34 @@ inline constexpr int jointBatchSize = 8;
 
 class JointLevels {
 public:
-    /// Joints by batch and place in it; none: to spare, behind the others of the batch. Valid until the next call.
-    std::span<const JointIndex> Sort(std::span<const JointIndex> joints, const BodyTable& bodies,
+    /// The joints of a type in this list, by batch and place in it; none: to spare, behind the others of the batch. No
+    /// joints where that does not pay, or where the kernels cannot turn the bodies. Valid until the next call.
+    std::span<const JointIndex> Sort(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
                                      const JointTable& table);
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_levels, m_next, m_order, m_start); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_taken, m_levels, m_next, m_order, m_start); }
 
 private:
+    void Take(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table);
+    void FindLevels(const BodyTable& bodies, const JointTable& table);
+
+    std::vector<JointIndex> m_taken;
     std::vector<int> m_levels;      ///< by joint: how many before it must be solved first
     Column<BodyIndex, int> m_next;  ///< level of the next joint that pushes the body
     std::vector<JointIndex> m_order;
-    std::vector<int> m_start;  ///< by level: the next place of m_order
+    std::vector<int> m_start;  ///< by level: how many joints; then the next place of m_order
 };
 
-/// The joints of a type in a list, if the kernels can turn their bodies; else none.
-void FindJointsOfType(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
-                      const JointTable& table, std::vector<JointIndex>& found);
+/// Calls fill(batch, lane, info, row, isSpare) for all places of an order, whose batches are made for it. What is to
+/// spare repeats the first joint of its batch.
+template <typename Row, typename Batch, typename Fill>
+void FillBatches(std::span<const JointIndex> order, const JointTable& table, std::vector<Batch>& batches, Fill&& fill) {
+    batches.resize(order.size() / jointBatchSize);
+    for (size_t i = 0; i < order.size(); ++i) {
+        const size_t lane = i % jointBatchSize;
+        const bool isSpare = IsNone(order[i]);
+        const JointInfo& info = table.info[isSpare ? order[i - lane] : order[i]];
+        fill(batches[i / jointBatchSize], lane, info, table.Store<Row>().rows[info.row], isSpare);
+    }
+}
 
 }  // namespace scree

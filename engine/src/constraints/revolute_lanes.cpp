@@ -12,26 +12,11 @@
 namespace scree {
 
 void RevoluteLanes::Plan(std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table) {
-    constexpr size_t jointsOfOne = 3;  // a batch takes as long as so many one by one
-    m_batches.clear();
-    m_act = false;
-    FindJointsOfType(e_revoluteJoint, joints, bodies, table, m_taken);
-    if (m_taken.size() < jointsOfOne) return;
-    const std::span<const JointIndex> order = m_levels.Sort(m_taken, bodies, table);
-    if (order.size() / revoluteLanes * jointsOfOne <= m_taken.size()) Fill(order, bodies, table);
-}
-
-void RevoluteLanes::Fill(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table) {
     static_assert(revoluteLanes == jointBatchSize);
-    m_batches.resize(order.size() / revoluteLanes);
-    const Column<JointRow, RevoluteRow>& rows = table.Store<RevoluteRow>().rows;
-    for (size_t i = 0; i < order.size(); ++i) {
-        RevoluteBatch& b = m_batches[i / revoluteLanes];
-        const size_t lane = i % revoluteLanes;
+    m_act = false;
+    const auto fill = [&bodies](RevoluteBatch& b, size_t lane, const JointInfo& info, const RevoluteRow& row,
+                                bool isSpare) {
         if (lane == 0) b.anyActs = b.anyMotor = b.anySpring = 0;
-        const bool isSpare = IsNone(order[i]);
-        const JointInfo& info = table.info[isSpare ? order[i - lane] : order[i]];
-        const RevoluteRow& row = rows[info.row];
         const MassRow &massA = bodies.mass[info.bodyA], &massB = bodies.mass[info.bodyB];
         b.bodyA[lane] = ToInt(info.bodyA), b.bodyB[lane] = ToInt(info.bodyB);
         b.row[lane] = isSpare ? -1 : ToInt(info.row);
@@ -50,7 +35,8 @@ void RevoluteLanes::Fill(std::span<const JointIndex> order, const BodyTable& bod
         b.lowerImpulse[lane] = row.limit.lowerImpulse, b.upperImpulse[lane] = row.limit.upperImpulse;
         b.anyMotor |= row.motor.enabled ? 1 : 0;
         b.anySpring |= row.spring.enabled ? 1 : 0;
-    }
+    };
+    FillBatches<RevoluteRow>(m_levels.Sort(e_revoluteJoint, joints, bodies, table), table, m_batches, fill);
 }
 
 RevoluteLaneTask RevoluteLanes::Task() {

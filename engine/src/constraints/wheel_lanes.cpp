@@ -12,25 +12,9 @@
 namespace scree {
 
 void WheelLanes::Plan(std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table) {
-    constexpr size_t jointsOfOne = 3;  // a batch takes as long as so many one by one
-    m_batches.clear();
-    FindJointsOfType(e_wheelJoint, joints, bodies, table, m_taken);
-    if (m_taken.size() < jointsOfOne) return;
-    const std::span<const JointIndex> order = m_levels.Sort(m_taken, bodies, table);
-    if (order.size() / wheelLanes * jointsOfOne <= m_taken.size()) Fill(order, bodies, table);
-}
-
-void WheelLanes::Fill(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table) {
     static_assert(wheelLanes == jointBatchSize);
-    m_batches.resize(order.size() / wheelLanes);
-    const Column<JointRow, WheelRow>& rows = table.Store<WheelRow>().rows;
-    for (size_t i = 0; i < order.size(); ++i) {
-        WheelBatch& b = m_batches[i / wheelLanes];
-        const size_t lane = i % wheelLanes;
+    const auto fill = [&bodies](WheelBatch& b, size_t lane, const JointInfo& info, const WheelRow& row, bool isSpare) {
         if (lane == 0) b.anyArmB = b.anyMotor = b.anySpring = b.anyLimit = 0;
-        const bool isSpare = IsNone(order[i]);
-        const JointInfo& info = table.info[isSpare ? order[i - lane] : order[i]];
-        const WheelRow& row = rows[info.row];
         const MassRow &massA = bodies.mass[info.bodyA], &massB = bodies.mass[info.bodyB];
         const Vec2 anchorA = row.localAnchorA - massA.localCenter, anchorB = row.localAnchorB - massB.localCenter;
         b.bodyA[lane] = ToInt(info.bodyA), b.bodyB[lane] = ToInt(info.bodyB);
@@ -51,7 +35,8 @@ void WheelLanes::Fill(std::span<const JointIndex> order, const BodyTable& bodies
         b.anyMotor |= row.motor.enabled ? 1 : 0;
         b.anySpring |= row.stiffness > 0.0f ? 1 : 0;
         b.anyLimit |= row.limit.enabled ? 1 : 0;
-    }
+    };
+    FillBatches<WheelRow>(m_levels.Sort(e_wheelJoint, joints, bodies, table), table, m_batches, fill);
 }
 
 WheelLaneTask WheelLanes::Task() {

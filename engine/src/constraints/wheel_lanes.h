@@ -30,14 +30,12 @@ public:
     /// Writes the impulses times `scale` into the rows.
     void Store(float scale, Column<JointRow, WheelRow>& rows);
 
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches, m_taken) + m_levels.GetMemoryBytes(); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches) + m_levels.GetMemoryBytes(); }
 
 private:
-    void Fill(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table);
     [[nodiscard]] WheelLaneTask Task();
 
     std::vector<WheelBatch> m_batches;
-    std::vector<JointIndex> m_taken;
     JointLevels m_levels;
 };
 
