@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
@@ -298,15 +299,21 @@ TEST(SceneFile, DamagedFilesEndInAnErrorOrInASceneThatIsGood) {
     RecordMutations(count, refused);
 }
 
-TEST(SceneFile, AHundredThousandBodiesLoadInASecond) {
-    const std::string text = WriteScene(scenes::Build("slow-explosion", 100'000));
-    const auto start = std::chrono::steady_clock::now();
-    const scenes::Scene scene = ReadScene(text, "x");
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    EXPECT_EQ(scene.bodies.size(), 100'000u);
-    RecordProperty("seconds", std::to_string(seconds));
-    // Ten times what it should take, since sanitizers and busy machines are slow.
-    EXPECT_LT(seconds, 10.0);
+/// The least of three, s.
+double TimeToRead(int bodies) {
+    const std::string text = WriteScene(scenes::Build("slow-explosion", bodies));
+    double least = std::numeric_limits<double>::max();
+    for (int i = 0; i < 3; ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_EQ(ReadScene(text, "x").bodies.size(), static_cast<size_t>(bodies));
+        least = std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    }
+    return least;
+}
+
+TEST(SceneFile, ReadingTakesTimeInProportionToTheBodies) {
+    // Three times what it should be, since caches and busy machines are in it. A square would be a hundredfold.
+    EXPECT_LT(TimeToRead(50'000), 30.0 * TimeToRead(5'000));
 }
 
 const nlohmann::json& Schema() {
