@@ -18,7 +18,7 @@ words = sys.argv[5:]
 
 # Held elsewhere: pages and reports with a test of their own, what installs or builds, and another machine's queue.
 OTHER_TESTS = ('testbed/docs/own-world.md',)
-NOT_RUN = re.compile(r'^(tests/run|tests/fuzz/run|tests/platforms/run|tests/determinism/renew|tests/capture/|cmake |g\+\+ |sbatch |sudo |apt|dpkg|ctest|build/|git |cd |\.ci/|SCREE_RECORD=|testbed/run requires --quick -o)')
+NOT_RUN = re.compile(r'^(tests/run|tests/fuzz/run|tests/platforms/run|tests/determinism/renew|tests/capture/|cmake |g\+\+ |sbatch |sudo |apt|dpkg|ctest|build/|git |cd |\.ci/|SCREE_RECORD=|testbed/run requires (--quick -o|--ablation))')
 SMALL = {'tiles': 20, 'mixed': 100, 'slow-explosion': 100, 'tumbler': 50, 'falling-squares': 20, 'pyramid': 6}
 
 

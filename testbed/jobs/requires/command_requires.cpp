@@ -19,12 +19,15 @@
 #include "testbed/base/output.h"
 #include "testbed/base/progress.h"
 #include "testbed/engines/panes.h"
+#include "testbed/engines/provenance.h"
 #include "testbed/jobs/requires/ablation.h"
 #include "testbed/jobs/requires/break_even.h"
 #include "testbed/jobs/requires/commands.h"
 #include "testbed/jobs/requires/requirement.h"
 #include "testbed/options/options.h"
+#include "testbed/page/facts.h"
 #include "testbed/page/gnuplot.h"
+#include "testbed/page/markdown.h"
 #include "testbed/page/plot.h"
 
 namespace testbed {
@@ -42,6 +45,7 @@ struct RequiresArguments {
     bool breakEven = false;
     std::string header;
     std::string output = "out/requires";
+    std::string markdown;
 };
 
 constexpr int mostSteps = 200, quickSteps = 60;
@@ -109,12 +113,15 @@ struct Report {
                    "Every feature of the engine has a neutral value at which leaving it out changes no bit. A "
                    "world leaves out what nobody in it uses; here is what that saves, and where parts of the "
                    "engine begin to pay.",
-               .facts = {{"command", DescribeCommand(request.arguments)},
-                         {"settings", PrintSettings(MakeTask(arguments, scenes::Scene{}).spec)}}} {}
+               .facts = {}} {
+        AddFacts(page, DescribeCommand(request.arguments), ToJson(FindProvenance()));
+        page.facts.push_back({"settings", PrintSettings(MakeTask(arguments, scenes::Scene{}).spec)});
+    }
 
-    int Finish() {
+    int Finish(const std::string& markdown) {
         std::ranges::move(details, std::back_inserter(page.sections));
         output.WriteText("index.html", MakePage(page));
+        if (!markdown.empty()) WriteMarkdown(markdown, page);
         for (const std::string& file : output.GetFiles()) fmt::print("{}\n", file);
         return same ? exitDone : exitDiffers;
     }
@@ -213,11 +220,14 @@ int RunReport(const RequiresArguments& arguments, const Request& request) {
     Report report(arguments, request);
     if (both || arguments.ablation) AddAblation(arguments, report);
     if (plots) AddBreakEven(arguments, report);
-    return report.Finish();
+    return report.Finish(arguments.markdown);
 }
 
 int RunRequires(const RequiresArguments& arguments, const Request& request) {
     if (arguments.scene.empty() || arguments.ablation || arguments.breakEven) return RunReport(arguments, request);
+    if (!arguments.markdown.empty()) {
+        throw UsageError("--markdown writes a report: leave SCENE out, or add --ablation");
+    }
     const SceneRequest chosen = ChooseScenes(arguments).front();
     const scenes::Scene& scene = chosen.scene;
     const RequirementTask& task = chosen.task;
@@ -261,6 +271,7 @@ void AddRequiresCommand(CLI::App& app, Request& request) {
     command->add_option("-o,--output", arguments->output, "Folder for the report")
         ->type_name("DIR")
         ->capture_default_str();
+    AddMarkdownOption(*command, arguments->markdown);
     command->add_option("--header", arguments->header, "Write the features that SCENE needs as a C++ header")
         ->type_name("FILE");
     command->callback(

@@ -222,6 +222,13 @@ TEST(Settings, JobsWithGridsTakeThem) {
     EXPECT_NE(requirement.output.find("speedLimit"), std::string::npos) << requirement.output;
     EXPECT_LT(requirement.output.find("speedLimit"), requirement.output.find("does without")) << "it is required";
     EXPECT_EQ(folder.Run("requires box-stack 2 --set features=full").exitCode, 2);
+    const ProgramResult report =
+        folder.Run("requires box-stack 2 --ablation --quick --steps 2 --substeps 4 -o r --markdown r.md");
+    EXPECT_EQ(report.exitCode, 0) << report.output;
+    const std::string page = folder.Read("r.md");
+    for (const char* part : {"- compiler: ", "- settings: solver=soft@4", "| box-stack | 2 |", "| friction | own |"}) {
+        EXPECT_NE(page.find(part), std::string::npos) << part << "\n" << page;
+    }
 }
 
 }  // namespace

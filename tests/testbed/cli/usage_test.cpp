@@ -66,6 +66,7 @@ constexpr UsageCase usageCases[] = {
     {"overlap foo", "unknown scene 'foo'; `scree list` shows all"},
     {"overlap tiles --style gypsum", "unknown style 'gypsum'; known: "},
     {"requires pyramid -5", "from 1 to 1500"},
+    {"requires pyramid --markdown page.md", "leave SCENE out, or add --ablation"},
     {"extremes --limit nan", "above 0"},
     {"extremes --limit inf", "above 0"},
     {"bench tiles --time-limit nan", "0 or a number above it"},
