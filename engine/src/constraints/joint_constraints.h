@@ -38,14 +38,14 @@ struct JointConstraints {
     // Joints that a direct solve holds, of which limits, motors and springs remain, in this order: of revolute joints
     // and wheels either the runs or the lanes.
     std::vector<JointRun> bounds;
-    RevoluteLanes hinges;
+    JointLanes<RevoluteRow> hinges;
     std::vector<JointRun> wheelBounds;
-    WheelLanes wheels;
+    JointLanes<WheelRow> wheels;
     OfJointTypes<ConstraintTables> byType;
 
     /// Some joint is solved row by row at present.
     [[nodiscard]] bool Act() const {
-        return !runs.empty() || !bounds.empty() || hinges.Act() || !wheelBounds.empty() || !wheels.IsEmpty();
+        return !runs.empty() || !bounds.empty() || hinges.Act() || !wheelBounds.empty() || wheels.Act();
     }
     void Clear() {
         runs.clear();

@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "constraints/joint_lane_task.h"
 #include "state/joints.h"
 
 namespace scree {
-
-inline constexpr int jointBatchSize = 8;
 
 class JointLevels {
 public:
@@ -34,18 +33,5 @@ private:
     std::vector<JointIndex> m_order;
     std::vector<int> m_start;  ///< by level: how many joints; then the next place of m_order
 };
-
-/// Calls fill(batch, lane, info, row, isSpare) for all places of an order, whose batches are made for it. What is to
-/// spare repeats the first joint of its batch.
-template <typename Row, typename Batch, typename Fill>
-void FillBatches(std::span<const JointIndex> order, const JointTable& table, std::vector<Batch>& batches, Fill&& fill) {
-    batches.resize(order.size() / jointBatchSize);
-    for (size_t i = 0; i < order.size(); ++i) {
-        const size_t lane = i % jointBatchSize;
-        const bool isSpare = IsNone(order[i]);
-        const JointInfo& info = table.info[isSpare ? order[i - lane] : order[i]];
-        fill(batches[i / jointBatchSize], lane, info, table.Store<Row>().rows[info.row], isSpare);
-    }
-}
 
 }  // namespace scree

@@ -38,8 +38,8 @@ void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joint
                         std::span<const JointIndex> bounded) {
     task.scratch.Clear();
     const PhaseTable& phases = GetPhases();
-    RevoluteLanes& hinges = task.scratch.hinges;
-    WheelLanes& wheels = task.scratch.wheels;
+    auto& hinges = task.scratch.hinges;
+    auto& wheels = task.scratch.wheels;
     for (const JointIndex joint : joints) phases[task.joints.info[joint].type]->prepare(task, joint);
     for (const JointIndex joint : bounded) {
         const JointType type = task.joints.info[joint].type;
@@ -47,8 +47,8 @@ void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joint
             (type == e_revoluteJoint && !hinges.IsEmpty()) || (type == e_wheelJoint && !wheels.IsEmpty());
         if (!isInLanes) phases[type]->prepareBounds(task, joint);
     }
-    if (!hinges.IsEmpty()) hinges.Store(task.step.impulseScale, task.joints.Store<RevoluteRow>().rows);
-    if (!wheels.IsEmpty()) wheels.Store(task.step.impulseScale, task.joints.Store<WheelRow>().rows);
+    if (!hinges.IsEmpty()) hinges.Store(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows);
+    if (!wheels.IsEmpty()) wheels.Store(task.step, task.bodies, task.joints.Store<WheelRow>().rows);
 }
 
 void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded) {
@@ -73,7 +73,7 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
     const auto isWheel = [](JointType type) { return type == e_wheelJoint; };
     JointConstraints& s = task.scratch;
     addBounds(s.bounds, [&](JointType type) { return !isHinge(type) && !isWheel(type); });
-    s.hinges.IsEmpty() ? addBounds(s.bounds, isHinge) : s.hinges.Prepare(task.step, task.bodies, task.bodies.velocity);
+    s.hinges.IsEmpty() ? addBounds(s.bounds, isHinge) : s.hinges.Prepare(task.step, task.bodies);
     s.wheels.IsEmpty() ? addBounds(s.wheelBounds, isWheel) : s.wheels.Prepare(task.step, task.bodies);
     WarmStartJoints(task);
 }
@@ -83,9 +83,9 @@ void WarmStartJoints(const JointTask& task) {
     JointConstraints& s = task.scratch;
     for (const JointRun& run : s.runs) phases[run.type]->warmStart(task, run);
     for (const JointRun& run : s.bounds) phases[run.type]->warmStartBounds(task, run);
-    if (s.hinges.Act()) s.hinges.WarmStart(task.bodies.velocity);
+    if (s.hinges.Act()) s.hinges.WarmStart(task.step, task.bodies);
     for (const JointRun& run : s.wheelBounds) phases[run.type]->warmStartBounds(task, run);
-    if (!s.wheels.IsEmpty()) s.wheels.WarmStart(task.bodies.velocity);
+    if (s.wheels.Act()) s.wheels.WarmStart(task.step, task.bodies);
 }
 
 void SolveJointVelocities(const JointTask& task) {
@@ -93,9 +93,9 @@ void SolveJointVelocities(const JointTask& task) {
     JointConstraints& s = task.scratch;
     for (const JointRun& run : s.runs) phases[run.type]->solveVelocity(task, run);
     for (const JointRun& run : s.bounds) phases[run.type]->solveBounds(task, run);
-    if (s.hinges.Act()) s.hinges.Solve(task.step, task.bodies.velocity);
+    if (s.hinges.Act()) s.hinges.Solve(task.step, task.bodies);
     for (const JointRun& run : s.wheelBounds) phases[run.type]->solveBounds(task, run);
-    if (!s.wheels.IsEmpty()) s.wheels.Solve(task.step, task.bodies.velocity);
+    if (s.wheels.Act()) s.wheels.Solve(task.step, task.bodies);
 }
 
 bool SolveJointPositions(const JointTask& task) {
@@ -107,7 +107,7 @@ bool SolveJointPositions(const JointTask& task) {
     for (const JointRun& run : s.bounds) note(phases[run.type]->solveBoundPosition(task, run));
     if (s.hinges.Act()) note(s.hinges.SolvePositions(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows));
     for (const JointRun& run : s.wheelBounds) note(phases[run.type]->solveBoundPosition(task, run));
-    if (!s.wheels.IsEmpty()) note(s.wheels.SolvePositions(task.step, task.bodies, task.joints.Store<WheelRow>().rows));
+    if (s.wheels.Act()) note(s.wheels.SolvePositions(task.step, task.bodies, task.joints.Store<WheelRow>().rows));
     return solved;
 }
 

@@ -6,19 +6,16 @@
 
 #pragma once
 
-#include <cstdint>
+#include "constraints/joint_lane_task.h"
 
 namespace scree {
 
-inline constexpr int revoluteLanes = 8;
-
-/// Eight joints no two of which push the same body. Lanes to spare come last and repeat the first.
 struct alignas(32) RevoluteBatch {
-    using Row = float[revoluteLanes];
+    using Row = float[jointBatchSize];
 
     // Of a step.
-    int32_t bodyA[revoluteLanes], bodyB[revoluteLanes];
-    int32_t row[revoluteLanes];  ///< of the joint in its table; −1: to spare
+    int32_t bodyA[jointBatchSize], bodyB[jointBatchSize];
+    int32_t row[jointBatchSize];  ///< of the joint in its table; −1: to spare
     Row invMassA, invIA, invMassB, invIB;
     Row referenceAngle, turnMass;                           ///< turnMass: effective
     Row hasSpring, stiffness, damping, target, mostSpring;  ///< hasSpring and the like: 1 or 0
@@ -32,28 +29,8 @@ struct alignas(32) RevoluteBatch {
     int32_t anyActs, anySpring, anyMotor;     ///< in some lane
 };
 
-struct RevoluteLaneTask {
-    RevoluteBatch* batches;
-    int32_t count;
-    const float* position;  ///< by body: centre of mass, angle, and one more
-    float* velocity;        ///< by body: v, w, and one more
-    float dt, inverseDt;
-    float impulseScale;  ///< of warm starting
-    float angularSlop;
-};
-
-struct RevoluteLaneKernels {
-    /// Which joints act, and their masses, at the bodies' present angles and speeds; scales the impulses. False if none
-    /// acts.
-    bool (*prepare)(const RevoluteLaneTask& task);
-    void (*warmStart)(const RevoluteLaneTask& task);
-    /// One iteration.
-    void (*solve)(const RevoluteLaneTask& task);
-    /// A bit for each lane of this batch that acts and is out of its range.
-    uint32_t (*findOutOfRange)(const RevoluteLaneTask& task, const RevoluteBatch& batch);
-    /// Multiplies the impulses by impulseScale.
-    void (*scale)(const RevoluteLaneTask& task);
-};
+using RevoluteLaneTask = JointLaneTask<RevoluteBatch>;
+using RevoluteLaneKernels = JointLaneKernels<RevoluteBatch>;
 
 /// The best form this processor has. All forms give the same bits.
 const RevoluteLaneKernels& GetRevoluteLaneKernels();

@@ -6,19 +6,16 @@
 
 #pragma once
 
-#include <cstdint>
+#include "constraints/joint_lane_task.h"
 
 namespace scree {
 
-inline constexpr int wheelLanes = 8;
-
-/// Eight joints no two of which push the same body. Lanes to spare come last and repeat the first.
 struct alignas(32) WheelBatch {
-    using Row = float[wheelLanes];
+    using Row = float[jointBatchSize];
 
     // Of a step.
-    int32_t bodyA[wheelLanes], bodyB[wheelLanes];
-    int32_t row[wheelLanes];                     ///< of the joint in its table; −1: to spare
+    int32_t bodyA[jointBatchSize], bodyB[jointBatchSize];
+    int32_t row[jointBatchSize];                 ///< of the joint in its table; −1: to spare
     Row anchorAX, anchorAY, anchorBX, anchorBY;  ///< from the centres of mass, in the bodies' frames
     Row localAxisX, localAxisY;                  ///< in A's frame
     Row invMassA, invIA, invMassB, invIB;
@@ -36,27 +33,8 @@ struct alignas(32) WheelBatch {
     int32_t anyArmB, anyMotor, anySpring, anyLimit;   ///< in some lane
 };
 
-struct WheelLaneTask {
-    WheelBatch* batches;
-    int32_t count;
-    const float* position;  ///< by body: centre of mass, angle, and one more
-    float* velocity;        ///< by body: v, w, and one more
-    float dt, inverseDt;
-    float impulseScale;  ///< of warm starting
-    float slop;
-};
-
-struct WheelLaneKernels {
-    /// Arms and masses at the bodies' present positions; scales the impulses.
-    void (*prepare)(const WheelLaneTask& task);
-    void (*warmStart)(const WheelLaneTask& task);
-    /// One iteration.
-    void (*solve)(const WheelLaneTask& task);
-    /// A bit for each lane of this batch whose translation may have come to a limit since prepare.
-    uint32_t (*findNearLimits)(const WheelLaneTask& task, const WheelBatch& batch);
-    /// Multiplies the impulses by impulseScale.
-    void (*scale)(const WheelLaneTask& task);
-};
+using WheelLaneTask = JointLaneTask<WheelBatch>;
+using WheelLaneKernels = JointLaneKernels<WheelBatch>;
 
 /// The best form this processor has. All forms give the same bits.
 const WheelLaneKernels& GetWheelLaneKernels();
