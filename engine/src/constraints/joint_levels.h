@@ -11,6 +11,7 @@
 
 #include "base/bytes.h"
 #include "constraints/joint_lane_task.h"
+#include "state/bodies.h"
 #include "state/joints.h"
 
 namespace scree {
