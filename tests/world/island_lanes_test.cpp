@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "pipeline/parts/lane_solver.h"
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
 
@@ -19,7 +20,8 @@ namespace {
 
 using namespace test;
 
-/// Piles of one to a dozen bodies, far apart, thrown a little; some bounce, some lie on moving ground.
+/// Piles of one to a dozen bodies, far apart, thrown a little; some bounce, some lie on moving ground. Some are of a
+/// few compounds, which touch each other with many fixtures.
 class Piles {
 public:
     /// `oneByOne`: a lone body with a lock, which moves alike without it, keeps islands out of the lanes.
@@ -47,6 +49,7 @@ private:
         Body* ground = AddBody(world, moves ? kinematicBody : staticBody, {x, -1.0f}, Any(-0.2f, 0.2f));
         AddBox(ground, 12.0f, 1.0f);
         if (moves) ground->SetLinearVelocity({Any(-1.0f, 1.0f), 0.0f});
+        if (m_random() % 4 == 0) return AddCompounds(x);
         const int count = 1 + static_cast<int>(m_random() % 12);
         for (int i = 0; i < count; ++i) {
             Body* body = AddBody(world, dynamicBody, {x + Any(-1.5f, 1.5f), 1.0f + 0.9f * static_cast<float>(i)},
@@ -61,11 +64,25 @@ private:
         }
     }
 
+    void AddCompounds(float x) {
+        const int count = 2 + static_cast<int>(m_random() % 5);
+        for (int i = 0; i < count; ++i) {
+            Body* body = AddBody(world, dynamicBody, {x + Any(-0.3f, 0.3f), 0.5f + 0.3f * static_cast<float>(i)},
+                                 Any(-3.0f, 3.0f));
+            const int fixtures = 1 + static_cast<int>(m_random() % 12);
+            for (int f = 0; f < fixtures; ++f) {
+                PolygonShape box;
+                box.SetAsBox(Any(0.1f, 0.4f), Any(0.1f, 0.4f), {Any(-1.0f, 1.0f), Any(-0.5f, 0.5f)}, Any(-3.0f, 3.0f));
+                body->CreateFixture(&box, 1.0f);
+            }
+        }
+    }
+
     std::mt19937 m_random;
 };
 
 TEST(IslandLanes, GiveTheBitsOfOneByOne) {
-    size_t solvedInLanes = 0, behindAnother = 0;
+    size_t solvedInLanes = 0, behindAnother = 0, ofManyContacts = 0;
     for (uint32_t seed = 0; seed < 8 && !HasFailure(); ++seed) {
         Piles lanes(seed, false), alone(seed, true);
         for (int step = 0; step < 240; ++step) {
@@ -74,6 +91,8 @@ TEST(IslandLanes, GiveTheBitsOfOneByOne) {
             for (const LaneScratch::Place& place : lanes.world.GetState().solverScratch.lanes.places) {
                 ++solvedInLanes;
                 if (place.first > 0) ++behindAnother;
+                if (CountContacts(lanes.world.GetState().islands.islands[ToSize(place.island)]) >= leastWideContacts)
+                    ++ofManyContacts;
             }
             ASSERT_TRUE(alone.world.GetState().solverScratch.lanes.places.empty());
             ASSERT_EQ(BitsOf(lanes.world), BitsOf(alone.world)) << "seed " << seed << ", step " << step;
@@ -81,6 +100,7 @@ TEST(IslandLanes, GiveTheBitsOfOneByOne) {
     }
     EXPECT_GT(solvedInLanes, size_t{8 * 60 * 8});
     EXPECT_GT(behindAnother, solvedInLanes / 20);
+    EXPECT_GT(ofManyContacts, size_t{8 * 10});
 }
 
 TEST(IslandLanes, OfSeveralWorkersAreThoseOfOne) {

@@ -27,7 +27,7 @@ public:
             if (isChosen[i] != 0) ++m_end[CountContacts(islands[i])];
         }
         int count = 0;
-        for (int size = 0; size < leastWideContacts; ++size) {
+        for (int size = 0; size < mostLaneContacts; ++size) {
             m_begin[size] = count;
             count += std::exchange(m_end[size], count);
         }
@@ -51,8 +51,8 @@ private:
     [[nodiscard]] bool IsEmpty(int size) const { return m_begin[size] == m_end[size]; }
 
     const std::vector<int>& m_sorted;
-    int m_begin[leastWideContacts] = {}, m_end[leastWideContacts] = {};
-    int m_largest = leastWideContacts - 1;
+    int m_begin[mostLaneContacts] = {}, m_end[mostLaneContacts] = {};
+    int m_largest = mostLaneContacts - 1;
 };
 
 }  // namespace
@@ -69,10 +69,12 @@ LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& island
     Choose();
 }
 
-/// Joints and angles that the kernels cannot turn are left out.
+/// Joints, and angles that the kernels cannot turn, are left out.
 bool LaneSolver::Fits(const Island& island) const {
     constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
-    if (CountContacts(island) == 0 || IsWide(island) || island.jointBegin != island.jointEnd) return false;
+    const int contacts = CountContacts(island);
+    if (contacts == 0 || contacts >= mostLaneContacts || IsWide(island)) return false;
+    if (island.jointBegin != island.jointEnd) return false;
     const auto turnsLittle = [this](BodyIndex body) { return Abs(m_tables.bodies.position[body].a) < mostAngle; };
     for (const ContactIndex contact : Contacts(m_islands, island)) {
         const ContactPair& pair = m_tables.contacts.pair[contact];
@@ -88,7 +90,7 @@ void LaneSolver::Choose() {
     const std::vector<Island>& islands = m_islands.islands;
     for (size_t i = 0; i < islands.size(); ++i) s.isChosen[i] = Fits(islands[i]) ? 1 : 0;
     IslandsBySize rest(islands, s.isChosen, s.bySize);
-    while (const int height = rest.GetLargest(leastWideContacts)) {
+    while (const int height = rest.GetLargest(mostLaneContacts)) {
         const auto begin = static_cast<int>(s.places.size());
         int contacts = 0;
         for (int lane = 0; lane < islandLanes; ++lane) {
