@@ -71,6 +71,8 @@ struct JointBatchTask {
     int32_t rowCount;
     const int32_t* order;  ///< of elimination: batches of points, or ~ those of rows
     int32_t batchCount;
+    const int32_t* roots;  ///< bodies that are eliminated with no joint
+    int32_t rootCount;
     double h;           ///< sub-step, s
     double compliance;  ///< of a row, in shares of its own inverse mass
     double leastPivot;  ///< in the same shares: less is rounding, the row repeats others
@@ -87,11 +89,13 @@ struct JointBatchKernels {
     void (*align)(const JointBatchTask& task);
     /// Mobilities, inverses and responses; with `h` 0 no pull counts.
     void (*factorize)(const JointBatchTask& task);
-    /// Where the velocities lead without impulses.
+    /// Aims at the velocities there are, without impulses.
     void (*coast)(const JointBatchTask& task);
+    /// Where the velocities of `aimed` lead.
+    void (*lead)(const JointBatchTask& task);
     /// Errors of points and of joints on lines at `next` → right sides.
     void (*measure)(const JointBatchTask& task);
-    /// Velocities and impulses with which these errors are closed, by the Jacobians of `pose`, and where they lead.
+    /// Velocities and impulses with which these errors are closed, by the Jacobians of `pose`.
     /// Returns the most that the new turns may leave of an error, in shares of an arm.
     double (*aim)(const JointBatchTask& task);
     /// Takes over what was aimed.

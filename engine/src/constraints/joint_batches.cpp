@@ -121,7 +121,8 @@ private:
 size_t JointBatches::GetMemoryBytes() const {
     size_t bytes = m_bodies.capacity() * sizeof(int) + m_places.capacity() * sizeof(Place) +
                    m_points.capacity() * sizeof(PointBatch) + m_rows.capacity() * sizeof(RowBatch) +
-                   m_order.capacity() * sizeof(int32_t) + m_stiffness.capacity() * sizeof(LaneRow);
+                   (m_order.capacity() + m_roots.capacity()) * sizeof(int32_t) + m_others.capacity() * sizeof(Other) +
+                   m_stiffness.capacity() * sizeof(LaneRow);
     for (const auto* rows :
          {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_mobility, &m_shift, &m_impulse}) {
         bytes += rows->capacity() * sizeof(BodyRow);
@@ -152,7 +153,6 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
         place.link = static_cast<int>(i), place.joint = link.joint;
         place.isPoint = link.kind == TreeKind::point, place.isLine = link.kind == TreeKind::line;
         place.kind = link.kind;
-        place.rows.count = RowCount(link.kind);
         // What is fixed is a leaf.
         place.childIsB = a >= 0 && (b < 0 || graph.linkOfChild[ToSize(b)] == place.link);
         const int rowA = a >= 0 ? rowOf[ToSize(a)] : AddRow(link.bodyA);
@@ -165,8 +165,26 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
     for (auto* rows : {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_shift, &m_impulse}) {
         rows->assign(m_bodies.size(), BodyRow{});
     }
+    ListRootsAndOthers();
     m_stiffness.assign(m_bodies.size() / ToSize(jointLanes), LaneRow{});
     m_mobility.assign(2 * m_bodies.size(), BodyRow{});
+}
+
+void JointBatches::ListRootsAndOthers() {
+    m_roots.clear(), m_others.clear();
+    std::vector<uint8_t> isChild(m_bodies.size(), 0);
+    for (size_t i = 0; i < m_places.size(); ++i) {
+        isChild[ToSize(m_places[i].child)] = 1;
+        Place& place = m_places[i];
+        place.other = place.isPoint || place.isLine ? -1 : static_cast<int>(m_others.size());
+        if (place.other < 0) continue;
+        Other& other = m_others.emplace_back();
+        other.place = static_cast<int>(i);
+        other.rows.count = RowCount(place.kind);
+    }
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (isChild[row] == 0) m_roots.push_back(static_cast<int32_t>(row));
+    }
 }
 
 void JointBatches::PutIntoLanes() {
@@ -199,7 +217,7 @@ void JointBatches::PutIntoLanes() {
         };
         m_order.push_back(isPoint ? fill(m_points) : ~fill(m_rows));
         if (!isPoint) {
-            m_rows.back().count = m_places[ToSize(taken.front())].rows.count;
+            m_rows.back().count = RowCount(m_places[ToSize(taken.front())].kind);
             m_rows.back().isLine = m_places[ToSize(taken.front())].isLine;
         }
         for (const int place : taken) {
@@ -209,9 +227,8 @@ void JointBatches::PutIntoLanes() {
     }
 }
 
-void JointBatches::SetLine(const Place& place, RowBatch& batch) {
+void JointBatches::SetLine(const Place& place, const TreeShape& s, RowBatch& batch) {
     const size_t lane = ToSize(place.lane);
-    const TreeShape& s = place.shape;
     batch.bodyA[lane] = place.childIsB ? place.parent : place.child;
     batch.bodyB[lane] = place.childIsB ? place.child : place.parent;
     batch.childIsB.v[lane] = place.childIsB ? 1.0 : 0.0;
@@ -233,8 +250,9 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
         const Rot& q = bodies.transform[body].q;
         m_start[row] = {{double{q.c}, double{q.s}, 0.0, 0.0}};
     }
-    for (Place& place : m_places) {
-        place.shape = shapes[ToSize(place.link)];
+    m_shapes = shapes;
+    for (const Place& place : m_places) {
+        const TreeShape& s = shapes[ToSize(place.link)];
         const size_t lane = ToSize(place.lane);
         double recent[maxTreeRows];
         LoadImpulse(place.joint, joints, recentScale, recent);
@@ -247,12 +265,11 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
         };
         if (!place.isPoint) {
             RowBatch& batch = m_rows[ToSize(place.batch)];
-            begin(batch, 1.0, RowCount(place.shape.kind));
-            if (place.isLine) SetLine(place, batch);
+            begin(batch, 1.0, batch.count);
+            if (place.isLine) SetLine(place, s, batch);
             continue;
         }
         PointBatch& batch = m_points[ToSize(place.batch)];
-        const TreeShape& s = place.shape;
         batch.anchorChild[0].v[lane] = place.childIsB ? s.bx : s.ax,
         batch.anchorChild[1].v[lane] = place.childIsB ? s.by : s.ay;
         batch.anchorParent[0].v[lane] = place.childIsB ? s.ax : s.bx,
@@ -285,6 +302,8 @@ JointBatchTask JointBatches::Task() {
             .rowCount = static_cast<int32_t>(m_rows.size()),
             .order = m_order.data(),
             .batchCount = static_cast<int32_t>(m_order.size()),
+            .roots = m_roots.data(),
+            .rootCount = static_cast<int32_t>(m_roots.size()),
             .h = m_h,
             .compliance = jointCompliance,
             .leastPivot = leastPivot,
@@ -298,40 +317,42 @@ TreePose JointBatches::PoseOf(int row, const std::vector<BodyRow>& poses, int an
 
 /// Jacobians of joints that are neither points nor on lines.
 void JointBatches::MakeJacobians() {
-    for (Place& place : m_places) {
-        if (place.isPoint || place.isLine) continue;
+    for (Other& other : m_others) {
+        const Place& place = m_places[ToSize(other.place)];
         const TreePose child = PoseOf(place.child, m_pose, 0), parent = PoseOf(place.parent, m_pose, 0);
-        MakeRows<true>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, place.rows);
+        MakeRows<true>(m_shapes[ToSize(place.link)], place.childIsB ? parent : child, place.childIsB ? child : parent,
+                       other.rows);
         RowBatch& batch = m_rows[ToSize(place.batch)];
         const size_t lane = ToSize(place.lane);
-        for (int i = 0; i < place.rows.count; ++i) {
+        for (int i = 0; i < batch.count; ++i) {
             for (int k = 0; k < 3; ++k) {
-                batch.rowChild[i][k].v[lane] = (place.childIsB ? place.rows.b : place.rows.a)[i][k];
-                batch.rowParent[i][k].v[lane] = (place.childIsB ? place.rows.a : place.rows.b)[i][k];
+                batch.rowChild[i][k].v[lane] = (place.childIsB ? other.rows.b : other.rows.a)[i][k];
+                batch.rowParent[i][k].v[lane] = (place.childIsB ? other.rows.a : other.rows.b)[i][k];
             }
         }
         // A pull at the end of an arm, as of points.
-        if (place.shape.kind == TreeKind::pointAndAngle) {
+        if (place.kind == TreeKind::pointAndAngle) {
             const double x = batch.recent[0].v[lane], y = batch.recent[1].v[lane];
             const auto note = [&](int row, const double(&jacobian)[maxTreeRows][3], double sign) {
                 m_stiffness[ToSize(row) / ToSize(jointLanes)].v[ToSize(row) % ToSize(jointLanes)] +=
                     sign * (jacobian[1][2] * x - jacobian[0][2] * y);
             };
-            note(place.childIsB ? place.parent : place.child, place.rows.a, 1.0);
-            note(place.childIsB ? place.child : place.parent, place.rows.b, 1.0);
+            note(place.childIsB ? place.parent : place.child, other.rows.a, 1.0);
+            note(place.childIsB ? place.child : place.parent, other.rows.b, 1.0);
         }
         for (LaneRow& recent : batch.recent) recent.v[lane] = 0.0;
     }
 }
 
 void JointBatches::MeasureRows() {
-    for (const Place& place : m_places) {
-        if (place.isPoint || place.isLine) continue;
+    for (const Other& other : m_others) {
+        const Place& place = m_places[ToSize(other.place)];
         const TreePose child = PoseOf(place.child, m_next, 1), parent = PoseOf(place.parent, m_next, 1);
         TreeRows rows;
-        MakeRows<false>(place.shape, place.childIsB ? parent : child, place.childIsB ? child : parent, rows);
+        MakeRows<false>(m_shapes[ToSize(place.link)], place.childIsB ? parent : child, place.childIsB ? child : parent,
+                        rows);
         RowBatch& batch = m_rows[ToSize(place.batch)];
-        for (int i = 0; i < place.rows.count; ++i) batch.right[i].v[place.lane] = -rows.error[i] / m_h;
+        for (int i = 0; i < batch.count; ++i) batch.right[i].v[place.lane] = -rows.error[i] / m_h;
     }
 }
 
@@ -410,6 +431,7 @@ void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     });
     kernels.coast(task);
     for (int iteration = 0; iteration < mostIterations; ++iteration) {
+        kernels.lead(task);
         kernels.measure(task);
         MeasureRows();
         if (!(kernels.aim(task) > mostLeft)) break;

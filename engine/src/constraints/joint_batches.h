@@ -32,8 +32,8 @@ public:
     /// Takes over the links whose bodies form trees, and puts them into an order that stays until the next call. Links
     /// are those of the calls of Refresh by their indices.
     void Plan(std::span<TreeEdge> links);
-    /// What may change from step to step. `shapes` by link; `recentScale` makes impulses of a sub-step of the stored
-    /// ones.
+    /// What may change from step to step. `shapes` by link are read until the next call; `recentScale` makes impulses
+    /// of a sub-step of the stored ones.
     void Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
                  double recentScale);
     [[nodiscard]] bool IsEmpty() const { return m_order.empty(); }
@@ -47,9 +47,10 @@ public:
     /// Calls visit(const TreeResult&) for each joint.
     template <typename Visit>
     void ForEachResult(Visit&& visit) const {
+        TreeRows ofKernels{};  // as far as they leave any
         for (const Place& place : m_places) {
             double impulse[maxTreeRows] = {};
-            TreeRows rows = place.rows;
+            ofKernels.count = RowCount(place.kind);
             const auto lane = ToSize(place.lane);
             if (place.isPoint) {
                 const PointBatch& batch = m_points[ToSize(place.batch)];
@@ -57,11 +58,12 @@ public:
                 for (int i = 0; i < 2; ++i) impulse[i] = sign * batch.total[i].v[lane];
             } else {
                 const RowBatch& batch = m_rows[ToSize(place.batch)];
-                for (int i = 0; i < place.rows.count; ++i) impulse[i] = batch.total[i].v[lane];
-                if (place.isLine) rows.axisX = batch.axis[0].v[lane], rows.axisY = batch.axis[1].v[lane];
+                for (int i = 0; i < batch.count; ++i) impulse[i] = batch.total[i].v[lane];
+                if (place.isLine) ofKernels.axisX = batch.axis[0].v[lane], ofKernels.axisY = batch.axis[1].v[lane];
             }
+            const TreeRows& rows = place.other >= 0 ? m_others[ToSize(place.other)].rows : ofKernels;
             const TreeResult::Side child = SideOf(place.child), parent = SideOf(place.parent);
-            visit(TreeResult{place.joint, place.shape, rows, impulse, place.childIsB ? parent : child,
+            visit(TreeResult{place.joint, m_shapes[ToSize(place.link)], rows, impulse, place.childIsB ? parent : child,
                              place.childIsB ? child : parent});
         }
     }
@@ -76,8 +78,12 @@ private:
         bool isPoint, isLine;
         bool childIsB;
         int child, parent;  ///< rows of bodies
-        TreeShape shape;
-        TreeRows rows;  ///< of points and lines only their count
+        int other;          ///< in m_others, −1: a point or on a line
+    };
+    /// Neither a point nor on a line.
+    struct Other {
+        int place;
+        TreeRows rows;
     };
 
     int AddRow(BodyIndex body);
@@ -86,7 +92,8 @@ private:
         return {m_bodies[ToSize(row)], mass[0], mass[1]};
     }
     void PutIntoLanes();
-    static void SetLine(const Place& place, RowBatch& batch);
+    void ListRootsAndOthers();
+    static void SetLine(const Place& place, const TreeShape& s, RowBatch& batch);
     [[nodiscard]] JointBatchTask Task();
     [[nodiscard]] TreePose PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const;
     template <typename SpinOf>
@@ -98,9 +105,11 @@ private:
 
     std::vector<BodyIndex> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
     std::vector<Place> m_places;
+    std::vector<Other> m_others;
+    std::span<const TreeShape> m_shapes;  ///< by link
     std::vector<PointBatch> m_points;
     std::vector<RowBatch> m_rows;
-    std::vector<int32_t> m_order;
+    std::vector<int32_t> m_order, m_roots;
     std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_aimed, m_mass, m_mobility, m_shift, m_impulse;
     std::vector<LaneRow> m_stiffness;  ///< per row of bodies
     double m_h = 1.0;
