@@ -97,5 +97,81 @@ TEST(Tolerance, KeepsAHouseOfCards) {
     for (const int levels : {2, 3, 5}) EXPECT_LT(BuildCards(levels, 0.01).fall, 0.05) << levels;
 }
 
+/// Energy that a taut bridge gains at most while a load falls onto it, in shares of the load's.
+double GainOfBridge(int planks, double mass, double tolerance) {
+    Lab<Ours> lab;
+    Body* ground = lab.Static();
+    Body* last = ground;
+    std::vector<Body*> bodies;
+    for (int i = 0; i < planks; ++i) {
+        Body* plank = lab.Dynamic(0.5 * (i + 0.5), 0.0);
+        AttachBox<Ours>(plank, 0.25, 0.0625);
+        lab.Hinge(last, plank, 0.5 * i, 0.0);
+        bodies.push_back(last = plank);
+    }
+    lab.Hinge(last, ground, 0.5 * planks, 0.0);
+    bodies.push_back(lab.Dynamic(0.25 * planks, 1.0));
+    AttachBox<Ours>(bodies.back(), 0.75, 0.5, {.density = mass / 1.5});
+    const auto energy = [&] {
+        double sum = 0.0;
+        for (const Body* b : bodies) {
+            const double w = Spin(b), inertia = double{b->GetInertia()};
+            sum += double{b->GetMass()} * (0.5 * Dot(Speed(b), Speed(b)) + g * Centre(b).y) + 0.5 * inertia * w * w;
+        }
+        return sum;
+    };
+    const double start = energy();
+    double gain = 0.0;
+    for (int i = 0; i < 4 * stepRate; ++i) {
+        lab.world.Step(static_cast<float>(h), Tolerance{.overlap = static_cast<float>(tolerance)});
+        gain = std::max(gain, energy() - start);
+    }
+    return gain / (mass * g);
+}
+
+/// The pull rises at once, and with it the number of sub-steps.
+TEST(Tolerance, TautBridgesGainNoEnergy) {
+    std::mt19937 engine(2);
+    const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+    for (int round = 0; round < 8; ++round) {
+        const int planks = static_cast<int>(in(20.0, 80.0));
+        const double mass = in(5.0, 60.0), tolerance = in(0.007, 0.02);
+        EXPECT_LT(GainOfBridge(planks, mass, tolerance), 0.01) << planks << " " << mass << " " << tolerance;
+    }
+}
+
+/// Speed of the fastest ball after ten seconds, m/s. A net is at rest as it is made.
+double SpeedOfNet(int width, int height, double gap) {
+    Lab<Ours> lab;
+    std::vector<Body*> above(static_cast<size_t>(width)), balls;
+    for (Body*& anchor : above) anchor = lab.Static();
+    for (int y = 1; y < height; ++y) {
+        Body* left = nullptr;
+        for (int x = 0; x < width; ++x) {
+            Body* ball = lab.Dynamic(x, -y);
+            AttachDisk<Ours>(ball, 0.25);
+            lab.Hinge(above[static_cast<size_t>(x)], ball, x, 0.5 - y);
+            if (left != nullptr) lab.Hinge(left, ball, x - 0.5, -y);
+            balls.push_back(above[static_cast<size_t>(x)] = left = ball);
+        }
+    }
+    const Tolerance tolerance{.jointGap = static_cast<float>(gap)};
+    for (int i = 0; i < 10 * stepRate; ++i) lab.world.Step(static_cast<float>(h), tolerance);
+    double speed = 0.0;
+    for (const Body* ball : balls) speed = std::max(speed, Length(Speed(ball)));
+    return speed;
+}
+
+/// Sub-steps must not go up and down for ever: each change moves what hangs.
+TEST(Tolerance, NetsComeToRest) {
+    std::mt19937 engine(3);
+    const auto in = [&](double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); };
+    for (int round = 0; round < 5; ++round) {
+        const int width = static_cast<int>(in(5.0, 25.0)), height = static_cast<int>(in(10.0, 25.0));
+        const double gap = in(0.0007, 0.002);
+        EXPECT_LT(SpeedOfNet(width, height, gap), 0.05) << width << " " << height << " " << gap;
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

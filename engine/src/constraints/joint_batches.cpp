@@ -238,7 +238,8 @@ void JointBatches::SetLine(const Place& place, const TreeShape& s, RowBatch& bat
 }
 
 void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
-                           double recentScale) {
+                           double recentScale, double compliance) {
+    m_compliance = compliance;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         if (IsNone(m_bodies[row])) continue;
         const BodyIndex body = m_bodies[row];
@@ -305,7 +306,7 @@ JointBatchTask JointBatches::Task() {
             .roots = m_roots.data(),
             .rootCount = static_cast<int32_t>(m_roots.size()),
             .h = m_h,
-            .compliance = jointCompliance,
+            .compliance = m_compliance,
             .leastPivot = leastPivot,
             .turnFar = turnFar};
 }

@@ -35,7 +35,7 @@ public:
     /// What may change from step to step. `shapes` by link are read until the next call; `recentScale` makes impulses
     /// of a sub-step of the stored ones.
     void Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
-                 double recentScale);
+                 double recentScale, double compliance);
     [[nodiscard]] bool IsEmpty() const { return m_order.empty(); }
     [[nodiscard]] size_t GetMemoryBytes() const;
 
@@ -112,7 +112,7 @@ private:
     std::vector<int32_t> m_order, m_roots;
     std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_aimed, m_mass, m_mobility, m_shift, m_impulse;
     std::vector<LaneRow> m_stiffness;  ///< per row of bodies
-    double m_h = 1.0;
+    double m_h = 1.0, m_compliance = 0.0;
     bool m_isForVelocities = false;  ///< factors are not for aiming
 };
 

@@ -38,7 +38,7 @@ JointTree::JointTree() : m(std::make_unique<JointForest>()) {}
 JointTree::~JointTree() = default;
 
 void JointTree::Build(const JointTreeInput& input) {
-    m->Build(input.bodies, input.joints, input.list, {double{input.substepScale}, input.direct});
+    m->Build(input.bodies, input.joints, input.list, {double{input.substepScale}, input.compliance, input.direct});
 }
 bool JointTree::IsEmpty() const { return m->trees.IsEmpty() && m->joints.empty(); }
 JointNet& JointTree::GetNets() { return m->nets; }
@@ -91,7 +91,7 @@ void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
     SumPulls(*m);
     const auto isSteadied = [&](const TreeBody& b) { return IsSteadied(b, double{h}); };
     m->isForVelocities = isLoaded && std::any_of(m->bodies.begin(), m->bodies.end(), isSteadied);
-    m->isForVelocities ? FactorizeFor(*m, 0.0, loadedCompliance) : FactorizeFor(*m, double{h}, jointCompliance);
+    m->isForVelocities ? FactorizeFor(*m, 0.0, loadedCompliance) : FactorizeFor(*m, double{h}, m->compliance);
 }
 
 void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocity>& velocity) {
@@ -100,7 +100,7 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
     constexpr int iterations = 2;
     const double step = double{h}, inverse = 1.0 / step;
-    if (m->isForVelocities) FactorizeFor(*m, step, jointCompliance);
+    if (m->isForVelocities) FactorizeFor(*m, step, m->compliance);
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
     LoadVelocities(m->bodies, velocity, [](const TreeBody& b, double spin) {
         return b.steadyInvI < b.invI ? spin * (b.steadyInvI / b.invI) : spin;

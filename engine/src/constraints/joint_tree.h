@@ -20,6 +20,7 @@
 
 #include "constraints/joint_net.h"
 #include "constraints/joint_phases.h"
+#include "constraints/joint_tree_factors.h"
 
 namespace scree {
 
@@ -30,7 +31,8 @@ struct JointTreeInput {
     const JointTable& joints;
     std::span<const JointIndex> list;  ///< joints to hold
     float substepScale;                ///< makes impulses of a sub-step of those that the joints keep
-    bool direct = true;                ///< otherwise all are taken for nets
+    double compliance = jointCompliance;
+    bool direct = true;  ///< otherwise all are taken for nets
 };
 
 class JointTree {

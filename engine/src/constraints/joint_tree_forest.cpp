@@ -237,7 +237,7 @@ void JointForest::MakeLinks() {
 
 /// What may change from step to step under the same order.
 void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale) {
-    trees.Refresh(bodyTable, jointTable, m_shapes, recentScale);
+    trees.Refresh(bodyTable, jointTable, m_shapes, recentScale, compliance);
     m_memberShapes.clear();
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         if (m_isNet[i] != 0) m_memberShapes.push_back(m_shapes[i]);
@@ -253,6 +253,7 @@ void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTab
 
 void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
                         How how) {
+    compliance = how.compliance;
     Collect(bodyTable, jointTable, list);
     const bool isKnown = IsKnown(how.direct);
     if (!isKnown) {

@@ -55,10 +55,12 @@ public:
     std::vector<TreeLink> links;      ///< of each joint, [linkBegin, linkEnd)
     std::vector<JointIndex> others;   ///< joints of the list that are no candidates
     std::vector<JointIndex> bounded;  ///< joints held here that have limits, motors or springs besides
+    double compliance = 0.0;          ///< of `joints`
     bool isForVelocities = false;     ///< the factors of `joints` are not for aiming
 
     struct How {
         double recentScale;  ///< makes impulses of a sub-step of the stored ones
+        double compliance;   ///< jointCompliance
         bool direct;         ///< otherwise all joints are taken for nets
     };
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. O(bodies +

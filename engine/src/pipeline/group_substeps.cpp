@@ -24,10 +24,15 @@ float WantedBy(const BodyDemand& last, const GroupInput& in) {
     const Tolerance& tolerance = in.tolerance;
     if (last.substeps == 0) return static_cast<float>(tolerance.leastSubsteps);
     const float sink = last.overlap / tolerance.overlap;
-    const float byErrors = static_cast<float>(last.substeps) * std::sqrt(Max(sink, last.jointGap / tolerance.jointGap));
+    const auto taken = static_cast<float>(last.substeps);
+    const float exact = taken * std::sqrt(Max(sink, last.jointGap / tolerance.jointGap));
+    // The number stays until a smaller one has some room. Errors follow the rule above only roughly, and each change
+    // moves what rests: without room the number goes up and down for ever.
+    constexpr float room = 4.0f / 3.0f;
+    const float byErrors = Max(exact, Min(taken, room * exact));
     const float byPull = 2.0f * in.dt * last.pullRate;
     // One level a step: what a blow calls for at once is over before that many sub-steps are of use.
-    const float most = Min(1.5f * static_cast<float>(last.substeps), static_cast<float>(tolerance.mostSubsteps));
+    const float most = Min(1.5f * taken, static_cast<float>(tolerance.mostSubsteps));
     return std::clamp(Max(Max(byErrors, byPull), memory * last.wanted), static_cast<float>(tolerance.leastSubsteps),
                       Max(most, static_cast<float>(tolerance.leastSubsteps)));
 }

@@ -182,7 +182,8 @@ public:
         const bool isLoaded = HasJoints() && IsLoaded();
         RaiseLoaded(fixtures);
         m_s.before.resize(m_s.jointed.size());
-        m_tree.Build({m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), m_settings.directJoints});
+        m_tree.Build(
+            {m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), JointCompliance(), m_settings.directJoints});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_s.blocks.Build(
             {Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
@@ -357,6 +358,15 @@ private:
         float hertz = m_settings.contactHertz;
         if (m_settings.tolerance != nullptr) hertz *= static_cast<float>(m_settings.substeps) / usual;
         return Min(hertz, mostTurns / m_h);
+    }
+    /// Of joints that a direct solve holds, in shares of a row's own inverse mass per sub-step. So joints are stiffer
+    /// the shorter sub-steps are. Under a tolerance their number changes from step to step, and a stretched joint that
+    /// grew stiffer would bring energy. There joints are always as stiff as with sub-steps of this length.
+    [[nodiscard]] double JointCompliance() const {
+        constexpr double usual = 1.0 / 960.0;  // s
+        if (m_settings.tolerance == nullptr) return jointCompliance;
+        const double shorter = usual / double{m_h};
+        return jointCompliance * shorter * shorter;
     }
     [[nodiscard]] SoftConstants MakeConstants() const {
         const float hertz = ContactHertz();
