@@ -20,7 +20,7 @@
 
 #include "constraints/joint_net.h"
 #include "constraints/joint_phases.h"
-#include "constraints/joint_tree_factors.h"
+#include "constraints/joint_tree_rows.h"
 
 namespace scree {
 

@@ -10,17 +10,6 @@
 
 namespace scree {
 
-/// Share of a row's own inverse mass by which it gives way. A pull of F at a mass m opens a joint by this times h²·F/m,
-/// which does not show. With it, rows that repeat others share what they hold. A tight rope with a load on it, which no
-/// finite force holds straight, has a solution.
-inline constexpr double jointCompliance = 1e-5;
-/// The same along velocities of a pulled tree that bears a load. A taut chain holds a load crosswise by what it is
-/// bent, and only if it hardly gives way. Else the load takes bodies along and the next aim takes them back, so that
-/// the load falls through them.
-inline constexpr double loadedCompliance = 1e-8;
-/// A pivot below this share of its row's own inverse mass is rounding: the row repeats others.
-inline constexpr double leastPivot = 1e-9;
-
 /// The spin with which a solve on velocities begins that takes a body for more inert than it is. Of `last`, what the
 /// solve before ended with, `left` stays, since the inertia has grown. What contacts and forces have brought since then
 /// was made with the body's own inertia: without the last factor it would bring energy.
