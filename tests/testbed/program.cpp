@@ -44,6 +44,13 @@ ProgramResult ScratchFolder::Run(const std::string& arguments, const std::string
     return result;
 }
 
+ProgramResult ScratchFolder::RunOnFullDisk(const std::string& arguments, int blocks) const {
+    // The limit also cuts what a program built for test coverage counts. That goes elsewhere, lest other tests read it.
+    const ScratchFolder counts;
+    const std::string limit = "ulimit -f " + std::to_string(blocks) + "; ";
+    return Run(arguments, limit + "GCOV_PREFIX='" + counts.GetPath().string() + "'");
+}
+
 std::string ScratchFolder::Read(const fs::path& relative) const {
     std::ifstream stream(m_path / relative, std::ios::binary);
     if (!stream) throw std::runtime_error("no file " + relative.string());

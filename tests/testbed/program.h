@@ -28,6 +28,8 @@ public:
     /// `scree ARGUMENTS` (quoted for the shell by the caller) inside the folder; `before` goes in front, for example an
     /// environment variable.
     [[nodiscard]] ProgramResult Run(const std::string& arguments, const std::string& before = "") const;
+    /// The same with a limit of file sizes, in blocks of 512 bytes, which stands for a disk that is full.
+    [[nodiscard]] ProgramResult RunOnFullDisk(const std::string& arguments, int blocks) const;
     [[nodiscard]] std::string Read(const std::filesystem::path& relative) const;
     [[nodiscard]] bool Has(const std::filesystem::path& relative) const;
 

@@ -164,7 +164,7 @@ TEST(Outputs, ADashIsStandardOutputAndAllElseGoesToStandardError) {
 TEST(Outputs, ATrackOnAFullDiskTellsTheReasonAndTheNameThatWasGiven) {
     const ScratchFolder folder;
     const std::string convert = "convert tiles session.track --size 8 --steps 60";
-    const ProgramResult limited = folder.Run(convert, "ulimit -f 4;");
+    const ProgramResult limited = folder.RunOnFullDisk(convert, 4);
     EXPECT_EQ(limited.exitCode, exitIo) << limited.output;
     EXPECT_NE(limited.output.find("cannot write session.track: the track cannot be written to its end: File too large"),
               std::string::npos)
@@ -179,13 +179,12 @@ TEST(Outputs, ATrackOnAFullDiskTellsTheReasonAndTheNameThatWasGiven) {
 }
 
 TEST(Outputs, AFullDiskIsAnErrorWithItsReasonWhereverItStrikes) {
-    // A limit of file sizes stands for the disk; in blocks of 512 bytes.
     for (const int blocks : {1, 4, 16, 40}) {
         for (const std::string arguments :
              {"overlap tiles --size 6 --step 3 --image 640x400 --backend cpu",
               "render tiles --size 8 --steps 1:9 --animate apng --image 640x400 --backend cpu"}) {
             const ScratchFolder folder;
-            const ProgramResult result = folder.Run(arguments, fmt::format("ulimit -f {};", blocks));
+            const ProgramResult result = folder.RunOnFullDisk(arguments, blocks);
             if (result.exitCode == exitDone) continue;  // its files are smaller
             EXPECT_EQ(result.exitCode, exitIo) << blocks << " " << arguments << "\n" << result.output;
             for (const std::string& file : FilesBelow(folder.GetPath())) {

@@ -247,14 +247,13 @@ TEST_F(SnapshotAccept, RefusesWhatIsNoReport) {
     ExpectRefused("not of `scree snapshot check`", exitUsage, "out/diff");
 }
 
-// A folder that takes no files stands for a disk that is full: what fails, fails before the first name is taken.
+// The sidecar of a reference is larger than two blocks. What fails, fails before the first name is taken.
 TEST_F(SnapshotAccept, AWriteThatFailsChangesNothing) {
     ChangePixel(m_ids[0]);
     ChangePixel(m_ids[1]);
     EXPECT_EQ(Check().exitCode, exitDiffers);
-    const std::string limit = "ulimit -f 2; ";  // blocks of 1024 bytes: the sidecar of a reference is larger
     const auto before = ReadFolder(m_scratch, "r");
-    const ProgramResult result = m_scratch.Run("snapshot accept --references r out/snapshots", limit);
+    const ProgramResult result = m_scratch.RunOnFullDisk("snapshot accept --references r out/snapshots", 2);
     EXPECT_EQ(result.exitCode, exitIo) << result.output;
     EXPECT_NE(result.output.find("File too large"), std::string::npos) << result.output;
     EXPECT_EQ(ReadFolder(m_scratch, "r"), before);
