@@ -6,7 +6,6 @@
 
 #include "testbed/base/new_file.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
