@@ -246,7 +246,9 @@ TEST(Outputs, TwoRunsIntoOneFolderBothComplete) {
     const std::string command = "tiles --size 6 --image 320x200 --backend cpu --animate apng -o two";
     const ProgramResult result =
         folder.Run("render " + command + " --steps 1:30 >one.txt 2>&1 & p=$!; '" SCREE_PROGRAM "' render " + command +
-                   " --steps 2:31 >two.txt 2>&1; second=$?; wait $p || exit 1; exit $second #");
+                       " --steps 2:31 >two.txt 2>&1; second=$?; wait $p || exit 1; exit $second; } #",
+                   "{");  // both in the folder
+    ASSERT_TRUE(folder.Has("one.txt") && folder.Has("two.txt"));
     EXPECT_EQ(result.exitCode, 0) << folder.Read("one.txt") << folder.Read("two.txt");
     // One of both is there, whole.
     for (const char* name : {"two/tiles/render-scree.apng", "two/tiles/render-box2d.apng"}) {
