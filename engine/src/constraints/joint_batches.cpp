@@ -162,10 +162,10 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
     }
     while (m_bodies.size() % ToSize(jointLanes) != 0) AddRow(BodyIndex::none);
     PutIntoLanes();
+    ListRootsAndOthers();
     for (auto* rows : {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_shift, &m_impulse}) {
         rows->assign(m_bodies.size(), BodyRow{});
     }
-    ListRootsAndOthers();
     m_stiffness.assign(m_bodies.size() / ToSize(jointLanes), LaneRow{});
     m_mobility.assign(2 * m_bodies.size(), BodyRow{});
 }
@@ -174,8 +174,8 @@ void JointBatches::ListRootsAndOthers() {
     m_roots.clear(), m_others.clear();
     std::vector<uint8_t> isChild(m_bodies.size(), 0);
     for (size_t i = 0; i < m_places.size(); ++i) {
-        isChild[ToSize(m_places[i].child)] = 1;
         Place& place = m_places[i];
+        isChild[ToSize(place.child)] = 1;
         place.other = place.isPoint || place.isLine ? -1 : static_cast<int>(m_others.size());
         if (place.other < 0) continue;
         Other& other = m_others.emplace_back();
