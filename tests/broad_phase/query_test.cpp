@@ -9,6 +9,10 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <numeric>
+#include <random>
 
 #include "broad_phase/ray_probe.h"
 #include "tests/broad_phase/test_world.h"
@@ -127,6 +131,45 @@ TEST_P(Queries, StopWhenToldTo) {
         // The second round asks while one proxy is on the list of edits.
         broadPhase->Update(7, {{0.0f, 0.0f}, {1.0f, 2.0f}}, vec2Zero);
     }
+}
+
+/// Boxes in a row, a ray along it: the first hit ends the walk before the far ones are met.
+TEST_P(Queries, RaysMeetNearBoxesFirst) {
+    if (CreateBroadPhase(GetParam())->GetLeafSize() == 0) return;  // a scan has no order
+    EXPECT_TRUE(rc::check("near boxes first", [] {
+        const auto count = *rc::gen::inRange(200u, 1000u);
+        const float angle = static_cast<float>(*rc::gen::inRange(0, 629)) * 0.01f;
+        const Vec2 direction{std::cos(angle), std::sin(angle)};
+        const auto broadPhase = CreateBroadPhase(GetParam());
+        std::vector<uint32_t> order(count);
+        std::iota(order.begin(), order.end(), 0u);
+        std::shuffle(order.begin(), order.end(), std::mt19937(*rc::gen::arbitrary<uint32_t>()));
+        const Motion motion = *rc::gen::element(Motion::dynamic, Motion::isStatic);
+        for (const uint32_t i : order) {
+            const Vec2 centre = 2.0f * static_cast<float>(i + 1) * direction;
+            broadPhase->Insert(i, i, motion, {centre - Vec2{0.5f, 0.5f}, centre + Vec2{0.5f, 0.5f}});
+        }
+        broadPhase->PrepareQueries();
+        const auto first = *rc::gen::inRange(0u, count);
+        const float length = 2.0f * static_cast<float>(count + 1);
+        const Vec2 start = (2.0f * static_cast<float>(first) + 1.0f) * direction;
+        uint32_t visits = 0, hit = count;
+        const uint64_t boxTests =
+            broadPhase->RayCast({start, start + length * direction, 1.0f}, [&](const RayCastInput& now, uint32_t i) {
+                ++visits;
+                const float entry = EntryFraction(now, broadPhase->GetBox(i));
+                if (entry <= 0.0f) return -1.0f;
+                hit = i;
+                return entry;
+            });
+        RC_ASSERT(hit == first);
+        const auto leaf = static_cast<uint32_t>(broadPhase->GetLeafSize());
+        const auto depth = static_cast<uint32_t>(std::bit_width(count));
+        // Nodes of the tree that is never rebuilt overlap.
+        const bool isRebuilt = GetParam() != BroadPhaseKind::fatTree;
+        RC_ASSERT(visits <= 2 * leaf + (isRebuilt ? 0 : depth));
+        RC_ASSERT(!isRebuilt || boxTests <= 2 * leaf + 8 * depth);
+    }));
 }
 
 /// A fixture that leaves one part of the proxies for the other must not be met in both.

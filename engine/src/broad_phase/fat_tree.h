@@ -12,6 +12,7 @@
 
 #include "broad_phase/bounds.h"
 #include "broad_phase/pair_sink.h"
+#include "broad_phase/ray_probe.h"
 #include "broad_phase/small_stack.h"
 #include "scree/settings.h"
 #include "scree/shape.h"
@@ -90,6 +91,30 @@ public:
                 stack.Push(node.child1);
                 stack.Push(node.child2);
             }
+        }
+    }
+
+    /// Calls `visit(leaf)` for each leaf that the ray may hit, near ones first, until it returns RayStep::stop.
+    template <class Visit>
+    void RayCast(const RayProbe& ray, uint64_t& boxTests, Visit&& visit) const {
+        if (m_root == noNode) return;
+        ++boxTests;
+        if (!ray.MayHitNode(m_nodes[m_root].box)) return;
+        SmallStack stack;
+        stack.Push(m_root);
+        while (!stack.Empty()) {
+            const uint32_t index = stack.Pop();
+            const FatNode& node = m_nodes[index];
+            if (!ray.Reaches(node.box)) continue;  // a hit has shortened the ray since
+            if (node.IsLeaf()) {
+                if (ray.MayHitLeaf(ToAabb(node.box)) && visit(index) == RayStep::stop) return;
+                continue;
+            }
+            boxTests += 2;
+            const RayFork fork = ray.MayHitNodes(m_nodes[node.child1].box, m_nodes[node.child2].box);
+            if (!fork.isSecondNearer && fork.second) stack.Push(node.child2);
+            if (fork.first) stack.Push(node.child1);
+            if (fork.isSecondNearer && fork.second) stack.Push(node.child2);
         }
     }
 

@@ -78,21 +78,8 @@ public:
 
     uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override {
         uint64_t boxTests = 0;
-        if (m_tree.Root() == noNode) return boxTests;
         RayProbe ray(input);
-        SmallStack stack;
-        stack.Push(m_tree.Root());
-        while (!stack.Empty()) {
-            const FatNode& node = m_tree.Node(stack.Pop());
-            ++boxTests;
-            const AABB box = ToAabb(node.box);
-            if (node.IsLeaf()) {
-                if (ray.MayHitLeaf(box) && ray.Visit(visit, node.id.fixture) == RayStep::stop) break;
-            } else if (ray.MayHitNode(box)) {
-                stack.Push(node.child1);
-                stack.Push(node.child2);
-            }
-        }
+        m_tree.RayCast(ray, boxTests, [&](uint32_t leaf) { return ray.Visit(visit, m_tree.Node(leaf).id.fixture); });
         return boxTests;
     }
 

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -57,6 +58,11 @@ public:
     [[nodiscard]] Bounds Box(uint32_t position) const {
         return {Lane(0)[position], Lane(1)[position], Lane(2)[position], Lane(3)[position]};
     }
+    /// Four positions; what is beyond the end is any number.
+    [[nodiscard]] BoxRow Row(uint32_t position) const {
+        return {Load4(Lane(0) + position), Load4(Lane(1) + position), Load4(Lane(2) + position),
+                Load4(Lane(3) + position)};
+    }
     void SetItem(uint32_t position, const Bounds& box, ItemId id) {
         Lane(0)[position] = box.lx;
         Lane(1)[position] = box.ly;
@@ -71,7 +77,8 @@ public:
     /// Calls `visit(ItemId)` for each box that overlaps, until it returns false; false if it did. Adds to `boxTests`.
     template <class Visit>
     bool Query(const AABB& box, uint64_t& boxTests, Visit&& visit) const;
-    /// Calls `visit(ItemId)` for each box that the ray may hit, until it returns RayStep::stop.
+    /// Calls `visit(ItemId)` for each box that the ray may hit, those of near nodes first, until it returns
+    /// RayStep::stop.
     template <class Visit>
     RayStep RayCast(const RayProbe& ray, uint64_t& boxTests, Visit&& visit) const;
 
@@ -87,17 +94,17 @@ private:
 template <class Visit>
 bool FlatTree::Query(const AABB& box, uint64_t& boxTests, Visit&& visit) const {
     if (Empty()) return true;
-    const Bounds probeBox = ToBounds(box);
-    const F4 probe = ProbeOf(Load(probeBox));
+    const F4 probe = ProbeOf(Load(ToBounds(box)));
+    ++boxTests;
+    if (!Overlaps(Load(nodes[0].box), probe)) return true;
     SmallStack stack;
     stack.Push(0);
     while (!stack.Empty()) {
         const TreeNode& node = nodes[stack.Pop()];
-        ++boxTests;
-        if (!Overlaps(Load(node.box), probe)) continue;
         if (!node.IsLeaf()) {
-            stack.Push(node.child + 1);
-            stack.Push(node.child);
+            boxTests += 2;
+            if (Overlaps(Load(nodes[node.child + 1].box), probe)) stack.Push(node.child + 1);
+            if (Overlaps(Load(nodes[node.child].box), probe)) stack.Push(node.child);
             continue;
         }
         if (node.count > 1) boxTests += node.count;
@@ -112,20 +119,30 @@ bool FlatTree::Query(const AABB& box, uint64_t& boxTests, Visit&& visit) const {
 template <class Visit>
 RayStep FlatTree::RayCast(const RayProbe& ray, uint64_t& boxTests, Visit&& visit) const {
     if (Empty()) return RayStep::goOn;
+    ++boxTests;
+    if (!ray.MayHitNode(nodes[0].box)) return RayStep::goOn;
     SmallStack stack;
     stack.Push(0);
     while (!stack.Empty()) {
         const TreeNode& node = nodes[stack.Pop()];
-        ++boxTests;
-        if (!ray.MayHitNode(ToAabb(node.box))) continue;
+        if (!ray.Reaches(node.box)) continue;  // a hit has shortened the ray since
         if (!node.IsLeaf()) {
-            stack.Push(node.child + 1);
-            stack.Push(node.child);
+            boxTests += 2;
+            const RayFork fork = ray.MayHitNodes(nodes[node.child].box, nodes[node.child + 1].box);
+            if (!fork.isSecondNearer && fork.second) stack.Push(node.child + 1);
+            if (fork.first) stack.Push(node.child);
+            if (fork.isSecondNearer && fork.second) stack.Push(node.child + 1);
             continue;
         }
         boxTests += node.count;
-        for (uint32_t position = node.first; position < node.first + node.count; ++position) {
-            if (ray.MayHitLeaf(ToAabb(Box(position))) && visit(m_ids[position]) == RayStep::stop) return RayStep::stop;
+        for (uint32_t row = 0; row < node.count; row += 4) {
+            const uint32_t position = node.first + row;
+            uint32_t hits = ray.MayHitLeaves(Row(position));
+            if (node.count - row < 4) hits &= (1u << (node.count - row)) - 1u;
+            for (; hits != 0; hits &= hits - 1) {
+                const auto at = position + static_cast<uint32_t>(std::countr_zero(hits));
+                if (ray.Reaches(Box(at)) && visit(m_ids[at]) == RayStep::stop) return RayStep::stop;
+            }
         }
     }
     return RayStep::goOn;

@@ -113,22 +113,11 @@ void DynamicTree::Query(const AABB& aabb, FunctionRef<bool(int)> visit) const {
 void DynamicTree::RayCast(const RayCastInput& input, FunctionRef<float(const RayCastInput&, int)> visit) const {
     const bool usable =
         input.p1.IsValid() && input.p2.IsValid() && std::isfinite(input.maxFraction) && visit != nullptr;
-    if (!usable || m_impl->tree.Root() == noNode) return;
+    if (!usable) return;
     const auto forward = [&](const RayCastInput& rest, uint32_t leaf) { return visit(rest, static_cast<int>(leaf)); };
+    uint64_t boxTests = 0;
     broadphase::RayProbe ray(input);
-    broadphase::SmallStack stack;
-    stack.Push(m_impl->tree.Root());
-    while (!stack.Empty()) {
-        const uint32_t index = stack.Pop();
-        const FatNode& node = m_impl->tree.Node(index);
-        const AABB box = ToAabb(node.box);
-        if (node.IsLeaf()) {
-            if (ray.MayHitLeaf(box) && ray.Visit(forward, index) == broadphase::RayStep::stop) return;
-        } else if (ray.MayHitNode(box)) {
-            stack.Push(node.child1);
-            stack.Push(node.child2);
-        }
-    }
+    m_impl->tree.RayCast(ray, boxTests, [&](uint32_t leaf) { return ray.Visit(forward, leaf); });
 }
 
 bool DynamicTree::Validate() const {
