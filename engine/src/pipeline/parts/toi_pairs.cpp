@@ -186,13 +186,17 @@ void ToiPairs::FindTimes() {
     }
 }
 
-/// Gives the dynamic bodies boxes that cover their motion, when someone can hit them.
+/// Gives the dynamic bodies boxes that cover their motion, when someone can hit them. What is found by them is asked
+/// for its exact box.
 void ToiPairs::SweepBoxes() {
     m_s.sweptBoxes.clear();
+    const bool isAtStart = !m_s.resuming && !m_bodies.IsFar();
     for (const BodyIndex body : m_bodies.Listed()) {
         if (!m_bodies.IsActive(body)) continue;
+        const QuickSweep sweep = QuickSweepOf(body);
         for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
-            m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, ProxyOf(f)});
+            const AABB box = isAtStart ? sweep.Cover(m_t.broadPhase.GetBox(ProxyOf(f))) : SweptBox(body, f);
+            m_s.sweptBoxes.push_back({box, vec2Zero, ProxyOf(f)});
         }
     }
     m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
@@ -233,33 +237,23 @@ void ToiPairs::GatherTargets() {
     const auto isNear = [this](const AABB& box) {
         return std::ranges::any_of(m_s.hitters, [&](const ToiHitter& hitter) { return TestOverlap(box, hitter.box); });
     };
-    const float slop = linearSlop * m_lengthScale;  // boxes of what fell asleep may lag behind
     for (const BodyIndex body : m_bodies.Listed()) {
         if (!IsDynamic(body) || !m_bodies.Has(body, BodyFlag::enabled)) continue;
         const bool isActive = m_bodies.IsActive(body);
-        const Position& from = m_bodies.startPosition[body];
-        const Position& to = m_bodies.position[body];
-        const float turn = Abs(to.a - from.a);
-        const float way = Max(Abs(to.c.x - from.c.x), Abs(to.c.y - from.c.y)) + slop;
+        const QuickSweep sweep = QuickSweepOf(body);
         for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
-            // No point leaves its box at the start by more than the centre goes and a turn about it takes it, nor does
-            // SweptBox widen it by more.
-            AABB box = m_t.broadPhase.GetBox(ProxyOf(f));
-            if (!isActive) {
-                if (isNear(box)) m_s.sweptBoxes.push_back({box, vec2Zero, ProxyOf(f)});
-                continue;
-            }
-            float most = way;
-            if (turn > 0.0f) {
-                const Vec2 low = from.c - box.lowerBound, high = box.upperBound - from.c;
-                const Vec2 corner{Max(Abs(low.x), Abs(high.x)), Max(Abs(low.y), Abs(high.y))};
-                const float bulge = turn < pi ? 0.125f * turn * turn : 2.0f;
-                most += (Min(turn, 2.0f) + bulge) * (corner.Length() + slop);
-            }
-            box = {box.lowerBound - Vec2{most, most}, box.upperBound + Vec2{most, most}};
-            if (isNear(box)) m_s.sweptBoxes.push_back({SweptBox(body, f), vec2Zero, ProxyOf(f)});
+            const AABB box = m_t.broadPhase.GetBox(ProxyOf(f));
+            if (!isNear(isActive ? sweep.Cover(box) : box)) continue;
+            m_s.sweptBoxes.push_back({isActive ? SweptBox(body, f) : box, vec2Zero, ProxyOf(f)});
         }
     }
+}
+
+QuickSweep ToiPairs::QuickSweepOf(BodyIndex body) const {
+    const Position& from = m_bodies.startPosition[body];
+    const Position& to = m_bodies.position[body];
+    const float margin = linearSlop * m_lengthScale;  // boxes of what fell asleep may lag behind
+    return {from.c, to.c, to.a - from.a, margin};
 }
 
 /// Gives the broad phase the boxes of the hitters: from the first event on dynamic bodies ask for them.
@@ -322,26 +316,11 @@ ToiPairs::PassedBox ToiPairs::PassedBoxOf(BodyIndex body, FixtureIndex fixture) 
     return passed;
 }
 
-/// Covers the fixture on its whole way: the boxes at both ends, widened by how far a turning point leaves the
-/// straight line between its ends.
+/// Covers the fixture on its whole way.
 AABB ToiPairs::SweptBox(BodyIndex body, FixtureIndex fixture) const {
     const Vec2 frame = FrameOf(m_bodies, body, body);
-    const Sweep sweep = SweepOf(body, frame);
-    const Shape& shape = *m_t.fixtures.shape[fixture];
-    Transform xf = TransformIn(frame, m_bodies, body);  // at the end
-    AABB box, start;
-    shape.ComputeAABB(&box, xf);
-    if (sweep.a0 != sweep.a) xf.q.Set(sweep.a0);
-    xf.p = sweep.c0 - Mul(xf.q, sweep.localCenter);
-    shape.ComputeAABB(&start, xf);
-    box.Combine(start);
-    const float turn = Abs(sweep.a - sweep.a0);
-    if (turn > 0.0f) {
-        const float reach = Reach(shape, sweep.localCenter);
-        const float bulge = turn < pi ? reach * (1.0f - SinCos(0.5f * turn).cos) : 2.0f * reach;
-        box.lowerBound -= Vec2{bulge, bulge};
-        box.upperBound += Vec2{bulge, bulge};
-    }
+    const AABB box =
+        scree::SweptBox(*m_t.fixtures.shape[fixture], SweepOf(body, frame), TransformIn(frame, m_bodies, body));
     return m_bodies.IsFar() ? ToWorld(frame, box) : box;
 }
 
@@ -404,11 +383,14 @@ void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<co
 
 void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDynamic) {
     m_s.found.clear();
-    const auto visit = [&](uint32_t other) {
-        m_s.found.push_back(FixtureOf(other));
+    const AABB box = SweptBox(body, fixture);
+    const auto visit = [&](uint32_t proxy) {
+        const FixtureIndex other = FixtureOf(proxy);
+        const BodyIndex otherBody = m_t.fixtures.body[other];
+        const bool isSwept = withDynamic && m_bodies.isListed[otherBody] != 0 && m_bodies.IsActive(otherBody);
+        if (!isSwept || TestOverlap(box, SweptBox(otherBody, other))) m_s.found.push_back(other);
         return true;
     };
-    const AABB box = SweptBox(body, fixture);
     if (withDynamic) {
         m_t.broadPhase.PrepareQueries();  // boxes were swept
         m_t.broadPhase.Query(box, visit);

@@ -18,6 +18,7 @@
 #include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
 #include "geometry/passage.h"
+#include "geometry/swept_box.h"
 #include "pipeline/contact_events.h"
 #include "pipeline/parts/near_statics.h"
 #include "scree/time_of_impact.h"
@@ -166,6 +167,7 @@ private:
     void Audit(const ToiPair& pair) const;
     void FindTimes();
     void SweepBoxes();
+    [[nodiscard]] QuickSweep QuickSweepOf(BodyIndex body) const;
     [[nodiscard]] bool AreFewToMeet(bool somethingMoves) const;
     void GatherTargets();
     void SweepHitters();
