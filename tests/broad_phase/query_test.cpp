@@ -63,6 +63,25 @@ float EntryFraction(const RayCastInput& input, const AABB& box) {
     return low <= high ? low : -1.0f;
 }
 
+/// What a box on its way along the ray may hit is what a scan with the same test finds, among it all that it does hit.
+void CheckBoxCast(const TestWorld& world, BroadPhase& broadPhase, const RayCastInput& input, Vec2 halfSize) {
+    std::vector<uint32_t> expected, visited;
+    const broadphase::RayProbe probe(input, halfSize);
+    for (const TestFixture& fixture : world.Fixtures()) {
+        const AABB box = broadPhase.GetBox(fixture.fixture);
+        const bool mayHit = probe.MayHitLeaf(box);
+        if (mayHit) expected.push_back(fixture.fixture);
+        RC_ASSERT(mayHit || EntryFraction(input, {box.lowerBound - halfSize, box.upperBound + halfSize}) < 0.0f);
+    }
+    std::sort(expected.begin(), expected.end());
+    broadPhase.CastBox(input, halfSize, [&](const RayCastInput&, uint32_t fixture) {
+        visited.push_back(fixture);
+        return -1.0f;
+    });
+    std::sort(visited.begin(), visited.end());
+    RC_ASSERT(visited == expected);
+}
+
 void CheckRay(const TestWorld& world, BroadPhase& broadPhase, const RayCastInput& input) {
     std::vector<uint32_t> expected, visited;
     const broadphase::RayProbe probe(input);
@@ -113,6 +132,8 @@ TEST_P(Queries, EqualALinearScanBetweenEdits) {
             CheckRay(world, *broadPhase,
                      {from.lowerBound, {to.lowerBound.x, from.lowerBound.y}, world.Uniform(0.1f, 1.0f)});
             CheckRay(world, *broadPhase, {from.lowerBound, from.lowerBound, 1.0f});
+            CheckBoxCast(world, *broadPhase, {from.GetCenter(), to.lowerBound, world.Uniform(0.1f, 1.0f)},
+                         from.GetExtents());
         }
     }));
 }
@@ -169,6 +190,30 @@ TEST_P(Queries, RaysMeetNearBoxesFirst) {
         const bool isRebuilt = GetParam() != BroadPhaseKind::fatTree;
         RC_ASSERT(visits <= 2 * leaf + (isRebuilt ? 0 : depth));
         RC_ASSERT(!isRebuilt || boxTests <= 2 * leaf + 8 * depth);
+    }));
+}
+
+/// A box that crosses a field of n × n boxes on a diagonal meets some n of them, not all in the box around its way.
+TEST_P(Queries, ACastAcrossAFieldMeetsALine) {
+    EXPECT_TRUE(rc::check("a line of boxes", [] {
+        const auto n = *rc::gen::inRange(30u, 60u);
+        const Motion motion = *rc::gen::element(Motion::dynamic, Motion::isStatic);
+        const auto broadPhase = CreateBroadPhase(GetParam());
+        for (uint32_t i = 0; i < n * n; ++i) {
+            const Vec2 low{static_cast<float>(i % n), static_cast<float>(i / n)};
+            broadPhase->Insert(i, i, motion, {low, low + Vec2{0.5f, 0.5f}});
+        }
+        broadPhase->PrepareQueries();
+        const float side = static_cast<float>(n), half = 0.1f * static_cast<float>(*rc::gen::inRange(0, 8));
+        uint32_t visits = 0;
+        const uint64_t boxTests =
+            broadPhase->CastBox({{0.0f, side}, {side, 0.0f}, 1.0f}, {half, half}, [&](const RayCastInput&, uint32_t) {
+                ++visits;
+                return -1.0f;
+            });
+        RC_ASSERT(visits >= n - 1);
+        RC_ASSERT(visits <= 5 * n);
+        RC_ASSERT(broadPhase->GetLeafSize() == 0 || boxTests <= 40 * n);
     }));
 }
 

@@ -141,7 +141,11 @@ void CheckShapeCasts(Clutter& c, const QueryFilter& filter) {
                              [](const ShapeHit& a, const ShapeHit& b) { return a.fraction < b.fraction; }));
     const auto closest = c.world.ShapeCastClosest(probe, xf, way, filter);
     RC_ASSERT(closest.has_value() == !hits.empty());
-    if (closest) RC_ASSERT(closest->fixture == hits[0].fixture);
+    if (closest) {
+        RC_ASSERT(closest->fixture == hits[0].fixture);
+        RC_ASSERT(closest->fraction == hits[0].fraction);
+        RC_ASSERT(closest->point == hits[0].point);
+    }
     // Against many placements along the way: what is missed is never overlapped, and what is hit is not touched before.
     c.ForEachFixture(filter, [&](Fixture* f) {
         float fraction = 2.0f;

@@ -111,8 +111,11 @@ public:
     /// Visits every fixture whose stored box overlaps `box`. Returns the number of box tests. Queries and ray casts
     /// read only: any number of threads may ask while nobody edits.
     virtual uint64_t Query(const AABB& box, Visitor visit) const = 0;
-    /// Visits fixtures whose stored box the ray may hit; the same.
-    virtual uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const = 0;
+    /// Visits fixtures whose stored box may be hit by a box of this half size whose centre goes along the ray; trees
+    /// show those of near nodes first. Otherwise the same.
+    virtual uint64_t CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const = 0;
+    /// The same of a point.
+    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const { return CastBox(input, vec2Zero, visit); }
     /// Query for static fixtures, of which it may rebuild a tree: visits all of them, and any movers too if that is
     /// cheaper than to leave them out.
     virtual void QueryStatic(const AABB& box, Visitor visit) { Query(box, visit); }

@@ -76,9 +76,9 @@ public:
         return boxTests;
     }
 
-    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override {
+    uint64_t CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const override {
         uint64_t boxTests = 0;
-        RayProbe ray(input);
+        RayProbe ray(path, halfSize);
         m_tree.RayCast(ray, boxTests, [&](uint32_t leaf) { return ray.Visit(visit, m_tree.Node(leaf).id.fixture); });
         return boxTests;
     }

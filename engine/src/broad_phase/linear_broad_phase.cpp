@@ -16,8 +16,8 @@ uint64_t LinearBroadPhase::Query(const AABB& box, Visitor visit) const {
     return m_store.Size();
 }
 
-uint64_t LinearBroadPhase::RayCast(const RayCastInput& input, RayVisitor visit) const {
-    RayProbe ray(input);
+uint64_t LinearBroadPhase::CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const {
+    RayProbe ray(path, halfSize);
     for (uint32_t slot = 0; slot < m_store.Size(); ++slot) {
         if (!ray.MayHitLeaf(m_store.Box(slot))) continue;
         if (ray.Visit(visit, m_store.Id(slot).fixture) == RayStep::stop) return slot + 1;

@@ -21,7 +21,7 @@ public:
     void Remove(uint32_t fixture) override { m_store.Remove(m_store.Find(fixture)); }
 
     uint64_t Query(const AABB& box, Visitor visit) const override;
-    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override;
+    uint64_t CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const override;
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return m_store.Box(m_store.Find(fixture)); }
     [[nodiscard]] int GetProxyCount() const override { return static_cast<int>(m_store.Size()); }

@@ -31,7 +31,7 @@ bool ProxyTrees::QueryResting(const AABB& box, uint64_t& boxTests, Visitor visit
     return QueryPart(RestingPart(), box, boxTests, visit);
 }
 
-RayStep ProxyTrees::RayCastPart(const Part& part, RayProbe& ray, uint64_t& boxTests, RayVisitor visit) const {
+RayStep ProxyTrees::CastPart(const Part& part, RayProbe& ray, uint64_t& boxTests, RayVisitor visit) const {
     if (part.edits.IsStale()) {
         for (uint32_t slot = part.slots.first; slot < part.slots.first + part.slots.count; ++slot, ++boxTests) {
             if (!ray.MayHitLeaf(m_store.Box(slot))) continue;
@@ -49,10 +49,10 @@ RayStep ProxyTrees::RayCastPart(const Part& part, RayProbe& ray, uint64_t& boxTe
     return RayStep::goOn;
 }
 
-void ProxyTrees::RayCast(const RayCastInput& input, uint64_t& boxTests, RayVisitor visit) const {
-    RayProbe ray(input);
-    if (RayCastPart(MainPart(), ray, boxTests, visit) == RayStep::stop) return;
-    if (m_isRestingApart) (void)RayCastPart(RestingPart(), ray, boxTests, visit);
+void ProxyTrees::CastBox(const RayCastInput& path, Vec2 halfSize, uint64_t& boxTests, RayVisitor visit) const {
+    RayProbe ray(path, halfSize);
+    if (CastPart(MainPart(), ray, boxTests, visit) == RayStep::stop) return;
+    if (m_isRestingApart) (void)CastPart(RestingPart(), ray, boxTests, visit);
 }
 
 }  // namespace scree::broadphase

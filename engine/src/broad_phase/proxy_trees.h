@@ -47,7 +47,7 @@ public:
     /// are scanned. Adds to `boxTests`; false if the visitor ended it.
     bool Query(const AABB& box, uint64_t& boxTests, Visitor visit) const;
     bool QueryResting(const AABB& box, uint64_t& boxTests, Visitor visit) const;
-    void RayCast(const RayCastInput& input, uint64_t& boxTests, RayVisitor visit) const;
+    void CastBox(const RayCastInput& path, Vec2 halfSize, uint64_t& boxTests, RayVisitor visit) const;
 
     [[nodiscard]] size_t GetMemoryBytes() const;
 
@@ -61,7 +61,7 @@ private:
     [[nodiscard]] Part MainPart() const { return {main, mainEdits, MainSlots()}; }
     [[nodiscard]] Part RestingPart() const { return {resting, restingEdits, m_store.Resting()}; }
     bool QueryPart(const Part& part, const AABB& box, uint64_t& boxTests, Visitor visit) const;
-    RayStep RayCastPart(const Part& part, RayProbe& ray, uint64_t& boxTests, RayVisitor visit) const;
+    RayStep CastPart(const Part& part, RayProbe& ray, uint64_t& boxTests, RayVisitor visit) const;
 
     ProxyStore& m_store;
     const float m_restingShareThreshold;

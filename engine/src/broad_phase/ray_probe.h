@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// "May this ray hit this box?" for walks over trees and lists (Ericson, Real-Time Collision Detection, §5.3.3, in 2D).
-// The box of the ray's remaining part must overlap, and the normal of the ray must not separate the box from it. A
-// margin of a few roundings keeps grazing hits. A wider one for inner nodes makes a node pass whenever one of its boxes
-// does. Boxes are asked one by one, two by two (children), or in rows of four (leaves). All lengths are doubled, which
-// saves the halves of centres and extents.
+// "May this ray, or a box on its way along it, hit this box?" for walks over trees and lists (Ericson, Real-Time
+// Collision Detection, §5.3.3, in 2D). The box of the ray's remaining part must overlap, and the normal of the ray must
+// not separate the box from it. A margin of a few roundings keeps grazing hits. A wider one for inner nodes makes a
+// node pass whenever one of its boxes does. Boxes are asked one by one, two by two (children), or in rows of four
+// (leaves). All lengths are doubled, which saves the halves of centres and extents.
 
 #pragma once
 
@@ -31,7 +31,9 @@ struct BoxRow {
 
 class RayProbe {
 public:
-    explicit RayProbe(const RayCastInput& input) : m_input(input) {
+    /// Of a box of this half size whose centre goes along the ray: boxes that it meets are those that the ray meets
+    /// when they are larger by as much.
+    explicit RayProbe(const RayCastInput& input, Vec2 halfSize = vec2Zero) : m_input(input), m_halfSize(halfSize) {
         Vec2 direction = input.p2 - input.p1;
         direction.Normalize();
         const Vec2 normal = direction.Skew();
@@ -39,7 +41,8 @@ public:
         m_normal = Pair(normal);
         m_absNormal = Abs4(m_normal);
         m_offset = Splat4(2.0f * Dot(normal, input.p1));
-        m_size = Splat4(2.0f * (Abs(input.p1.x) + Abs(input.p1.y)));
+        m_extent = Splat4(2.0f * Dot(Abs(normal), halfSize));
+        m_size = Splat4(2.0f * (Abs(input.p1.x) + Abs(input.p1.y) + halfSize.x + halfSize.y));
         Clip(input.maxFraction);
     }
 
@@ -67,7 +70,7 @@ public:
         const F4 cx = row.lx - row.nux, cy = row.ly - row.nuy;
         const F4 hx = Negate4(row.lx + row.nux), hy = Negate4(row.ly + row.nuy);
         const F4 distance = SplatLane4<0>(m_normal) * cx + SplatLane4<1>(m_normal) * cy - m_offset;
-        const F4 extent = SplatLane4<0>(m_absNormal) * hx + SplatLane4<1>(m_absNormal) * hy;
+        const F4 extent = SplatLane4<0>(m_absNormal) * hx + SplatLane4<1>(m_absNormal) * hy + m_extent;
         const F4 size = Abs4(cx) + hx + (Abs4(cy) + hy) + m_size;
         const Mask4 isApart = Greater4(Abs4(distance), extent + Splat4(leafMargin) * size);
         return Bits4(And4(And4(reachesX, reachesY), Not4(isApart)));
@@ -98,7 +101,7 @@ private:
     void Clip(float maxFraction) {
         m_input.maxFraction = maxFraction;
         const Vec2 end = m_input.p1 + maxFraction * (m_input.p2 - m_input.p1);
-        m_reach = ProbeOf(Load(ToBounds({Min(m_input.p1, end), Max(m_input.p1, end)})));
+        m_reach = ProbeOf(Load(ToBounds({Min(m_input.p1, end) - m_halfSize, Max(m_input.p1, end) + m_halfSize})));
     }
 
     /// Lanes 0 and 1 for box a, 2 and 3 for b: the normal of the ray does not separate the box from its line.
@@ -107,13 +110,15 @@ private:
         const F4 extent = Negate4(corners.lower + corners.negatedUpper);
         const F4 distance = Abs4(SumPairs(m_normal * centre) - m_offset);
         const F4 size = SumPairs(Abs4(centre) + extent) + m_size;
-        return Not4(Greater4(distance, SumPairs(m_absNormal * extent) + Splat4(relativeMargin) * size));
+        return Not4(Greater4(distance, SumPairs(m_absNormal * extent) + m_extent + Splat4(relativeMargin) * size));
     }
 
     RayCastInput m_input;
+    Vec2 m_halfSize;
     F4 m_direction, m_normal, m_absNormal;  ///< {x, y, x, y}
     F4 m_offset;                            ///< 2 · normal · p1 in all lanes
-    F4 m_size;                              ///< 2 · (|x| + |y|) of p1 in all lanes
+    F4 m_extent;                            ///< 2 · |normal| · half size in all lanes
+    F4 m_size;                              ///< 2 · (|x| + |y|) of p1 and the half size in all lanes
     F4 m_reach;                             ///< ProbeOf the box of the remaining part
 };
 

@@ -163,9 +163,9 @@ uint64_t TreeBroadPhase::Query(const AABB& box, Visitor visit) const {
     return boxTests;
 }
 
-uint64_t TreeBroadPhase::RayCast(const RayCastInput& input, RayVisitor visit) const {
+uint64_t TreeBroadPhase::CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const {
     uint64_t boxTests = 0;
-    m_trees.RayCast(input, boxTests, visit);
+    m_trees.CastBox(path, halfSize, boxTests, visit);
     return boxTests;
 }
 

@@ -39,7 +39,7 @@ public:
 
     void PrepareQueries() override;
     uint64_t Query(const AABB& box, Visitor visit) const override;
-    uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const override;
+    uint64_t CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const override;
     void QueryStatic(const AABB& box, Visitor visit) override;
     void QueryResting(const AABB& box, Visitor visit) override;
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A turn by t about a centre at distance r takes a point along a chord of at most r·min(t, 2), and off that chord by at
-// most r·(1 − cos(t/2)), which is less than r·t²/8.
+// A turn by t about a centre at distance r takes a point along a chord of at most r·min(t, 2). It takes it off that
+// chord by at most r·(1 − cos(t/2)), which is less than r·t²/8.
 
 #include "geometry/swept_box.h"
 

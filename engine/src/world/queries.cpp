@@ -89,21 +89,30 @@ std::optional<ShapeHit> CastAgainst(const WorldState& s, FixtureIndex f, const S
     return ShapeHit{fixture, place.frame + output.point, output.normal, output.lambda};
 }
 
-/// Everything in the way of the shape, in the order of touch; ties by fixture index, so that no algorithm shows.
+/// In the order of touch; ties by fixture index, so that no algorithm shows.
+bool IsSooner(const ShapeHit& a, const ShapeHit& b) {
+    return a.fraction != b.fraction ? a.fraction < b.fraction : a.fixture->GetIndex() < b.fixture->GetIndex();
+}
+
+/// What is in the way of the shape: visit(hit) returns how much of the way still matters, a negative number for as much
+/// as before.
+template <typename Visit>
 void CastShape(const WorldState& s, const Shape& shape, const Transform& xf, Vec2 translation,
-               const QueryFilter& filter, std::vector<ShapeHit>& hits) {
+               const QueryFilter& filter, Visit visit) {
+    /// Shapes count as touching before their boxes do, by less than that: cores are that thick at least.
+    constexpr float thickness = 2.0f * polygonRadius;
     AABB start;
     shape.ComputeAABB(&start, xf);
     const AABB swept = Union(start, {start.lowerBound + translation, start.upperBound + translation});
-    s.broadPhase->Query(swept, [&](uint32_t proxy) {
-        const FixtureIndex f = FixtureOf(proxy);
-        if (!Sees(filter, s.fixtures, f)) return true;
-        if (const auto hit = CastAgainst(s, f, shape, xf, translation)) hits.push_back(*hit);
-        return true;
-    });
-    std::sort(hits.begin(), hits.end(), [](const ShapeHit& a, const ShapeHit& b) {
-        return a.fraction != b.fraction ? a.fraction < b.fraction : a.fixture->GetIndex() < b.fixture->GetIndex();
-    });
+    const Vec2 centre = start.GetCenter();
+    s.broadPhase->CastBox({centre, centre + translation, 1.0f}, start.GetExtents() + Vec2{thickness, thickness},
+                          [&](const RayCastInput&, uint32_t proxy) {
+                              const FixtureIndex f = FixtureOf(proxy);
+                              if (!Sees(filter, s.fixtures, f)) return -1.0f;
+                              if (!TestOverlap(s.broadPhase->GetBox(proxy), swept)) return -1.0f;
+                              const auto hit = CastAgainst(s, f, shape, xf, translation);
+                              return hit ? visit(*hit) : -1.0f;
+                          });
 }
 
 }  // namespace
@@ -225,7 +234,11 @@ ErrorCode World::ShapeCast(const Shape& shape, const Transform& xf, Vec2 transla
     Guard guard(*m_state, "World::ShapeCast");
     if (CheckConvex(guard, shape, xf).Finite(translation, "translation").Failed()) return guard.Code();
     hits.clear();
-    CastShape(*m_state, shape, xf, translation, filter, hits);
+    CastShape(*m_state, shape, xf, translation, filter, [&](const ShapeHit& hit) {
+        hits.push_back(hit);
+        return -1.0f;
+    });
+    std::sort(hits.begin(), hits.end(), IsSooner);
     return ErrorCode::ok;
 }
 
@@ -233,9 +246,13 @@ std::optional<ShapeHit> World::ShapeCastClosest(const Shape& shape, const Transf
                                                 const QueryFilter& filter) const {
     Guard guard(*m_state, "World::ShapeCastClosest");
     if (CheckConvex(guard, shape, xf).Finite(translation, "translation").Failed()) return std::nullopt;
-    std::vector<ShapeHit> hits;
-    CastShape(*m_state, shape, xf, translation, filter, hits);
-    return hits.empty() ? std::nullopt : std::optional<ShapeHit>(hits.front());
+    std::optional<ShapeHit> best;
+    CastShape(*m_state, shape, xf, translation, filter, [&](const ShapeHit& hit) {
+        if (!best || IsSooner(hit, *best)) best = hit;
+        // What overlaps from the start may not end the cast before ties are settled.
+        return hit.fraction > 0.0f ? hit.fraction : -1.0f;
+    });
+    return best;
 }
 
 }  // namespace scree
