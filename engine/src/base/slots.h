@@ -24,6 +24,13 @@ void ReserveRows(size_t count, T&... columns) {
     (reserve(columns), ...);
 }
 
+/// One more row T() in each of columns that have as many and room for it: one after the other costs several times as
+/// much.
+template <AnyColumn... T>
+void AppendRow(T&... columns) {
+    (columns.emplace_back(), ...);
+}
+
 template <Index I>
 class Slots {
 public:

@@ -40,22 +40,15 @@ BodyIndex BodyTable::Add(WorldState* state, const BodyDef& def) {
     while (handles.size() < rows) handles.emplace_back(state, handles.End());
 
     slots.Allocate();
-    EnsureRow(velocity, index);
-    if (!startVelocity.empty()) EnsureRow(startVelocity, index);
-    EnsureRow(position, index);
-    EnsureRow(startPosition, index);
-    if (IsFar()) EnsureRow(rest, index);
-    EnsureRow(transform, index);
-    EnsureRow(mass, index);
-    if (!force.empty()) EnsureRow(force, index);
-    EnsureRow(motion, index);
-    if (!demand.empty()) EnsureRow(demand, index);
-    EnsureRow(sleepTime, index);
-    EnsureRow(flags, index);
-    EnsureRow(type, index);
-    EnsureRow(fixtureHead, index);
-    EnsureRow(info, index);
+    if (velocity.size() < rows) {
+        AppendRow(velocity, position, startPosition, transform, mass, motion, sleepTime, flags, type, fixtureHead,
+                  info);
+    }
     EnsureRow(isListed, index);
+    if (!startVelocity.empty()) EnsureRow(startVelocity, index);
+    if (IsFar()) EnsureRow(rest, index);
+    if (!force.empty()) EnsureRow(force, index);
+    if (!demand.empty()) EnsureRow(demand, index);
 
     type[index] = def.type;
     const bool isStatic = def.type == staticBody;

@@ -16,14 +16,7 @@ FixtureIndex FixtureTable::Add(WorldState* state, BodyIndex bodyIndex, const Fix
     const int shapeRow = TakeShape(*def.shape);
 
     slots.Allocate();
-    EnsureRow(body, index);
-    EnsureRow(shape, index);
-    EnsureRow(type, index);
-    EnsureRow(isSensor, index);
-    EnsureRow(filter, index);
-    EnsureRow(material, index);
-    EnsureRow(next, index);
-    EnsureRow(info, index);
+    if (body.size() < rows) AppendRow(body, shape, type, isSensor, filter, material, next, info);
 
     body[index] = bodyIndex;
     PutShape(index, def.shape->GetType(), shapeRow);
