@@ -42,9 +42,14 @@
 #include <immintrin.h>
 #endif
 
-/// Whether the standard library can make threads. Without them a world's loops run on the thread that calls, or as
-/// tasks of the program; results are the same.
-#if !defined(SCREE_NO_THREADS) && !(defined(__wasm__) && !defined(__wasm_atomics__))
+/// Whether a program can have several threads, and the standard library what they need.
+#if !(defined(__wasm__) && !defined(__wasm_atomics__))
+#define SCREE_HAS_MUTEXES
+#endif
+
+/// Whether the engine may make threads. Without them a world's loops run on the thread that calls, or as tasks of the
+/// program; results are the same.
+#if defined(SCREE_HAS_MUTEXES) && !defined(SCREE_NO_THREADS)
 #define SCREE_HAS_THREADS
 #endif
 

@@ -7,7 +7,12 @@
 #pragma once
 
 #include <atomic>
+
+#include "base/compiler.h"
+
+#if defined(SCREE_HAS_MUTEXES)
 #include <mutex>
+#endif
 
 namespace scree {
 
@@ -26,8 +31,10 @@ public:
     template <typename Make>
     void Ensure(int count, Make&& make) {
         if (Count() >= count) return;
+#if defined(SCREE_HAS_MUTEXES)
         const std::lock_guard lock(m_mutex);
         if (Count() >= count) return;
+#endif
         make();
         m_count.store(count, std::memory_order_release);
     }
@@ -36,7 +43,9 @@ public:
 
 private:
     std::atomic<int> m_count{0};
+#if defined(SCREE_HAS_MUTEXES)
     std::mutex m_mutex;
+#endif
 };
 
 }  // namespace scree
