@@ -24,8 +24,7 @@ void ReserveRows(size_t count, T&... columns) {
     (reserve(columns), ...);
 }
 
-/// One more row T() in each of columns that have as many and room for it: one after the other costs several times as
-/// much.
+/// One more row T() in each of columns that have the same number of rows and room for one more (ReserveRows).
 template <AnyColumn... T>
 void AppendRow(T&... columns) {
     (columns.emplace_back(), ...);
