@@ -1,25 +1,37 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Work and span of a step of our engine, counted on one thread. The engine cuts its loops into a task for each worker;
-// here every task runs at once and is timed. What is in no loop, and the longest task of each loop, no number of cores
-// makes shorter (Blumofe and Leiserson, "Scheduling Multithreaded Computations by Work Stealing", 1999).
+// Work and span of a step of our engine, counted on one thread. The engine cuts its loops into tasks; here every task
+// runs at once and is timed. Then the tasks of each loop are dealt to cores in order, each to the core that is free
+// first, as the engine's threads take them (list scheduling: Graham, "Bounds on Multiprocessing Timing Anomalies",
+// 1969). What is in no loop no number of cores makes shorter.
 
 #pragma once
 
 #include <chrono>
+#include <span>
 #include <vector>
 
 #include "scree/tasks.h"
 
 namespace testbed {
 
-/// What a step spent in loops. A loop is over when the engine has waited for all of its tasks.
+/// The times of the tasks of a step's loops, ms. A loop is over when the engine has waited for all of its tasks.
 struct LoopTimes {
-    int loops = 0;
-    double work = 0.0;  ///< of all tasks, ms
-    double span = 0.0;  ///< of the longest task of each loop, summed, ms
+    std::vector<double> tasks{};  ///< of all loops, in order
+    std::vector<int> ends{};      ///< by loop: end of its tasks
+
+    [[nodiscard]] int CountLoops() const { return static_cast<int>(ends.size()); }
+    /// Of all tasks.
+    [[nodiscard]] double GetWork() const;
+    /// Of all loops one after the other, each dealt to so many cores.
+    [[nodiscard]] double GetSpan(int cores) const;
+    /// Keeps the least time of each task. Both must be of the same step, which has the same loops whenever it is taken.
+    void TakeLeast(const LoopTimes& other);
 };
+
+/// How long a loop of these tasks takes on so many cores.
+[[nodiscard]] double DealToCores(std::span<const double> tasks, int cores);
 
 class LoopMeter {
 public:
@@ -37,12 +49,13 @@ private:
     using Clock = std::chrono::steady_clock;
 
     void Run(void (*task)(void*), void* taskContext);
+    void EndTask();
+    [[nodiscard]] bool IsBetweenLoops() const;
     /// The caller's own task ran between the last one that it handed over and the first that it waits for.
     void EndLoop();
 
     LoopTimes m_times;
-    std::vector<double> m_tasks;  ///< of the loop at hand, ms
-    Clock::time_point m_last;     ///< when the last task ended
+    Clock::time_point m_last;  ///< when the last task ended
 };
 
 }  // namespace testbed

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <future>
 #include <numeric>
 
@@ -124,6 +125,28 @@ TEST(TaskPool, ATaskSystemMayRunTasksAtOnceOrOnItsThreads) {
     pool.End();
     EXPECT_EQ(calls.enqueued, 22);
     EXPECT_EQ(calls.finished, 20);
+}
+
+TEST(TaskPool, ATaskSystemGetsSoManyTasksForEachWorkerButNoEmptyOnes) {
+    Calls calls;
+    const TaskCallbacks atOnce{[](void (*task)(void*), void* taskContext, void* user) -> void* {
+                                   ++static_cast<Calls*>(user)->enqueued;
+                                   task(taskContext);
+                                   return nullptr;
+                               },
+                               [](void*, void*) {}, &calls, 5};
+    TaskPool pool(3, atOnce);
+    EXPECT_EQ(pool.GetWorkerCount(), 3);
+    EXPECT_EQ(pool.GetRowCount(), 15);
+    pool.Begin();
+    for (const int count : {0, 1, 2, 14, 15, 16, 300}) {
+        calls.enqueued = 0;
+        const std::vector<int> owners = Owners(pool, count, 0);
+        ExpectEachOnce(owners, 15);
+        EXPECT_EQ(calls.enqueued, std::max(std::min(count, 15) - 1, 0)) << count << " items";
+        EXPECT_TRUE(std::ranges::is_sorted(owners)) << "each task has one range";
+    }
+    pool.End();
 }
 
 }  // namespace

@@ -21,6 +21,9 @@ struct TaskCallbacks {
     /// Waits until the task is done.
     void (*finish)(void* handle, void* userContext) = nullptr;
     void* context = nullptr;  ///< passed on as userContext
+    /// Into how many tasks a loop is cut for each worker, 1…maxWorkers / workers. With more of them tasks are shorter,
+    /// and a worker that is done early takes some of another's; with fewer there are fewer to start.
+    int tasksPerWorker = 1;
 };
 
 }  // namespace scree

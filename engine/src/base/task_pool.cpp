@@ -5,6 +5,8 @@
 
 #include "base/task_pool.h"
 
+#include <algorithm>
+
 #include "base/float_mode.h"
 #include "base/undo.h"
 
@@ -32,39 +34,48 @@ void Await(Done&& done) {
 
 TaskPool::~TaskPool() { Stop(); }
 
+/// Threads take chunk after chunk; a task has one of its own, whatever thread runs it.
+TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
+    : m_workerCount(workerCount),
+      m_rowCount(callbacks.enqueue == nullptr ? workerCount : workerCount * callbacks.tasksPerWorker),
+      m_chunkCount(workerCount * chunksPerWorker),
+      m_callbacks(callbacks) {
+    MakeThreads();
+}
+
 void TaskPool::RunWithCallbacks() {
     struct Range {
         TaskPool* pool;
-        int worker;
+        int index, parts;
         void* handle;
     };
     Range ranges[maxWorkers];
-    for (int worker = 1; worker < m_workerCount; ++worker) {
-        Range& range = ranges[worker];
-        range = {this, worker, nullptr};
+    const int parts = std::min(m_rowCount, m_count);
+    for (int index = 1; index < parts; ++index) {
+        Range& range = ranges[index];
+        range = {this, index, parts, nullptr};
         range.handle = m_callbacks.enqueue(
             [](void* context) {
                 const StandardFloats floats;
                 const auto* own = static_cast<Range*>(context);
-                own->pool->RunRange(own->worker, own->pool->m_workerCount, own->worker);
+                own->pool->RunRange(own->index, own->parts, own->index);
             },
             &range, m_callbacks.context);
     }
-    RunRange(0, m_workerCount, 0);
-    for (int worker = 1; worker < m_workerCount; ++worker) {
+    if (parts > 0) RunRange(0, parts, 0);
+    for (int index = 1; index < parts; ++index) {
         // Null: the task was already run.
-        if (ranges[worker].handle != nullptr) m_callbacks.finish(ranges[worker].handle, m_callbacks.context);
+        if (ranges[index].handle != nullptr) m_callbacks.finish(ranges[index].handle, m_callbacks.context);
     }
 }
 
 #if defined(SCREE_HAS_THREADS)
 
-TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
-    : m_workerCount(workerCount), m_chunkCount(workerCount * chunksPerWorker), m_callbacks(callbacks) {
+void TaskPool::MakeThreads() {
     if (m_callbacks.enqueue != nullptr) return;
     Undo undo([this] { Stop(); });  // those that could be made
-    m_threads.reserve(static_cast<size_t>(workerCount - 1));
-    for (int worker = 1; worker < workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
+    m_threads.reserve(static_cast<size_t>(m_workerCount - 1));
+    for (int worker = 1; worker < m_workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
     undo.Dismiss();
 }
 
@@ -128,9 +139,7 @@ void TaskPool::Work(int worker) {
 
 #else
 
-TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
-    : m_workerCount(workerCount), m_chunkCount(workerCount * chunksPerWorker), m_callbacks(callbacks) {}
-
+void TaskPool::MakeThreads() {}
 void TaskPool::Stop() {}
 void TaskPool::Begin() { m_inStep = m_workerCount > 1 && m_callbacks.enqueue != nullptr; }
 void TaskPool::End() { m_inStep = false; }

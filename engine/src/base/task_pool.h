@@ -36,6 +36,8 @@ public:
     TaskPool& operator=(const TaskPool&) = delete;
 
     [[nodiscard]] int GetWorkerCount() const { return m_workerCount; }
+    /// Above every `worker` that a loop's body gets: so many rows of scratch do.
+    [[nodiscard]] int GetRowCount() const { return m_rowCount; }
     /// From now on every step with work to share is shared, whether that pays or not: for tests.
     void ShareAlways() { m_sharesAlways = true; }
     /// Between Begin and End, with more than one worker.
@@ -47,7 +49,7 @@ public:
     /// two, the way from cache to cache costs more than the other half of such a loop.
     [[nodiscard]] bool IsWide() const { return m_inStep && m_workerCount >= leastWide; }
 
-    /// Calls body(begin, end, worker) for chunks of [0, count); worker < GetWorkerCount(), 0 is this thread, and one
+    /// Calls body(begin, end, worker) for chunks of [0, count); worker < GetRowCount(), 0 is this thread, and one
     /// worker has one chunk at a time. One call with everything if count < least, outside of Begin and End, or with one
     /// worker.
     template <typename Body>
@@ -77,6 +79,7 @@ private:
     void Run(int count, TaskFunction function, void* context);
     void RunWithCallbacks();
     void Work(int worker);
+    void MakeThreads();
     void Stop();
     void RunChunks(uint32_t turn, int worker);
     void RunRange(int index, int parts, int worker) {
@@ -85,6 +88,7 @@ private:
     }
 
     const int m_workerCount;
+    const int m_rowCount;
     const int m_chunkCount;
     const TaskCallbacks m_callbacks;
     SharingGauge m_gauge;

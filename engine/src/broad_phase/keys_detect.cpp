@@ -307,8 +307,8 @@ void KeysDetector::BeginCut(const FlatTree& tree, const TaskPool& pool) {
 
 template <bool self>
 uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink) {
-    if (m_buffers.size() < static_cast<size_t>(pool.GetWorkerCount()))
-        m_buffers.resize(static_cast<size_t>(pool.GetWorkerCount()));
+    if (m_buffers.size() < static_cast<size_t>(pool.GetRowCount()))
+        m_buffers.resize(static_cast<size_t>(pool.GetRowCount()));
     for (KeysBuffers& buffers : m_buffers) buffers.pairCount = 0;
     pool.For(static_cast<int>(m_cut.parts.size()), 2, [&](int begin, int end, int worker) {
         KeysBuffers& own = m_buffers[static_cast<size_t>(worker)];

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
+#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -25,44 +25,23 @@ namespace testbed {
 
 namespace {
 
-/// Times of the steps of one run, the least of all repeats.
-class LeastTimes {
-public:
-    explicit LeastTimes(int steps)
-        : m_times(static_cast<std::size_t>(steps), std::numeric_limits<double>::infinity()) {}
-
-    void Note(int step, double ms) {
-        double& least = m_times[static_cast<std::size_t>(step)];
-        least = std::min(least, ms);
-    }
-    [[nodiscard]] double Sum() const { return std::accumulate(m_times.begin(), m_times.end(), 0.0); }
-
-private:
-    std::vector<double> m_times;
-};
-
-/// One number of cores, or one thread.
+/// One number of cores, or one thread: the least times of all repeats, by step.
 struct Counted {
     int cores;
-    LeastTimes times;
-    double stepMs = 0.0;  ///< of all steps of all repeats
-    LoopTimes loops{};    ///< likewise
+    std::vector<CountedStep> steps{};
 };
 
 void RunCounted(const scenes::Scene& scene, RunSpec spec, int steps, Counted& counted) {
     LoopMeter meter;
     spec.threads = counted.cores;
     const std::unique_ptr<InteractiveRun> run = MakeRun(scene, spec, {.loops = counted.cores > 1 ? &meter : nullptr});
-    for (int i = 0; i < steps; ++i) {
+    const bool isFirst = counted.steps.empty();
+    if (isFirst) counted.steps.resize(static_cast<std::size_t>(steps));
+    for (CountedStep& least : counted.steps) {
         meter.Begin();
         run->Step();
-        const double ms = run->GetTimes().step;
-        const LoopTimes& loops = meter.GetTimes();
-        counted.times.Note(i, PredictStep(ms, loops));
-        counted.stepMs += ms;
-        counted.loops.loops += loops.loops;
-        counted.loops.work += loops.work;
-        counted.loops.span += loops.span;
+        const CountedStep times = SplitStep(run->GetTimes().step, meter.GetTimes());
+        isFirst ? void(least = times) : least.TakeLeast(times);
     }
 }
 
@@ -70,8 +49,8 @@ CoresRow MeasureCase(const BenchCase& benchCase, const RunSpec& spec, const Benc
                      const std::vector<int>& cores) {
     const scenes::Scene scene = benchCase.scene.Build();
     const int steps = effort.maxSteps > 0 ? std::min(effort.maxSteps, scene.steps) : scene.steps;
-    std::vector<Counted> all{{1, LeastTimes(steps)}};
-    for (const int count : cores) all.push_back({count, LeastTimes(steps)});
+    std::vector<Counted> all{{1}};
+    for (const int count : cores) all.push_back({count});
     for (int repeat = 0; repeat < effort.repeats; ++repeat) {
         for (Counted& counted : all) RunCounted(scene, spec, steps, counted);
     }
@@ -81,11 +60,20 @@ CoresRow MeasureCase(const BenchCase& benchCase, const RunSpec& spec, const Benc
                  .size = benchCase.scene.size,
                  .steps = steps,
                  .movers = counts.kinematicBodies + counts.dynamicBodies};
-    row.oneThreadMs = all.front().times.Sum();
+    const auto sumOf = [](const Counted& counted, auto&& part) {
+        return std::transform_reduce(counted.steps.begin(), counted.steps.end(), 0.0, std::plus(), part);
+    };
     const auto most = std::ranges::max_element(all, {}, &Counted::cores);
-    row.sharedPart = most->loops.work / most->stepMs;
-    row.loops = static_cast<double>(most->loops.loops) / (steps * effort.repeats);
-    for (std::size_t i = 1; i < all.size(); ++i) row.speedUps.push_back(row.oneThreadMs / all[i].times.Sum());
+    const double shared = sumOf(*most, [](const CountedStep& step) { return step.loops.GetWork(); });
+    const double apart = sumOf(*most, [](const CountedStep& step) { return step.apart; });
+    row.sharedPart = shared / (shared + apart);
+    row.loops = sumOf(*most, [](const CountedStep& step) { return 1.0 * step.loops.CountLoops(); }) / steps;
+    // The parts' least times lack more of what other programs took than the least times of whole steps.
+    row.oneThreadMs = std::min(sumOf(all.front(), [](const CountedStep& step) { return step.apart; }), shared + apart);
+    for (std::size_t i = 1; i < all.size(); ++i) {
+        const auto predict = [&](const CountedStep& step) { return PredictStep(step, all[i].cores); };
+        row.speedUps.push_back(row.oneThreadMs / sumOf(all[i], predict));
+    }
     return row;
 }
 
@@ -108,12 +96,13 @@ Page MakeCoresPage(const std::vector<CoresRow>& rows, const std::vector<int>& co
               .intro =
                   "How many times as fast steps of our engine would be on more cores than the machine has. It is "
                   "counted, not measured: every task of a step runs and is timed on one thread.\n\nThe time with N "
-                  "cores is what no loop has, the longest task of each loop, and 1 µs for the end of each loop. "
-                  "Memory and caches that cores share are not in this model."};
+                  "cores is what no loop has, each loop with its tasks dealt to the cores, and 1 µs for the end of "
+                  "each loop. Tasks are dealt in order, each to the core that is free first; there are four for each "
+                  "core. Memory and caches that cores share are not in this model."};
     AddFacts(page, command, ToJson(FindProvenance()));
     PageTable table{.caption =
                         "Shared: the part of a step that is in loops. Loops: how many of them a step has. Both are "
-                        "those with the most cores. Times of a step are the least of the repeats.",
+                        "those with the most cores. Times of steps and of tasks are the least of the repeats.",
                     .columns = {{.name = "scene"},
                                 {.name = "size", .numeric = true},
                                 {.name = "movers", .numeric = true},
@@ -150,8 +139,15 @@ std::vector<int> ParseCores(const std::string& text) {
 
 }  // namespace
 
-double PredictStep(double stepMs, const LoopTimes& loops) {
-    return stepMs - loops.work + loops.span + barrierMs * loops.loops;
+CountedStep SplitStep(double stepMs, const LoopTimes& loops) { return {stepMs - loops.GetWork(), loops}; }
+
+void CountedStep::TakeLeast(const CountedStep& other) {
+    apart = std::min(apart, other.apart);
+    loops.TakeLeast(other.loops);
+}
+
+double PredictStep(const CountedStep& step, int cores) {
+    return step.apart + step.loops.GetSpan(cores) + barrierMs * step.loops.CountLoops();
 }
 
 std::vector<CoresRow> MeasureCores(const BenchPlan& plan, const std::vector<int>& cores) {

@@ -17,8 +17,19 @@ namespace testbed {
 /// What the end of a loop costs on several cores, ms: its caller waits for the others.
 inline constexpr double barrierMs = 1e-3;
 
-/// How long a step takes with a core for each task, ms: what is in no loop, the longest task of each, and the barriers.
-[[nodiscard]] double PredictStep(double stepMs, const LoopTimes& loops);
+/// Where the time of a step went.
+struct CountedStep {
+    double apart = 0.0;  ///< in no loop, ms
+    LoopTimes loops{};
+
+    /// Keeps the least time of each part. Both must be of the same step.
+    void TakeLeast(const CountedStep& other);
+};
+
+[[nodiscard]] CountedStep SplitStep(double stepMs, const LoopTimes& loops);
+
+/// How long a step takes on so many cores, ms: what is in no loop, the loops dealt to the cores, and the barriers.
+[[nodiscard]] double PredictStep(const CountedStep& step, int cores);
 
 /// A scene with one solver.
 struct CoresRow {

@@ -17,9 +17,29 @@
 namespace testbed {
 namespace {
 
-TEST(Cores, AStepLastsItsSerialPartTheLongestTasksAndTheBarriers) {
-    EXPECT_DOUBLE_EQ(PredictStep(10.0, {}), 10.0) << "nothing is shared";
-    EXPECT_DOUBLE_EQ(PredictStep(10.0, {.loops = 3, .work = 8.0, .span = 2.0}), 2.0 + 2.0 + 3 * barrierMs);
+TEST(Cores, ALoopIsDealtToTheCoreThatIsFreeFirst) {
+    const std::vector<double> tasks{3.0, 1.0, 1.0, 1.0, 2.0};
+    EXPECT_DOUBLE_EQ(DealToCores(tasks, 1), 8.0);
+    EXPECT_DOUBLE_EQ(DealToCores(tasks, 2), 5.0) << "3 and 2 on one core, 1, 1, 1 on the other";
+    EXPECT_DOUBLE_EQ(DealToCores(tasks, 5), 3.0) << "as long as its longest task";
+    EXPECT_DOUBLE_EQ(DealToCores(tasks, 50), 3.0);
+    EXPECT_DOUBLE_EQ(DealToCores({}, 4), 0.0);
+}
+
+TEST(Cores, AStepLastsItsSerialPartItsLoopsAndTheBarriers) {
+    EXPECT_DOUBLE_EQ(PredictStep(SplitStep(10.0, {}), 8), 10.0) << "nothing is shared";
+    const LoopTimes loops{.tasks = {1.0, 2.0, 2.0, 3.0}, .ends = {2, 3, 4}};
+    const CountedStep step = SplitStep(10.0, loops);
+    EXPECT_DOUBLE_EQ(step.apart, 2.0);
+    EXPECT_DOUBLE_EQ(PredictStep(step, 1), 10.0 + 3 * barrierMs);
+    EXPECT_DOUBLE_EQ(PredictStep(step, 2), 2.0 + (2.0 + 2.0 + 3.0) + 3 * barrierMs);
+}
+
+TEST(Cores, RepeatsKeepTheLeastTimeOfEachPart) {
+    CountedStep step{.apart = 2.0, .loops = {.tasks = {1.0, 5.0}, .ends = {2}}};
+    step.TakeLeast({.apart = 3.0, .loops = {.tasks = {2.0, 4.0}, .ends = {2}}});
+    EXPECT_DOUBLE_EQ(step.apart, 2.0);
+    EXPECT_EQ(step.loops.tasks, (std::vector<double>{1.0, 4.0}));
 }
 
 /// A task that keeps the thread busy, so that it has a time.
@@ -45,12 +65,13 @@ TEST(Cores, TheMeterRunsEveryTaskAtOnceAndCountsLoops) {
         calls.finish(second, calls.context);
     }
     const LoopTimes& times = meter.GetTimes();
-    EXPECT_EQ(times.loops, 3);
-    EXPECT_GT(times.span, 0.0);
-    EXPECT_GE(times.work, times.span);
-    EXPECT_LE(times.work, 3.0 * times.span) << "two tasks and the caller's";
+    EXPECT_EQ(times.CountLoops(), 3);
+    EXPECT_EQ(times.tasks.size(), 9u) << "two tasks and the caller's";
+    EXPECT_GT(times.GetSpan(8), 0.0);
+    EXPECT_GE(times.GetWork(), times.GetSpan(2));
+    EXPECT_DOUBLE_EQ(times.GetWork(), times.GetSpan(1));
     meter.Begin();
-    EXPECT_EQ(meter.GetTimes().loops, 0);
+    EXPECT_EQ(meter.GetTimes().CountLoops(), 0);
 }
 
 TEST(Cores, CountingLeavesTheStatesAsTheyAre) {
@@ -68,7 +89,7 @@ TEST(Cores, CountingLeavesTheStatesAsTheyAre) {
     for (const int threads : {2, 8, 16}) {
         LoopMeter meter;
         EXPECT_EQ(hashOf(threads, &meter), alone) << threads << " tasks a loop";
-        EXPECT_GT(meter.GetTimes().loops, 0);
+        EXPECT_GT(meter.GetTimes().CountLoops(), 0);
     }
 }
 
