@@ -73,7 +73,7 @@ TEST(Islands, EqualTheComponentsOfTheContactGraph) {
         world.SetAllowSleeping(false);
         StepFor(world, *rc::gen::inRange(2, 40));
         WorldState& s = world.GetState();
-        FindIslands(s.contacts, s.joints, s.bodies, s.islandScratch, s.islands);
+        FindIslands(s.contacts, s.joints, *s.pool, s.bodies, s.islandScratch, s.islands);
 
         std::vector<int> parent(static_cast<size_t>(s.bodies.slots.Size()));
         std::iota(parent.begin(), parent.end(), 0);

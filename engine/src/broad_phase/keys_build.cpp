@@ -113,21 +113,37 @@ void FillLeafBoxes(FlatTree& tree, TreeNode& node, BoxOf boxOf) {
     Store(node.box, sum);
 }
 
-/// Joins the children's boxes, last nodes first: children stand behind their parents.
-void JoinBoxes(FlatTree& tree) {
-    for (size_t i = tree.nodes.size(); i-- > 0;) {
-        TreeNode& node = tree.nodes[i];
-        if (node.IsLeaf()) continue;
-        Store(node.box, Min4(Load(tree.nodes[node.child].box), Load(tree.nodes[node.child + 1].box)));
-    }
+void JoinBoxes(FlatTree& tree, TreeNode& node) {
+    Store(node.box, Min4(Load(tree.nodes[node.child].box), Load(tree.nodes[node.child + 1].box)));
 }
 
-/// Calls body(begin, end, worker) for parts of the tree's nodes.
-template <typename Body>
-void ForNodes(const FlatTree& tree, TaskPool* pool, Body&& body) {
-    constexpr int leastNodes = 128;
-    const auto count = static_cast<int>(tree.nodes.size());
-    pool != nullptr ? pool->ForIfWide(count, leastNodes, body) : body(0, count, 0);
+/// Fills the leaves below a node and joins their boxes.
+template <typename Fill>
+void FillSubtree(FlatTree& tree, TreeNode& node, Fill&& fill) {
+    if (node.IsLeaf()) return fill(node);
+    FillSubtree(tree, tree.nodes[node.child], fill);
+    FillSubtree(tree, tree.nodes[node.child + 1], fill);
+    JoinBoxes(tree, node);
+}
+
+/// Calls fill(leaf) for all leaves and gives all nodes the boxes of what is below them. Nodes stand level by level.
+template <typename Fill>
+void FillTree(FlatTree& tree, TaskPool* pool, Fill&& fill) {
+    constexpr uint32_t leastNodes = 512, topNodes = 128;  // of many subtrees all workers get their share
+    const auto count = static_cast<uint32_t>(tree.nodes.size());
+    uint32_t end = count;  // of the nodes that are finished here, last nodes first: children stand behind their parents
+    if (pool != nullptr && pool->IsWide() && count >= leastNodes) {
+        end = topNodes;
+        uint32_t below = 1;  // the first nodes have as many children as this, and one root
+        for (uint32_t i = 0; i < end; ++i) below += tree.nodes[i].IsLeaf() ? 0 : 2;
+        pool->For(static_cast<int>(below - end), 2, [&](int first, int last, int /*worker*/) {
+            for (int i = first; i < last; ++i) FillSubtree(tree, tree.nodes[end + static_cast<uint32_t>(i)], fill);
+        });
+    }
+    for (uint32_t i = end; i-- > 0;) {
+        TreeNode& node = tree.nodes[i];
+        node.IsLeaf() ? fill(node) : JoinBoxes(tree, node);
+    }
 }
 
 /// What a node knows while it waits to be split.
@@ -178,7 +194,9 @@ struct KeysPass {
         return true;
     }
 
-    void FillLeaf(TreeNode& node, const KeyItem* items) {
+    /// Fetches what a leaf holds.
+    void FillLeaf(TreeNode& node) {
+        const KeyItem* const items = arrays[BuildState::Unpack(node.buildState).array] + node.first;
         ItemId* const outIds = tree.Ids() + node.first;
         FillLeafBoxes(tree, node, [&](uint32_t index) -> const AABB& {
             const uint32_t slot = items[index].slot;
@@ -187,18 +205,10 @@ struct KeysPass {
         });
     }
 
-    /// Fetches what the leaves among the nodes [begin, end) hold.
-    void FillLeaves(int begin, int end) {
-        for (int i = begin; i < end; ++i) {
-            TreeNode& node = tree.nodes[static_cast<uint32_t>(i)];
-            if (node.IsLeaf()) FillLeaf(node, arrays[BuildState::Unpack(node.buildState).array] + node.first);
-        }
-    }
+    [[nodiscard]] bool Splits(const TreeNode& node) const { return node.count > leafSize; }
 
-    /// Splits a node's items, or leaves them as a leaf.
-    void Process(uint32_t nodeIndex) {
-        TreeNode& node = tree.nodes[nodeIndex];
-        if (node.count <= leafSize) return;
+    /// Splits a node's items between two children, which have places.
+    void Split(TreeNode& node) {
         BuildState state = BuildState::Unpack(node.buildState);
         KeyItem* const in = arrays[state.array] + node.first;
         uint32_t left = node.count / 2;
@@ -216,10 +226,28 @@ struct KeysPass {
             left = Partition(in, node.count, arrays[state.array] + node.first, alongX ? 0 : 1, limit);
         }
         ++state.depth;
-        const uint32_t first = node.first, count = node.count;
-        node.child = static_cast<uint32_t>(tree.nodes.size());
-        tree.nodes.push_back({emptyBounds, first, left, noChild, state.Pack()});
-        tree.nodes.push_back({emptyBounds, first + left, count - left, noChild, state.Pack()});
+        tree.nodes[node.child] = {emptyBounds, node.first, left, noChild, state.Pack()};
+        tree.nodes[node.child + 1] = {emptyBounds, node.first + left, node.count - left, noChild, state.Pack()};
+    }
+
+    /// Splits the nodes from `begin` on, and gives their children the places behind them.
+    void SplitLevel(uint32_t begin, TaskPool* pool) {
+        const auto end = static_cast<uint32_t>(tree.nodes.size());
+        uint32_t next = end;
+        for (uint32_t i = begin; i < end; ++i) {
+            if (!Splits(tree.nodes[i])) continue;
+            tree.nodes[i].child = next;
+            next += 2;
+        }
+        tree.nodes.resize(next);
+        const auto split = [&](int first, int last, int /*worker*/) {
+            for (int i = first; i < last; ++i) {
+                if (TreeNode& node = tree.nodes[begin + static_cast<uint32_t>(i)]; Splits(node)) Split(node);
+            }
+        };
+        constexpr int leastNodes = 2;
+        const auto count = static_cast<int>(end - begin);
+        pool != nullptr ? pool->ForIfWide(count, leastNodes, split) : split(0, count, 0);
     }
 };
 
@@ -239,33 +267,33 @@ void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafS
     tree.nodes.push_back({emptyBounds, 0, slots.count});
     // Level by level: a range is read long after it was written. Depth first, the loads of small ranges would meet
     // stores that have not reached the cache yet.
-    for (uint32_t node = 0; node < tree.nodes.size(); ++node) pass.Process(node);
-    ForNodes(tree, pool, [&](int begin, int end, int /*worker*/) { pass.FillLeaves(begin, end); });
-    JoinBoxes(tree);
+    constexpr uint32_t leastShared = 2048;  // boxes
+    for (uint32_t begin = 0; begin < tree.nodes.size();) {
+        const auto next = static_cast<uint32_t>(tree.nodes.size());
+        pass.SplitLevel(begin, slots.count >= leastShared ? pool : nullptr);
+        begin = next;
+    }
+    FillTree(tree, pool, [&](TreeNode& leaf) { pass.FillLeaf(leaf); });
 }
 
 void KeysBuilder::Refit(const ProxyStore& store, TaskPool* pool, FlatTree& tree) {
     static constexpr AABB noBox = ToAabb(emptyBounds);  // of positions whose proxies have left
-    ForNodes(tree, pool, [&](int begin, int end, int /*worker*/) {
-        for (int i = begin; i < end; ++i) {
-            TreeNode& node = tree.nodes[static_cast<uint32_t>(i)];
-            if (!node.IsLeaf()) continue;
-            const ItemId* const ids = tree.Ids() + node.first;
-            FillLeafBoxes(tree, node, [&](uint32_t index) -> const AABB& {
-                const uint32_t slot = store.Find(ids[index].fixture);
-                return slot == noSlot ? noBox : store.Box(slot);
-            });
-        }
+    FillTree(tree, pool, [&](TreeNode& leaf) {
+        const ItemId* const ids = tree.Ids() + leaf.first;
+        FillLeafBoxes(tree, leaf, [&](uint32_t index) -> const AABB& {
+            const uint32_t slot = store.Find(ids[index].fixture);
+            return slot == noSlot ? noBox : store.Box(slot);
+        });
     });
-    JoinBoxes(tree);
 }
 
 float KeysBuilder::SumHalfPerimeters(const FlatTree& tree) {
-    float sum = 0.0f;
-    for (const TreeNode& node : tree.nodes) {
-        if (node.box.lx < infinity) sum += HalfPerimeter(node.box);
+    float sums[4] = {};  // side by side: one sum would wait for each addition
+    for (size_t i = 0; i < tree.nodes.size(); ++i) {
+        const Bounds& box = tree.nodes[i].box;
+        sums[i % 4] += box.lx < infinity ? HalfPerimeter(box) : 0.0f;
     }
-    return sum;
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
 }  // namespace scree::broadphase

@@ -16,7 +16,7 @@ namespace {
 /// Candidates are tested against a leaf in blocks, so that the hits stay in the first-level cache.
 constexpr uint32_t hitBlock = 2048;
 /// Parts of a shared walk per worker, about: more are better balanced, and each copies its candidates once more.
-constexpr uint32_t partsPerWorker = 8;
+constexpr uint32_t partsPerWorker = 4;
 /// A store of four lanes writes beyond the last hit.
 constexpr uint32_t hitSlack = 4;
 
@@ -295,7 +295,7 @@ uint64_t KeysDetector::DetectSelf(const FlatTree& tree, std::span<const BuildIte
     }
     BeginCut(tree, *pool);
     walk.Recurse(tree.nodes[0], 0, count);
-    return walk.boxTests + FinishParts<true>(tree, *pool, sink);
+    return walk.boxTests + FinishParts(tree, *pool, sink);
 }
 
 void KeysDetector::BeginCut(const FlatTree& tree, const TaskPool& pool) {
@@ -305,8 +305,22 @@ void KeysDetector::BeginCut(const FlatTree& tree, const TaskPool& pool) {
     m_cut.ids.clear();
 }
 
-template <bool self>
 uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink) {
+    return ShareParts(pool, sink, [&](KeysBuffers& own, PairSink& found, size_t i) {
+        const KeysCut::Part& part = m_cut.parts[i];
+        KeysWalk<true> walk{tree, own, found};
+        walk.ReserveCandidates(part.candidateCount);
+        std::copy_n(m_cut.boxes.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
+                    own.boxes.begin());
+        std::copy_n(m_cut.ids.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
+                    own.ids.begin());
+        walk.Recurse(*part.node, 0, part.candidateCount);
+        return walk.boxTests;
+    });
+}
+
+template <typename Walk>
+uint64_t KeysDetector::ShareParts(TaskPool& pool, PairSink& sink, Walk&& walk) {
     if (m_buffers.size() < static_cast<size_t>(pool.GetRowCount()))
         m_buffers.resize(static_cast<size_t>(pool.GetRowCount()));
     for (KeysBuffers& buffers : m_buffers) buffers.pairCount = 0;
@@ -315,17 +329,10 @@ uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSin
         for (int i = begin; i < end; ++i) {
             KeysCut::Part& part = m_cut.parts[static_cast<size_t>(i)];
             PairSink found(own.pairs, own.pairCount);
-            KeysWalk<self> walk{tree, own, found};
-            walk.ReserveCandidates(part.candidateCount);
-            std::copy_n(m_cut.boxes.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
-                        own.boxes.begin());
-            std::copy_n(m_cut.ids.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
-                        own.ids.begin());
-            walk.Recurse(*part.node, 0, part.candidateCount);
+            part.boxTests = walk(own, found, static_cast<size_t>(i));
             part.worker = worker;
             part.firstPair = own.pairCount;
             part.pairCount = found.End() - own.pairCount;
-            part.boxTests = walk.boxTests;
             own.pairCount = found.End();
         }
     });
@@ -342,19 +349,34 @@ uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSin
 
 uint64_t KeysDetector::DetectBetween(const FlatTree& batch, std::span<const BuildItem> more, const FlatTree& tree,
                                      TaskPool* pool, PairSink& sink) {
+    // Boxes that follow each other in a tree are neighbours: so many of them go down together.
+    constexpr uint32_t together = 256;
     const auto count = batch.Size() + static_cast<uint32_t>(more.size());
     if (count == 0 || tree.Empty()) return 0;
-    const bool isShared = pool != nullptr && pool->IsWide() && count >= leastBoxesToShare;
-    KeysWalk<false> walk{tree, m_buffers[0], sink, isShared ? &m_cut : nullptr};
-    if (isShared) BeginCut(tree, *pool);
-    walk.ReserveCandidates(count);
-    for (uint32_t i = 0; i < batch.Size(); ++i) {
-        m_buffers[0].boxes[i] = batch.Box(i);
-        m_buffers[0].ids[i] = batch.Ids()[i];
+    const auto walkWith = [&](KeysBuffers& buffers, PairSink& found, uint32_t chunk) {
+        const uint32_t begin = chunk * together, end = std::min(begin + together, count);
+        KeysWalk<false> walk{tree, buffers, found};
+        walk.ReserveCandidates(end - begin);
+        const uint32_t ofBatch = std::min(end, batch.Size());
+        for (uint32_t i = begin; i < ofBatch; ++i) {
+            buffers.boxes[i - begin] = batch.Box(i);
+            buffers.ids[i - begin] = batch.Ids()[i];
+        }
+        if (const uint32_t first = std::max(begin, ofBatch); first < end)
+            walk.PutCandidates(first - begin, more.subspan(first - batch.Size(), end - first));
+        walk.Recurse(tree.nodes[0], 0, end - begin);
+        return walk.boxTests;
+    };
+    const uint32_t chunks = (count + together - 1) / together;
+    if (pool != nullptr && pool->IsWide() && count >= leastBoxesToShare) {
+        m_cut.parts.assign(chunks, {});
+        return ShareParts(*pool, sink, [&](KeysBuffers& own, PairSink& found, size_t part) {
+            return walkWith(own, found, static_cast<uint32_t>(part));
+        });
     }
-    walk.PutCandidates(batch.Size(), more);
-    walk.Recurse(tree.nodes[0], 0, count);
-    return walk.boxTests + (isShared ? FinishParts<false>(tree, *pool, sink) : 0);
+    uint64_t boxTests = 0;
+    for (uint32_t chunk = 0; chunk < chunks; ++chunk) boxTests += walkWith(m_buffers[0], sink, chunk);
+    return boxTests;
 }
 
 size_t KeysBuffers::GetMemoryBytes() const {

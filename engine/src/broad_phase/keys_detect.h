@@ -64,8 +64,11 @@ private:
     /// Begins a walk that is cut where subtrees have at most this many boxes; the pool is open.
     void BeginCut(const FlatTree& tree, const TaskPool& pool);
     /// Finishes the parts of a walk that was cut. Returns their box tests.
-    template <bool self>
     uint64_t FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink);
+    /// Calls walk(buffers, sink, part) → box tests for all parts, by all workers, and puts their pairs together in the
+    /// order of the parts. Returns all box tests.
+    template <typename Walk>
+    uint64_t ShareParts(TaskPool& pool, PairSink& sink, Walk&& walk);
 
     std::vector<KeysBuffers> m_buffers = std::vector<KeysBuffers>(1);  ///< of each worker
     KeysCut m_cut;

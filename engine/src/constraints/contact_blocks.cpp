@@ -11,8 +11,10 @@
 #include <bit>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "base/compiler.h"
+#include "base/gather_parts.h"
 #include "geometry/outline.h"
 #include "scree/settings.h"
 #include "state/frames.h"
@@ -21,6 +23,7 @@ namespace scree {
 
 namespace {
 
+constexpr int leastContactsToShare = 512;
 constexpr int kindCount = 2;       ///< of points within a colour
 constexpr size_t blocksAhead = 4;  ///< that filling looks
 
@@ -98,12 +101,13 @@ SCREE_INLINE ContactBlocks::SidedContact ContactBlocks::SortSides(const BlockInp
 }
 
 void ContactBlocks::Sort(const BlockInput& input) {
-    constexpr int fetchAhead = 8, leastContactsToSort = 512;
+    constexpr int fetchAhead = 8;
     const size_t count = input.list.size();
     Renew(m_sided, count);
     Renew(m_colours, count);
     Renew(m_lane, count);
-    input.pool.ForIfWide(static_cast<int>(count), leastContactsToSort, [&](int begin, int end, int /*worker*/) {
+    const auto sort = [&](int begin, int end, const std::array<int*, 2>& places) {
+        int *mover = places[0], *fixed = places[1];
         for (int i = begin; i < end; ++i) {
             if (i + fetchAhead < end) {  // rows of neighbours in the list are anywhere
                 const ContactIndex ahead = input.list[ToSize(i + fetchAhead)];
@@ -111,11 +115,12 @@ void ContactBlocks::Sort(const BlockInput& input) {
                 Prefetch(&input.contacts.manifold[ahead].localNormal);
             }
             m_sided[ToSize(i)] = SortSides(input, input.list[ToSize(i)]);
+            *mover = *fixed = i;
+            (m_sided[ToSize(i)].isFixedA ? fixed : mover) += 1;
         }
-    });
-    m_movers.clear();
-    m_fixed.clear();
-    for (size_t i = 0; i < count; ++i) (m_sided[i].isFixedA ? m_fixed : m_movers).push_back(static_cast<int>(i));
+        return std::array{static_cast<size_t>(mover - places[0]), static_cast<size_t>(fixed - places[1])};
+    };
+    GatherParts<int, 2>(input.pool, static_cast<int>(count), leastContactsToShare, {&m_movers, &m_fixed}, sort);
 }
 
 void ContactBlocks::ColourMovers(ColoursTaken& taken) {
@@ -160,34 +165,43 @@ void ContactBlocks::ColourFixed(ColoursTaken& taken) {
     m_colourCount += most;
 }
 
-void ContactBlocks::MakeRanges() {
-    // Counting sort by (colour, points) into blocks.
+void ContactBlocks::MakeRanges(const BlockInput& input) {
+    // Counting sort by (colour, points) into blocks, a count for each part of the list.
     const auto groupOf = [&](size_t i) { return ToSize(m_colours[i] * kindCount + (m_sided[i].hasTwoPoints ? 1 : 0)); };
     const size_t groupCount = ToSize(m_colourCount * kindCount);
-    m_start.assign(groupCount, 0);
-    for (size_t i = 0; i < m_sided.size(); ++i) ++m_start[groupOf(i)];
+    const Parts parts(input.pool, static_cast<int>(m_sided.size()), leastContactsToShare);
+    const auto startsOf = [&](int part) { return m_start.data() + ToSize(part) * groupCount; };
+    m_start.assign(groupCount * ToSize(parts.Count()), 0);
+    parts.For(input.pool, [&](int part, int begin, int end) {
+        int* const counts = startsOf(part);
+        for (size_t i = ToSize(begin); i < ToSize(end); ++i) ++counts[groupOf(i)];
+    });
     m_ranges.clear();
     int block = 0;
     for (size_t g = 0; g < groupCount; ++g) {
-        const int lanes = m_start[g];
+        int lanes = 0;
+        for (int part = 0; part < parts.Count(); ++part)
+            lanes += std::exchange(startsOf(part)[g], block * blockLanes + lanes);
         const int blocks = (lanes + blockLanes - 1) / blockLanes;
         const bool fixedA = static_cast<int>(g / kindCount) >= m_moverColourCount;
         if (blocks > 0) {
             const auto colour = static_cast<int32_t>(g / kindCount);
             m_ranges.push_back({block, block + blocks, {fixedA, g % kindCount == 1}, colour});
         }
-        m_start[g] = block * blockLanes;
         block += blocks;
     }
     Renew(m_blocks, ToSize(block));
     const size_t lanes = (m_blocks.size() + blocksAhead) * blockLanes;
     m_order.assign(lanes, -1);
     m_contact.assign(lanes, ContactIndex{0});
-    for (size_t i = 0; i < m_sided.size(); ++i) {
-        m_lane[i] = m_start[groupOf(i)]++;
-        m_order[ToSize(m_lane[i])] = static_cast<int>(i);
-        m_contact[ToSize(m_lane[i])] = m_sided[i].contact;
-    }
+    parts.For(input.pool, [&](int part, int begin, int end) {
+        int* const starts = startsOf(part);
+        for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
+            m_lane[i] = starts[groupOf(i)]++;
+            m_order[ToSize(m_lane[i])] = static_cast<int>(i);
+            m_contact[ToSize(m_lane[i])] = m_sided[i].contact;
+        }
+    });
 }
 
 void ContactBlocks::FetchAhead(const BlockInput& input, size_t block, size_t end) const {
@@ -305,7 +319,7 @@ void ContactBlocks::LayOut(const BlockInput& input, ColoursTaken& taken) {
     Sort(input);
     ColourMovers(taken);
     ColourFixed(taken);
-    MakeRanges();
+    MakeRanges(input);
     m_grouping = input.contacts.grouping;
 }
 

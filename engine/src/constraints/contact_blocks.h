@@ -106,7 +106,7 @@ private:
     void Sort(const BlockInput& input);
     void ColourMovers(ColoursTaken& taken);
     void ColourFixed(ColoursTaken& taken);
-    void MakeRanges();
+    void MakeRanges(const BlockInput& input);
     void Fill(const BlockInput& input);
     [[nodiscard]] bool AreKept(const BlockInput& input, size_t block) const;
     void NameContacts(size_t block, FillLanes& lanes) const;
@@ -123,7 +123,7 @@ private:
     std::vector<int> m_colours;           ///< per contact of the list
     std::vector<int> m_movers, m_fixed;   ///< positions in the list; movers that have no colour yet
     std::vector<int> m_next;              ///< the same for the next round
-    std::vector<int> m_start;             ///< per group: first lane
+    std::vector<int> m_start;             ///< per part of the list and group: first lane
     std::vector<int> m_lane;              ///< per contact of the list: block · 8 + lane
     std::vector<int> m_order;             ///< per lane, and some more: position in the list, −1 to spare
     std::vector<ContactIndex> m_contact;  ///< the same: contact, 0 to spare

@@ -6,8 +6,10 @@
 #include "constraints/loaded_bodies.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
+#include "base/gather_parts.h"
 #include "state/frames.h"
 
 namespace scree {
@@ -16,42 +18,80 @@ namespace scree {
 class LoadSearch {
 public:
     LoadSearch(const LoadInput& input, const BodyTable& bodies, LoadedBodies& found)
-        : m_in(input), m_bodies(bodies), m_raised(found.m_raised), m_rowOf(found.m_rowOf), m_presses(found.m_presses) {}
+        : m_in(input),
+          m_bodies(bodies),
+          m_raised(found.m_raised),
+          m_rowOf(found.m_rowOf),
+          m_presses(found.m_presses),
+          m_paths(found.m_paths) {}
 
     /// Most worlds are through after a look at the masses.
     void Run() {
-        float largest = 0.0f, lightest = std::numeric_limits<float>::max();
-        for (const BodyIndex body : m_in.bodies) {
-            if (m_bodies.mass[body].invMass == 0.0f) continue;
-            largest = Max(largest, MassToHold(body));
-            lightest = Min(lightest, m_bodies.motion[body].mass);
-        }
-        if (largest <= lightest) return;
+        constexpr float none = std::numeric_limits<float>::max();
+        float largest[maxWorkers] = {}, smallest[maxWorkers];
+        std::ranges::fill(smallest, none);
+        ForBodies([&](BodyIndex body, int worker) {
+            if (m_bodies.mass[body].invMass == 0.0f) return;
+            largest[worker] = Max(largest[worker], MassToHold(body));
+            smallest[worker] = Min(smallest[worker], m_bodies.motion[body].mass);
+        });
+        const float lightest = *std::ranges::min_element(smallest);
+        const float heaviest = *std::ranges::max_element(largest);
+        if (heaviest <= lightest) return;
         EnsureRows(m_rowOf, m_bodies.mass.size(), -1);
         EnsureRows(m_presses, m_bodies.mass.size(), uint8_t{0});
         if (!MarkLoads(lightest)) return;
+        ListPaths(heaviest);
         Search();
-        for (const BodyIndex body : m_in.bodies) m_presses[body] = 0;
+        ForBodies([this](BodyIndex body, int /*worker*/) { m_presses[body] = 0; });
     }
 
 private:
+    /// Calls one(body, worker) for all bodies.
+    template <typename One>
+    void ForBodies(One&& one) {
+        constexpr int least = 512;
+        m_in.pool.ForIfWide(static_cast<int>(m_in.bodies.size()), least, [&](int begin, int end, int worker) {
+            for (int i = begin; i < end; ++i) one(m_in.bodies[ToSize(i)], worker);
+        });
+    }
     /// Marks what may be a load; false if nothing is.
     [[nodiscard]] bool MarkLoads(float lightest) {
-        bool isSome = false;
-        for (const BodyIndex body : m_in.bodies) {
-            if (m_bodies.mass[body].invMass == 0.0f || MassToHold(body) <= lightest || IsHeld(body)) continue;
+        bool isSome[maxWorkers] = {};
+        ForBodies([&](BodyIndex body, int worker) {
+            if (m_bodies.mass[body].invMass == 0.0f || MassToHold(body) <= lightest || IsHeld(body)) return;
             m_presses[body] = 1;
-            isSome = true;
-        }
-        return isSome;
+            isSome[worker] = true;
+        });
+        return std::ranges::any_of(isSome, std::identity());
+    }
+    /// Lists the contacts on which some load may be handed down; none is heavier than `heaviest`.
+    void ListPaths(float heaviest) {
+        constexpr int least = 512;
+        using Path = LoadedBodies::Path;
+        const auto isPath = [&](const Path& path) {
+            const bool canBeMoved = m_bodies.mass[path.a].invMass != 0.0f && m_bodies.mass[path.b].invMass != 0.0f;
+            return canBeMoved && Min(m_bodies.motion[path.a].mass, m_bodies.motion[path.b].mass) < heaviest;
+        };
+        GatherParts<Path, 1>(m_in.pool, static_cast<int>(m_in.list.size()), least, {&m_paths},
+                             [&](int begin, int end, const std::array<Path*, 1>& places) {
+                                 Path* place = places[0];
+                                 for (int i = begin; i < end; ++i) {
+                                     const ContactPair& pair = m_in.contacts.pair[m_in.list[ToSize(i)]];
+                                     *place = {i, pair.bodyA, pair.bodyB};
+                                     if (isPath(*place)) ++place;
+                                 }
+                                 return std::array{static_cast<size_t>(place - places[0])};
+                             });
     }
     /// Every other time from the last contact to the first: whichever way the list of a column goes, few times do.
     void Search() {
         constexpr int mostRounds = 32;
         for (int round = 0; round < mostRounds; ++round) {
             bool isDone = true;
-            const int count = static_cast<int>(m_in.list.size());
-            for (int i = 0; i < count; ++i) isDone = !HandDown(round % 2 == 0 ? i : count - 1 - i) && isDone;
+            const size_t count = m_paths.size();
+            for (size_t i = 0; i < count; ++i)
+                isDone = !HandDown(m_paths[round % 2 == 0 ? i : count - 1 - i]) && isDone;
             if (isDone) return;
         }
     }
@@ -83,11 +123,9 @@ private:
     }
 
     /// True if some body has to bear more than was known.
-    bool HandDown(int at) {
-        const ContactPair& pair = m_in.contacts.pair[m_in.list[ToSize(at)]];
-        if ((m_presses[pair.bodyA] | m_presses[pair.bodyB]) == 0) return false;
-        if (m_bodies.mass[pair.bodyA].invMass == 0.0f || m_bodies.mass[pair.bodyB].invMass == 0.0f) return false;
-        return HandDown(at, pair.bodyA, pair.bodyB, 1.0f) || HandDown(at, pair.bodyB, pair.bodyA, -1.0f);
+    bool HandDown(const LoadedBodies::Path& path) {
+        if ((m_presses[path.a] | m_presses[path.b]) == 0) return false;
+        return HandDown(path.at, path.a, path.b, 1.0f) || HandDown(path.at, path.b, path.a, -1.0f);
     }
     bool HandDown(int at, BodyIndex from, BodyIndex to, float sign) {
         if (m_presses[from] == 0) return false;
@@ -133,6 +171,7 @@ private:
     std::vector<LoadedBodies::Raised>& m_raised;
     Column<BodyIndex, int>& m_rowOf;
     Column<BodyIndex, uint8_t>& m_presses;
+    std::vector<LoadedBodies::Path>& m_paths;
 };
 
 void LoadedBodies::Raise(const LoadInput& input, BodyTable& bodies) {

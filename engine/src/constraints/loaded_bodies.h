@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/task_pool.h"
 #include "scree/world_callbacks.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -23,6 +24,7 @@
 namespace scree {
 
 struct LoadInput {
+    TaskPool& pool;
     const FixtureTable& fixtures;
     const ContactTable& contacts;
     const JointTable& joints;
@@ -44,7 +46,7 @@ public:
     /// sums of the contacts over it, by position in the list.
     void Lower(BodyTable& bodies, std::span<const ContactImpulse> impulses);
 
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_raised, m_rowOf, m_presses); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_raised, m_rowOf, m_presses, m_paths); }
 
 private:
     struct Raised {
@@ -58,11 +60,19 @@ private:
         Velocity unaided;  ///< to which forces alone bring it by the end of the step
     };
 
+    /// A contact of two bodies that can be pushed.
+    struct Path {
+        int at;  ///< position in the list
+        BodyIndex a, b;
+    };
+
     static Vec2 FindLost(const BodyTable& bodies, const Raised& raised, const ContactImpulse& impulse);
 
     std::vector<Raised> m_raised;
     Column<BodyIndex, int> m_rowOf;        ///< of m_raised, −1 none; all −1 between steps
     Column<BodyIndex, uint8_t> m_presses;  ///< 1: a load, or raised for one; all 0 between steps
+
+    std::vector<Path> m_paths;  ///< scratch of the search
 
     friend class LoadSearch;
 };

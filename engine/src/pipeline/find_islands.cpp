@@ -7,7 +7,11 @@
 #include "pipeline/find_islands.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+
+#include "base/gather_parts.h"
+#include "base/shared_count.h"
 
 namespace scree {
 
@@ -42,20 +46,33 @@ void ClearForListed(const BodyTable& bodies, Column<BodyIndex, T>& column) {
     for (const BodyIndex body : bodies.Listed()) column[body] = 0;
 }
 
-/// The rows of the solved contacts that do not rest. The choice is no branch, for it follows no pattern.
-std::span<const ContactIndex> GatherSolved(const ContactTable& contacts, std::vector<ContactIndex>& rows) {
-    EnsureRows(rows, contacts.flags.size());
-    size_t used = 0;
-    const auto take = [&](ContactIndex contact) {
-        rows[used] = contact;
-        used += IsSolved(contacts.flags[contact]) ? 1 : 0;
+/// Fewer rows than this are not worth sharing.
+constexpr int leastRowsToShare = 1024;
+
+/// The rows of the solved contacts that do not rest, and of which keep(contact) is true.
+template <typename Keep>
+void GatherSolved(const ContactTable& contacts, TaskPool& pool, std::vector<ContactIndex>& rows, Keep&& keep) {
+    // Which are solved is no branch, for it follows no pattern. What is kept of them does.
+    const auto keepOf = [&](ContactIndex* begin, ContactIndex* end) {
+        return static_cast<size_t>(std::remove_if(begin, end, std::not_fn(keep)) - begin);
+    };
+    const auto take = [&](ContactIndex contact, ContactIndex*& place) {
+        *place = contact;
+        place += IsSolved(contacts.flags[contact]) ? 1 : 0;
     };
     if (contacts.RestingCount() > 0) {
-        contacts.active.ForEach(take);
-    } else {
-        for (const ContactIndex contact : contacts.flags.Rows()) take(contact);
+        rows.resize(ToSize(contacts.active.Count()));
+        ContactIndex* place = rows.data();
+        contacts.active.ForEach([&](ContactIndex contact) { take(contact, place); });
+        rows.resize(keepOf(rows.data(), place));
+        return;
     }
-    return {rows.data(), used};
+    GatherParts<ContactIndex, 1>(pool, static_cast<int>(contacts.flags.size()), leastRowsToShare, {&rows},
+                                 [&](int begin, int end, const std::array<ContactIndex*, 1>& places) {
+                                     ContactIndex* place = places[0];
+                                     for (int i = begin; i < end; ++i) take(ContactIndex{i}, place);
+                                     return std::array{keepOf(places[0], place)};
+                                 });
 }
 
 /// Lists the movers that have one of the contacts, since the search may reach them.
@@ -71,8 +88,9 @@ void ListMoversOf(std::span<const ContactIndex> rows, const ContactTable& contac
 
 /// Contacts of each mover that has some, the newest row first; these movers become `touched`, the others `untouched`.
 /// Returns the number of contacts.
-size_t BuildAdjacency(const ContactTable& contacts, BodyTable& bodies, IslandScratch& s) {
-    const std::span<const ContactIndex> rows = GatherSolved(contacts, s.rows);
+size_t BuildAdjacency(const ContactTable& contacts, TaskPool& pool, BodyTable& bodies, IslandScratch& s) {
+    const std::vector<ContactIndex>& rows = s.rows;
+    GatherSolved(contacts, pool, s.rows, [](ContactIndex) { return true; });
     ListMoversOf(rows, contacts, bodies);
     ClearForListed(bodies, s.end);
     ClearForListed(bodies, s.progress);
@@ -215,38 +233,57 @@ private:
 
 }  // namespace
 
-void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands, IsolatedPath path) {
+void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& pool, BodyTable& bodies,
+                 IslandScratch& scratch, IslandTable& islands, IsolatedPath path) {
     islands.Clear();
-    islands.contacts.reserve(BuildAdjacency(contacts, bodies, scratch));
+    islands.contacts.reserve(BuildAdjacency(contacts, pool, bodies, scratch));
     scratch.jointSeen.assign(joints.info.size(), 0);
 
     const bool anyJoints = IsSome(joints.listHead);
-    IslandSearch search(contacts, joints, bodies, scratch, islands);
     const std::span<const BodyIndex> listed = bodies.Listed();  // as it is now; what the search lists, it has visited
-    for (size_t m = listed.size(); m-- > 0;) {                  // newest first, as Box2D walks its body list
-        const BodyIndex body = listed[m];
-        constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
-        if ((bodies.flags[body] & active) != active || scratch.progress[body] >= IslandScratch::seen) continue;
-        if (path == IsolatedPath::apart && scratch.progress[body] == IslandScratch::untouched &&
-            (!anyJoints || !HasSolvedJoint(joints, bodies, body))) {
-            islands.isolated.push_back(body);
-        } else {
-            search.Grow(body);
-        }
+    const auto isIsolated = [&](BodyIndex body) {
+        return path == IsolatedPath::apart && scratch.progress[body] == IslandScratch::untouched &&
+               (!anyJoints || !HasSolvedJoint(joints, bodies, body));
+    };
+    GatherParts<BodyIndex, 2>(
+        pool, static_cast<int>(listed.size()), leastRowsToShare, {&islands.isolated, &scratch.seeds},
+        [&](int begin, int end, const std::array<BodyIndex*, 2>& places) {
+            BodyIndex *isolated = places[0], *seed = places[1];
+            for (int i = begin; i < end; ++i) {
+                // Newest first, as Box2D walks its body list.
+                const BodyIndex body = listed[listed.size() - 1 - ToSize(i)];
+                if (!bodies.IsActive(body)) continue;
+                (isIsolated(body) ? *isolated++ : *seed++) = body;
+            }
+            return std::array{static_cast<size_t>(isolated - places[0]), static_cast<size_t>(seed - places[1])};
+        });
+    IslandSearch search(contacts, joints, bodies, scratch, islands);
+    for (const BodyIndex seed : scratch.seeds) {
+        if (scratch.progress[seed] < IslandScratch::seen) search.Grow(seed);
     }
 }
 
-bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt) {
-    bool allAwake = bodies.AreAllListed();
-    for (const BodyIndex body : bodies.Listed()) {
-        if (!bodies.IsActive(body)) {
-            allAwake = false;
-        } else if (bodies.sleepTime[body] + dt >= timeToSleep) {
-            return true;
+bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
+                  float dt) {
+    struct Findings {
+        bool isSleepy = false, isSomeAsleep = false;
+    };
+    Findings findings[maxWorkers];
+    const std::span<const BodyIndex> listed = bodies.Listed();
+    pool.ForIfWide(static_cast<int>(listed.size()), leastRowsToShare, [&](int begin, int end, int worker) {
+        Findings own;
+        for (int i = begin; i < end && !own.isSleepy; ++i) {
+            const BodyIndex body = listed[ToSize(i)];
+            if (!bodies.IsActive(body)) {
+                own.isSomeAsleep = true;
+            } else if (bodies.sleepTime[body] + dt >= timeToSleep) {
+                own.isSleepy = true;
+            }
         }
-    }
-    if (allAwake) return false;
+        findings[worker].isSleepy |= own.isSleepy, findings[worker].isSomeAsleep |= own.isSomeAsleep;
+    });
+    if (std::ranges::any_of(findings, &Findings::isSleepy)) return true;
+    if (bodies.AreAllListed() && std::ranges::none_of(findings, &Findings::isSomeAsleep)) return false;
     const auto wakes = [&](BodyIndex a, BodyIndex b) {
         const auto isMover = [&](BodyIndex body) { return bodies.type[body] != staticBody; };
         return isMover(a) && isMover(b) && bodies.IsActive(a) != bodies.IsActive(b);
@@ -262,28 +299,37 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const 
     return false;
 }
 
-void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
+void GatherActive(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
                   IslandScratch& scratch, IslandTable& active, IsolatedPath path) {
-    active.Clear();
+    active.islands.clear(), active.joints.clear();
     ClearForListed(bodies, scratch.progress);
-    const auto note = [&](BodyIndex body) { scratch.progress[body] = IslandScratch::touched; };
-    for (const ContactIndex row : GatherSolved(contacts, scratch.rows)) {
-        const ContactPair& pair = contacts.pair[row];
-        if (!bodies.IsActive(pair.bodyA) && !bodies.IsActive(pair.bodyB)) continue;
-        active.contacts.push_back(row);
+    const auto note = [&](BodyIndex body) { SetSharedBits(scratch.progress[body], IslandScratch::touched); };
+    GatherSolved(contacts, pool, active.contacts, [&](ContactIndex contact) {
+        const ContactPair& pair = contacts.pair[contact];
+        if (!bodies.IsActive(pair.bodyA) && !bodies.IsActive(pair.bodyB)) return false;
         note(pair.bodyA), note(pair.bodyB);
-    }
+        return true;
+    });
     for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
         const JointInfo& info = joints.info[joint];
         if (!IsSolved(info, bodies) || (!bodies.IsActive(info.bodyA) && !bodies.IsActive(info.bodyB))) continue;
         active.joints.push_back(joint);
         note(info.bodyA), note(info.bodyB);
     }
-    for (const BodyIndex body : bodies.Listed()) {
-        if (!bodies.IsActive(body)) continue;
-        const bool isIsolated = path == IsolatedPath::apart && scratch.progress[body] == IslandScratch::untouched;
-        (isIsolated ? active.isolated : active.bodies).push_back(body);
-    }
+    const std::span<const BodyIndex> listed = bodies.Listed();
+    GatherParts<BodyIndex, 2>(
+        pool, static_cast<int>(listed.size()), leastRowsToShare, {&active.isolated, &active.bodies},
+        [&](int begin, int end, const std::array<BodyIndex*, 2>& places) {
+            BodyIndex *isolated = places[0], *other = places[1];
+            for (int i = begin; i < end; ++i) {
+                const BodyIndex body = listed[ToSize(i)];
+                if (!bodies.IsActive(body)) continue;
+                const bool isIsolated =
+                    path == IsolatedPath::apart && scratch.progress[body] == IslandScratch::untouched;
+                (isIsolated ? *isolated++ : *other++) = body;
+            }
+            return std::array{static_cast<size_t>(isolated - places[0]), static_cast<size_t>(other - places[1])};
+        });
 }
 
 }  // namespace scree

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
 #include "state/islands.h"
@@ -32,10 +33,12 @@ struct IslandScratch {
     Column<BodyIndex, uint8_t> progress;  ///< per mover
     std::vector<ContactIndex> roused;     ///< contacts of one body that rested
     Column<JointIndex, uint8_t> jointSeen;
+    std::vector<BodyIndex> seeds;  ///< awake bodies that are not isolated
     std::vector<BodyIndex> stack;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return (rows.capacity() + first.capacity() + end.capacity() + stack.capacity() + roused.capacity()) *
+        return (rows.capacity() + first.capacity() + end.capacity() + seeds.capacity() + stack.capacity() +
+                roused.capacity()) *
                    sizeof(int) +
                entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity();
     }
@@ -50,14 +53,15 @@ enum class IsolatedPath : uint8_t {
 /// Depth-first search from every awake body (as Box2D does it: static bodies do not connect islands; sleeping bodies
 /// that are reached wake up, their sleep timers keep running). O(contacts +
 /// joints + movers).
-void FindIslands(const ContactTable& contacts, JointTable& joints, BodyTable& bodies, IslandScratch& scratch,
-                 IslandTable& islands, IsolatedPath path = IsolatedPath::apart);
+void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& pool, BodyTable& bodies,
+                 IslandScratch& scratch, IslandTable& islands, IsolatedPath path = IsolatedPath::apart);
 
 /// True if the islands of this step matter. Either a body may fall asleep within `dt`, or a sleeping one may have to
 /// wake because it is joined to or touches an awake one.
-bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies, float dt);
+bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
+                  float dt);
 /// The same lists without the search, and no islands: awake bodies, solved contacts and joints of theirs, by row.
-void GatherActive(const ContactTable& contacts, const JointTable& joints, const BodyTable& bodies,
+void GatherActive(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
                   IslandScratch& scratch, IslandTable& active, IsolatedPath path = IsolatedPath::apart);
 
 }  // namespace scree

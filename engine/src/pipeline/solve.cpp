@@ -45,23 +45,23 @@ void SolveGroups(const SolverSettings& settings, const FixtureTable& fixtures, S
 
 }  // namespace
 
-void GatherLists(const SolverSettings& settings, ContactTable& contacts, JointTable& joints, BodyTable& bodies,
-                 IslandScratch& scratch, IsolatedPath path, SolveLists lists) {
+void GatherLists(const SolverSettings& settings, TaskPool& pool, ContactTable& contacts, JointTable& joints,
+                 BodyTable& bodies, IslandScratch& scratch, IsolatedPath path, SolveLists lists) {
     lists.groups.Clear();
     RouseContacts(bodies, contacts);
     if (settings.substeps == 0) {
         lists.active.Clear();
-        FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
+        FindIslands(contacts, joints, pool, bodies, scratch, lists.islands, path);
         RouseContacts(bodies, contacts);
         return;
     }
     const Tolerance* tolerance = settings.tolerance;
     lists.islands.Clear();
-    if (tolerance != nullptr || NeedsIslands(contacts, joints, bodies, settings.dt)) {
-        FindIslands(contacts, joints, bodies, scratch, lists.islands, path);
+    if (tolerance != nullptr || NeedsIslands(contacts, joints, pool, bodies, settings.dt)) {
+        FindIslands(contacts, joints, pool, bodies, scratch, lists.islands, path);
         RouseContacts(bodies, contacts);
     }
-    GatherActive(contacts, joints, bodies, scratch, lists.active, path);
+    GatherActive(contacts, joints, pool, bodies, scratch, lists.active, path);
     if (tolerance == nullptr) return;
     GroupBySubsteps({lists.islands, lists.active, contacts, joints, *tolerance, settings.Slop(), settings.dt}, bodies,
                     lists.groups);
@@ -79,7 +79,7 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
         scratch.anglesHaveRests = true;
         scratch.startVelocities.Forget();
         SolveGroups(settings, fixtures, lists, events, tables, scratch, report);
-        SleepIslands(settings, lists.active, lists.islands, tables.bodies);
+        SleepIslands(settings, tables.pool, lists.active, lists.islands, tables.bodies);
     } else {
         ClearAngleRests(tables.bodies, scratch);
         report.counts = SolveIslands(settings, fixtures, lists.islands, events, tables, scratch);

@@ -35,8 +35,8 @@ struct SolveReport {
 };
 
 /// Fills the lists that the solver of these settings wants, and empties the others. Wakes what awake bodies reach.
-void GatherLists(const SolverSettings& settings, ContactTable& contacts, JointTable& joints, BodyTable& bodies,
-                 IslandScratch& scratch, IsolatedPath path, SolveLists lists);
+void GatherLists(const SolverSettings& settings, TaskPool& pool, ContactTable& contacts, JointTable& joints,
+                 BodyTable& bodies, IslandScratch& scratch, IsolatedPath path, SolveLists lists);
 
 /// The table that lists everything awake, after GatherLists.
 const IslandTable& SolvedOf(const SolverSettings& settings, SolveLists lists);

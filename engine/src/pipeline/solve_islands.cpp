@@ -254,18 +254,39 @@ private:
     KernelTask m_task{};
 };
 
-SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& islands, TaskPool& pool,
-                           BodyTable& bodies) {
-    if (islands.isolated.empty()) return {};
-    const BallisticPath path(settings, bodies, 0);
-    return WithBodyKernel(settings.kernels, [&](auto forces, auto limit) {
-        return path.Move(pool, islands.isolated, [&](BodyIndex body) {
-            IntegrateVelocity<forces>(settings, bodies, body);
-            if (settings.kernels.locks) StopLocked(bodies, body, bodies.velocity[body]);
-            return IntegratePosition<limit>(settings, bodies, body);
+/// Bodies without contacts and joints.
+class IsolatedSolver {
+public:
+    IsolatedSolver(const SolverSettings& settings, const IslandTable& islands, BodyTable& bodies)
+        : m_settings(settings), m_bodies(bodies), m_isolated(islands.isolated), m_path(settings, bodies, 0) {}
+
+    /// Those of [begin, end), on one thread.
+    SolverCounts Solve(int begin, int end) const {
+        return WithOne([&](auto&& one) { return m_path.MoveRange(Range(m_isolated, begin, end), one); });
+    }
+    SolverCounts SolveAll(TaskPool& pool) const {
+        if (m_isolated.empty()) return {};
+        return WithOne([&](auto&& one) { return m_path.Move(pool, m_isolated, one); });
+    }
+    [[nodiscard]] int Count() const { return static_cast<int>(m_isolated.size()); }
+
+private:
+    template <typename Body>
+    SolverCounts WithOne(Body&& body) const {
+        return WithBodyKernel(m_settings.kernels, [&](auto forces, auto limit) {
+            return body([&](BodyIndex b) {
+                IntegrateVelocity<forces>(m_settings, m_bodies, b);
+                if (m_settings.kernels.locks) StopLocked(m_bodies, b, m_bodies.velocity[b]);
+                return IntegratePosition<limit>(m_settings, m_bodies, b);
+            });
         });
-    });
-}
+    }
+
+    const SolverSettings& m_settings;
+    BodyTable& m_bodies;
+    const std::vector<BodyIndex>& m_isolated;
+    BallisticPath m_path;
+};
 
 /// What all islands share.
 struct IslandWork {
@@ -337,41 +358,75 @@ void ListLone(const IslandTable& islands, const LaneSolver& lanes, const BodyTab
     }
 }
 
-/// Large islands one after the other, each by loops that the workers share. Then the others, each by one worker.
-/// Neither way changes a bit.
-SolverCounts ShareLone(const IslandWork& work, SolverTables tables) {
+/// Isolated bodies that are one job.
+constexpr int isolatedOfJob = 256;
+
+/// What is solved by one worker each: the lone islands from `firstLone` on, groups, and isolated bodies if all workers
+/// move them. The longest first.
+void ListJobs(size_t firstLone, const LaneSolver& lanes, int isolatedCount, SolverScratch& s) {
+    constexpr int isolatedOfOne = 24;  // take as long as one contact
+    s.jobs.clear();
+    for (size_t i = firstLone; i < s.lone.size(); ++i)
+        s.jobs.push_back({SolverJob::loneIsland, static_cast<int>(i), s.lone[i].size});
+    for (int group = 0; group < lanes.CountGroups(); ++group)
+        s.jobs.push_back({SolverJob::group, group, lanes.GetSize(group)});
+    for (int i = 0; i < isolatedCount; i += isolatedOfJob)
+        s.jobs.push_back({SolverJob::isolated, i, std::min(isolatedOfJob, isolatedCount - i) / isolatedOfOne});
+    std::ranges::sort(s.jobs, [](const SolverJob& a, const SolverJob& b) {
+        return std::tie(b.size, a.kind, a.index) < std::tie(a.size, b.kind, b.index);
+    });
+}
+
+/// Large islands one after the other, each by loops that the workers share. Then all else, each by one worker. Neither
+/// way changes a bit.
+SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated, LaneSolver& lanes,
+                         SolverTables tables) {
     // Smaller ones have too few contacts of one colour for a loop of several workers.
     constexpr int leastSharedSize = 2048;
-    // Less of all together is not worth waking a worker's attention.
-    constexpr int leastSize = 256;
-    std::vector<LoneIsland>& lone = work.scratch.lone;
-    std::ranges::sort(lone, [](const LoneIsland& a, const LoneIsland& b) {
+    // Less of all together is not worth a loop.
+    const int leastSize = tables.pool.IsWide() ? 64 : 256;
+    SolverScratch& s = work.scratch;
+    SolverCounts counts;
+    const bool dealsIsolated = tables.pool.IsWide();
+    if (!dealsIsolated) counts += isolated.SolveAll(tables.pool);
+    std::ranges::sort(s.lone, [](const LoneIsland& a, const LoneIsland& b) {
         return std::tie(b.size, a.island) < std::tie(a.size, b.island);
     });
+    ListJobs(0, lanes, dealsIsolated ? isolated.Count() : 0, s);
     int64_t rest = 0;
-    for (const LoneIsland& one : lone) rest += one.size;
-    SolverCounts counts;
+    for (const SolverJob& job : s.jobs) rest += job.size;
     size_t first = 0;
     const int workers = tables.pool.GetWorkerCount();
-    for (; first < lone.size(); ++first) {
-        const LoneIsland& one = lone[first];
+    for (; first < s.lone.size(); ++first) {
+        const LoneIsland& one = s.lone[first];
         if (one.size < leastSharedSize || static_cast<int64_t>(one.size) * workers <= rest) break;
         counts += SolveLone(work, one, tables, 0);
         rest -= one.size;
     }
-    // Dealt like cards, the largest first, so that parts and neighbouring parts are of like size.
+    if (first > 0) ListJobs(first, lanes, dealsIsolated ? isolated.Count() : 0, s);
+    // Dealt like cards, the longest first, so that parts and neighbouring parts are of like size.
     constexpr int partsPerWorker = 4;
-    const auto count = static_cast<int>(lone.size() - first);
+    const auto count = static_cast<int>(s.jobs.size());
     const int rounds = count >= partsPerWorker * workers ? partsPerWorker : 1;
     const int parts = std::min(count, rounds * workers);
     TaskPool alone(1, {});
     const SolverTables own{alone, tables.bodies, tables.contacts, tables.joints};
+    const auto solve = [&](const SolverJob& job, int worker) {
+        switch (job.kind) {
+            case SolverJob::loneIsland:
+                return SolveLone(work, s.lone[ToSize(job.index)], own, worker);
+            case SolverJob::group:
+                return lanes.Solve(work.fixtures, job.index, job.index + 1, worker);
+            case SolverJob::isolated:
+                break;
+        }
+        return isolated.Solve(job.index, std::min(job.index + isolatedOfJob, isolated.Count()));
+    };
     SolverCounts ofWorker[maxWorkers];
     tables.pool.For(parts, rest < leastSize ? parts + 1 : 2, [&](int begin, int end, int worker) {
         for (int part = begin; part < end; ++part) {
-            for (int i = part % rounds * workers + part / rounds; i < count; i += parts) {
-                ofWorker[worker] += SolveLone(work, lone[first + ToSize(i)], own, worker);
-            }
+            for (int i = part % rounds * workers + part / rounds; i < count; i += parts)
+                ofWorker[worker] += solve(s.jobs[ToSize(i)], worker);
         }
     });
     for (const SolverCounts& some : ofWorker) counts += some;
@@ -382,17 +437,16 @@ SolverCounts ShareLone(const IslandWork& work, SolverTables tables) {
 
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
-    SolverCounts counts = SolveIsolated(settings, islands, tables.pool, tables.bodies);
+    const IsolatedSolver isolated(settings, islands, tables.bodies);
     LaneSolver lanes(settings, islands, events, tables, scratch);
     ListLone(islands, lanes, tables.bodies, scratch);
+    if (lanes.CountGroups() > 0) lanes.Prepare();
     const IslandWork work{settings, fixtures, islands, events, scratch};
-    if (tables.pool.IsOpen() && !events.HearsPostSolve()) {
-        counts += ShareLone(work, tables);
-    } else {  // in their order, in which the listener hears of them
-        for (const LoneIsland& lone : scratch.lone) counts += SolveLone(work, lone, tables, 0);
-    }
-    counts += lanes.Solve(fixtures);
-    return counts;
+    if (tables.pool.IsOpen() && !events.HearsPostSolve()) return SolveShared(work, isolated, lanes, tables);
+    SolverCounts counts = isolated.SolveAll(tables.pool);
+    // In their order, in which the listener hears of them.
+    for (const LoneIsland& lone : scratch.lone) counts += SolveLone(work, lone, tables, 0);
+    return counts += lanes.Solve(fixtures, 0, lanes.CountGroups(), 0);
 }
 
 }  // namespace scree

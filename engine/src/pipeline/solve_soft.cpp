@@ -389,7 +389,8 @@ private:
     void RaiseLoaded(const FixtureTable& fixtures) {
         constexpr float depth = 0.5f;  // slops
         const float turnRate = 2.0f * pi * ContactHertz();
-        m_s.loaded.Raise({.fixtures = fixtures,
+        m_s.loaded.Raise({.pool = Pool(),
+                          .fixtures = fixtures,
                           .contacts = m_tables.contacts,
                           .joints = m_tables.joints,
                           .bodies = m_islands.bodies,
@@ -686,12 +687,24 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
     return counts;
 }
 
-void SleepIslands(const SolverSettings& settings, const IslandTable& active, const IslandTable& islands,
+void SleepIslands(const SolverSettings& settings, TaskPool& pool, const IslandTable& active, const IslandTable& islands,
                   BodyTable& bodies) {
+    constexpr size_t leastToShare = 512;
     if (!settings.allowSleep) return;
-    for (const Island& island : islands.islands) SleepIsland(bodies, Bodies(islands, island), settings, true);
-    if (!islands.islands.empty()) return;
-    for (const BodyIndex body : active.bodies) UpdateSleepTimer(bodies, body, settings);
+    if (islands.islands.empty()) {
+        pool.ForIfWide(static_cast<int>(active.bodies.size()), static_cast<int>(leastToShare),
+                       [&](int begin, int end, int /*worker*/) {
+                           for (const BodyIndex body : Range(active.bodies, begin, end))
+                               UpdateSleepTimer(bodies, body, settings);
+                       });
+        return;
+    }
+    const auto count = static_cast<int>(islands.islands.size());
+    const int least = islands.bodies.size() >= leastToShare ? 2 : count + 1;
+    pool.ForIfWide(count, least, [&](int begin, int end, int /*worker*/) {
+        for (int i = begin; i < end; ++i)
+            SleepIsland(bodies, Bodies(islands, islands.islands[ToSize(i)]), settings, true);
+    });
 }
 
 }  // namespace scree

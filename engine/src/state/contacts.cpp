@@ -210,7 +210,14 @@ void ContactTable::RemoveParted() {
     m_count -= static_cast<int>(gone.size());
     // Erasing a key takes about twice as long as inserting one.
     const bool rehash = gone.size() * 2 > ToSize(m_count);
-    for (const ContactIndex contact : gone) {
+    constexpr size_t fetchAhead = 8;
+    for (size_t i = 0; i < gone.size(); ++i) {
+        const ContactIndex contact = gone[i];
+        if (i + 2 * fetchAhead < gone.size()) Prefetch(&pair[gone[i + 2 * fetchAhead]]);
+        if (i + fetchAhead < gone.size()) {
+            const ContactPair& soon = pair[gone[i + fetchAhead]];
+            FetchHome(soon.fixtureA, soon.fixtureB);
+        }
         if (!rehash) EraseKey(contact);
         NoteEnd(contact);
         if (!active.Erase(contact)) UnlinkResting(contact);
@@ -513,14 +520,15 @@ size_t ContactTable::GetBytesPerRow() {
 }
 
 size_t ContactTable::GetMemoryBytes() const {
-    return BytesOf(flags, pair, manifold, material, steady, rolling, successor, matched, freshPairs, freshRefusals,
-                   m_hash, m_free, m_generation, m_first, m_entries, m_ofBody, m_resting, m_restingFirst) +
+    return BytesOf(flags, pair, manifold, material, steady, rolling, successor, matched, missing, freshPairs,
+                   freshRefusals, m_hash, m_free, m_generation, m_first, m_entries, m_ofBody, m_resting,
+                   m_restingFirst) +
            active.GetMemoryBytes() + m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
 
 void ContactTable::Trim() {
     Shrink(flags, pair, manifold, material, steady, rolling, successor);
-    matched = {}, freshPairs = {}, freshRefusals = {};
+    matched = {}, missing = {}, freshPairs = {}, freshRefusals = {};
     m_first = {}, m_entries = {}, m_ofBody = {};
     m_adjacency.Set(0);
     Shrink(m_free, m_generation);

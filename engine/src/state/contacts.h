@@ -16,6 +16,7 @@
 #include <span>
 #include <vector>
 
+#include "base/compiler.h"
 #include "base/index_set.h"
 #include "base/lazy_rows.h"
 #include "scree/collision.h"
@@ -81,6 +82,7 @@ struct ContactTable {
     /// solvers may keep what they made of the same list of contacts.
     uint64_t grouping = 0;
     std::vector<ContactIndex> matched;    ///< scratch of the matching: the contact of each pair
+    std::vector<int> missing;             ///< likewise: pairs that have none
     std::vector<uint64_t> freshPairs;     ///< likewise
     std::vector<uint64_t> freshRefusals;  ///< likewise: of these, what the filter has refused
     RefusedPairs refused;
@@ -110,6 +112,10 @@ struct ContactTable {
     }
     /// Room for so many more contacts.
     void Reserve(size_t more);
+    /// Asks for the place of a pair in the hash, which is to be looked up soon.
+    void FetchHome(FixtureIndex a, FixtureIndex b) const {
+        if (!m_hash.empty()) Prefetch(&m_hash[Home(a, b)]);
+    }
     /// A new row for a pair that has none; no flags but alive and marked.
     ContactIndex Add(const ContactPair& newPair);
     /// Frees the row; Compact makes it usable again.
@@ -174,13 +180,13 @@ struct ContactTable {
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
-               grouping, matched, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, mustMatch, hash,
-               shift, free, isCompact, handles, generation, count, resting, restingFirst, restingTouching, adjacency,
-               first, entries, ofBody, handleRows, generationRows] = t;
+               grouping, matched, missing, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, mustMatch,
+               hash, shift, free, isCompact, handles, generation, count, resting, restingFirst, restingTouching,
+               adjacency, first, entries, ofBody, handleRows, generationRows] = t;
         visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
-        visit.LeftOut(steadyReach, successor, firstMatched, grouping, matched, freshPairs, freshRefusals, refused,
-                      active, mayRest, addsFresh, mustMatch, hash, shift, isCompact, handles, generation, count,
-                      resting, restingFirst, restingTouching, adjacency, first, entries, ofBody, handleRows,
+        visit.LeftOut(steadyReach, successor, firstMatched, grouping, matched, missing, freshPairs, freshRefusals,
+                      refused, active, mayRest, addsFresh, mustMatch, hash, shift, isCompact, handles, generation,
+                      count, resting, restingFirst, restingTouching, adjacency, first, entries, ofBody, handleRows,
                       generationRows);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.

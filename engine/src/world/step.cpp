@@ -21,7 +21,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
              StepResults& r) {
     s.log.NoteAwake(s.bodies);
     if (!s.continuousScratch.resuming) {
-        GatherLists(settings, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
+        GatherLists(settings, *s.pool, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
         r.profile.islands = watch.Lap();
         r.solved = RunSolver(s, settings, events);
         r.profile.solver = watch.Lap();

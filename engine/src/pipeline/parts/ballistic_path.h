@@ -48,9 +48,7 @@ public:
                            [&](int begin, int end) { return MoveRange(Range(isolated, begin, end), one); });
     }
 
-private:
-    static constexpr size_t laneCount = 8;
-
+    /// The same for some of them, on one thread.
     template <typename One>
     SolverCounts MoveRange(std::span<const BodyIndex> rows, const One& one) const {
         SolverCounts counts;
@@ -67,6 +65,9 @@ private:
         for (; done < rows.size(); ++done) moveOne(rows[done]);
         return counts;
     }
+
+private:
+    static constexpr size_t laneCount = 8;
 
     /// False if nothing was written.
     bool MoveEight(std::span<const BodyIndex> rows) const {

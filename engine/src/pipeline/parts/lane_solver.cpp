@@ -55,6 +55,9 @@ private:
     int m_largest = mostLaneContacts - 1;
 };
 
+/// A contact of the vector kernels takes as long as so many of the others.
+constexpr int contactsOfOne = 2;
+
 }  // namespace
 
 LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& islands, const ContactEvents& events,
@@ -84,8 +87,6 @@ bool LaneSolver::Fits(const Island& island) const {
 }
 
 void LaneSolver::Choose() {
-    // A contact of the vector kernels takes as long as so many of the others.
-    constexpr int contactsOfOne = 2;
     LaneScratch& s = m_s.lanes;
     const std::vector<Island>& islands = m_islands.islands;
     for (size_t i = 0; i < islands.size(); ++i) s.isChosen[i] = Fits(islands[i]) ? 1 : 0;
@@ -112,21 +113,17 @@ void LaneSolver::Choose() {
     }
 }
 
-SolverCounts LaneSolver::Solve(const FixtureTable& fixtures) {
-    constexpr int leastGroups = 8;
-    LaneScratch& s = m_s.lanes;
-    if (s.groups.empty()) return {};
-    s.slotOf.resize(ToSize(m_tables.bodies.slots.Size()));
-    SolverCounts counts[maxWorkers];
-    m_tables.pool.For(static_cast<int>(s.groups.size()), leastGroups, [&](int begin, int end, int worker) {
-        for (size_t g = ToSize(begin); g < ToSize(end); ++g) {
-            FetchAhead(fixtures, GroupOf(g + 1), GroupOf(g + 2));
-            counts[worker] += SolveGroup(fixtures, GroupOf(g), worker);
-        }
-    });
-    SolverCounts sum;
-    for (const SolverCounts& part : counts) sum += part;
-    return sum;
+SolverCounts LaneSolver::Solve(const FixtureTable& fixtures, int begin, int end, int worker) {
+    SolverCounts counts;
+    for (size_t g = ToSize(begin); g < ToSize(end); ++g) {
+        FetchAhead(fixtures, GroupOf(g + 1), GroupOf(g + 2));
+        counts += SolveGroup(fixtures, GroupOf(g), worker);
+    }
+    return counts;
+}
+
+int LaneSolver::GetSize(int group) const {
+    return contactsOfOne * CountContacts(IslandOf(GroupOf(ToSize(group)).front().island));
 }
 
 LaneSolver::Places LaneSolver::GroupOf(size_t number) const {

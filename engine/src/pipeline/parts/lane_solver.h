@@ -33,7 +33,12 @@ public:
 
     /// The island with this number is one of those chosen.
     [[nodiscard]] bool Has(size_t island) const { return m_s.lanes.isChosen[island] != 0; }
-    [[nodiscard]] SolverCounts Solve(const FixtureTable& fixtures);
+    [[nodiscard]] int CountGroups() const { return static_cast<int>(m_s.lanes.groups.size()); }
+    /// How long a group takes, in contacts that are solved one by one.
+    [[nodiscard]] int GetSize(int group) const;
+    /// All of a step for the islands of the groups [begin, end), with the rows of `worker`. Call Prepare before.
+    SolverCounts Solve(const FixtureTable& fixtures, int begin, int end, int worker);
+    void Prepare() { m_s.lanes.slotOf.resize(ToSize(m_tables.bodies.slots.Size())); }
 
 private:
     using Places = std::span<const LaneScratch::Place>;
@@ -43,7 +48,7 @@ private:
     /// The islands of a group; none behind the last.
     [[nodiscard]] Places GroupOf(size_t number) const;
     void FetchAhead(const FixtureTable& fixtures, Places next, Places later) const;
-    /// All of a step for the islands of a group: what that writes stays in the caches of a core.
+    /// For the islands of one group: what that writes stays in the caches of a core.
     [[nodiscard]] SolverCounts SolveGroup(const FixtureTable& fixtures, Places group, int worker);
     [[nodiscard]] const Island& IslandOf(int island) const { return m_islands.islands[ToSize(island)]; }
 

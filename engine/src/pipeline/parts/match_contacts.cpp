@@ -7,7 +7,10 @@
 #include "pipeline/parts/match_contacts.h"
 
 #include <algorithm>
+#include <array>
 
+#include "base/compiler.h"
+#include "base/gather_parts.h"
 #include "base/shared_count.h"
 #include "pipeline/parts/make_contact.h"
 
@@ -19,8 +22,7 @@ namespace {
 constexpr int leastPairsToShare = 1024;
 
 /// Finds the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the
-/// pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another. Then marks them
-/// all: finding reads flags of rows that other workers would mark.
+/// pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts,
                   std::vector<ContactIndex>& found) {
     EnsureRows(found, pairs.size());
@@ -37,24 +39,32 @@ void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& con
             follower = &contacts.successor[contact];
         }
     });
-    pool.For(static_cast<int>(pairs.size()), leastPairsToShare, [&](int begin, int end, int /*worker*/) {
-        for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
-            if (IsSome(found[i])) SetSharedBits(contacts.flags[found[i]], ContactFlag::marked);
-        }
-    });
 }
 
-/// Marks the contacts of the pairs; those that have none and may get one go to `fresh`.
+/// Marks the contacts of the pairs; those that have none and may get one go to `fresh`. That comes after finding, which
+/// reads flags of rows that other workers mark.
 void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t, std::vector<uint64_t>& fresh) {
     std::vector<ContactIndex>& found = t.contacts.matched;
     FindContacts(pairs, t.pool, t.contacts, found);
-    for (size_t i = 0; i < pairs.size(); ++i) {
-        if (IsSome(found[i])) continue;
-        const FixtureIndex a = FixtureOf(pairs[i].a), b = FixtureOf(pairs[i].b);
-        if (events.filter != nullptr || MayHaveContact(a, b, events, t.fixtures, t.joints)) {
-            fresh.push_back(static_cast<uint64_t>(pairs[i].b) << 32 | pairs[i].a);
+    const auto mayBegin = [&](const Pair& pair) {
+        return events.filter != nullptr ||
+               MayHaveContact(FixtureOf(pair.a), FixtureOf(pair.b), events, t.fixtures, t.joints);
+    };
+    const auto mark = [&](int begin, int end, const std::array<int*, 1>& places) {
+        int* missing = places[0];
+        for (int i = begin; i < end; ++i) {
+            if (const ContactIndex contact = found[ToSize(i)]; IsSome(contact)) {
+                SetSharedBits(t.contacts.flags[contact], ContactFlag::marked);
+            } else if (mayBegin(pairs[ToSize(i)])) {
+                *missing++ = i;
+            }
         }
-    }
+        return std::array{static_cast<size_t>(missing - places[0])};
+    };
+    const auto [count] =
+        WriteParts<int, 1>(t.pool, static_cast<int>(pairs.size()), leastPairsToShare, {&t.contacts.missing}, mark);
+    for (const int i : std::span(t.contacts.missing).first(count))
+        fresh.push_back(static_cast<uint64_t>(pairs[ToSize(i)].b) << 32 | pairs[ToSize(i)].a);
 }
 
 /// Whether joints and the program's filter let the pair have a contact. What
@@ -64,6 +74,16 @@ bool AskAbout(FixtureIndex a, FixtureIndex b, uint64_t key, const ContactEvents&
     if (MayHaveContact(a, b, events, t.fixtures, t.joints)) return true;
     t.contacts.freshRefusals.push_back(key);
     return false;
+}
+
+/// Asks for what making a coming contact reads: rows of fixtures and a place of the hash, which are in memory anywhere.
+void FetchForContact(uint64_t key, const MatchTables& t) {
+    const FixtureIndex a = RefusedPairs::LowOf(key), b = RefusedPairs::HighOf(key);
+    for (const FixtureIndex fixture : {a, b}) {
+        Prefetch(&t.fixtures.body[fixture]);
+        Prefetch(&t.fixtures.material[fixture]);
+    }
+    t.contacts.FetchHome(a, b);
 }
 
 bool HasRow(const Column<FixtureIndex, uint8_t>* rows, FixtureIndex row) {
@@ -104,7 +124,10 @@ void MatchContacts(std::span<const Pair> pairs, const Searched& searched, FreshO
     }
     if (order == FreshOrder::newestFirst) std::reverse(fresh.begin(), fresh.end());
     t.contacts.Reserve(fresh.size());
-    for (const uint64_t key : fresh) {
+    constexpr size_t fetchAhead = 8;
+    for (size_t i = 0; i < fresh.size(); ++i) {
+        const uint64_t key = fresh[i];
+        if (i + fetchAhead < fresh.size()) FetchForContact(fresh[i + fetchAhead], t);
         const FixtureIndex a = RefusedPairs::LowOf(key), b = RefusedPairs::HighOf(key);
         if (asks && !AskAbout(a, b, key, events, t)) continue;
         const ContactIndex made = MakeContact(a, b, events, t.fixtures, t.contacts);

@@ -119,6 +119,14 @@ struct LoneIsland {
     int size;    ///< contacts and joints
 };
 
+/// What a worker solves at once, whatever the others do (sequential impulses).
+struct SolverJob {
+    enum Kind : uint8_t { loneIsland, group, isolated };
+    Kind kind;
+    int index;  ///< of LoneIsland, of a group, of the first isolated body
+    int size;   ///< how long it takes, in contacts that are solved one by one
+};
+
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
     bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
@@ -138,6 +146,7 @@ struct SolverScratch {
     std::vector<Twist> before;  ///< of these: velocity before a pass over the contacts
     IslandTable rest;           ///< jointed bodies that go on after a time of impact
     LaneScratch lanes;
+    std::vector<SolverJob> jobs;
     std::vector<LoneIsland> lone;
     IslandRows islandRows[maxWorkers];  ///< per worker
     std::vector<ContactBlocks> wide;    ///< of the large islands, in their order (sequential impulses)
@@ -145,7 +154,7 @@ struct SolverScratch {
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t ofIslands = BytesOf(wide, lone, colours);
+        size_t ofIslands = BytesOf(wide, jobs, lone, colours);
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
         return ofIslands + BytesOf(coloursTaken, delta, soft, jointed, netted, before, impulses) +
@@ -169,7 +178,7 @@ struct SolverScratch {
         before = {};
         rest = {};
         lanes = {};
-        lone = {};
+        jobs = {}, lone = {};
         for (IslandRows& rows : islandRows) rows = {};
         wide = {};
         colours = {};

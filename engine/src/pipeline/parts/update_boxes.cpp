@@ -119,6 +119,7 @@ float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
     }
     // Bodies that fell asleep in this step moved in it, too.
     for (const std::vector<BodyIndex>* list : solved) {
+        if (bodies.fellAsleep == 0) break;
         for (const BodyIndex body : *list) {
             constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
             const uint16_t flags = bodies.flags[body];
