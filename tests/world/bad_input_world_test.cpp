@@ -196,6 +196,14 @@ TEST(BadWorldDef, MakesNoWorld) {
     expectNone("WorldDef::maxRotation", [](WorldDef& d) { d.maxRotation = nan; });
     expectNone("WorldDef::staticShareThreshold", [](WorldDef& d) { d.staticShareThreshold = -1; });
     expectNone("WorldDef::broadPhase", [](WorldDef& d) { d.broadPhase = static_cast<BroadPhaseKind>(77); });
+    expectNone("WorldDef::workerCount", [](WorldDef& d) { d.workerCount = 0; });
+    expectNone("WorldDef::tasks", [](WorldDef& d) { d.tasks.finish = [](void*, void*) {}; });
+    for (const int tasks : {-1, 0, maxWorkers / 3 + 1}) {
+        expectNone("WorldDef::tasks.tasksPerWorker", [tasks](WorldDef& d) {
+            d.workerCount = 3;
+            d.tasks.tasksPerWorker = tasks;
+        });
+    }
     EXPECT_THROW(World(Vec2{0.0f, infinity}), std::invalid_argument);
 }
 
