@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Work and span of a step of our engine, counted on one thread. The engine cuts its loops into tasks; here every task
-// runs at once and is timed. Then the tasks of each loop are dealt to cores in order, each to the core that is free
-// first, as the engine's threads take them (list scheduling: Graham, "Bounds on Multiprocessing Timing Anomalies",
-// 1969). What is in no loop no number of cores makes shorter.
+// runs at once and is timed. Then the tasks of each loop are dealt in order, each to the core that is free first: so
+// the engine's threads take them. This is list scheduling (Graham, "Bounds on Multiprocessing Timing Anomalies", 1969).
+// What is in no loop no number of cores makes shorter.
 
 #pragma once
 

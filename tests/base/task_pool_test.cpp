@@ -92,14 +92,18 @@ struct Calls {
     int enqueued = 0, finished = 0;
 };
 
+TaskCallbacks RunAtOnce(Calls& calls) {
+    return {[](void (*task)(void*), void* taskContext, void* user) -> void* {
+                ++static_cast<Calls*>(user)->enqueued;
+                task(taskContext);
+                return nullptr;
+            },
+            [](void*, void* user) { ++static_cast<Calls*>(user)->finished; }, &calls};
+}
+
 TEST(TaskPool, ATaskSystemMayRunTasksAtOnceOrOnItsThreads) {
     Calls calls;
-    const TaskCallbacks atOnce{[](void (*task)(void*), void* taskContext, void* user) -> void* {
-                                   ++static_cast<Calls*>(user)->enqueued;
-                                   task(taskContext);
-                                   return nullptr;
-                               },
-                               [](void*, void* user) { ++static_cast<Calls*>(user)->finished; }, &calls};
+    const TaskCallbacks atOnce = RunAtOnce(calls);
     const TaskCallbacks threads{[](void (*task)(void*), void* taskContext, void* user) -> void* {
                                     ++static_cast<Calls*>(user)->enqueued;
                                     return new std::future<void>(std::async(std::launch::async, task, taskContext));
@@ -129,12 +133,8 @@ TEST(TaskPool, ATaskSystemMayRunTasksAtOnceOrOnItsThreads) {
 
 TEST(TaskPool, ATaskSystemGetsSoManyTasksForEachWorkerButNoEmptyOnes) {
     Calls calls;
-    const TaskCallbacks atOnce{[](void (*task)(void*), void* taskContext, void* user) -> void* {
-                                   ++static_cast<Calls*>(user)->enqueued;
-                                   task(taskContext);
-                                   return nullptr;
-                               },
-                               [](void*, void*) {}, &calls, 5};
+    TaskCallbacks atOnce = RunAtOnce(calls);
+    atOnce.tasksPerWorker = 5;
     TaskPool pool(3, atOnce);
     EXPECT_EQ(pool.GetWorkerCount(), 3);
     EXPECT_EQ(pool.GetRowCount(), 15);
