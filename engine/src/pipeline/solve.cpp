@@ -11,6 +11,7 @@
 #include <tuple>
 #include <type_traits>
 
+#include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/rouse.h"
 #include "pipeline/solve_islands.h"
 #include "pipeline/solve_soft.h"
@@ -24,6 +25,27 @@ void ClearAngleRests(BodyTable& bodies, SolverScratch& scratch) {
     if (!scratch.anglesHaveRests) return;
     for (const BodyIndex body : bodies.movers) bodies.position[body].aRest = 0.0f;
     scratch.anglesHaveRests = false;
+}
+
+/// After SolveSoft: the islands of the step, if it has looked for them, may fall asleep.
+void SleepIslands(const SolverSettings& settings, TaskPool& pool, const IslandTable& active, const IslandTable& islands,
+                  BodyTable& bodies) {
+    constexpr size_t leastToShare = 512;
+    if (!settings.allowSleep) return;
+    if (islands.islands.empty()) {
+        pool.ForIfWide(static_cast<int>(active.bodies.size()), static_cast<int>(leastToShare),
+                       [&](int begin, int end, int /*worker*/) {
+                           for (const BodyIndex body : Range(active.bodies, begin, end))
+                               UpdateSleepTimer(bodies, body, settings);
+                       });
+        return;
+    }
+    const auto count = static_cast<int>(islands.islands.size());
+    const int least = islands.bodies.size() >= leastToShare ? 2 : count + 1;
+    pool.ForIfWide(count, least, [&](int begin, int end, int /*worker*/) {
+        for (int i = begin; i < end; ++i)
+            SleepIsland(bodies, Bodies(islands, islands.islands[ToSize(i)]), settings, true);
+    });
 }
 
 /// One group after the other; without a tolerance all that is active is the one group.

@@ -687,24 +687,4 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
     return counts;
 }
 
-void SleepIslands(const SolverSettings& settings, TaskPool& pool, const IslandTable& active, const IslandTable& islands,
-                  BodyTable& bodies) {
-    constexpr size_t leastToShare = 512;
-    if (!settings.allowSleep) return;
-    if (islands.islands.empty()) {
-        pool.ForIfWide(static_cast<int>(active.bodies.size()), static_cast<int>(leastToShare),
-                       [&](int begin, int end, int /*worker*/) {
-                           for (const BodyIndex body : Range(active.bodies, begin, end))
-                               UpdateSleepTimer(bodies, body, settings);
-                       });
-        return;
-    }
-    const auto count = static_cast<int>(islands.islands.size());
-    const int least = islands.bodies.size() >= leastToShare ? 2 : count + 1;
-    pool.ForIfWide(count, least, [&](int begin, int end, int /*worker*/) {
-        for (int i = begin; i < end; ++i)
-            SleepIsland(bodies, Bodies(islands, islands.islands[ToSize(i)]), settings, true);
-    });
-}
-
 }  // namespace scree

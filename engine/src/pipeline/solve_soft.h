@@ -16,8 +16,5 @@ namespace scree {
 /// body whose state stops being finite is put back to where it was, at rest, and counted.
 SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& active,
                        const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
-/// After SolveSoft: the islands of the step, if it has looked for them, may fall asleep.
-void SleepIslands(const SolverSettings& settings, TaskPool& pool, const IslandTable& active, const IslandTable& islands,
-                  BodyTable& bodies);
 
 }  // namespace scree
