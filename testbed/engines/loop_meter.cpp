@@ -9,6 +9,7 @@
 #include <functional>
 #include <numeric>
 #include <queue>
+#include <stdexcept>
 
 namespace testbed {
 
@@ -32,6 +33,7 @@ double LoopTimes::GetSpan(int cores) const {
 }
 
 void LoopTimes::TakeLeast(const LoopTimes& other) {
+    if (ends != other.ends) throw std::logic_error("a repeated step has other loops");
     std::ranges::transform(tasks, other.tasks, tasks.begin(), [](double a, double b) { return std::min(a, b); });
 }
 

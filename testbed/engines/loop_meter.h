@@ -26,7 +26,8 @@ struct LoopTimes {
     [[nodiscard]] double GetWork() const;
     /// Of all loops one after the other, each dealt to so many cores.
     [[nodiscard]] double GetSpan(int cores) const;
-    /// Keeps the least time of each task. Both must be of the same step, which has the same loops whenever it is taken.
+    /// Keeps the least time of each task. Both must be of the same step, which has the same loops whenever it is taken;
+    /// throws std::logic_error if it has others.
     void TakeLeast(const LoopTimes& other);
 };
 

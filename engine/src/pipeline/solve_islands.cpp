@@ -440,7 +440,6 @@ SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fi
     const IsolatedSolver isolated(settings, islands, tables.bodies);
     LaneSolver lanes(settings, islands, events, tables, scratch);
     ListLone(islands, lanes, tables.bodies, scratch);
-    if (lanes.CountGroups() > 0) lanes.Prepare();
     const IslandWork work{settings, fixtures, islands, events, scratch};
     if (tables.pool.IsOpen() && !events.HearsPostSolve()) return SolveShared(work, isolated, lanes, tables);
     SolverCounts counts = isolated.SolveAll(tables.pool);

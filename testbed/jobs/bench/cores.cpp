@@ -41,7 +41,11 @@ void RunCounted(const scenes::Scene& scene, RunSpec spec, int steps, Counted& co
         meter.Begin();
         run->Step();
         const CountedStep times = SplitStep(run->GetTimes().step, meter.GetTimes());
-        isFirst ? void(least = times) : least.TakeLeast(times);
+        if (isFirst) {
+            least = times;
+        } else {
+            least.TakeLeast(times);
+        }
     }
 }
 

@@ -70,6 +70,7 @@ LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& island
     const KernelSet& kernels = settings.kernels;
     if (kernels.locks || kernels.rolling || tables.bodies.IsFar() || events.HearsPostSolve()) return;
     Choose();
+    if (CountGroups() > 0) m_s.lanes.slotOf.resize(ToSize(tables.bodies.slots.Size()));
 }
 
 /// Joints, and angles that the kernels cannot turn, are left out.

@@ -36,9 +36,8 @@ public:
     [[nodiscard]] int CountGroups() const { return static_cast<int>(m_s.lanes.groups.size()); }
     /// How long a group takes, in contacts that are solved one by one.
     [[nodiscard]] int GetSize(int group) const;
-    /// All of a step for the islands of the groups [begin, end), with the rows of `worker`. Call Prepare before.
+    /// All of a step for the islands of the groups [begin, end), with the rows of `worker`.
     SolverCounts Solve(const FixtureTable& fixtures, int begin, int end, int worker);
-    void Prepare() { m_s.lanes.slotOf.resize(ToSize(m_tables.bodies.slots.Size())); }
 
 private:
     using Places = std::span<const LaneScratch::Place>;

@@ -40,6 +40,7 @@ TEST(Cores, RepeatsKeepTheLeastTimeOfEachPart) {
     step.TakeLeast({.apart = 3.0, .loops = {.tasks = {2.0, 4.0}, .ends = {2}}});
     EXPECT_DOUBLE_EQ(step.apart, 2.0);
     EXPECT_EQ(step.loops.tasks, (std::vector<double>{1.0, 4.0}));
+    EXPECT_THROW(step.TakeLeast({.apart = 1.0, .loops = {.tasks = {1.0}, .ends = {1}}}), std::logic_error);
 }
 
 /// A task that keeps the thread busy, so that it has a time.
