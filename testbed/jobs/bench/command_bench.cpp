@@ -12,12 +12,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "testbed/base/case_lines.h"
 #include "testbed/base/errors.h"
 #include "testbed/base/memory.h"
 #include "testbed/base/output.h"
+#include "testbed/base/process.h"
 #include "testbed/base/progress.h"
 #include "testbed/engines/engine_list.h"
 #include "testbed/engines/provenance.h"
@@ -68,6 +70,28 @@ void RunCases(const BenchPlan& plan, BenchFiles& files, CaseLines& lines) {
     }
 }
 
+/// Other processes that keep cores busy, until they go.
+class Neighbours {
+public:
+    explicit Neighbours(int count) {
+        for (int i = 0; i < count; ++i) {
+            const std::error_code error = m_processes.emplace_back().Fork([]() -> int {
+                for (volatile unsigned turn = 0;; turn = turn + 1) {
+                }
+            });
+            if (error) throw std::system_error(error, fmt::format("--neighbours: cannot start process {}", i + 1));
+        }
+    }
+    Neighbours(const Neighbours&) = delete;
+    Neighbours& operator=(const Neighbours&) = delete;
+    ~Neighbours() {
+        for (Process& process : m_processes) process.Kill();
+    }
+
+private:
+    std::vector<Process> m_processes;
+};
+
 /// Of every engine that runs.
 std::string DescribeBytes(const BenchPlan& plan) {
     std::string text;
@@ -97,6 +121,8 @@ int CompareBuilds(const BenchArguments& arguments, const Request& request) {
 
 int RunBench(const BenchArguments& arguments, const Request& request) {
     KeepFreedMemory();
+    CheckNeighbours(arguments);
+    const Neighbours neighbours(arguments.neighbours);
     if (arguments.games) return RunGames(arguments, request);
     if (!arguments.cores.empty()) return RunCores(arguments, request);
     if (!arguments.against.empty()) return CompareBuilds(arguments, request);

@@ -137,10 +137,12 @@ std::vector<Pane> ChoosePanes(const BenchArguments& arguments) {
 
 /// What the cost of continuous collision is judged on: our engine with it on.
 std::vector<Pane> MakeContinuous(std::vector<Pane> panes) {
-    std::erase_if(panes, [](const Pane& pane) { return pane.spec.engine == "box2d"; });
+    std::erase_if(panes, [](const Pane& pane) { return pane.spec.engine != "scree"; });
     for (Pane& pane : panes) pane.spec.continuous = true;
     return panes;
 }
+
+constexpr int maxNeighbours = 1024;
 
 int CheckRepeats(int repeats) {
     if (repeats >= 1 && repeats <= maxRepeats) return repeats;
@@ -204,6 +206,10 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
     app.add_option("-o,--output", arguments.output, "Folder for all results: bench.csv, plots/, index.html")
         ->type_name("DIR");
     AddMarkdownOption(app, arguments.markdown);
+    app.add_option("--neighbours", arguments.neighbours,
+                   "So many other processes keep a core busy each while it measures, as on a machine that one shares; "
+                   "0 if not given")
+        ->type_name("N");
     app.add_flag(
         "--targets", arguments.targets,
         "Compare with the targets of speed, also with continuous collision on; exit 1 when a target is missed or void");
@@ -218,6 +224,15 @@ void AddBenchOptions(CLI::App& app, BenchArguments& arguments) {
         ->type_name("FILE");
     AddShardOptions(app, arguments.shard);
     AddResumeOption(app, arguments.shard);
+}
+
+void CheckNeighbours(const BenchArguments& arguments) {
+    if (arguments.neighbours < 0 || arguments.neighbours > maxNeighbours) {
+        throw UsageError(fmt::format("--neighbours {}: legal from 0 to {}", arguments.neighbours, maxNeighbours));
+    }
+    if (arguments.neighbours > 0 && (!arguments.from.empty() || !arguments.cores.empty())) {
+        throw UsageError("--neighbours disturbs times, and --from and --cores take none: leave it out");
+    }
 }
 
 AgainstPlan MakeAgainstPlan(const BenchArguments& arguments) {

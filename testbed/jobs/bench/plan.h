@@ -30,6 +30,7 @@ struct BenchArguments {
     int steps = 0;
     double timeLimitS = 0;
     ShardArguments shard;
+    int neighbours = 0;  ///< processes that only keep cores busy meanwhile
     bool targets = false;
     bool games = false;  ///< the cases of games instead of scenes
     std::string cores;   ///< numbers of cores to count work and span for, instead of times
@@ -42,6 +43,9 @@ struct BenchPlan {
     Shard shard;
     BenchEffort effort;
 };
+
+/// Throws UsageError for a number of neighbours that is not legal, or where nothing is timed.
+void CheckNeighbours(const BenchArguments& arguments);
 
 struct AgainstPlan;
 /// What is asked of two builds. Throws UsageError for what only one can be asked.

@@ -35,12 +35,15 @@ constexpr SpeedTarget speedTargets[] = {
 };
 constexpr double meanRatioOne = 16, meanRatioTwo = 18;
 
+/// So many times as fast as the fastest of all rivals that ran beside it, with as many threads at most.
+constexpr double rivalRatio = 3;
+
 /// Stability of the step time: p99 and maximum at most this share of Box2D's, in the scenes where it spikes.
 constexpr double spikeShare = 0.2;
 constexpr std::array<std::string_view, 5> spikyScenes = {"tiles", "add-pair", "n2", "mild-n2", "multi-fixture"};
 
-/// Two threads against one: this much faster where many bodies move, and never slower. Both ratios of noisy times.
-constexpr double speedUp = 1.5, noSlower = 1.0;
+/// Two threads against one: this much faster where many bodies move, and never slower by more than 3 %.
+constexpr double speedUp = 1.5, noSlower = 0.97;
 constexpr int manyMovers = 2000;
 
 constexpr double continuousCost = 1.3;
@@ -79,6 +82,15 @@ struct SceneRows {
         }
         return best;
     }
+    /// The fastest row of another engine with at most that many threads, whatever work it did.
+    [[nodiscard]] const BenchRow* Rival(int threads) const {
+        const BenchRow* best = nullptr;
+        for (const BenchRow& row : all) {
+            if (!Has(row) || row.engine == "scree" || row.threads > threads || row.continuous) continue;
+            if (best == nullptr || row.totalMs < best->totalMs) best = &row;
+        }
+        return best;
+    }
     [[nodiscard]] const BenchRow* Box2d() const {
         for (const BenchRow& row : all) {
             if (Has(row) && row.engine == "box2d" && !row.continuous) return &row;
@@ -105,7 +117,7 @@ struct Judge {
     void NotMeasured(std::string law, std::string_view scene) {
         results.push_back({.law = std::move(law), .scene = std::string(scene)});
     }
-    void Add(TargetResult result, const BenchRow& row, const BenchRow* box2d) {
+    void Add(TargetResult result, const BenchRow& row, const BenchRow* other) {
         const bool good = result.atLeast ? result.measured >= result.needed : result.measured <= result.needed;
         result.verdict = good ? Verdict::met : Verdict::missed;
         result.note = row.solver;
@@ -115,10 +127,10 @@ struct Judge {
         } else if (!row.voidReason.empty()) {
             result.verdict = Verdict::isVoid;
             result.note += ": " + row.voidReason;
-        } else if (box2d != nullptr && !box2d->complete) {
-            // Box2D took longer than measured: what is met stays met.
+        } else if (other != nullptr && !other->complete) {
+            // The other took longer than measured: what is met stays met.
             if (!good) result.verdict = Verdict::notMeasured;
-            result.note += ", Box2D stopped at the time limit";
+            result.note += ", the other stopped at the time limit";
         }
         results.push_back(std::move(result));
     }
@@ -142,6 +154,26 @@ void JudgeTotals(const SpeedTarget& target, const SceneRows& rows, Judge& judge)
 }
 
 /// What must not be above a share of Box2D's.
+/// Box2D alone is no judge: `total` has its own ratio for it.
+void JudgeRivals(const SceneRows& rows, Judge& judge) {
+    const auto isOther = [&](const BenchRow& row) {
+        return rows.Has(row) && row.engine != "scree" && row.engine != "box2d" && !row.continuous;
+    };
+    for (const int threads : {1, 2}) {
+        const std::string law = fmt::format("best rival, {} thread{}", threads, threads == 1 ? "" : "s");
+        const BenchRow* ours = rows.Ours(threads);
+        const BenchRow* rival = rows.Rival(threads);
+        if (ours == nullptr || rival == nullptr || std::ranges::none_of(rows.all, isOther)) {
+            judge.NotMeasured(law, rows.scene);
+            continue;
+        }
+        judge.Add(
+            {.law = law, .scene = std::string(rows.scene), .measured = Ratio(*rival, *ours), .needed = rivalRatio},
+            *ours, rival);
+        judge.results.back().note += fmt::format(", against {}", rival->engine);
+    }
+}
+
 void JudgeShare(const std::string& law, double share, double BenchRow::*field, const SceneRows& rows, Judge& judge) {
     const BenchRow* box2d = rows.Box2d();
     const BenchRow* ours = rows.Ours(1);
@@ -287,6 +319,7 @@ std::vector<TargetResult> JudgeTargets(std::span<const BenchRow> rows) {
     for (const SpeedTarget& target : speedTargets) {
         const SceneRows of = RowsOf(rows, target.scene);
         JudgeTotals(target, of, judge);
+        JudgeRivals(of, judge);
         JudgeShare("worst step, ms", target.worstMs / target.boxTwoDWorstMs, &BenchRow::maxMs, of, judge);
         if (Holds(spikyScenes, target.scene)) {
             JudgeShare("p99 of a step, ms", spikeShare, &BenchRow::p99Ms, of, judge);

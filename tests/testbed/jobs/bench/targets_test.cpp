@@ -128,6 +128,32 @@ TEST(Targets, TheFasterSolverCounts) {
     EXPECT_EQ(VerdictOf(rows, "total, 1 thread", "n2"), Verdict::met);
 }
 
+TEST(Targets, AreThreeTimesTheFastestRivalOfTheRun) {
+    const SpeedTarget& n2 = TargetOf("n2");
+    std::vector<BenchRow> rows = {MakeRow(n2, "scree"), MakeRow(n2, "scree", 2), MakeRow(n2, "box2d")};
+    EXPECT_EQ(VerdictOf(rows, "best rival, 1 thread", "n2"), Verdict::notMeasured) << "Box2D 2.4 is one of several";
+    rows.push_back(MakeRow(n2, "box2d3"));
+    for (const double ratio : {2.9, 3.1}) {
+        rows[3].totalMs = ratio * rows[0].totalMs;
+        rows[1].totalMs = 2 * rows[0].totalMs;  // with two threads ours is slower, and the rival has no such row
+        const Verdict expected = ratio > 3 ? Verdict::met : Verdict::missed;
+        EXPECT_EQ(VerdictOf(rows, "best rival, 1 thread", "n2"), expected);
+        const TargetResult two = Find(JudgeTargets(rows), "best rival, 2 threads", "n2");
+        EXPECT_EQ(two.verdict, Verdict::missed);
+        EXPECT_NEAR(two.measured, ratio / 2, 1e-9);
+        EXPECT_EQ(two.note, "si, against box2d3");
+    }
+    // A rival with two threads counts with two threads alone; the old Box2D counts if it is the faster one.
+    rows.push_back(MakeRow(n2, "box2d3", 2));
+    rows[4].totalMs = rows[0].totalMs;
+    EXPECT_EQ(VerdictOf(rows, "best rival, 1 thread", "n2"), Verdict::met);
+    EXPECT_NEAR(Find(JudgeTargets(rows), "best rival, 2 threads", "n2").measured, 0.5, 1e-9);
+    rows[2].totalMs = 0.25 * rows[0].totalMs;
+    const TargetResult old = Find(JudgeTargets(rows), "best rival, 1 thread", "n2");
+    EXPECT_NEAR(old.measured, 0.25, 1e-9);
+    EXPECT_EQ(old.note, "si, against box2d");
+}
+
 TEST(Targets, AStoppedRunProvesWhatItsBoundProves) {
     const SpeedTarget& n2 = TargetOf("n2");
     const auto verdict = [&](double speed, bool oursComplete, bool theirsComplete) {
