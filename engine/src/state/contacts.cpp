@@ -11,6 +11,7 @@
 #include <bit>
 #include <cstring>
 #include <functional>
+#include <iterator>
 
 #include "base/bytes.h"
 #include "base/slots.h"
@@ -85,7 +86,7 @@ ContactIndex ContactTable::Add(const ContactPair& newPair) {
     ForgetSteady(index);
     if (!steady.empty()) steady[index].initialOverlap = 0.0f;
     if (!rolling.empty()) rolling[index] = 0.0f;
-    m_adjacency.Set(0);
+    NoteActive(index);
     mustMatch = true;
     ++m_count;
     active.Insert(index);
@@ -137,7 +138,7 @@ void ContactTable::UnlinkResting(ContactIndex contact) {
 void ContactTable::Rouse(ContactIndex contact) {
     if (!IsAlive(contact) || !active.Insert(contact)) return;
     UnlinkResting(contact);
-    m_adjacency.Set(0);
+    NoteActive(contact);
     mayRest = true;
 }
 
@@ -379,9 +380,22 @@ void ContactTable::MakeAdjacency() const {
         m_entries[ToSize(--m_first[pair[row].bodyA])] = row;
         m_entries[ToSize(--m_first[pair[row].bodyB])] = row;
     });
+    m_late.clear();
 }
 
-std::span<const ContactIndex> ContactTable::ActiveOfBody(BodyIndex body) const {
+void ContactTable::NoteActive(ContactIndex row) {
+    if (m_adjacency.Count() == 0 || IsLate(row)) return;
+    if (m_late.size() == mostLate) return m_adjacency.Set(0);
+    m_late.push_back(row);
+}
+
+bool ContactTable::IsLate(ContactIndex row) const { return std::ranges::find(m_late, row) != m_late.end(); }
+
+bool ContactTable::HasLate(BodyIndex body) const {
+    return std::ranges::any_of(m_late, [&](ContactIndex row) { return Joins(row, body); });
+}
+
+std::span<const ContactIndex> ContactTable::EntriesOf(BodyIndex body) const {
     EnsureAdjacency();
     if (!m_first.Has(NextOf(body))) return {};
     const int begin = m_first[body], end = m_first[NextOf(body)];
@@ -389,8 +403,8 @@ std::span<const ContactIndex> ContactTable::ActiveOfBody(BodyIndex body) const {
 }
 
 std::span<const ContactIndex> ContactTable::OfBody(BodyIndex body) {
-    const std::span<const ContactIndex> rows = ActiveOfBody(body);
-    if (!HasResting(body)) return rows;
+    const std::span<const ContactIndex> rows = EntriesOf(body);
+    if (m_late.empty() && !HasResting(body)) return rows;
     m_ofBody.clear();
     ListOfBody(body, m_ofBody);
     return m_ofBody;
@@ -398,21 +412,23 @@ std::span<const ContactIndex> ContactTable::OfBody(BodyIndex body) {
 
 void ContactTable::ListOfBody(BodyIndex body, std::vector<ContactIndex>& rows) const {
     const auto begin = static_cast<std::ptrdiff_t>(rows.size());
-    const std::span<const ContactIndex> awake = ActiveOfBody(body);
-    rows.insert(rows.end(), awake.begin(), awake.end());
-    if (!HasResting(body)) return;
+    const std::span<const ContactIndex> entries = EntriesOf(body);
+    // A late row may have been another contact's when the entries were made.
+    std::ranges::copy_if(entries, std::back_inserter(rows), [&](ContactIndex row) { return !IsLate(row); });
+    std::ranges::copy_if(m_late, std::back_inserter(rows), [&](ContactIndex row) { return Joins(row, body); });
     ListResting(body, rows);
-    std::sort(rows.begin() + begin, rows.end(), std::greater<>());
+    if (HasResting(body) || HasLate(body)) std::sort(rows.begin() + begin, rows.end(), std::greater<>());
 }
 
 int ContactTable::CountOfBody(BodyIndex body) const {
-    int count = 0;
-    for (const ContactIndex row : ActiveOfBody(body)) count += IsAlive(row) ? 1 : 0;
-    if (!HasResting(body)) return count;
+    const std::span<const ContactIndex> entries = EntriesOf(body);
+    auto count = std::ranges::count_if(entries, [&](ContactIndex row) { return IsAlive(row) && !IsLate(row); });
+    count += std::ranges::count_if(m_late, [&](ContactIndex row) { return IsAlive(row) && Joins(row, body); });
+    if (!HasResting(body)) return static_cast<int>(count);
     for (int entry = m_restingFirst[body]; entry >= 0; entry = m_resting[ContactOf(entry)].next[SideOf(entry)]) {
         ++count;
     }
-    return count;
+    return static_cast<int>(count);
 }
 
 Contact* ContactTable::Handle(WorldState* state, ContactIndex contact) const {
@@ -521,7 +537,7 @@ size_t ContactTable::GetBytesPerRow() {
 
 size_t ContactTable::GetMemoryBytes() const {
     return BytesOf(flags, pair, manifold, material, steady, rolling, successor, matched, missing, freshPairs,
-                   freshRefusals, m_hash, m_free, m_generation, m_first, m_entries, m_ofBody, m_resting,
+                   freshRefusals, m_hash, m_free, m_generation, m_first, m_entries, m_late, m_ofBody, m_resting,
                    m_restingFirst) +
            active.GetMemoryBytes() + m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
@@ -529,7 +545,7 @@ size_t ContactTable::GetMemoryBytes() const {
 void ContactTable::Trim() {
     Shrink(flags, pair, manifold, material, steady, rolling, successor);
     matched = {}, missing = {}, freshPairs = {}, freshRefusals = {};
-    m_first = {}, m_entries = {}, m_ofBody = {};
+    m_first = {}, m_entries = {}, m_late = {}, m_ofBody = {};
     m_adjacency.Set(0);
     Shrink(m_free, m_generation);
     m_hash = {};

@@ -182,12 +182,12 @@ struct ContactTable {
         auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
                grouping, matched, missing, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, mustMatch,
                hash, shift, free, isCompact, handles, generation, count, resting, restingFirst, restingTouching,
-               adjacency, first, entries, ofBody, handleRows, generationRows] = t;
+               adjacency, first, entries, late, ofBody, handleRows, generationRows] = t;
         visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
         visit.LeftOut(steadyReach, successor, firstMatched, grouping, matched, missing, freshPairs, freshRefusals,
                       refused, active, mayRest, addsFresh, mustMatch, hash, shift, isCompact, handles, generation,
-                      count, resting, restingFirst, restingTouching, adjacency, first, entries, ofBody, handleRows,
-                      generationRows);
+                      count, resting, restingFirst, restingTouching, adjacency, first, entries, late, ofBody,
+                      handleRows, generationRows);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();
@@ -199,8 +199,8 @@ struct ContactTable {
     /// After that: the rest follows. Ids of contacts name nothing any more unless all contacts are those of before.
     void NoteReturn(const FormerRows& before);
     /// Contacts of a body, newest row first; rows removed since the last Add are still listed. Valid until the next
-    /// Add, Rest or Rouse; of a body with resting contacts until the next call. O(contacts that do not rest) after one
-    /// of these, else O(contacts of the body).
+    /// Add, Rest or Rouse, or the next call. O(contacts that do not rest) after a Rest or many of the others, else
+    /// O(contacts of the body).
     std::span<const ContactIndex> OfBody(BodyIndex body);
     // These may be called by several threads at once while nobody changes the table: what they look up is made by the
     // first one.
@@ -262,8 +262,16 @@ private:
         m_adjacency.Ensure(1, [this] { MakeAdjacency(); });
     }
     void MakeAdjacency() const;
-    /// Of the contacts that do not rest.
-    [[nodiscard]] std::span<const ContactIndex> ActiveOfBody(BodyIndex body) const;
+    /// The row does not rest any more, or is new.
+    void NoteActive(ContactIndex row);
+    [[nodiscard]] bool Joins(ContactIndex row, BodyIndex body) const {
+        return pair[row].bodyA == body || pair[row].bodyB == body;
+    }
+    [[nodiscard]] bool IsLate(ContactIndex row) const;
+    [[nodiscard]] bool HasLate(BodyIndex body) const;
+    /// Of the contacts that do not rest, without the late ones. A late row may be among them as that of another
+    /// contact.
+    [[nodiscard]] std::span<const ContactIndex> EntriesOf(BodyIndex body) const;
     [[nodiscard]] size_t HandleCount() const { return ToSize(m_handleRows.Count()); }
     void NoteEnd(ContactIndex contact) {
         if (const ContactNumber number = GetNumber(contact); m_generation.Has(number)) ++m_generation[number];
@@ -291,10 +299,14 @@ private:
     Column<BodyIndex, int> m_restingFirst;         ///< per body: first entry, −1 none
     int m_restingTouching = 0;
 
-    mutable LazyRows m_adjacency;  ///< 1 while the next two are valid
+    mutable LazyRows m_adjacency;  ///< 1 while the next three are valid
     /// Of the contacts that do not rest, per body up to the last one with any: start in m_entries; one more at the end.
     mutable Column<BodyIndex, int> m_first;
     mutable std::vector<ContactIndex> m_entries;
+    /// Rows that came since, each once: an event of continuous collision adds a few, and a world may have many
+    /// contacts.
+    mutable std::vector<ContactIndex> m_late;
+    static constexpr size_t mostLate = 64;
     std::vector<ContactIndex> m_ofBody;  ///< the last answer for a body with resting contacts
     mutable LazyRows m_handleRows, m_generationRows;
 };
