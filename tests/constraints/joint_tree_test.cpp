@@ -11,8 +11,11 @@
 
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <functional>
+#include <map>
 #include <random>
+#include <utility>
 
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
@@ -25,6 +28,12 @@ using namespace test;
 
 using Pose = std::array<double, 3>;  ///< of the centre of mass: x, y, angle
 using Poses = std::vector<Pose>;     ///< by body index
+
+/// Runs every loop by itself.
+TaskPool& Alone() {
+    static TaskPool pool(1, TaskCallbacks{});
+    return pool;
+}
 
 /// One scalar constraint as a function of all poses, straight from the meaning of the joint.
 struct Constraint {
@@ -227,7 +236,7 @@ TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
         Forest forest(seed, 2 + static_cast<int>(seed % 19));
         WorldState& s = forest.world.GetState();
         JointTree tree;
-        tree.Build({s.bodies, s.joints, forest.joints, 0.0f});
+        tree.Build({Alone(), s.bodies, s.joints, forest.joints, 0.0f});
         if (forest.joints.empty()) continue;
         ASSERT_TRUE(tree.GetOthers().empty()) << seed;
         double leastPivot = 0.0;
@@ -257,12 +266,80 @@ TEST(JointTree, RemovesTheSameSpeedAsADenseSolve) {
     EXPECT_GT(solved, 120);
 }
 
+/// Lists of joints that hang together by moving bodies.
+std::vector<std::vector<JointIndex>> SplitTrees(const WorldState& s, const std::vector<JointIndex>& joints) {
+    Column<BodyIndex, BodyIndex> root(s.bodies.type.size());
+    for (const BodyIndex body : root.Rows()) root[body] = body;
+    const auto find = [&](BodyIndex body) {
+        while (root[body] != body) body = root[body];
+        return body;
+    };
+    const auto moves = [&](BodyIndex body) { return s.bodies.type[body] == dynamicBody; };
+    for (const JointIndex joint : joints) {
+        const JointInfo& info = s.joints.info[joint];
+        if (moves(info.bodyA) && moves(info.bodyB)) root[find(info.bodyA)] = find(info.bodyB);
+    }
+    std::map<BodyIndex, std::vector<JointIndex>> trees;
+    for (const JointIndex joint : joints) {
+        const JointInfo& info = s.joints.info[joint];
+        trees[find(moves(info.bodyA) ? info.bodyA : info.bodyB)].push_back(joint);
+    }
+    std::vector<std::vector<JointIndex>> lists;
+    for (auto& [body, list] : trees) lists.push_back(std::move(list));
+    return lists;
+}
+
+TEST(JointTree, ManyTreesAreSolvedAsEachAloneByAnyNumberOfWorkers) {
+    constexpr float h = 1.0f / 960.0f;
+    for (unsigned seed = 1; seed <= 4; ++seed) {
+        SCOPED_TRACE(seed);
+        Forest forest(seed, 300 + 250 * static_cast<int>(seed));
+        WorldState& s = forest.world.GetState();
+        s.bodies.startPosition = s.bodies.position;
+        const Column<BodyIndex, Velocity> before = s.bodies.velocity;
+        const Column<BodyIndex, Velocity> delta(before.size());
+        const auto solve = [&](TaskPool& pool, const std::vector<JointIndex>& joints, bool aims) {
+            Column<BodyIndex, Velocity> velocity = before;
+            JointTree tree;
+            tree.Build({pool, s.bodies, s.joints, joints, 0.0f});
+            EXPECT_TRUE(tree.GetOthers().empty());
+            tree.Factorize({s.bodies, delta}, h);
+            aims ? tree.SolveBeforeMove({s.bodies, delta}, h, velocity) : tree.SolveAfterMove(velocity);
+            return velocity;
+        };
+        const std::vector<std::vector<JointIndex>> trees = SplitTrees(s, forest.joints);
+        const auto isNear = [](float one, float other) { EXPECT_NEAR(one, other, 1e-4f * (1.0f + std::abs(one))); };
+        ASSERT_GT(trees.size(), 20u);
+        for (const bool aims : {false, true}) {
+            const Column<BodyIndex, Velocity> all = solve(Alone(), forest.joints, aims);
+            for (const int workers : {2, 3, 8}) {
+                TaskPool pool(workers, TaskCallbacks{});
+                pool.Begin();
+                const Column<BodyIndex, Velocity> shared = solve(pool, forest.joints, aims);
+                pool.End();
+                EXPECT_EQ(std::memcmp(all.data(), shared.data(), all.size() * sizeof(Velocity)), 0) << workers;
+            }
+            if (aims) continue;  // trees of one grove have the same number of iterations
+            for (const std::vector<JointIndex>& tree : trees) {
+                const Column<BodyIndex, Velocity> alone = solve(Alone(), tree, aims);
+                for (const JointIndex joint : tree) {
+                    for (const BodyIndex body : {s.joints.info[joint].bodyA, s.joints.info[joint].bodyB}) {
+                        const Velocity &one = alone[body], &other = all[body];
+                        isNear(one.v.x, other.v.x), isNear(one.v.y, other.v.y);
+                        isNear(one.w, other.w);
+                    }
+                }
+            }
+        }
+    }
+}
+
 TEST(JointTree, AMoveEndsWithClosedJoints) {
     for (unsigned seed = 1; seed <= 50; ++seed) {
         Forest forest(seed, 8);
         WorldState& s = forest.world.GetState();
         JointTree tree;
-        tree.Build({s.bodies, s.joints, forest.joints, 0.0f});
+        tree.Build({Alone(), s.bodies, s.joints, forest.joints, 0.0f});
         if (forest.joints.empty() || forest.constraints.size() > 3 * (s.bodies.position.size() - 1)) continue;
         // Where joints nearly repeat each other, what they give way by takes more than one move to close.
         double leastPivot = 0.0;
@@ -318,11 +395,11 @@ TEST(JointTree, TakesTreesAndLoopsAlike) {
     all.insert(all.end(), bridge.begin(), bridge.end());
     const WorldState& s = world.GetState();
     JointTree tree;
-    tree.Build({s.bodies, s.joints, all, 0.0f});
+    tree.Build({Alone(), s.bodies, s.joints, all, 0.0f});
     EXPECT_FALSE(tree.IsEmpty());
     EXPECT_TRUE(tree.GetOthers().empty());
     EXPECT_TRUE(tree.GetBounded().empty());
-    tree.Build({s.bodies, s.joints, loop, 0.0f});
+    tree.Build({Alone(), s.bodies, s.joints, loop, 0.0f});
     EXPECT_FALSE(tree.IsEmpty());
     EXPECT_TRUE(tree.GetOthers().empty());
 }
@@ -361,12 +438,12 @@ TEST(JointTree, LeavesWideNetsToTheirRowsAndHoldsNarrowStructures) {
         const std::vector<JointIndex> ladder = PinGrid(world, 10, 2);
         const WorldState& s = world.GetState();
         JointTree tree;
-        tree.Build({s.bodies, s.joints, pins, 0.0f});
+        tree.Build({Alone(), s.bodies, s.joints, pins, 0.0f});
         EXPECT_EQ(!tree.GetNets().IsEmpty(), one.isNet);
         EXPECT_EQ(tree.IsEmpty(), one.isNet);
         EXPECT_TRUE(tree.GetOthers().empty());
         pins.insert(pins.end(), ladder.begin(), ladder.end());
-        tree.Build({s.bodies, s.joints, pins, 0.0f});
+        tree.Build({Alone(), s.bodies, s.joints, pins, 0.0f});
         EXPECT_EQ(!tree.GetNets().IsEmpty(), one.isNet);
         EXPECT_FALSE(tree.IsEmpty()) << "the ladder";
         EXPECT_TRUE(tree.GetOthers().empty());
@@ -407,7 +484,7 @@ TEST(JointTree, HoldsAnyNumberOfArmsOfOneBody) {
         }
         WorldState& s = world.GetState();
         JointTree tree;
-        tree.Build({s.bodies, s.joints, joints, 0.0f});
+        tree.Build({Alone(), s.bodies, s.joints, joints, 0.0f});
         EXPECT_TRUE(tree.GetOthers().empty()) << arms;
         const Column<BodyIndex, Velocity> delta(s.bodies.velocity.size());
         s.bodies.startPosition = s.bodies.position;

@@ -150,11 +150,11 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
         link.isTree = graph.isLooped[ToSize(a >= 0 ? a : b)] == 0;
         if (!link.isTree) continue;
         Place& place = m_places.emplace_back();
-        place.link = static_cast<int>(i), place.joint = link.joint;
+        place.shape = link.shape, place.joint = link.joint;
         place.isPoint = link.kind == TreeKind::point, place.isLine = link.kind == TreeKind::line;
         place.kind = link.kind;
         // What is fixed is a leaf.
-        place.childIsB = a >= 0 && (b < 0 || graph.linkOfChild[ToSize(b)] == place.link);
+        place.childIsB = a >= 0 && (b < 0 || graph.linkOfChild[ToSize(b)] == static_cast<int>(i));
         const int rowA = a >= 0 ? rowOf[ToSize(a)] : AddRow(link.bodyA);
         const int rowB = b >= 0 ? rowOf[ToSize(b)] : AddRow(link.bodyB);
         place.child = place.childIsB ? rowB : rowA;
@@ -253,7 +253,7 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
     }
     m_shapes = shapes;
     for (const Place& place : m_places) {
-        const TreeShape& s = shapes[ToSize(place.link)];
+        const TreeShape& s = shapes[ToSize(place.shape)];
         const size_t lane = ToSize(place.lane);
         double recent[maxTreeRows];
         LoadImpulse(place.joint, joints, recentScale, recent);
@@ -321,7 +321,7 @@ void JointBatches::MakeJacobians() {
     for (Other& other : m_others) {
         const Place& place = m_places[ToSize(other.place)];
         const TreePose child = PoseOf(place.child, m_pose, 0), parent = PoseOf(place.parent, m_pose, 0);
-        MakeRows<true>(m_shapes[ToSize(place.link)], place.childIsB ? parent : child, place.childIsB ? child : parent,
+        MakeRows<true>(m_shapes[ToSize(place.shape)], place.childIsB ? parent : child, place.childIsB ? child : parent,
                        other.rows);
         RowBatch& batch = m_rows[ToSize(place.batch)];
         const size_t lane = ToSize(place.lane);
@@ -350,7 +350,7 @@ void JointBatches::MeasureRows() {
         const Place& place = m_places[ToSize(other.place)];
         const TreePose child = PoseOf(place.child, m_next, 1), parent = PoseOf(place.parent, m_next, 1);
         TreeRows rows;
-        MakeRows<false>(m_shapes[ToSize(place.link)], place.childIsB ? parent : child, place.childIsB ? child : parent,
+        MakeRows<false>(m_shapes[ToSize(place.shape)], place.childIsB ? parent : child, place.childIsB ? child : parent,
                         rows);
         RowBatch& batch = m_rows[ToSize(place.batch)];
         for (int i = 0; i < batch.count; ++i) batch.right[i].v[place.lane] = -rows.error[i] / m_h;

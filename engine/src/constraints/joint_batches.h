@@ -24,15 +24,15 @@ struct TreeEdge {
     BodyIndex bodyA, bodyB;
     bool movesA, movesB;
     TreeKind kind;
+    int shape;            ///< index of its shape in Refresh
     bool isTree = false;  ///< it was
 };
 
 class JointBatches {
 public:
-    /// Takes over the links whose bodies form trees, and puts them into an order that stays until the next call. Links
-    /// are those of the calls of Refresh by their indices.
+    /// Takes over the links whose bodies form trees, and puts them into an order that stays until the next call.
     void Plan(std::span<TreeEdge> links);
-    /// What may change from step to step. `shapes` by link are read until the next call; `recentScale` makes impulses
+    /// What may change from step to step. `shapes` are read until the next call; `recentScale` makes impulses
     /// of a sub-step of the stored ones.
     void Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
                  double recentScale, double compliance);
@@ -63,7 +63,7 @@ public:
             }
             const TreeRows& rows = place.other >= 0 ? m_others[ToSize(place.other)].rows : ofKernels;
             const TreeResult::Side child = SideOf(place.child), parent = SideOf(place.parent);
-            visit(TreeResult{place.joint, m_shapes[ToSize(place.link)], rows, impulse, place.childIsB ? parent : child,
+            visit(TreeResult{place.joint, m_shapes[ToSize(place.shape)], rows, impulse, place.childIsB ? parent : child,
                              place.childIsB ? child : parent});
         }
     }
@@ -71,7 +71,7 @@ public:
 private:
     /// Where a joint is.
     struct Place {
-        int link;
+        int shape;
         JointIndex joint;
         int batch, lane;
         TreeKind kind;
@@ -106,7 +106,7 @@ private:
     std::vector<BodyIndex> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
     std::vector<Place> m_places;
     std::vector<Other> m_others;
-    std::span<const TreeShape> m_shapes;  ///< by link
+    std::span<const TreeShape> m_shapes;
     std::vector<PointBatch> m_points;
     std::vector<RowBatch> m_rows;
     std::vector<int32_t> m_order, m_roots;

@@ -38,7 +38,8 @@ JointTree::JointTree() : m(std::make_unique<JointForest>()) {}
 JointTree::~JointTree() = default;
 
 void JointTree::Build(const JointTreeInput& input) {
-    m->Build(input.bodies, input.joints, input.list, {double{input.substepScale}, input.compliance, input.direct});
+    m->Build(input.bodies, input.joints, input.list,
+             {double{input.substepScale}, input.compliance, input.direct, input.pool});
 }
 bool JointTree::IsEmpty() const { return m->trees.IsEmpty() && m->joints.empty(); }
 JointNet& JointTree::GetNets() { return m->nets; }
@@ -78,7 +79,7 @@ void FactorizeFor(JointForest& forest, double h, double compliance) {
 }  // namespace
 
 void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
-    m->trees.Factorize(poses.bodies, poses.delta, double{h}, isLoaded);
+    m->trees.Factorize(*m->pool, poses.bodies, poses.delta, double{h}, isLoaded);
     if (m->joints.empty()) return;
     for (TreeBody& b : m->bodies) {
         const TreeStart start = StartOf(poses.bodies, poses.delta, b.body);
@@ -95,7 +96,7 @@ void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
 }
 
 void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocity>& velocity) {
-    m->trees.SolveBeforeMove(velocity);
+    m->trees.SolveBeforeMove(*m->pool, velocity);
     if (m->joints.empty()) return;
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
     constexpr int iterations = 2;
@@ -124,7 +125,7 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
 }
 
 void JointTree::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
-    m->trees.SolveAfterMove(velocity);
+    m->trees.SolveAfterMove(*m->pool, velocity);
     if (m->joints.empty()) return;
     LoadVelocities(m->bodies, velocity, [](TreeBody& b, double spin) {
         const double taken = TakeSpin(spin, b.v[2], b.spinLeft, b.invI, b.steadyInvI);

@@ -18,6 +18,7 @@
 #include <memory>
 #include <span>
 
+#include "base/task_pool.h"
 #include "constraints/joint_net.h"
 #include "constraints/joint_phases.h"
 #include "constraints/joint_tree_rows.h"
@@ -27,6 +28,7 @@ namespace scree {
 class JointForest;
 
 struct JointTreeInput {
+    TaskPool& pool;  ///< shares trees, until the next Build
     const BodyTable& bodies;
     const JointTable& joints;
     std::span<const JointIndex> list;  ///< joints to hold

@@ -83,8 +83,10 @@ bool JointForest::IsKnown(bool direct) {
 
 void JointForest::PlanTrees() {
     m_links.clear();
-    for (const Key& key : m_keys)
-        m_links.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, key.kind});
+    for (const Key& key : m_keys) {
+        const auto shape = static_cast<int>(m_links.size());
+        m_links.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, key.kind, shape});
+    }
     trees.Plan(m_direct ? std::span<TreeEdge>(m_links) : std::span<TreeEdge>());
 }
 
@@ -237,7 +239,7 @@ void JointForest::MakeLinks() {
 
 /// What may change from step to step under the same order.
 void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale) {
-    trees.Refresh(bodyTable, jointTable, m_shapes, recentScale, compliance);
+    trees.Refresh(*pool, bodyTable, jointTable, m_shapes, recentScale, compliance);
     m_memberShapes.clear();
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         if (m_isNet[i] != 0) m_memberShapes.push_back(m_shapes[i]);
@@ -253,6 +255,7 @@ void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTab
 
 void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
                         How how) {
+    pool = &how.pool;
     compliance = how.compliance;
     Collect(bodyTable, jointTable, list);
     const bool isKnown = IsKnown(how.direct);

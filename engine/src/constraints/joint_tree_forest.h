@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The joints that a direct solve takes over. Trees go to the batches. Of loops, and what hangs on them, it has the
+// The joints that a direct solve takes over. Trees go to groves. Of loops, and what hangs on them, it has the
 // order in which they are eliminated, and which are coupled with which later ones. It also has the numbers that factors
 // and motion work on. Nets, whose elimination would cost too much, go to soft rows.
 
@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "constraints/joint_batches.h"
+#include "constraints/joint_groves.h"
 #include "constraints/joint_net.h"
 #include "constraints/joint_tree_rows.h"
 
@@ -48,13 +48,14 @@ struct TreeJoint {
 
 class JointForest {
 public:
-    JointBatches trees;
+    JointGroves trees;
     JointNet nets;
     std::vector<TreeBody> bodies;     ///< of `joints`
     std::vector<TreeJoint> joints;    ///< not of trees, in the order of elimination
     std::vector<TreeLink> links;      ///< of each joint, [linkBegin, linkEnd)
     std::vector<JointIndex> others;   ///< joints of the list that are no candidates
     std::vector<JointIndex> bounded;  ///< joints held here that have limits, motors or springs besides
+    TaskPool* pool = nullptr;         ///< shares trees
     double compliance = 0.0;          ///< of `joints`
     bool isForVelocities = false;     ///< the factors of `joints` are not for aiming
 
@@ -62,6 +63,7 @@ public:
         double recentScale;  ///< makes impulses of a sub-step of the stored ones
         double compliance;   ///< jointCompliance
         bool direct;         ///< otherwise all joints are taken for nets
+        TaskPool& pool;      ///< until the next call
     };
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. O(bodies +
     /// joints) for trees.

@@ -182,8 +182,8 @@ public:
         const bool isLoaded = HasJoints() && IsLoaded();
         RaiseLoaded(fixtures);
         m_s.before.resize(m_s.jointed.size());
-        m_tree.Build(
-            {m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), JointCompliance(), m_settings.directJoints});
+        m_tree.Build({Pool(), m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), JointCompliance(),
+                      m_settings.directJoints});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_s.blocks.Build(
             {Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Trees of joints in groves: each is solved by itself, so that threads share them, and one that is worked on stays in
+// the cache. Which trees are a grove follows from the order of their joints alone. Trees of one grove are iterated
+// together.
+
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/task_pool.h"
+#include "constraints/joint_batches.h"
+
+namespace scree {
+
+class JointGroves {
+public:
+    /// As of JointBatches. The links of one tree are in one grove, in their order.
+    void Plan(std::span<TreeEdge> links);
+    void Refresh(TaskPool& pool, const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
+                 double recentScale, double compliance);
+    [[nodiscard]] bool IsEmpty() const;
+    [[nodiscard]] size_t GetMemoryBytes() const;
+
+    // As of JointTree, shared by the workers of the pool.
+    void Factorize(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
+                   bool isLoaded);
+    void SolveBeforeMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity);
+    void SolveAfterMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity);
+
+    /// Calls visit(const TreeResult&) for each joint.
+    template <typename Visit>
+    void ForEachResult(Visit&& visit) const {
+        for (const JointBatches& grove : Groves()) grove.ForEachResult(visit);
+    }
+
+private:
+    [[nodiscard]] std::span<const JointBatches> Groves() const { return std::span(m_groves).first(m_count); }
+    template <typename Visit>
+    void ForEach(TaskPool& pool, Visit&& visit) {
+        pool.For(static_cast<int>(m_count), 2, [&](int begin, int end, int) {
+            for (int i = begin; i < end; ++i) visit(m_groves[ToSize(i)]);
+        });
+    }
+
+    std::vector<JointBatches> m_groves;  ///< some spare ones at the end keep their memory
+    size_t m_count = 0;
+};
+
+}  // namespace scree
