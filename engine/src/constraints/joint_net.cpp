@@ -27,6 +27,15 @@ Rot TurnOf(float angle) {
     return turn;
 }
 
+/// Calls visit(item) for each, shared by the workers.
+template <typename Items, typename Visit>
+void ForEachOf(TaskPool& pool, Items& items, Visit&& visit) {
+    constexpr int least = 512;
+    pool.For(static_cast<int>(items.size()), least, [&](int begin, int end, int) {
+        for (int i = begin; i < end; ++i) visit(items[ToSize(i)]);
+    });
+}
+
 TreePose PoseOf(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, BodyIndex body) {
     const TreeStart start = StartOf(bodies, delta, body);
     TreePose pose;
@@ -104,9 +113,9 @@ void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span
     }
 }
 
-void JointNet::Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
+void JointNet::Load(TaskPool& pool, const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
                     const Column<BodyIndex, Velocity>& velocity) {
-    for (Mover& mover : m_movers) {
+    ForEachOf(pool, m_movers, [&](Mover& mover) {
         const Velocity& v = velocity[mover.body];
         mover.v = v.v, mover.w = v.w;
         const bool isStatic = bodies.type[mover.body] == staticBody;
@@ -114,7 +123,7 @@ void JointNet::Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& b
         mover.angle = motion.w;
         mover.turn = TurnOf(motion.w);
         mover.moved = motion.v;
-    }
+    });
     if (!m_isFirst) return;
     m_isFirst = false;
     const auto startOf = [&](int row) { return StartOf(bodies, delta, m_movers[ToSize(row)].body); };
@@ -127,12 +136,12 @@ void JointNet::Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& b
     }
     for (Rod& rod : m_rods) rod.startGap = Gap(startOf(rod.a), rod.startA, startOf(rod.b), rod.startB);
 }
-void JointNet::Store(Column<BodyIndex, Velocity>& velocity) const {
-    for (const Mover& mover : m_movers) {
-        if (mover.invMass == 0.0f && mover.invI == 0.0f) continue;
+void JointNet::Store(TaskPool& pool, Column<BodyIndex, Velocity>& velocity) const {
+    ForEachOf(pool, m_movers, [&](const Mover& mover) {
+        if (mover.invMass == 0.0f && mover.invI == 0.0f) return;
         Velocity& v = velocity[mover.body];
         v.v = mover.v, v.w = mover.w;
-    }
+    });
 }
 
 inline void JointNet::TurnArms(Point& point) const {
@@ -273,16 +282,19 @@ void JointNet::Solve(Block& block, const Softness& soft) {
     for (int i = 0; i < count; ++i) block.impulse[i] += impulse[i];
 }
 
-void JointNet::SolveBeforeMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, float h,
-                               Column<BodyIndex, Velocity>& velocity) {
+void JointNet::SolveBeforeMove(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
+                               float h, Column<BodyIndex, Velocity>& velocity) {
     constexpr float turns = 0.25f;  // of a spring in a sub-step
     constexpr float dampingRatio = 2.0f;
     constexpr float turn = 2.0f * pi * turns, damping = 2.0f * dampingRatio + turn;
     constexpr float impulseScale = 1.0f / (1.0f + turn * damping);
     const Softness soft{turn / (damping * h), 1.0f - impulseScale, impulseScale};
-    Load(delta, bodies, velocity);
+    Load(pool, delta, bodies, velocity);
+    // Pushes come in order, what they push with is made side by side.
+    const bool isShared = pool.IsOpen();
+    if (isShared) ForEachOf(pool, m_points, [this](Point& point) { Prepare(point); });
     for (Point& point : m_points) {
-        Prepare(point);
+        if (!isShared) Prepare(point);
         Push(point, point.impulse);
         if (point.turnMass > 0.0f) Push(point, point.turnImpulse);
     }
@@ -297,13 +309,13 @@ void JointNet::SolveBeforeMove(const BodyTable& bodies, const Column<BodyIndex, 
     for (Point& point : m_points) Solve(point, soft);
     for (Rod& rod : m_rods) Solve(rod, soft);
     for (Block& block : m_blocks) Solve(block, soft);
-    Store(velocity);
+    Store(pool, velocity);
 }
 
-void JointNet::SolveAfterMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
+void JointNet::SolveAfterMove(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
                               Column<BodyIndex, Velocity>& velocity) {
     constexpr Softness rigid{0.0f, 1.0f, 0.0f};
-    Load(delta, bodies, velocity);
+    Load(pool, delta, bodies, velocity);
     for (Point& point : m_points) {
         TurnArms(point);  // the mobility changes little in a sub-step
         Solve(point, rigid);
@@ -320,7 +332,7 @@ void JointNet::SolveAfterMove(const BodyTable& bodies, const Column<BodyIndex, V
         Solve(block, rigid);
         for (int i = 0; i < maxTreeRows; ++i) block.total[i] += block.impulse[i];
     }
-    Store(velocity);
+    Store(pool, velocity);
 }
 
 }  // namespace scree

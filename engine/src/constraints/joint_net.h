@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "constraints/joint_tree_rows.h"
 
 namespace scree {
@@ -32,9 +33,9 @@ public:
         return ToSize(ToInt(body)) < m_rowOf.size() && m_rowOf[body] >= 0;
     }
     /// At the present poses. Velocities are those that all forces of a sub-step of `h` seconds lead to.
-    void SolveBeforeMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, float h,
+    void SolveBeforeMove(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, float h,
                          Column<BodyIndex, Velocity>& velocity);
-    void SolveAfterMove(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
+    void SolveAfterMove(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
                         Column<BodyIndex, Velocity>& velocity);
 
     /// Calls visit(const TreeResult&) for each joint, with the impulses of the step.
@@ -119,9 +120,9 @@ private:
     };
 
     int AddMover(const BodyTable& bodies, BodyIndex body, bool moves);
-    void Load(const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
+    void Load(TaskPool& pool, const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
               const Column<BodyIndex, Velocity>& velocity);
-    void Store(Column<BodyIndex, Velocity>& velocity) const;
+    void Store(TaskPool& pool, Column<BodyIndex, Velocity>& velocity) const;
     void TurnArms(Point& point) const;
     void Prepare(Point& point) const;
     void TurnAxis(Rod& rod) const;

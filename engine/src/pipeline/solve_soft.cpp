@@ -466,7 +466,7 @@ private:
         if (m_rowsAct) SolveJointVelocities(JointWork(1.0f));
         if (!m_plan.hasNets) return;
         KickNetted();
-        m_tree.GetNets().SolveBeforeMove(m_bodies, m_s.delta, m_h, m_bodies.velocity);
+        m_tree.GetNets().SolveBeforeMove(Pool(), m_bodies, m_s.delta, m_h, m_bodies.velocity);
         StopLocked();
     }
     /// Without warm starting nothing is known of the contacts in the first sub-step: piles would sag before their
@@ -517,7 +517,7 @@ private:
     }
     void StopRows() {
         if (m_plan.hasNets) {
-            m_tree.GetNets().SolveAfterMove(m_bodies, m_s.delta, m_bodies.velocity);
+            m_tree.GetNets().SolveAfterMove(Pool(), m_bodies, m_s.delta, m_bodies.velocity);
             StopLocked();
         }
         if (!m_rowsAct) return;
