@@ -11,6 +11,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -185,11 +186,17 @@ void SetTimes(BenchRow& row, const BenchRun& run) {
 
 const BenchRow* FindBaseline(std::span<const BenchRow> rows, const BenchRow& row) {
     const BenchRow* found = nullptr;
+    const auto isCloser = [&](const BenchRow& other) {
+        const auto key = [&](const BenchRow& one) {
+            return std::tuple(one.continuous == row.continuous, one.threads == row.threads, -one.threads);
+        };
+        return found == nullptr || key(other) > key(*found);
+    };
     for (const BenchRow& other : rows) {
         if (other.GetName() != row.baseline || other.scene != row.scene || other.size != row.size) continue;
-        if (other.continuous == row.continuous) return &other;
         // Rows without settings differ from their baseline in the continuous setting alone.
-        if (found == nullptr && !row.settings.empty()) found = &other;
+        if (other.continuous != row.continuous && row.settings.empty()) continue;
+        if (isCloser(other)) found = &other;
     }
     return found;
 }

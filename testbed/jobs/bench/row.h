@@ -96,7 +96,8 @@ void CompareWithBaseline(std::span<BenchRow> rows, std::span<const std::vector<W
 /// Whether the machine had other work: the steps of one thread took much longer than the processor worked on them.
 [[nodiscard]] bool WasBusy(const BenchRow& row);
 
-/// The baseline's row of the same scene and size, of the same continuous setting if there is one; null: none.
+/// The baseline's row of the same scene and size; of the same continuous setting and number of threads if there is one,
+/// else with the fewest threads. Null: none.
 [[nodiscard]] const BenchRow* FindBaseline(std::span<const BenchRow> rows, const BenchRow& row);
 
 /// A line of column names, then a line per row; numbers read back to the same values.

@@ -101,6 +101,23 @@ TEST(BenchComparison, RatiosAreBox2dsTimeOverOurs) {
     EXPECT_EQ(FindBaseline(rows, rows[2]), nullptr);
 }
 
+TEST(BenchComparison, RatiosAreToTheBaselineWithAsManyThreads) {
+    std::vector<BenchRow> rows = {MakeRow("scree", 10), MakeRow("scree", 5),  MakeRow("scree", 4),
+                                  MakeRow("box2d", 30), MakeRow("box2d", 60), MakeRow("box2d", 20)};
+    const int threads[] = {1, 2, 3, 2, 1, 4};
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].threads = threads[i];
+    CompareWithBaseline(rows, std::vector<std::vector<WorkCounts>>(rows.size()));
+    EXPECT_EQ(rows[0].ratio, 6.0);
+    EXPECT_EQ(rows[1].ratio, 6.0);
+    EXPECT_EQ(rows[2].ratio, 15.0) << "none has three: that with one";
+    // Where the settings are told, a baseline with another of continuous collision does; as many threads come after it.
+    for (BenchRow& row : rows) row.settings = "told";
+    rows[1].continuous = true;
+    EXPECT_EQ(FindBaseline(rows, rows[1]), &rows[3]);
+    rows[4].continuous = true;
+    EXPECT_EQ(FindBaseline(rows, rows[1]), &rows[4]);
+}
+
 TEST(BenchComparison, IsVoidBeyondTheTolerances) {
     // Every step adds as much to both counts; the baseline's are 10,000 and 1,000 after 100 steps.
     const auto countUpTo = [](int64_t awake, int64_t touching, int steps) {
