@@ -205,6 +205,19 @@ TEST(BenchCommand, WritesWhatItPrints) {
     EXPECT_EQ(folder.Read("again.csv"), folder.Read("out/bench.csv"));
 }
 
+TEST(BenchCommand, NeighboursEndWithIt) {
+    // One that went on would hold the output open, for whose end the test waits.
+    const ScratchFolder folder;
+    const std::string command = "bench n2 --sizes 5 --steps 2 --repeat 1 --engines scree --solver si ";
+    const ProgramResult result = folder.Run(command + "--neighbours 3");
+    EXPECT_EQ(result.exitCode, 0) << result.output;
+    EXPECT_EQ(folder.Run("bench nothing-like-that --neighbours 2").exitCode, 2) << "also after an error";
+    for (const char* refused : {"--neighbours -1", "--neighbours 1025", "--neighbours x",
+                                "--neighbours 1 --from r.json", "--neighbours 1 --cores 8"}) {
+        EXPECT_EQ(folder.Run(command + refused).exitCode, 2) << refused;
+    }
+}
+
 TEST(BenchCommand, ShardsTakeEveryOtherCase) {
     const ScratchFolder folder;
     const std::string command = "bench n2 --sizes 5,10,15 --steps 2 --engines scree --solver si --shard ";
