@@ -107,9 +107,23 @@ private:
                 RequireAmount(value, at + key);
             }
             Require(IsNear(fixture.tangentSpeed), at + ".tangentSpeed", "give a number of at most 1e18");
-            if (m_fault.empty() && fixture.density > 0.0f) mass.Add(SumsOf(m_scene, fixture.shape), fixture.density);
+            if (!m_fault.empty() || fixture.density == 0.0f) continue;
+            const AreaSums one = SumsOf(m_scene, fixture.shape);
+            CheckMass(one, fixture.density, at);
+            mass.Add(one, fixture.density);
         }
         if (m_fault.empty() && body.type == scenes::BodyType::dynamic) CheckMass(mass, place);
+    }
+
+    /// Of one fixture, of whatever body. Engines compute it in floats, first without the density.
+    void CheckMass(const AreaSums& one, float density, const std::string& place) {
+        constexpr double least = 1e-29, most = 1e29, mostMoment = 1e35;
+        const double mass = density * one.area, moment = density * one.moment;
+        Require(mass == 0.0 || (mass >= least && mass <= most), place + ".density",
+                "a mass of {} kg; give a density that makes 1e-29 to 1e29", mass);
+        Require(
+            one.moment <= mostMoment && moment <= mostMoment, place,
+            "too large, or too far from its body's origin, for a moment of inertia in floats; give smaller numbers");
     }
 
     /// A moment about the centre of mass that is lost in the rounding of the one about the origin is none.

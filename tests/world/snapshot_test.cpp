@@ -409,6 +409,29 @@ TEST(Snapshot, AShapeThatNoFixtureTakesIsRefused) {
     }));
 }
 
+TEST(Snapshot, AMassThatNoBodyHasIsRefused) {
+    EXPECT_TRUE(rc::check("an image whose centre of mass, mass or damping is damaged", [] {
+        World world(Vec2{0.0f, -10.0f});
+        Body* body = AddBody(world, dynamicBody, {1.0f, 2.0f});
+        AddBox(body, 0.5f, 0.5f, 1.0f);
+        BodyTable& bodies = world.GetState().bodies;
+        const BodyIndex row{body->GetIndex()};
+        const auto others = *rc::gen::arbitrary<bool>();
+        float* const fields[] = {&bodies.mass[row].localCenter.x,   &bodies.mass[row].localCenter.y,
+                                 &bodies.mass[row].invMass,         &bodies.mass[row].invI,
+                                 &bodies.motion[row].mass,          &bodies.info[row].inertia,
+                                 &bodies.motion[row].linearDamping, &bodies.motion[row].angularDamping,
+                                 &bodies.motion[row].gravityScale};
+        float& field = *fields[*rc::gen::inRange<size_t>(0, others ? 2 : std::size(fields))];
+        SnapshotError error = SnapshotError::ok;
+        const auto isTaken = [&] { return LoadWorld(SaveWorld(world), &error) != nullptr; };
+        RC_ASSERT(isTaken());
+        field = -std::numeric_limits<float>::infinity();
+        RC_ASSERT(!isTaken());
+        RC_ASSERT(error == SnapshotError::badContent);
+    }));
+}
+
 TEST(Snapshot, EveryShapeOfAFixtureCanBeSaved) {
     for (int type = 0; type < Shape::e_typeCount; ++type) {
         EXPECT_TRUE(WithShapeType(static_cast<Shape::Type>(type), [](auto) {})) << type;

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "state/limits.h"
+
 namespace scree {
 
 namespace {
@@ -25,6 +27,14 @@ bool IsFinite(const BodyTable& t, BodyIndex b) {
     const bool rests = t.rest.empty() || (t.rest[b].end.IsValid() && t.rest[b].start.IsValid());
     return poses && rests && std::isfinite(xf.q.s) && std::isfinite(xf.q.c) && t.velocity[b].v.IsValid() &&
            std::isfinite(t.velocity[b].w);
+}
+
+/// Within what programs can give a body, and fixtures together make.
+bool IsPossible(const MassRow& mass, const MotionRow& motion, float inertia) {
+    const auto isAmount = [](float x) { return x >= 0.0f && std::isfinite(x); };
+    return isAmount(mass.invMass) && isAmount(mass.invI) && IsInRange(mass.localCenter) && isAmount(motion.mass) &&
+           inertia >= 0.0f && std::isfinite(motion.linearDamping) && std::isfinite(motion.angularDamping) &&
+           std::isfinite(motion.gravityScale);
 }
 
 bool IsPossible(const BodyDemand& demand) {
@@ -69,10 +79,11 @@ bool AreBodiesConsistent(const BodyTable& t) {
     if (!HaveSize(size, t.transform, t.mass, t.motion, t.sleepTime, t.flags, t.type, t.fixtureHead, t.info))
         return false;
     if (!HaveSize(t.demand.empty() ? 0 : size, t.demand)) return false;
-    if (!std::all_of(t.demand.begin(), t.demand.end(), IsPossible)) return false;
+    if (!std::all_of(t.demand.begin(), t.demand.end(), [](const BodyDemand& d) { return IsPossible(d); })) return false;
     for (const BodyIndex b : t.slots.Rows()) {
         if (t.type[b] > dynamicBody) return false;
-        if (t.slots.IsAlive(b) && !IsFinite(t, b)) return false;
+        if (!t.slots.IsAlive(b)) continue;
+        if (!IsFinite(t, b) || !IsPossible(t.mass[b], t.motion[b], t.info[b].inertia)) return false;
     }
     return IsBodyListWhole(t) && AreMoversWhole(t);
 }

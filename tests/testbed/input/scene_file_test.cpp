@@ -225,6 +225,15 @@ TEST(SceneFile, ErrorsNameThePlaceAndTheCure) {
              j["bodies"][2]["fixtures"][0]["shape"]["radius"] = 0.01;
          },
          "bodies[2]", "put its position nearer"},
+        {[](Json& j) { j["bodies"][1]["fixtures"][0]["density"] = 1e-34; }, "bodies[1].fixtures[0].density",
+         "1e-29 to 1e29"},
+        // Of a body that does not move, too: the engine computes masses of all fixtures.
+        {[](Json& j) {
+             j["bodies"][1]["type"] = "kinematic";
+             j["bodies"][1]["fixtures"][0]["density"] = 1e-3;
+             j["bodies"][1]["fixtures"][0]["shape"]["halfExtents"] = {1e12, 1e10};
+         },
+         "bodies[1].fixtures[0]", "moment of inertia"},
     };
     ASSERT_EQ(ErrorOf(SampleJson().dump()), "");
     for (const auto& one : cases) {

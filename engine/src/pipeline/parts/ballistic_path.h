@@ -17,11 +17,12 @@ namespace scree {
 
 class BallisticPath {
 public:
-    /// `substeps` of the soft step; 0: sequential impulses. There is a body.
+    /// `substeps` of the soft step; 0: sequential impulses.
     BallisticPath(const SolverSettings& settings, BodyTable& bodies, int substeps)
         : m_settings(settings), m_bodies(bodies), m_moveIsolated(GetMoveIsolated()) {
         const bool isDriftExact = substeps == 0 && settings.exactDrift;  // sub-steps are exact by themselves
         m_byEight = !isDriftExact && !bodies.IsFar() && !settings.kernels.locks;
+        if (bodies.velocity.empty()) return;  // columns without rows have no address
         m_task = {&bodies.velocity.data()->v.x,
                   &bodies.position.data()->c.x,
                   &bodies.startPosition.data()->c.x,
@@ -96,7 +97,7 @@ private:
     BodyTable& m_bodies;
     MoveIsolatedFunction m_moveIsolated;
     bool m_byEight;
-    IsolatedBodiesTask m_task;
+    IsolatedBodiesTask m_task{};
 };
 
 }  // namespace scree
