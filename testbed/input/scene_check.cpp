@@ -156,6 +156,7 @@ private:
             Require(shape.radius >= leastEdge && IsNear(shape.radius), place + ".radius",
                     "give a radius of at least {} m", leastEdge);
         }
+        if (shape.type == ShapeType::supported && m_fault.empty()) CheckSupport(shape, place);
         if (shape.type == ShapeType::sector) {
             Require(shape.opening >= 0.01f && shape.opening <= 3.1415928f, place + ".opening", "give 0.01 to π rad");
         }
@@ -163,6 +164,22 @@ private:
             // What Box2D gets in its place must be a polygon too.
             CheckPolygon(scenes::PolygonInstead(m_scene, shape).Vertices(), 3, scenes::maxPolygonVertices, place);
         }
+    }
+
+    /// The radius bounds how far the function reaches; a far larger one tells nothing about it.
+    void CheckSupport(const scenes::Shape& shape, const std::string& place) {
+        constexpr int directions = 64;
+        constexpr double twoPi = 6.283185307179586;
+        double reach = 0.0;
+        for (int i = 0; i < directions; ++i) {
+            const double angle = twoPi * i / directions;
+            const Vec2 point =
+                shape.support({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))});
+            reach = std::max(reach, std::hypot(double{point.x}, double{point.y}));
+        }
+        reach *= 1.0025;  // it may reach as much farther between two of these directions
+        Require(shape.radius >= reach && shape.radius <= 1000.0 * reach, place + ".radius",
+                "give {} m, how far its support function reaches, or up to 1000 times that", reach);
     }
 
     void CheckOutline(const scenes::Shape& shape, const std::string& place) {

@@ -225,6 +225,10 @@ TEST(SceneFile, ErrorsNameThePlaceAndTheCure) {
              j["bodies"][2]["fixtures"][0]["shape"]["radius"] = 0.01;
          },
          "bodies[2]", "put its position nearer"},
+        {[](Json& j) {
+             j["bodies"][1]["fixtures"][0]["shape"] = {{"type", "supported"}, {"radius", 0.005}, {"support", "lens"}};
+         },
+         "bodies[1].fixtures[0].shape.radius", "how far its support function reaches"},
         {[](Json& j) { j["bodies"][1]["fixtures"][0]["density"] = 1e-34; }, "bodies[1].fixtures[0].density",
          "1e-29 to 1e29"},
         // Of a body that does not move, too: the engine computes masses of all fixtures.
