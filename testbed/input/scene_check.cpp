@@ -168,7 +168,7 @@ private:
 
     /// The radius bounds how far the function reaches; a far larger one tells nothing about it.
     void CheckSupport(const scenes::Shape& shape, const std::string& place) {
-        constexpr int directions = 64;
+        constexpr int directions = 1024;
         constexpr double twoPi = 6.283185307179586;
         double reach = 0.0;
         for (int i = 0; i < directions; ++i) {
@@ -177,7 +177,6 @@ private:
                 shape.support({static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))});
             reach = std::max(reach, std::hypot(double{point.x}, double{point.y}));
         }
-        reach *= 1.0025;  // it may reach as much farther between two of these directions
         Require(shape.radius >= reach && shape.radius <= 1000.0 * reach, place + ".radius",
                 "give {} m, how far its support function reaches, or up to 1000 times that", reach);
     }
