@@ -325,6 +325,7 @@ private:
     }
 
     void CheckGear(const scenes::Joint& gear, int index, const std::string& place) {
+        Require(gear.ratio != 0.0f, place + ".ratio", "give a ratio other than 0");
         for (const auto& [key, coupled, body] :
              {std::tuple{".joint1", gear.joint1, gear.bodyA}, {".joint2", gear.joint2, gear.bodyB}}) {
             Require(coupled >= 0 && coupled < index, place + key, "give the index of an earlier joint");

@@ -217,6 +217,11 @@ TEST(SceneFile, ErrorsNameThePlaceAndTheCure) {
          },
          "joints[1].localAxisA", "length 1"},
         {[](Json& j) { j["joints"][1]["type"] = "gear"; }, "joints[1].joint1", "gear's bodyA"},
+        {[](Json& j) {
+             j["joints"][1]["type"] = "gear";
+             j["joints"][1]["ratio"] = -1e-46;
+         },
+         "joints[1].ratio", "other than 0"},
         {[](Json& j) { j["spawns"][0]["body"] = 1; }, "spawns[0].body", "give 4"},
         {[](Json& j) { j["spawns"][0]["afterStep"] = 0; }, "spawns[0].afterStep", "1 or more"},
         {[](Json& j) { j["user"] = 1; }, "user", "give an object"},
