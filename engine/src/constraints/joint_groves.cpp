@@ -15,9 +15,9 @@ namespace {
 constexpr size_t enoughJoints = 256;
 
 /// What hangs together by links that move both of their bodies, as union-find over links.
-class Parts {
+class LinkParts {
 public:
-    explicit Parts(std::span<const TreeEdge> links) : m_parent(links.size()) {
+    explicit LinkParts(std::span<const TreeEdge> links) : m_parent(links.size()) {
         std::iota(m_parent.begin(), m_parent.end(), size_t{0});
         std::vector<std::pair<BodyIndex, size_t>> byBody;
         for (size_t i = 0; i < links.size(); ++i) {
@@ -47,7 +47,7 @@ private:
 }  // namespace
 
 void JointGroves::Plan(std::span<TreeEdge> links) {
-    Parts parts(links);
+    LinkParts parts(links);
     std::vector<size_t> linksOfPart(links.size(), 0), groveOfPart(links.size(), 0);
     for (size_t i = 0; i < links.size(); ++i) ++linksOfPart[parts.Find(i)];
     m_count = 0;
