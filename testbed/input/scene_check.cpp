@@ -109,14 +109,14 @@ private:
             Require(IsNear(fixture.tangentSpeed), at + ".tangentSpeed", "give a number of at most 1e18");
             if (!m_fault.empty() || fixture.density == 0.0f) continue;
             const AreaSums one = SumsOf(m_scene, fixture.shape);
-            CheckMass(one, fixture.density, at);
+            CheckFixtureMass(one, fixture.density, at);
             mass.Add(one, fixture.density);
         }
         if (m_fault.empty() && body.type == scenes::BodyType::dynamic) CheckMass(mass, place);
     }
 
     /// Of one fixture, of whatever body. Engines compute it in floats, first without the density.
-    void CheckMass(const AreaSums& one, float density, const std::string& place) {
+    void CheckFixtureMass(const AreaSums& one, float density, const std::string& place) {
         constexpr double least = 1e-29, most = 1e29, mostMoment = 1e35;
         const double mass = density * one.area, moment = density * one.moment;
         Require(mass == 0.0 || (mass >= least && mass <= most), place + ".density",

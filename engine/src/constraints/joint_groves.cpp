@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
+//
+// Which trees are a grove; the rest is done by the batches of each.
 
 #include "constraints/joint_groves.h"
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace scree {
 

@@ -386,10 +386,10 @@ void ContactTable::MakeAdjacency() const {
 void ContactTable::NoteActive(ContactIndex row) {
     if (m_adjacency.Count() == 0 || IsLate(row)) return;
     if (m_late.size() == mostLate) return m_adjacency.Set(0);
-    m_late.push_back(row);
+    m_late.insert(std::ranges::lower_bound(m_late, row), row);
 }
 
-bool ContactTable::IsLate(ContactIndex row) const { return std::ranges::find(m_late, row) != m_late.end(); }
+bool ContactTable::IsLate(ContactIndex row) const { return std::ranges::binary_search(m_late, row); }
 
 bool ContactTable::HasLate(BodyIndex body) const {
     return std::ranges::any_of(m_late, [&](ContactIndex row) { return Joins(row, body); });

@@ -303,7 +303,7 @@ private:
     /// Of the contacts that do not rest, per body up to the last one with any: start in m_entries; one more at the end.
     mutable Column<BodyIndex, int> m_first;
     mutable std::vector<ContactIndex> m_entries;
-    /// Rows that came since, each once: an event of continuous collision adds a few, and a world may have many
+    /// Rows that came since, in ascending order: an event of continuous collision adds a few, and a world may have many
     /// contacts.
     mutable std::vector<ContactIndex> m_late;
     static constexpr size_t mostLate = 64;

@@ -76,19 +76,25 @@ public:
     explicit Neighbours(int count) {
         for (int i = 0; i < count; ++i) {
             const std::error_code error = m_processes.emplace_back().Fork([]() -> int {
-                for (volatile unsigned turn = 0;; turn = turn + 1) {
+                const volatile bool goesOn = true;
+                while (goesOn) {
                 }
+                return 0;
             });
-            if (error) throw std::system_error(error, fmt::format("--neighbours: cannot start process {}", i + 1));
+            if (!error) continue;
+            KillAll();  // they would be waited for, and never end by themselves
+            throw std::system_error(error, fmt::format("--neighbours: cannot start process {}", i + 1));
         }
     }
     Neighbours(const Neighbours&) = delete;
     Neighbours& operator=(const Neighbours&) = delete;
-    ~Neighbours() {
+    ~Neighbours() { KillAll(); }
+
+private:
+    void KillAll() {
         for (Process& process : m_processes) process.Kill();
     }
 
-private:
     std::vector<Process> m_processes;
 };
 
