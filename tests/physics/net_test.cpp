@@ -160,6 +160,108 @@ TEST(Nets, OfVeryUnequalMassesDoNotExplode) {
     }
 }
 
+/// Light bodies among heavy ones swung up. Each step began with the mean impulses of the last one, which made both nets
+/// do so: one at 16 and one at 32 sub-steps. A weld's turning was solved apart from its anchors, which made the second
+/// do so at any number.
+TEST(Nets, OfWeldsComeToRestInStepsOfAnyLength) {
+    for (const NetPlan& plan :
+         {NetPlan{11, 10, Knot::weld, 1000.0f, 3984282833u}, NetPlan{9, 12, Knot::weld, 1000.0f, 4228248112u}}) {
+        for (const int substeps : {1, 4, 16, 32}) {
+            Net net(plan);
+            const float dt = static_cast<float>(substeps) / 960.0f;
+            for (int i = 0; i < 6 * 960 / substeps; ++i) {
+                net.world.Step(dt, substeps);
+                ASSERT_LT(net.WidestGap(), 0.01f) << substeps << " sub-steps, step " << i;
+            }
+            EXPECT_LT(net.FastestSpeed(), 0.05f) << substeps;
+        }
+    }
+}
+
+/// A step of n sub-steps is n steps of one: no part of the solution waits for the end of a step.
+TEST(Nets, GoAlikeInOneStepAndInMany) {
+    std::mt19937 random(std::random_device{}());
+    std::normal_distribution<float> normal;
+    for (const Knot knot : {Knot::hinge, Knot::weld, Knot::rod}) {
+        const NetPlan plan{9, 8, knot, 30.0f, static_cast<unsigned>(random())};
+        Net one(plan), many(plan);
+        constexpr float h = 1.0f / 960.0f;
+        for (int i = 0; i < 200; ++i) one.world.Step(h, 1), many.world.Step(h, 1);
+        Body* of = many.world.GetBodyList();
+        for (Body* body = one.world.GetBodyList(); body != nullptr; body = body->GetNext(), of = of->GetNext()) {
+            if (body->GetType() != dynamicBody) continue;
+            const Vec2 kick{normal(random), normal(random)};
+            body->SetLinearVelocity(body->GetLinearVelocity() + kick);
+            of->SetLinearVelocity(body->GetLinearVelocity());
+        }
+        constexpr int substeps = 12;
+        one.world.Step(substeps * h, substeps);
+        for (int i = 0; i < substeps; ++i) many.world.Step(h, 1);
+        of = many.world.GetBodyList();
+        for (Body* body = one.world.GetBodyList(); body != nullptr; body = body->GetNext(), of = of->GetNext()) {
+            EXPECT_LT((body->GetLinearVelocity() - of->GetLinearVelocity()).Length(), 1e-3f) << plan.seed;
+            EXPECT_LT(std::abs(body->GetAngularVelocity() - of->GetAngularVelocity()), 5e-3f) << plan.seed;
+        }
+    }
+}
+
+/// Beams of welded bodies, two rows deep: what the joints at the wall report holds the weight of the rest and its
+/// moment.
+TEST(Nets, ReportWhatTheyHold) {
+    std::mt19937 random(std::random_device{}());
+    const auto between = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
+    for (int round = 0; round < 4; ++round) {
+        const int length = between(3, 6), depth = between(9, 14);
+        World world(Vec2{0.0f, -10.0f});
+        BodyDef wallDef;
+        Body* wall = world.CreateBody(&wallDef);
+        std::vector<Body*> bodies;
+        float weight = 0.0f, moment = 0.0f;  // about the origin
+        const auto tie = [&](Body* a, Body* b, Vec2 at) {
+            WeldJointDef def;
+            def.Initialize(a, b, at);
+            return world.CreateJoint(&def);
+        };
+        std::vector<Joint*> held;
+        for (int i = 0; i < length * depth; ++i) {
+            const int column = i / depth, row = i % depth;
+            BodyDef def;
+            def.type = dynamicBody;
+            def.position = {static_cast<float>(column + 1), static_cast<float>(-row)};
+            Body* body = world.CreateBody(&def);
+            CircleShape circle;
+            circle.m_radius = 0.4f;
+            FixtureDef fixture;
+            fixture.shape = &circle;
+            fixture.density = static_cast<float>(between(1, 3));
+            fixture.filter.groupIndex = -1;
+            body->CreateFixture(&fixture);
+            weight += 10.0f * body->GetMass();
+            moment += 10.0f * body->GetMass() * def.position.x;
+            bodies.push_back(body);
+            const Vec2 here = def.position;
+            if (row > 0) tie(bodies[static_cast<size_t>(i - 1)], body, here + Vec2{0.0f, 0.5f});
+            Body* left = column > 0 ? bodies[static_cast<size_t>(i - depth)] : wall;
+            Joint* joint = tie(left, body, here - Vec2{0.5f, 0.0f});
+            if (column == 0) held.push_back(joint);
+        }
+        for (int i = 0; i < 600; ++i) world.Step(1.0f / 60.0f, 8);
+        // On B, as GetReactionForce says.
+        Vec2 force{0.0f, 0.0f};
+        float torque = 0.0f, turning = 0.0f;
+        for (Joint* joint : held) {
+            const Vec2 pull = joint->GetReactionForce(60.0f);
+            force += pull;
+            torque += Cross(joint->GetAnchorB(), pull) + joint->GetReactionTorque(60.0f);
+            turning = std::max(turning, std::abs(joint->GetReactionTorque(60.0f)));
+        }
+        EXPECT_NEAR(force.x, 0.0f, 0.02f * weight);
+        EXPECT_NEAR(force.y, weight, 0.02f * weight);
+        EXPECT_NEAR(torque, moment, 0.02f * moment);
+        EXPECT_GT(turning, 0.0f);
+    }
+}
+
 /// What rows start from is in the image: a loaded net goes on as the saved one.
 TEST(Nets, GoOnAlikeAfterLoading) {
     for (const Knot knot : {Knot::hinge, Knot::weld, Knot::rod}) {

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Are states the same on this machine as on all others? Runs every scene of the catalogue by three kinds of step.
-// Checks that other numbers of workers, a saved world and a recording lead to the same state. Holds a dozen longer runs
-// and every scene to the golden hashes. Checks that a program's rounding mode does not matter. Prints a line per state,
-// which tests/platforms/run compares with those of x86-64. Needs nothing but the engine: no test library, no
-// exceptions.
+// Are states the same on this machine as on all others? Runs every scene of the catalogue and nets of joints by three
+// kinds of step. Checks that other numbers of workers, a saved world and a recording lead to the same state. Holds a
+// dozen longer runs and every scene to the golden hashes. Checks that a program's rounding mode does not matter. Prints
+// a line per state, which tests/platforms/run compares with those of x86-64. Needs nothing but the engine: no test
+// library, no exceptions.
 //
 //   scree_check          all of that; exit code 1 if anything differs
 //   scree_check golden   golden hashes alone, with one worker and with three
@@ -29,6 +29,7 @@
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
 #include "tests/determinism/golden_hashes.h"
+#include "tests/determinism/nets.h"
 #include "tests/determinism/round_shapes.h"
 #include "tests/determinism/scene_hashes.h"
 #include "tests/determinism/scene_run.h"
@@ -207,12 +208,13 @@ int CheckAll(const std::string& what) {
     std::printf("target %s, kernels %s, %d bits, %s endian, %s\n", scree::simdName, scree::GetContactKernels().name,
                 static_cast<int>(8 * sizeof(void*)), order, threads);
     if (!isQuick) CheckLongerRuns();
-    for (const scenes::SceneInfo& info : scenes::Catalog()) {
-        const scenes::Scene scene = determinism::BuildSmall(info);
+    const auto check = [&](const scenes::Scene& scene) {
         for (const StepKind kind : determinism::stepKinds) {
             isGolden ? CheckSceneHash(scene, kind) : CheckScene(scene, kind, isQuick ? 3 : determinism::sceneSteps / 2);
         }
-    }
+    };
+    for (const scenes::SceneInfo& info : scenes::Catalog()) check(determinism::BuildSmall(info));
+    check(determinism::BuildNets());
     if (!isQuick && !isGolden) CheckFloatModes();
     std::printf("failures %d\n", failures);
     return failures == 0 ? 0 : 1;

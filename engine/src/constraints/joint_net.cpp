@@ -27,6 +27,19 @@ Rot TurnOf(float angle) {
     return turn;
 }
 
+/// Of a symmetric mobility; none where rounding errors would decide.
+template <typename Row>
+void Invert(float xx, float xy, float yy, Row& row) {
+    const float determinant = xx * yy - xy * xy;
+    const float inverse = determinant > 1e-9f * xx * yy ? 1.0f / determinant : 0.0f;
+    row.xx = inverse * yy, row.yy = inverse * xx, row.xy = -inverse * xy;
+}
+/// What would stop `speed`.
+template <typename Row>
+Vec2 Closing(const Row& row, Vec2 speed) {
+    return {row.xx * speed.x + row.xy * speed.y, row.xy * speed.x + row.yy * speed.y};
+}
+
 /// Calls visit(item) for each, shared by the workers.
 template <typename Items, typename Visit>
 void ForEachOf(TaskPool& pool, Items& items, Visit&& visit) {
@@ -49,7 +62,7 @@ TreePose PoseOf(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delt
 
 size_t JointNet::GetMemoryBytes() const {
     return m_movers.capacity() * sizeof(Mover) + m_points.capacity() * sizeof(Point) +
-           m_kept.capacity() * sizeof(KeptShape) + m_rods.capacity() * sizeof(Rod) +
+           m_kept.capacity() * sizeof(KeptShape) + m_welds.capacity() * sizeof(Weld) + m_rods.capacity() * sizeof(Rod) +
            m_blocks.capacity() * sizeof(Block) + m_rowOf.capacity() * sizeof(int);
 }
 
@@ -67,8 +80,8 @@ int JointNet::AddMover(const BodyTable& bodies, BodyIndex body, bool moves) {
 void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span<const Member> members,
                     std::span<const TreeShape> shapes, double recentScale) {
     for (const Mover& mover : m_movers) m_rowOf[mover.body] = -1;
-    m_movers.clear(), m_points.clear(), m_kept.clear(), m_rods.clear(), m_blocks.clear();
-    m_isFirst = true;
+    m_movers.clear(), m_points.clear(), m_kept.clear(), m_welds.clear(), m_rods.clear(), m_blocks.clear();
+    m_substeps = 0;
     if (members.empty()) return;
     m_rowOf.resize(ToSize(bodies.slots.Size()), -1);
     for (size_t i = 0; i < members.size(); ++i) {
@@ -77,28 +90,24 @@ void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span
         float impulse[maxTreeRows];
         RecallImpulse(member.joint, shapes[i], joints, static_cast<float>(recentScale), impulse);
         const TreeShape& shape = shapes[i];
-        const Vec2 startA = Mul(bodies.transform[member.bodyA].q, Anchor(shape.ax, shape.ay));
-        const Vec2 startB = Mul(bodies.transform[member.bodyB].q, Anchor(shape.bx, shape.by));
+        const Anchors anchors{.a = a,
+                              .b = b,
+                              .startA = Mul(bodies.transform[member.bodyA].q, Anchor(shape.ax, shape.ay)),
+                              .startB = Mul(bodies.transform[member.bodyB].q, Anchor(shape.bx, shape.by))};
         switch (shape.kind) {
             case TreeKind::point:
-            case TreeKind::pointAndAngle: {
-                Point& point = m_points.emplace_back();
-                point.a = a, point.b = b, point.startA = startA, point.startB = startB;
-                point.impulse = {impulse[0], impulse[1]};
-                point.total = {0.0f, 0.0f};
-                const float mobility = m_movers[ToSize(a)].invI + m_movers[ToSize(b)].invI;
-                const bool turns = shape.kind == TreeKind::point || mobility <= 0.0f;
-                point.turnMass = turns ? 0.0f : 1.0f / mobility;
-                point.turnImpulse = turns ? 0.0f : impulse[2];
-                point.startTurn = point.turnError = point.turnTotal = 0.0f;
+                m_points.push_back({anchors, vec2Zero, 0.0f, 0.0f, 0.0f, {impulse[0], impulse[1]}});
                 m_kept.push_back({member.joint, shape});
+                break;
+            case TreeKind::pointAndAngle: {
+                Weld& weld = m_welds.emplace_back(Weld{anchors});
+                weld.impulse = {impulse[0], impulse[1]}, weld.turnImpulse = impulse[2];
+                weld.joint = member.joint, weld.shape = shape;
                 break;
             }
             case TreeKind::rod: {
-                Rod& rod = m_rods.emplace_back();
-                rod.a = a, rod.b = b, rod.startA = startA, rod.startB = startB;
-                rod.impulse = impulse[0], rod.total = 0.0f;
-                rod.axis = {0.0f, 0.0f};
+                Rod& rod = m_rods.emplace_back(Rod{anchors});
+                rod.impulse = impulse[0];
                 rod.joint = member.joint, rod.shape = shape;
                 break;
             }
@@ -106,7 +115,7 @@ void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span
             case TreeKind::line: {
                 Block& block = m_blocks.emplace_back();
                 block.a = a, block.b = b, block.joint = member.joint, block.shape = shape;
-                for (int k = 0; k < maxTreeRows; ++k) block.impulse[k] = impulse[k], block.total[k] = 0.0f;
+                for (int k = 0; k < maxTreeRows; ++k) block.impulse[k] = impulse[k];
                 break;
             }
         }
@@ -124,17 +133,18 @@ void JointNet::Load(TaskPool& pool, const Column<BodyIndex, Velocity>& delta, co
         mover.turn = TurnOf(motion.w);
         mover.moved = motion.v;
     });
-    if (!m_isFirst) return;
-    m_isFirst = false;
+    if (m_substeps > 0) return;
     const auto startOf = [&](int row) { return StartOf(bodies, delta, m_movers[ToSize(row)].body); };
-    for (size_t i = 0; i < m_points.size(); ++i) {
-        Point& point = m_points[i];
-        const TreeStart startA = startOf(point.a), startB = startOf(point.b);
-        point.startGap = Gap(startA, point.startA, startB, point.startB);
-        if (point.turnMass > 0.0f)
-            point.startTurn = static_cast<float>(startB.angle - startA.angle - m_kept[i].shape.reference);
+    const auto startGap = [&](const Anchors& anchors) {
+        return Gap(startOf(anchors.a), anchors.startA, startOf(anchors.b), anchors.startB);
+    };
+    for (Point& point : m_points) point.startGap = startGap(point);
+    for (Weld& weld : m_welds) {
+        weld.startGap = startGap(weld);
+        const double turned = startOf(weld.b).angle - startOf(weld.a).angle;
+        weld.startTurn = static_cast<float>(turned - weld.shape.reference);
     }
-    for (Rod& rod : m_rods) rod.startGap = Gap(startOf(rod.a), rod.startA, startOf(rod.b), rod.startB);
+    for (Rod& rod : m_rods) rod.startGap = startGap(rod);
 }
 void JointNet::Store(TaskPool& pool, Column<BodyIndex, Velocity>& velocity) const {
     ForEachOf(pool, m_movers, [&](const Mover& mover) {
@@ -144,31 +154,51 @@ void JointNet::Store(TaskPool& pool, Column<BodyIndex, Velocity>& velocity) cons
     });
 }
 
-inline void JointNet::TurnArms(Point& point) const {
-    point.armA = Mul(m_movers[ToSize(point.a)].turn, point.startA);
-    point.armB = Mul(m_movers[ToSize(point.b)].turn, point.startB);
+inline void JointNet::TurnArms(Anchors& anchors) const {
+    anchors.armA = Mul(m_movers[ToSize(anchors.a)].turn, anchors.startA);
+    anchors.armB = Mul(m_movers[ToSize(anchors.b)].turn, anchors.startB);
+}
+inline Vec2 JointNet::GapNow(const Anchors& anchors) const {
+    const Vec2 moved = m_movers[ToSize(anchors.b)].moved - m_movers[ToSize(anchors.a)].moved;
+    return anchors.startGap + moved + ((anchors.armB - anchors.startB) - (anchors.armA - anchors.startA));
+}
+inline Vec2 JointNet::SpeedNow(const Anchors& anchors) const {
+    const Mover& a = m_movers[ToSize(anchors.a)];
+    const Mover& b = m_movers[ToSize(anchors.b)];
+    return (b.v + Cross(b.w, anchors.armB)) - (a.v + Cross(a.w, anchors.armA));
 }
 
 inline void JointNet::Prepare(Point& point) const {
     const Mover& a = m_movers[ToSize(point.a)];
     const Mover& b = m_movers[ToSize(point.b)];
     TurnArms(point);
-    point.gap = point.startGap + (b.moved - a.moved) + ((point.armB - point.startB) - (point.armA - point.startA));
-    point.turnError = point.startTurn + (b.angle - a.angle);
+    point.gap = GapNow(point);
     const float mass = a.invMass + b.invMass;
     const float xx = mass + a.invI * point.armA.y * point.armA.y + b.invI * point.armB.y * point.armB.y;
     const float yy = mass + a.invI * point.armA.x * point.armA.x + b.invI * point.armB.x * point.armB.x;
     const float xy = -a.invI * point.armA.x * point.armA.y - b.invI * point.armB.x * point.armB.y;
-    const float determinant = xx * yy - xy * xy;
-    const float inverse = determinant > 1e-9f * xx * yy ? 1.0f / determinant : 0.0f;
-    point.xx = inverse * yy, point.yy = inverse * xx, point.xy = -inverse * xy;
+    Invert(xx, xy, yy, point);
+}
+
+/// All three rows at once: one after the other a weld of a light body to a heavy one would feed on the turning. With
+/// the turning eliminated the anchors see the inertias of both bodies in a row.
+inline void JointNet::Prepare(Weld& weld) const {
+    const Mover& a = m_movers[ToSize(weld.a)];
+    const Mover& b = m_movers[ToSize(weld.b)];
+    TurnArms(weld);
+    weld.gap = GapNow(weld);
+    weld.turnError = weld.startTurn + (b.angle - a.angle);
+    const float turning = a.invI + b.invI;
+    weld.turnMass = turning > 0.0f ? 1.0f / turning : 0.0f;
+    weld.lever = weld.turnMass * Cross(1.0f, a.invI * weld.armA + b.invI * weld.armB);
+    const float mass = a.invMass + b.invMass, both = a.invI * weld.turnMass * b.invI;
+    const Vec2 apart = weld.armA - weld.armB;
+    Invert(mass + both * apart.y * apart.y, -both * apart.x * apart.y, mass + both * apart.x * apart.x, weld);
 }
 
 inline void JointNet::TurnAxis(Rod& rod) const {
-    const Mover& a = m_movers[ToSize(rod.a)];
-    const Mover& b = m_movers[ToSize(rod.b)];
-    rod.armA = Mul(a.turn, rod.startA), rod.armB = Mul(b.turn, rod.startB);
-    const Vec2 gap = rod.startGap + (b.moved - a.moved) + ((rod.armB - rod.startB) - (rod.armA - rod.startA));
+    TurnArms(rod);
+    const Vec2 gap = GapNow(rod);
     const float length = gap.Length();
     rod.axis = length > static_cast<float>(rod.shape.shortest) ? (1.0f / length) * gap : vec2Zero;
     rod.error = length - static_cast<float>(rod.shape.reference);
@@ -213,9 +243,13 @@ inline void JointNet::Push(const Point& point, Vec2 impulse) {
     b.v += b.invMass * impulse;
     b.w += b.invI * Cross(point.armB, impulse);
 }
-inline void JointNet::Push(const Point& point, float turnImpulse) {
-    m_movers[ToSize(point.a)].w -= m_movers[ToSize(point.a)].invI * turnImpulse;
-    m_movers[ToSize(point.b)].w += m_movers[ToSize(point.b)].invI * turnImpulse;
+inline void JointNet::Push(const Weld& weld, Vec2 impulse, float turnImpulse) {
+    Mover& a = m_movers[ToSize(weld.a)];
+    Mover& b = m_movers[ToSize(weld.b)];
+    a.v -= a.invMass * impulse;
+    a.w -= a.invI * (Cross(weld.armA, impulse) + turnImpulse);
+    b.v += b.invMass * impulse;
+    b.w += b.invI * (Cross(weld.armB, impulse) + turnImpulse);
 }
 inline void JointNet::Push(const Rod& rod, float impulse) {
     Mover& a = m_movers[ToSize(rod.a)];
@@ -239,25 +273,23 @@ void JointNet::Push(const Block& block, const float (&impulse)[maxTreeRows]) {
 }
 
 inline void JointNet::Solve(Point& point, const Softness& soft) {
-    const Mover& a = m_movers[ToSize(point.a)];
-    const Mover& b = m_movers[ToSize(point.b)];
-    if (point.turnMass > 0.0f) {
-        const float turnSpeed = b.w - a.w + soft.biasRate * point.turnError;
-        const float turnImpulse = -soft.massScale * point.turnMass * turnSpeed - soft.impulseScale * point.turnImpulse;
-        Push(point, turnImpulse);
-        point.turnImpulse += turnImpulse;
-    }
-    const Vec2 speed = (b.v + Cross(b.w, point.armB)) - (a.v + Cross(a.w, point.armA)) + soft.biasRate * point.gap;
-    const Vec2 closing{point.xx * speed.x + point.xy * speed.y, point.xy * speed.x + point.yy * speed.y};
+    const Vec2 closing = Closing(point, SpeedNow(point) + soft.biasRate * point.gap);
     const Vec2 impulse = -soft.massScale * closing - soft.impulseScale * point.impulse;
     Push(point, impulse);
     point.impulse += impulse;
 }
+inline void JointNet::Solve(Weld& weld, const Softness& soft) {
+    const float turnSpeed = m_movers[ToSize(weld.b)].w - m_movers[ToSize(weld.a)].w + soft.biasRate * weld.turnError;
+    const Vec2 speed = SpeedNow(weld) + soft.biasRate * weld.gap;
+    const Vec2 closing = Closing(weld, speed - turnSpeed * weld.lever);
+    const float turnClosing = weld.turnMass * turnSpeed - Dot(weld.lever, closing);
+    const Vec2 impulse = -soft.massScale * closing - soft.impulseScale * weld.impulse;
+    const float turnImpulse = -soft.massScale * turnClosing - soft.impulseScale * weld.turnImpulse;
+    Push(weld, impulse, turnImpulse);
+    weld.impulse += impulse, weld.turnImpulse += turnImpulse;
+}
 inline void JointNet::Solve(Rod& rod, const Softness& soft) {
-    const Mover& a = m_movers[ToSize(rod.a)];
-    const Mover& b = m_movers[ToSize(rod.b)];
-    const float speed =
-        Dot(rod.axis, (b.v + Cross(b.w, rod.armB)) - (a.v + Cross(a.w, rod.armA))) + soft.biasRate * rod.error;
+    const float speed = Dot(rod.axis, SpeedNow(rod)) + soft.biasRate * rod.error;
     const float impulse = -soft.massScale * rod.mass * speed - soft.impulseScale * rod.impulse;
     Push(rod, impulse);
     rod.impulse += impulse;
@@ -292,11 +324,15 @@ void JointNet::SolveBeforeMove(TaskPool& pool, const BodyTable& bodies, const Co
     Load(pool, delta, bodies, velocity);
     // Pushes come in order, what they push with is made side by side.
     const bool isShared = pool.IsOpen();
-    if (isShared) ForEachOf(pool, m_points, [this](Point& point) { Prepare(point); });
+    const auto prepare = [this](auto& row) { Prepare(row); };
+    if (isShared) ForEachOf(pool, m_points, prepare), ForEachOf(pool, m_welds, prepare);
     for (Point& point : m_points) {
         if (!isShared) Prepare(point);
         Push(point, point.impulse);
-        if (point.turnMass > 0.0f) Push(point, point.turnImpulse);
+    }
+    for (Weld& weld : m_welds) {
+        if (!isShared) Prepare(weld);
+        Push(weld, weld.impulse, weld.turnImpulse);
     }
     for (Rod& rod : m_rods) {
         Prepare(rod);
@@ -307,8 +343,10 @@ void JointNet::SolveBeforeMove(TaskPool& pool, const BodyTable& bodies, const Co
         Push(block, block.impulse);
     }
     for (Point& point : m_points) Solve(point, soft);
+    for (Weld& weld : m_welds) Solve(weld, soft);
     for (Rod& rod : m_rods) Solve(rod, soft);
     for (Block& block : m_blocks) Solve(block, soft);
+    ++m_substeps;
     Store(pool, velocity);
 }
 
@@ -316,21 +354,22 @@ void JointNet::SolveAfterMove(TaskPool& pool, const BodyTable& bodies, const Col
                               Column<BodyIndex, Velocity>& velocity) {
     constexpr Softness rigid{0.0f, 1.0f, 0.0f};
     Load(pool, delta, bodies, velocity);
+    // The mobility of points and welds changes little in a sub-step.
     for (Point& point : m_points) {
-        TurnArms(point);  // the mobility changes little in a sub-step
+        TurnArms(point);
         Solve(point, rigid);
-        point.total += point.impulse;
-        point.turnTotal += point.turnImpulse;
+    }
+    for (Weld& weld : m_welds) {
+        TurnArms(weld);
+        Solve(weld, rigid);
     }
     for (Rod& rod : m_rods) {
         TurnAxis(rod);
         Solve(rod, rigid);
-        rod.total += rod.impulse;
     }
     for (Block& block : m_blocks) {
         Prepare(block, bodies, delta);
         Solve(block, rigid);
-        for (int i = 0; i < maxTreeRows; ++i) block.total[i] += block.impulse[i];
     }
     Store(pool, velocity);
 }
