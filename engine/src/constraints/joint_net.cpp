@@ -90,23 +90,28 @@ void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span
         float impulse[maxTreeRows];
         RecallImpulse(member.joint, shapes[i], joints, static_cast<float>(recentScale), impulse);
         const TreeShape& shape = shapes[i];
-        const Anchors anchors{.a = a,
-                              .b = b,
-                              .startA = Mul(bodies.transform[member.bodyA].q, Anchor(shape.ax, shape.ay)),
-                              .startB = Mul(bodies.transform[member.bodyB].q, Anchor(shape.bx, shape.by))};
+        Anchors anchors{};
+        anchors.a = a, anchors.b = b;
+        anchors.startA = Mul(bodies.transform[member.bodyA].q, Anchor(shape.ax, shape.ay));
+        anchors.startB = Mul(bodies.transform[member.bodyB].q, Anchor(shape.bx, shape.by));
+        const auto add = [&](auto& rows) -> auto& {
+            auto& row = rows.emplace_back();
+            static_cast<Anchors&>(row) = anchors;
+            return row;
+        };
         switch (shape.kind) {
             case TreeKind::point:
-                m_points.push_back({anchors, vec2Zero, 0.0f, 0.0f, 0.0f, {impulse[0], impulse[1]}});
+                add(m_points).impulse = {impulse[0], impulse[1]};
                 m_kept.push_back({member.joint, shape});
                 break;
             case TreeKind::pointAndAngle: {
-                Weld& weld = m_welds.emplace_back(Weld{anchors});
+                Weld& weld = add(m_welds);
                 weld.impulse = {impulse[0], impulse[1]}, weld.turnImpulse = impulse[2];
                 weld.joint = member.joint, weld.shape = shape;
                 break;
             }
             case TreeKind::rod: {
-                Rod& rod = m_rods.emplace_back(Rod{anchors});
+                Rod& rod = add(m_rods);
                 rod.impulse = impulse[0];
                 rod.joint = member.joint, rod.shape = shape;
                 break;
