@@ -67,7 +67,7 @@ inline constexpr SceneHashes sceneHashes[] = {
     {"joint-revolute", {0x7ed832d23eef67cb, 0xb0c485a4c8002b0c, 0x1a0b2017b9f92b9c}},
     {"joint-weld", {0xd5779354f3ee121d, 0x7aebc33f3ec1cdce, 0x55d75ff7596529fe}},
     {"joint-wheel", {0xec80a76d03bc7c8a, 0x4758b65e0df73c7b, 0xe2339771e81b820e}},
-    {"nets", {0xb613c1a99c7d2456, 0xd46c5f92c6c44689, 0xc25c3d62af7012b7}},
+    {"nets", {0xb613c1a99c7d2456, 0x92b7bd821df0e95b, 0xc286fe8cbe2f56c9}},
 };
 
 }  // namespace determinism

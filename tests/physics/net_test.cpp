@@ -32,7 +32,7 @@ struct NetPlan {
 
 class Net {
 public:
-    explicit Net(const NetPlan& plan) : world(Vec2{0.0f, -10.0f}) {
+    explicit Net(const NetPlan& plan, int workers = 1) : world(DefFor(workers)) {
         std::mt19937 random(plan.seed);
         const auto draw = [&] { return std::uniform_real_distribution<float>(0.0f, 1.0f)(random); };
         std::vector<Body*> bodies;
@@ -77,6 +77,12 @@ public:
     World world;
 
 private:
+    static WorldDef DefFor(int workers) {
+        WorldDef def;
+        def.gravity = {0.0f, -10.0f};
+        def.workerCount = workers;
+        return def;
+    }
     void Tie(Body* a, Body* b, Knot knot) {
         const Vec2 middle = 0.5f * (a->GetPosition() + b->GetPosition());
         switch (knot) {
@@ -202,6 +208,75 @@ TEST(Nets, GoAlikeInOneStepAndInMany) {
             EXPECT_LT((body->GetLinearVelocity() - of->GetLinearVelocity()).Length(), 1e-3f) << plan.seed;
             EXPECT_LT(std::abs(body->GetAngularVelocity() - of->GetAngularVelocity()), 5e-3f) << plan.seed;
         }
+    }
+}
+
+/// Workers share joints that have no body in common, so the order of all others is the same.
+TEST(Nets, AreTheSameWithAnyNumberOfThreads) {
+    std::mt19937 random(std::random_device{}());
+    for (const Knot knot : {Knot::hinge, Knot::weld, Knot::rod}) {
+        const NetPlan plan{70, 60, knot, 10.0f, static_cast<unsigned>(random())};
+        Net one(plan);
+        for (int i = 0; i < 20; ++i) one.world.Step(1.0f / 60.0f, 4);
+        for (const int workers : {2, 3, 8}) {
+            Net shared(plan, workers);
+            for (int i = 0; i < 20; ++i) shared.world.Step(1.0f / 60.0f, 4);
+            EXPECT_EQ(inspect::GetStateHash(shared.world), inspect::GetStateHash(one.world))
+                << workers << " workers, seed " << plan.seed;
+        }
+    }
+}
+
+/// More joints on one body than there are colours for: those left over are solved one after the other.
+TEST(Nets, WithAHubHold) {
+    constexpr int spokes = 150;
+    uint64_t hash = 0;
+    for (const int workers : {1, 3}) {
+        WorldDef worldDef;
+        worldDef.gravity = {0.0f, -10.0f};
+        worldDef.workerCount = workers;
+        World world(worldDef);
+        BodyDef def;
+        Body* ground = world.CreateBody(&def);
+        def.type = dynamicBody;
+        const auto make = [&](Vec2 at, float radius) {
+            def.position = at;
+            Body* body = world.CreateBody(&def);
+            CircleShape circle;
+            circle.m_radius = radius;
+            FixtureDef fixture;
+            fixture.shape = &circle;
+            fixture.density = 1.0f;
+            fixture.filter.groupIndex = -1;
+            body->CreateFixture(&fixture);
+            return body;
+        };
+        const auto tie = [&](Body* a, Body* b, Vec2 at) {
+            RevoluteJointDef joint;
+            joint.Initialize(a, b, at);
+            world.CreateJoint(&joint);
+        };
+        Body* hub = make({0.0f, 0.0f}, 5.0f);
+        tie(ground, hub, {0.0f, 0.0f});
+        std::vector<Body*> rim;
+        for (int i = 0; i < spokes; ++i) {
+            const float angle = 2.0f * pi * static_cast<float>(i) / spokes;
+            const Vec2 out{std::cos(angle), std::sin(angle)};
+            rim.push_back(make(7.0f * out, 0.3f));
+            tie(hub, rim.back(), 6.0f * out);
+            if (i == 0) continue;
+            Body* last = rim[static_cast<size_t>(i - 1)];
+            tie(last, rim.back(), 0.5f * (last->GetPosition() + rim.back()->GetPosition()));
+        }
+        float widest = 0.0f;
+        for (int i = 0; i < 120; ++i) {
+            world.Step(1.0f / 60.0f, 8);
+            for (const Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext())
+                widest = std::max(widest, (joint->GetAnchorB() - joint->GetAnchorA()).Length());
+        }
+        EXPECT_LT(widest, 0.15f) << workers;
+        if (workers == 1) hash = inspect::GetStateHash(world);
+        EXPECT_EQ(inspect::GetStateHash(world), hash) << workers;
     }
 }
 

@@ -28,6 +28,7 @@ struct PointBatch {
     LaneRow inverse[3];                             ///< of the joint's inverse mass: xx, xy, yy
     LaneRow response[2][3];                         ///< of the parent's velocity, to impulses along x and y
     LaneRow right[2];                               ///< right side
+    LaneRow give;                                   ///< compliance beside that of the task
     LaneRow total[2], recent[2], aim[2];            ///< impulses on the child: of the step, since bodies last moved,
                                                     ///< and of the last solve before a move
     int32_t child[jointLanes], parent[jointLanes];  ///< rows of the bodies
@@ -41,6 +42,7 @@ struct RowBatch {
     LaneRow inverse[rowLimit][rowLimit];
     LaneRow response[rowLimit][3];
     LaneRow right[rowLimit];
+    LaneRow give;  ///< compliance beside that of the task
     LaneRow total[rowLimit], recent[rowLimit], aim[rowLimit];
     int32_t child[jointLanes], parent[jointLanes];
     int32_t count;  ///< of rows
@@ -62,6 +64,7 @@ struct JointBatchTask {
     BodyRow* velocity;  ///< x, y, turning
     BodyRow* mass;      ///< 1/mass, 1/inertia, the same as the solve takes it, what factorize leaves of the spin
     double* stiffness;  ///< sub-step times what recent pulls turn a body back with; reach adds to it
+    LaneRow* left;      ///< the most that the turns of the last aim may leave of an error, in shares of an arm
     BodyRow* mobility;  ///< two rows a body: xx, xy, xt, – and yy, yt, tt, –
     BodyRow* shift;     ///< velocity as joints so far want it
     BodyRow* impulse;   ///< on the body
@@ -96,7 +99,7 @@ struct JointBatchKernels {
     /// Errors of points and of joints on lines at `next` → right sides.
     void (*measure)(const JointBatchTask& task);
     /// Velocities and impulses with which these errors are closed, by the Jacobians of `pose`.
-    /// Returns the most that the new turns may leave of an error, in shares of an arm.
+    /// Returns the largest of `left`.
     double (*aim)(const JointBatchTask& task);
     /// Takes over what was aimed.
     void (*keep)(const JointBatchTask& task);

@@ -6,6 +6,7 @@
 #include "constraints/joint_batches.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "constraints/joint_tree_factors.h"
 
@@ -122,7 +123,7 @@ size_t JointBatches::GetMemoryBytes() const {
     size_t bytes = m_bodies.capacity() * sizeof(int) + m_places.capacity() * sizeof(Place) +
                    m_points.capacity() * sizeof(PointBatch) + m_rows.capacity() * sizeof(RowBatch) +
                    (m_order.capacity() + m_roots.capacity()) * sizeof(int32_t) + m_others.capacity() * sizeof(Other) +
-                   m_stiffness.capacity() * sizeof(LaneRow);
+                   (m_stiffness.capacity() + m_left.capacity()) * sizeof(LaneRow) + m_tree.capacity() * sizeof(int);
     for (const auto* rows :
          {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_mobility, &m_shift, &m_impulse}) {
         bytes += rows->capacity() * sizeof(BodyRow);
@@ -167,12 +168,19 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
         rows->assign(m_bodies.size(), BodyRow{});
     }
     m_stiffness.assign(m_bodies.size() / ToSize(jointLanes), LaneRow{});
+    m_left.assign(m_stiffness.size(), LaneRow{});
     m_mobility.assign(2 * m_bodies.size(), BodyRow{});
 }
 
 void JointBatches::ListRootsAndOthers() {
     m_roots.clear(), m_others.clear();
     std::vector<uint8_t> isChild(m_bodies.size(), 0);
+    m_tree.resize(m_bodies.size());
+    std::iota(m_tree.begin(), m_tree.end(), 0);
+    for (const Place& place : m_places) m_tree[ToSize(place.child)] = place.parent;
+    for (int& tree : m_tree) {
+        while (m_tree[ToSize(tree)] != tree) tree = m_tree[ToSize(tree)];
+    }
     for (size_t i = 0; i < m_places.size(); ++i) {
         Place& place = m_places[i];
         isChild[ToSize(place.child)] = 1;
@@ -294,6 +302,7 @@ JointBatchTask JointBatches::Task() {
             .velocity = m_velocity.data(),
             .mass = m_mass.data(),
             .stiffness = &m_stiffness.data()->v[0],
+            .left = m_left.data(),
             .mobility = m_mobility.data(),
             .shift = m_shift.data(),
             .impulse = m_impulse.data(),
@@ -416,13 +425,44 @@ void JointBatches::StoreVelocities(Column<BodyIndex, Velocity>& velocity) const 
     }
 }
 
-void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
+double JointBatches::AimAll(const JointBatchTask& task) {
     // The Jacobians of the present pose stand for those of the next one. What that leaves of an error, in shares of an
     // arm, is the turn of a body times what the solve changes of it. Each iteration gains two orders in h. A chain
     // under a strong pull swings itself up where they begin at the impulses of the last time. It does so too where they
     // go on beyond the second.
-    constexpr double mostLeft = 1e-5;  // rad²
+    constexpr double enough = 1e-5;  // rad²
     constexpr int mostIterations = 2;
+    const JointBatchKernels& kernels = GetJointBatchKernels();
+    kernels.coast(task);
+    double left = 0.0;
+    for (int iteration = 0; iteration < mostIterations; ++iteration) {
+        kernels.lead(task);
+        kernels.measure(task);
+        MeasureRows();
+        left = kernels.aim(task);
+        if (!(left > enough)) break;
+    }
+    return left;
+}
+
+/// In trees where turns leave too much.
+void JointBatches::GiveWay(double compliance) {
+    std::vector<uint8_t> gives(m_bodies.size(), 0);
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (TurnsTooFar(m_left[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)])) gives[ToSize(m_tree[row])] = 1;
+    }
+    for (const Place& place : m_places) {
+        if (gives[ToSize(m_tree[ToSize(place.child)])] == 0) continue;
+        LaneRow& give = place.isPoint ? m_points[ToSize(place.batch)].give : m_rows[ToSize(place.batch)].give;
+        give.v[place.lane] = compliance;
+    }
+}
+void JointBatches::StandFirm() {
+    for (PointBatch& batch : m_points) batch.give = {};
+    for (RowBatch& batch : m_rows) batch.give = {};
+}
+
+void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     const JointBatchKernels& kernels = GetJointBatchKernels();
     const JointBatchTask task = Task();
     if (m_isForVelocities) kernels.factorize(task);
@@ -430,12 +470,14 @@ void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     LoadVelocities(velocity, [](double spin, double, const double(&mass)[4]) {
         return mass[2] < mass[1] ? spin * (mass[2] / mass[1]) : spin;
     });
-    kernels.coast(task);
-    for (int iteration = 0; iteration < mostIterations; ++iteration) {
-        kernels.lead(task);
-        kernels.measure(task);
-        MeasureRows();
-        if (!(kernels.aim(task) > mostLeft)) break;
+    double left = AimAll(task);
+    if (TurnsTooFar(left)) {
+        for (double give = leastGive; TurnsTooFar(left) && give <= mostGive; give *= giveFactor) {
+            GiveWay(give);
+            kernels.factorize(task);
+            left = AimAll(task);
+        }
+        StandFirm();
     }
     kernels.keep(task);
     StoreVelocities(velocity);

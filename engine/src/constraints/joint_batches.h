@@ -102,6 +102,10 @@ private:
     void MakeJacobians();
     [[nodiscard]] bool IsSteadied() const;
     void MeasureRows();
+    /// The most that the solve leaves, as `left` of the task.
+    double AimAll(const JointBatchTask& task);
+    void GiveWay(double compliance);
+    void StandFirm();
 
     std::vector<BodyIndex> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
     std::vector<Place> m_places;
@@ -111,7 +115,8 @@ private:
     std::vector<RowBatch> m_rows;
     std::vector<int32_t> m_order, m_roots;
     std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_aimed, m_mass, m_mobility, m_shift, m_impulse;
-    std::vector<LaneRow> m_stiffness;  ///< per row of bodies
+    std::vector<LaneRow> m_stiffness, m_left;  ///< per row of bodies
+    std::vector<int> m_tree;                   ///< per row: the tree that it belongs to, by a row of that
     double m_h = 1.0, m_compliance = 0.0;
     bool m_isForVelocities = false;  ///< factors are not for aiming
 };

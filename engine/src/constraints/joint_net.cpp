@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Soft rows of joints, one joint after the other.
+// Soft rows of joints, one joint after the other, colour by colour.
 
 #include "constraints/joint_net.h"
+
+#include <type_traits>
 
 #include "constraints/joint_tree_factors.h"
 
@@ -63,29 +65,36 @@ TreePose PoseOf(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delt
 size_t JointNet::GetMemoryBytes() const {
     return m_movers.capacity() * sizeof(Mover) + m_points.capacity() * sizeof(Point) +
            m_kept.capacity() * sizeof(KeptShape) + m_welds.capacity() * sizeof(Weld) + m_rods.capacity() * sizeof(Rod) +
-           m_blocks.capacity() * sizeof(Block) + m_rowOf.capacity() * sizeof(int);
+           m_blocks.capacity() * sizeof(Block) + m_ends.capacity() * sizeof(ColourEnd) +
+           m_rowOf.capacity() * sizeof(int);
 }
 
+/// A body that joints do not push has a row for each of them: workers write what they solve.
 int JointNet::AddMover(const BodyTable& bodies, BodyIndex body, bool moves) {
-    int& row = m_rowOf[body];
-    if (row >= 0) return row;
-    row = static_cast<int>(m_movers.size());
-    const MassRow& mass = bodies.mass[body];
+    if (moves && m_rowOf[body] >= 0) return m_rowOf[body];
+    const int row = static_cast<int>(m_movers.size());
     Mover& mover = m_movers.emplace_back();
     mover.body = body;
-    mover.invMass = moves ? mass.invMass : 0.0f, mover.invI = moves ? mass.invI : 0.0f;
+    if (!moves) return row;
+    m_rowOf[body] = row;
+    mover.invMass = bodies.mass[body].invMass, mover.invI = bodies.mass[body].invI;
     return row;
 }
 
 void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span<const Member> members,
                     std::span<const TreeShape> shapes, double recentScale) {
     for (const Mover& mover : m_movers) m_rowOf[mover.body] = -1;
-    m_movers.clear(), m_points.clear(), m_kept.clear(), m_welds.clear(), m_rods.clear(), m_blocks.clear();
+    m_movers.clear(), m_points.clear(), m_kept.clear(), m_welds.clear(), m_rods.clear(), m_blocks.clear(),
+        m_ends.clear();
     m_substeps = 0;
     if (members.empty()) return;
     m_rowOf.resize(ToSize(bodies.slots.Size()), -1);
+    const auto endColour = [&](int colour) {
+        m_ends.push_back({colour, m_points.size(), m_welds.size(), m_rods.size(), m_blocks.size()});
+    };
     for (size_t i = 0; i < members.size(); ++i) {
         const Member& member = members[i];
+        if (i > 0 && member.colour != members[i - 1].colour) endColour(members[i - 1].colour);
         const int a = AddMover(bodies, member.bodyA, member.movesA), b = AddMover(bodies, member.bodyB, member.movesB);
         float impulse[maxTreeRows];
         RecallImpulse(member.joint, shapes[i], joints, static_cast<float>(recentScale), impulse);
@@ -125,6 +134,7 @@ void JointNet::Take(const BodyTable& bodies, const JointTable& joints, std::span
             }
         }
     }
+    endColour(members.back().colour);
 }
 
 void JointNet::Load(TaskPool& pool, const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
@@ -319,6 +329,27 @@ void JointNet::Solve(Block& block, const Softness& soft) {
     for (int i = 0; i < count; ++i) block.impulse[i] += impulse[i];
 }
 
+template <typename Row, typename Visit>
+void JointNet::ForEachRow(TaskPool& pool, std::vector<Row>& rows, size_t ColourEnd::*end, Visit&& visit) {
+    constexpr int least = 512;
+    size_t begin = 0;
+    for (const ColourEnd& colour : m_ends) {
+        const auto visitRange = [&, begin](int from, int to, int) {
+            for (int i = from; i < to; ++i) visit(rows[begin + ToSize(i)]);
+        };
+        const int count = static_cast<int>(colour.*end - begin);
+        begin = colour.*end;
+        colour.colour < mostColours ? pool.For(count, least, visitRange) : visitRange(0, count, 0);
+    }
+}
+template <typename Visit>
+void JointNet::ForEachRow(TaskPool& pool, Visit&& visit) {
+    ForEachRow(pool, m_points, &ColourEnd::points, visit);
+    ForEachRow(pool, m_welds, &ColourEnd::welds, visit);
+    ForEachRow(pool, m_rods, &ColourEnd::rods, visit);
+    ForEachRow(pool, m_blocks, &ColourEnd::blocks, visit);
+}
+
 void JointNet::SolveBeforeMove(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
                                float h, Column<BodyIndex, Velocity>& velocity) {
     constexpr float turns = 0.25f;  // of a spring in a sub-step
@@ -327,30 +358,23 @@ void JointNet::SolveBeforeMove(TaskPool& pool, const BodyTable& bodies, const Co
     constexpr float impulseScale = 1.0f / (1.0f + turn * damping);
     const Softness soft{turn / (damping * h), 1.0f - impulseScale, impulseScale};
     Load(pool, delta, bodies, velocity);
-    // Pushes come in order, what they push with is made side by side.
-    const bool isShared = pool.IsOpen();
-    const auto prepare = [this](auto& row) { Prepare(row); };
-    if (isShared) ForEachOf(pool, m_points, prepare), ForEachOf(pool, m_welds, prepare);
-    for (Point& point : m_points) {
-        if (!isShared) Prepare(point);
+    ForEachRow(pool, m_points, &ColourEnd::points, [&](Point& point) {
+        Prepare(point);
         Push(point, point.impulse);
-    }
-    for (Weld& weld : m_welds) {
-        if (!isShared) Prepare(weld);
+    });
+    ForEachRow(pool, m_welds, &ColourEnd::welds, [&](Weld& weld) {
+        Prepare(weld);
         Push(weld, weld.impulse, weld.turnImpulse);
-    }
-    for (Rod& rod : m_rods) {
+    });
+    ForEachRow(pool, m_rods, &ColourEnd::rods, [&](Rod& rod) {
         Prepare(rod);
         Push(rod, rod.impulse);
-    }
-    for (Block& block : m_blocks) {
+    });
+    ForEachRow(pool, m_blocks, &ColourEnd::blocks, [&](Block& block) {
         Prepare(block, bodies, delta);
         Push(block, block.impulse);
-    }
-    for (Point& point : m_points) Solve(point, soft);
-    for (Weld& weld : m_welds) Solve(weld, soft);
-    for (Rod& rod : m_rods) Solve(rod, soft);
-    for (Block& block : m_blocks) Solve(block, soft);
+    });
+    ForEachRow(pool, [&](auto& row) { Solve(row, soft); });
     ++m_substeps;
     Store(pool, velocity);
 }
@@ -360,22 +384,20 @@ void JointNet::SolveAfterMove(TaskPool& pool, const BodyTable& bodies, const Col
     constexpr Softness rigid{0.0f, 1.0f, 0.0f};
     Load(pool, delta, bodies, velocity);
     // The mobility of points and welds changes little in a sub-step.
-    for (Point& point : m_points) {
-        TurnArms(point);
-        Solve(point, rigid);
-    }
-    for (Weld& weld : m_welds) {
-        TurnArms(weld);
-        Solve(weld, rigid);
-    }
-    for (Rod& rod : m_rods) {
-        TurnAxis(rod);
-        Solve(rod, rigid);
-    }
-    for (Block& block : m_blocks) {
-        Prepare(block, bodies, delta);
-        Solve(block, rigid);
-    }
+    const auto renew = [&](auto& row) {
+        using Row = std::remove_cvref_t<decltype(row)>;
+        if constexpr (std::is_same_v<Row, Block>) {
+            Prepare(row, bodies, delta);
+        } else if constexpr (std::is_same_v<Row, Rod>) {
+            TurnAxis(row);
+        } else {
+            TurnArms(row);
+        }
+    };
+    ForEachRow(pool, [&](auto& row) {
+        renew(row);
+        Solve(row, rigid);
+    });
     Store(pool, velocity);
 }
 

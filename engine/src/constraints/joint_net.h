@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Joints of nets, which are too much coupled for a direct solve: soft rows, solved one after the other. Before the move
+// Joints of nets, which are too much coupled for a direct solve: soft rows, solved one after the other. Joints of one
+// colour have no body in common, so workers share them. Before the move
 // they also close what is open, as springs as stiff as the sub-steps carry. After it they take that speed out again
 // (Catto, "Solver2D", 2024: soft constraints with relaxation).
 
@@ -21,9 +22,11 @@ public:
         JointIndex joint;
         BodyIndex bodyA, bodyB;
         bool movesA, movesB;
+        int colour;  ///< two joints of one colour below mostColours push no body in common
     };
-    /// Joints to hold from now on, and their constants by the same places. `recentScale` makes impulses of a sub-step
-    /// of those that joints keep.
+    static constexpr int mostColours = 64;  ///< what is left over has this one
+    /// Joints to hold from now on, in rising colours, and their constants by the same places. `recentScale` makes
+    /// impulses of a sub-step of those that joints keep.
     void Take(const BodyTable& bodies, const JointTable& joints, std::span<const Member> members,
               std::span<const TreeShape> shapes, double recentScale);
     [[nodiscard]] bool IsEmpty() const {
@@ -135,10 +138,21 @@ private:
         float impulse[maxTreeRows];
     };
 
+    /// How many rows there are of each kind up to the end of a colour.
+    struct ColourEnd {
+        int colour;
+        size_t points, welds, rods, blocks;
+    };
+
     struct Softness {
         float biasRate, massScale, impulseScale;
     };
 
+    /// Calls visit(row) for each row, colour by colour, each shared by the workers.
+    template <typename Row, typename Visit>
+    void ForEachRow(TaskPool& pool, std::vector<Row>& rows, size_t ColourEnd::*end, Visit&& visit);
+    template <typename Visit>
+    void ForEachRow(TaskPool& pool, Visit&& visit);
     int AddMover(const BodyTable& bodies, BodyIndex body, bool moves);
     void Load(TaskPool& pool, const Column<BodyIndex, Velocity>& delta, const BodyTable& bodies,
               const Column<BodyIndex, Velocity>& velocity);
@@ -166,6 +180,7 @@ private:
     std::vector<Weld> m_welds;
     std::vector<Rod> m_rods;
     std::vector<Block> m_blocks;
+    std::vector<ColourEnd> m_ends;   ///< rows of each kind lie by colour
     Column<BodyIndex, int> m_rowOf;  ///< per body of the world, −1: none
     int m_substeps = 0;              ///< solved in this step
 };

@@ -95,31 +95,74 @@ void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
     m->isForVelocities ? FactorizeFor(*m, 0.0, loadedCompliance) : FactorizeFor(*m, double{h}, m->compliance);
 }
 
-void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocity>& velocity) {
-    m->trees.SolveBeforeMove(*m->pool, velocity);
-    if (m->joints.empty()) return;
+namespace {
+
+/// Returns the most that the solve leaves, as TreeBody::left.
+double AimAll(JointForest& forest, double h, const Column<BodyIndex, Velocity>& velocity) {
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
     constexpr int iterations = 2;
-    const double step = double{h}, inverse = 1.0 / step;
-    if (m->isForVelocities) FactorizeFor(*m, step, m->compliance);
+    const double inverse = 1.0 / h;
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
-    LoadVelocities(m->bodies, velocity, [](const TreeBody& b, double spin) {
+    LoadVelocities(forest.bodies, velocity, [](const TreeBody& b, double spin) {
         return b.steadyInvI < b.invI ? spin * (b.steadyInvI / b.invI) : spin;
     });
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        for (TreeBody& b : m->bodies) {
-            b.next.x = b.pose.x + step * b.v[0];
-            b.next.y = b.pose.y + step * b.v[1];
-            b.next.angle = b.pose.angle + step * b.v[2];
-            Turn(b.pose.cos, b.pose.sin, step * b.v[2], b.next);
+        for (TreeBody& b : forest.bodies) {
+            b.next.x = b.pose.x + h * b.v[0];
+            b.next.y = b.pose.y + h * b.v[1];
+            b.next.angle = b.pose.angle + h * b.v[2];
+            Turn(b.pose.cos, b.pose.sin, h * b.v[2], b.next);
+            b.left = b.v[2];
         }
-        for (TreeJoint& joint : m->joints) {
+        for (TreeJoint& joint : forest.joints) {
             TreeRows next;
             next.count = joint.rows.count;
-            MakeRows<false>(joint.shape, m->bodies[ToSize(joint.a)].next, m->bodies[ToSize(joint.b)].next, next);
+            MakeRows<false>(joint.shape, forest.bodies[ToSize(joint.a)].next, forest.bodies[ToSize(joint.b)].next,
+                            next);
             for (int i = 0; i < next.count; ++i) joint.rhs[i] = -inverse * next.error[i];
         }
-        SolveForest(*m);
+        SolveForest(forest);
+    }
+    double most = 0.0;
+    for (TreeBody& b : forest.bodies) {
+        const double turn = std::abs(b.v[2] - b.left);
+        b.left = h * h * (turn * (std::abs(b.v[2]) + turn));
+        most = std::max(most, b.left);
+    }
+    return most;
+}
+
+/// In loops where turns leave too much. Takes back the impulses of the last aim.
+void GiveWay(JointForest& forest, double compliance, const std::vector<TreeSums>& before) {
+    const auto turnsTooFar = [&](int row) { return TurnsTooFar(forest.bodies[ToSize(row)].left); };
+    std::vector<int> parts;
+    for (const TreeJoint& joint : forest.joints) {
+        if (turnsTooFar(joint.a) || turnsTooFar(joint.b)) parts.push_back(joint.part);
+    }
+    std::sort(parts.begin(), parts.end());
+    for (size_t i = 0; i < before.size(); ++i) {
+        TreeJoint& joint = forest.joints[i];
+        static_cast<TreeSums&>(joint) = before[i];
+        if (std::binary_search(parts.begin(), parts.end(), joint.part)) joint.give = compliance;
+    }
+}
+
+}  // namespace
+
+void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocity>& velocity) {
+    m->trees.SolveBeforeMove(*m->pool, velocity);
+    if (m->joints.empty()) return;
+    const auto factorize = [&] { FactorizeFor(*m, double{h}, m->compliance); };
+    if (m->isForVelocities) factorize();
+    m->before.assign(m->joints.begin(), m->joints.end());
+    double left = AimAll(*m, double{h}, velocity);
+    if (TurnsTooFar(left)) {
+        for (double give = leastGive; TurnsTooFar(left) && give <= mostGive; give *= giveFactor) {
+            GiveWay(*m, give, m->before);
+            factorize();
+            left = AimAll(*m, double{h}, velocity);
+        }
+        for (TreeJoint& joint : m->joints) joint.give = 0.0;
     }
     StoreVelocities(m->bodies, velocity);
 }

@@ -70,7 +70,7 @@ void FillMatrix(JointForest& forest, double compliance) {
                     joint.inverse[i][j] = joint.inverse[j][i] =
                         product(joint.rows.a[i], joint.rows.a[j], a) + product(joint.rows.b[i], joint.rows.b[j], b);
                 }
-                joint.inverse[i][i] *= 1.0 + compliance;
+                joint.inverse[i][i] *= 1.0 + (compliance + joint.give);
             });
             for (int l = joint.linkBegin; l < joint.linkEnd; ++l) {
                 TreeLink& link = forest.links[ToSize(l)];

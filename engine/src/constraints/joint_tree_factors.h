@@ -18,6 +18,15 @@ inline double TakeSpin(double spin, double last, double left, double invI, doubl
     return left * last + (spin - last) * (steadyInvI / invI);
 }
 
+// Joints that are open, as where anchors were not made to meet, may ask for turns that the Jacobians of the present
+// pose know nothing of. A chain that is nearly straight would rather turn its links far than move a load at its end,
+// which closes nothing and throws them. Such a solve is done again with joints that give way, the more, the less that
+// helps. They close in the next sub-steps then. Source: Levenberg, "A Method for the Solution of Certain Non-Linear
+// Problems in Least Squares", 1944.
+inline constexpr double leastGive = 1e-4, mostGive = 1.0, giveFactor = 10.0;  ///< as jointCompliance
+/// By what the new turns may leave of an error, in shares of an arm: rad².
+inline bool TurnsTooFar(double left) { return left > 0.1; }
+
 /// Replaces the first `count` rows of a symmetric matrix by its inverse. Rows whose pivot is only rounding beside
 /// `scale` get zeros: they repeat others.
 void InvertRows(double (&m)[maxTreeRows][maxTreeRows], int count, const double (&scale)[maxTreeRows]);

@@ -9,6 +9,8 @@
 #include "constraints/joint_tree_forest.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 
 namespace scree {
 
@@ -24,11 +26,11 @@ constexpr size_t mostJointsOfBody = 24;
 
 size_t JointForest::GetMemoryBytes() const {
     size_t bytes = trees.GetMemoryBytes() + bodies.capacity() * sizeof(TreeBody) +
-                   joints.capacity() * sizeof(TreeJoint) + links.capacity() * sizeof(TreeLink) +
-                   m_candidates.capacity() * sizeof(Candidate) + m_shapes.capacity() * sizeof(TreeShape) +
-                   m_links.capacity() * sizeof(TreeEdge) + m_rowOf.capacity() * sizeof(int) +
-                   (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
-    bytes += nets.GetMemoryBytes() + m_parts.capacity() * sizeof(Part) +
+                   joints.capacity() * sizeof(TreeJoint) + before.capacity() * sizeof(TreeSums) +
+                   links.capacity() * sizeof(TreeLink) + m_candidates.capacity() * sizeof(Candidate) +
+                   m_shapes.capacity() * sizeof(TreeShape) + m_links.capacity() * sizeof(TreeEdge) +
+                   m_rowOf.capacity() * sizeof(int) + (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
+    bytes += nets.GetMemoryBytes() + m_parts.capacity() * sizeof(Part) + m_netOrder.capacity() * sizeof(int) +
              m_members.capacity() * sizeof(JointNet::Member) + m_memberShapes.capacity() * sizeof(TreeShape);
     for (const auto* lists : {&m_near, &m_ofBody, &m_waiting}) {
         for (const std::vector<int>& list : *lists) bytes += list.capacity() * sizeof(int);
@@ -211,12 +213,36 @@ void JointForest::LeaveOutNets() {
     for (size_t place = 0; place < m_order.size(); ++place)
         m_candidates[ToSize(m_order[place])].place = static_cast<int>(place);
 
-    m_members.clear();
+    m_netOrder.clear();
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         if (!IsNet(m_candidates[i])) continue;
         m_isNet[i] = 1;
-        const Key& key = m_keys[i];
-        m_members.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB});
+        m_netOrder.push_back(static_cast<int>(i));
+    }
+    ColourNets();
+}
+
+/// Each joint in the first colour that no other joint of its bodies has.
+void JointForest::ColourNets() {
+    std::vector<uint64_t> taken(bodies.size(), 0);
+    std::vector<int> colours(m_candidates.size(), 0);
+    for (const int candidate : m_netOrder) {
+        const Candidate& c = m_candidates[ToSize(candidate)];
+        uint64_t others = 0;
+        for (const int row : {c.a, c.b}) others |= Moves(row) ? taken[ToSize(row)] : 0;
+        const int colour = std::countr_one(others);
+        colours[ToSize(candidate)] = colour;
+        if (colour == JointNet::mostColours) continue;
+        for (const int row : {c.a, c.b}) {
+            if (Moves(row)) taken[ToSize(row)] |= uint64_t{1} << colour;
+        }
+    }
+    std::stable_sort(m_netOrder.begin(), m_netOrder.end(),
+                     [&](int a, int b) { return colours[ToSize(a)] < colours[ToSize(b)]; });
+    m_members.clear();
+    for (const int candidate : m_netOrder) {
+        const Key& key = m_keys[ToSize(candidate)];
+        m_members.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, colours[ToSize(candidate)]});
     }
 }
 
@@ -230,6 +256,7 @@ void JointForest::MakeLinks() {
         TreeJoint& joint = joints.emplace_back();
         joint.joint = c.joint;
         joint.a = c.a, joint.b = c.b;
+        joint.part = c.part;
         joint.rows.count = RowCount(m_keys[ToSize(candidate)].kind);
         joint.linkBegin = static_cast<int>(links.size());
         for (const int later : near) links.push_back({later, {}});
@@ -241,9 +268,7 @@ void JointForest::MakeLinks() {
 void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale) {
     trees.Refresh(*pool, bodyTable, jointTable, m_shapes, recentScale, compliance);
     m_memberShapes.clear();
-    for (size_t i = 0; i < m_candidates.size(); ++i) {
-        if (m_isNet[i] != 0) m_memberShapes.push_back(m_shapes[i]);
-    }
+    for (const int candidate : m_netOrder) m_memberShapes.push_back(m_shapes[ToSize(candidate)]);
     nets.Take(bodyTable, jointTable, m_members, m_memberShapes, recentScale);
     for (size_t i = 0; i < joints.size(); ++i) {
         TreeJoint& joint = joints[i];

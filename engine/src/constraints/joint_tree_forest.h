@@ -26,6 +26,7 @@ struct TreeBody {
     double startCos, startSin;
     TreePose pose, next;  ///< now, and where its velocity leads
     double v[3];          ///< x, y, turning; of the last solve
+    double left;          ///< the most that its turn in the last aim may leave of an error, in shares of an arm
 };
 
 /// Coupling of a joint with a later one: first G·M⁻¹·Gᵀ, then the block of L.
@@ -34,16 +35,21 @@ struct TreeLink {
     double block[maxTreeRows][maxTreeRows];  ///< [row of the later joint][row of this one]
 };
 
-struct TreeJoint {
+struct TreeSums {
+    double total[maxTreeRows];   ///< impulses of the step
+    double recent[maxTreeRows];  ///< impulses since bodies last moved
+};
+
+struct TreeJoint : TreeSums {
     TreeShape shape;
     JointIndex joint;
     int a, b;                ///< rows of the bodies
+    int part;                ///< those of one number may be coupled
     int linkBegin, linkEnd;  ///< in the order of elimination
+    double give;             ///< compliance beside that of all
     TreeRows rows;
     double inverse[maxTreeRows][maxTreeRows];  ///< of its pivot
     double rhs[maxTreeRows];                   ///< right side, then impulses
-    double total[maxTreeRows];                 ///< impulses of the step
-    double recent[maxTreeRows];                ///< impulses since bodies last moved
 };
 
 class JointForest {
@@ -52,6 +58,7 @@ public:
     JointNet nets;
     std::vector<TreeBody> bodies;     ///< of `joints`
     std::vector<TreeJoint> joints;    ///< not of trees, in the order of elimination
+    std::vector<TreeSums> before;     ///< of `joints`, before an aim
     std::vector<TreeLink> links;      ///< of each joint, [linkBegin, linkEnd)
     std::vector<JointIndex> others;   ///< joints of the list that are no candidates
     std::vector<JointIndex> bounded;  ///< joints held here that have limits, motors or springs besides
@@ -119,6 +126,7 @@ private:
     void Couple();
     void Order();
     void LeaveOutNets();
+    void ColourNets();
     void Enqueue(int candidate);
     int TakeLeast();
     void Eliminate(int candidate);
@@ -136,7 +144,8 @@ private:
     std::vector<std::vector<int>> m_waiting;  ///< candidates by how many they are coupled with; some out of date
     std::vector<Part> m_parts;                ///< per row
     std::vector<uint8_t> m_isNet;             ///< per candidate
-    std::vector<JointNet::Member> m_members;  ///< those that are
+    std::vector<int> m_netOrder;              ///< candidates that are, by colour
+    std::vector<JointNet::Member> m_members;  ///< these
     std::vector<TreeShape> m_memberShapes;    ///< of these
     std::vector<int> m_order;                 ///< candidates as they are eliminated
     std::vector<int> m_merged;                ///< scratch of Eliminate
