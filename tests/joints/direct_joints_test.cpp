@@ -55,8 +55,7 @@ TEST(DirectJoints, HoldLoadsThatTearWhatIsSolvedInTurn) {
     }
 }
 
-/// In mid-swing, with a load that is under way: nothing is to be thrown. With few sub-steps a
-/// load that swings fast keeps some joints open for long.
+/// In mid-swing, with a load that is under way: nothing is to be thrown, and in the end all is closed.
 TEST(DirectJoints, CloseWhatWasOpenedWhenTheyAreTurnedOnAgain) {
     std::mt19937 random(std::random_device{}());
     for (int round = 0; round < 8; ++round) {
@@ -66,9 +65,9 @@ TEST(DirectJoints, CloseWhatWasOpenedWhenTheyAreTurnedOnAgain) {
             EXPECT_FALSE(inspect::GetDirectJoints(chain.world));
             EXPECT_GT(chain.Swing(60, substeps), substeps == 4 ? 0.003f : 0.0003f) << seed;
             inspect::SetDirectJoints(chain.world, true);
-            EXPECT_LT(chain.Swing(240, substeps), substeps == 4 ? 6.0f : 0.2f) << seed;
+            EXPECT_LT(chain.Swing(240, substeps), substeps == 4 ? 4.0f : 0.2f) << seed;
             chain.Swing(360, substeps);
-            EXPECT_LT(chain.Swing(60, substeps), substeps == 4 ? 2.0f : 0.02f) << seed;
+            EXPECT_LT(chain.Swing(60, substeps), substeps == 4 ? 0.5f : 0.02f) << seed;
         }
     }
 }

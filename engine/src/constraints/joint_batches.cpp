@@ -6,6 +6,7 @@
 #include "constraints/joint_batches.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "constraints/joint_tree_factors.h"
@@ -445,17 +446,48 @@ double JointBatches::AimAll(const JointBatchTask& task) {
     return left;
 }
 
-/// In trees where turns leave too much.
-void JointBatches::GiveWay(double compliance) {
+/// Largest errors to which the velocities of `aimed` lead, per row that stands for a tree.
+std::vector<double> JointBatches::MeasureTrees(const JointBatchTask& task) {
+    const JointBatchKernels& kernels = GetJointBatchKernels();
+    kernels.lead(task);
+    kernels.measure(task);
+    MeasureRows();
+    std::vector<double> errors(m_bodies.size(), 0.0);
+    for (const Place& place : m_places) {
+        double& largest = errors[ToSize(m_tree[ToSize(place.child)])];
+        const auto note = [&](const LaneRow& right) {
+            largest = std::max(largest, std::abs(right.v[place.lane]) * task.h);
+        };
+        if (place.isPoint) {
+            for (const LaneRow& right : m_points[ToSize(place.batch)].right) note(right);
+        } else {
+            const RowBatch& batch = m_rows[ToSize(place.batch)];
+            for (int i = 0; i < batch.count; ++i) note(batch.right[i]);
+        }
+    }
+    return errors;
+}
+
+/// In trees whose aim misleads. False if there are none.
+bool JointBatches::GiveWay(const JointBatchTask& task, double compliance) {
+    const std::vector<double> aimed = MeasureTrees(task);
+    const std::vector<BodyRow> velocities = m_aimed;
+    GetJointBatchKernels().coast(task);
+    const std::vector<double> coasted = MeasureTrees(task);
+    m_aimed.assign(velocities.begin(), velocities.end());
     std::vector<uint8_t> gives(m_bodies.size(), 0);
+    bool doAny = false;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
-        if (TurnsTooFar(m_left[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)])) gives[ToSize(m_tree[row])] = 1;
+        const size_t tree = ToSize(m_tree[row]);
+        const double left = m_left[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)];
+        if (Misleads(left, aimed[tree], coasted[tree])) gives[tree] = 1, doAny = true;
     }
     for (const Place& place : m_places) {
         if (gives[ToSize(m_tree[ToSize(place.child)])] == 0) continue;
         LaneRow& give = place.isPoint ? m_points[ToSize(place.batch)].give : m_rows[ToSize(place.batch)].give;
         give.v[place.lane] = compliance;
     }
+    return doAny;
 }
 void JointBatches::StandFirm() {
     for (PointBatch& batch : m_points) batch.give = {};
@@ -473,7 +505,7 @@ void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
     double left = AimAll(task);
     if (TurnsTooFar(left)) {
         for (double give = leastGive; TurnsTooFar(left) && give <= mostGive; give *= giveFactor) {
-            GiveWay(give);
+            if (!GiveWay(task, give)) break;
             kernels.factorize(task);
             left = AimAll(task);
         }

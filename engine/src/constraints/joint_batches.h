@@ -104,7 +104,8 @@ private:
     void MeasureRows();
     /// The most that the solve leaves, as `left` of the task.
     double AimAll(const JointBatchTask& task);
-    void GiveWay(double compliance);
+    std::vector<double> MeasureTrees(const JointBatchTask& task);
+    bool GiveWay(const JointBatchTask& task, double compliance);
     void StandFirm();
 
     std::vector<BodyIndex> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "constraints/joint_tree_factors.h"
 #include "constraints/joint_tree_forest.h"
@@ -97,6 +98,26 @@ void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
 
 namespace {
 
+void Lead(JointForest& forest, double h) {
+    for (TreeBody& b : forest.bodies) {
+        b.next.x = b.pose.x + h * b.v[0];
+        b.next.y = b.pose.y + h * b.v[1];
+        b.next.angle = b.pose.angle + h * b.v[2];
+        Turn(b.pose.cos, b.pose.sin, h * b.v[2], b.next);
+    }
+}
+TreeRows ErrorsAhead(const JointForest& forest, const TreeJoint& joint) {
+    TreeRows next;
+    next.count = joint.rows.count;
+    MakeRows<false>(joint.shape, forest.bodies[ToSize(joint.a)].next, forest.bodies[ToSize(joint.b)].next, next);
+    return next;
+}
+double LargestOf(const TreeRows& rows) {
+    double largest = 0.0;
+    for (int i = 0; i < rows.count; ++i) largest = std::max(largest, std::abs(rows.error[i]));
+    return largest;
+}
+
 /// Returns the most that the solve leaves, as TreeBody::left.
 double AimAll(JointForest& forest, double h, const Column<BodyIndex, Velocity>& velocity) {
     // Each iteration gains two orders in h: the Jacobians of the present pose stand for those of the next one.
@@ -107,18 +128,11 @@ double AimAll(JointForest& forest, double h, const Column<BodyIndex, Velocity>& 
         return b.steadyInvI < b.invI ? spin * (b.steadyInvI / b.invI) : spin;
     });
     for (int iteration = 0; iteration < iterations; ++iteration) {
-        for (TreeBody& b : forest.bodies) {
-            b.next.x = b.pose.x + h * b.v[0];
-            b.next.y = b.pose.y + h * b.v[1];
-            b.next.angle = b.pose.angle + h * b.v[2];
-            Turn(b.pose.cos, b.pose.sin, h * b.v[2], b.next);
-            b.left = b.v[2];
-        }
+        Lead(forest, h);
+        for (TreeBody& b : forest.bodies) b.left = b.v[2];
         for (TreeJoint& joint : forest.joints) {
-            TreeRows next;
-            next.count = joint.rows.count;
-            MakeRows<false>(joint.shape, forest.bodies[ToSize(joint.a)].next, forest.bodies[ToSize(joint.b)].next,
-                            next);
+            const TreeRows next = ErrorsAhead(forest, joint);
+            if (iteration == 0) joint.coasted = LargestOf(next);
             for (int i = 0; i < next.count; ++i) joint.rhs[i] = -inverse * next.error[i];
         }
         SolveForest(forest);
@@ -132,19 +146,27 @@ double AimAll(JointForest& forest, double h, const Column<BodyIndex, Velocity>& 
     return most;
 }
 
-/// In loops where turns leave too much. Takes back the impulses of the last aim.
-void GiveWay(JointForest& forest, double compliance, const std::vector<TreeSums>& before) {
-    const auto turnsTooFar = [&](int row) { return TurnsTooFar(forest.bodies[ToSize(row)].left); };
-    std::vector<int> parts;
+/// In loops whose aim misleads. All impulses of the last aim are taken back then. False if there are none.
+bool GiveWay(JointForest& forest, double h, double compliance, const std::vector<TreeSums>& before) {
+    struct Loop {
+        double left = 0.0, coasted = 0.0, aimed = 0.0;  ///< the largest
+    };
+    std::map<int, Loop> loops;
+    Lead(forest, h);
     for (const TreeJoint& joint : forest.joints) {
-        if (turnsTooFar(joint.a) || turnsTooFar(joint.b)) parts.push_back(joint.part);
+        Loop& loop = loops[joint.part];
+        for (const int row : {joint.a, joint.b}) loop.left = std::max(loop.left, forest.bodies[ToSize(row)].left);
+        loop.coasted = std::max(loop.coasted, joint.coasted);
+        loop.aimed = std::max(loop.aimed, LargestOf(ErrorsAhead(forest, joint)));
     }
-    std::sort(parts.begin(), parts.end());
+    const auto gives = [](const Loop& loop) { return Misleads(loop.left, loop.aimed, loop.coasted); };
+    if (std::ranges::none_of(loops, [&](const auto& loop) { return gives(loop.second); })) return false;
     for (size_t i = 0; i < before.size(); ++i) {
         TreeJoint& joint = forest.joints[i];
         static_cast<TreeSums&>(joint) = before[i];
-        if (std::binary_search(parts.begin(), parts.end(), joint.part)) joint.give = compliance;
+        if (gives(loops[joint.part])) joint.give = compliance;
     }
+    return true;
 }
 
 }  // namespace
@@ -154,11 +176,11 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
     if (m->joints.empty()) return;
     const auto factorize = [&] { FactorizeFor(*m, double{h}, m->compliance); };
     if (m->isForVelocities) factorize();
-    m->before.assign(m->joints.begin(), m->joints.end());
+    m->before.assign(m->joints.begin(), m->joints.end());  // as sums
     double left = AimAll(*m, double{h}, velocity);
     if (TurnsTooFar(left)) {
         for (double give = leastGive; TurnsTooFar(left) && give <= mostGive; give *= giveFactor) {
-            GiveWay(*m, give, m->before);
+            if (!GiveWay(*m, double{h}, give, m->before)) break;
             factorize();
             left = AimAll(*m, double{h}, velocity);
         }

@@ -26,6 +26,11 @@ inline double TakeSpin(double spin, double last, double left, double invI, doubl
 inline constexpr double leastGive = 1e-4, mostGive = 1.0, giveFactor = 10.0;  ///< as jointCompliance
 /// By what the new turns may leave of an error, in shares of an arm: rad².
 inline bool TurnsTooFar(double left) { return left > 0.1; }
+/// By the largest errors after a move with what was aimed at, and with the velocities before it. A whip may turn far in
+/// good order, but not by two radians.
+inline bool Misleads(double left, double aimed, double coasted) {
+    return TurnsTooFar(left) && (aimed > coasted || left > 4.0);
+}
 
 /// Replaces the first `count` rows of a symmetric matrix by its inverse. Rows whose pivot is only rounding beside
 /// `scale` get zeros: they repeat others.

@@ -47,6 +47,7 @@ struct TreeJoint : TreeSums {
     int part;                ///< those of one number may be coupled
     int linkBegin, linkEnd;  ///< in the order of elimination
     double give;             ///< compliance beside that of all
+    double coasted;          ///< largest error to which velocities lead before an aim
     TreeRows rows;
     double inverse[maxTreeRows][maxTreeRows];  ///< of its pivot
     double rhs[maxTreeRows];                   ///< right side, then impulses
