@@ -58,6 +58,12 @@ public:
         return gap;
     }
 
+    [[nodiscard]] Body* GetLink(size_t number) {
+        Body* body = world.GetBodyList();
+        for (size_t i = 0; i < number; ++i) body = body->GetNext();
+        return body;
+    }
+
     World world;
 
 private:
@@ -98,6 +104,25 @@ TEST(OpenJoints, CloseUnderLoadsWithoutBeingThrown) {
             EXPECT_LT(structure.Step(60, substeps), 0.1f)
                 << "seed " << seed << ", round " << round << ", " << substeps << " sub-steps";
         }
+    }
+}
+
+/// A link that a game puts elsewhere is brought back, or the rest after it.
+TEST(OpenJoints, CatchALinkThatWasMoved) {
+    const unsigned seed = std::random_device{}();
+    std::mt19937 random(seed);
+    const auto draw = [&](float low, float high) { return std::uniform_real_distribution(low, high)(random); };
+    for (int round = 0; round < 24; ++round) {
+        const OpenPlan plan{static_cast<int>(8 + random() % 13), false, round % 2 == 1,
+                            std::pow(10.0f, draw(0.0f, 3.0f)),   0.0f,  static_cast<unsigned>(random())};
+        const int substeps = round % 4 < 2 ? 4 : 16;
+        OpenStructure structure(plan);
+        structure.Step(30, substeps);
+        Body* link = structure.GetLink(random() % static_cast<unsigned>(plan.links));
+        link->SetTransform(link->GetPosition() + Vec2{draw(-3.0f, 3.0f), draw(-3.0f, 3.0f)}, link->GetAngle());
+        structure.Step(1, substeps);
+        EXPECT_LT(structure.Step(120, substeps), 3.0f) << "seed " << seed << ", round " << round;
+        EXPECT_LT(structure.Step(60, substeps), 0.3f) << "seed " << seed << ", round " << round;
     }
 }
 
