@@ -199,6 +199,7 @@ private:
                 Require(shape.halfExtents.x >= least && shape.halfExtents.y >= least && IsNear(shape.halfExtents) &&
                             4.0 * shape.halfExtents.x * shape.halfExtents.y >= leastArea,
                         extents, "give lengths that make an area of at least {} m²", leastArea);
+                Require(IsNear(CornerOf(shape)), extents, "its corners reach beyond 1e18; give smaller numbers");
                 break;
             case ShapeType::edge:
             case ShapeType::capsule:
@@ -213,6 +214,16 @@ private:
             default:
                 break;
         }
+    }
+
+    /// How far a box or an ellipse reaches from its body's origin at most, by coordinates.
+    static Vec2 CornerOf(const scenes::Shape& shape) {
+        constexpr double rounding = 1e-6;  // of sines and cosines in floats
+        const double angle = double{shape.angle}, slack = angle == 0.0 ? 1.0 : 1.0 + rounding;
+        const double c = slack * std::abs(std::cos(angle)), s = slack * std::abs(std::sin(angle));
+        const double x = double{shape.halfExtents.x}, y = double{shape.halfExtents.y};
+        return {static_cast<float>(std::abs(double{shape.center.x}) + c * x + s * y),
+                static_cast<float>(std::abs(double{shape.center.y}) + s * x + c * y)};
     }
 
     void CheckEnds(const scenes::Shape& shape, const std::string& place) {

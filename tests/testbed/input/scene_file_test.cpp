@@ -243,6 +243,16 @@ TEST(SceneFile, ErrorsNameThePlaceAndTheCure) {
              j["bodies"][1]["fixtures"][0]["shape"]["halfExtents"] = {1e12, 1e10};
          },
          "bodies[1].fixtures[0]", "moment of inertia"},
+        {[](Json& j) {
+             j["bodies"][1]["fixtures"][0]["shape"]["halfExtents"] = {0.5, 1e18};
+             j["bodies"][1]["fixtures"][0]["shape"]["center"] = {0, 1e17};
+         },
+         "bodies[1].fixtures[0].shape.halfExtents", "reach beyond 1e18"},
+        {[](Json& j) {
+             j["bodies"][1]["fixtures"][0]["shape"]["halfExtents"] = {9e17, 9e17};
+             j["bodies"][1]["fixtures"][0]["shape"]["angle"] = 0.785f;
+         },
+         "bodies[1].fixtures[0].shape.halfExtents", "reach beyond 1e18"},
     };
     ASSERT_EQ(ErrorOf(SampleJson().dump()), "");
     for (const auto& one : cases) {
