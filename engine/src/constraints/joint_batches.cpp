@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "constraints/joint_tree_factors.h"
 
@@ -179,8 +180,11 @@ void JointBatches::ListRootsAndOthers() {
     m_tree.resize(m_bodies.size());
     std::iota(m_tree.begin(), m_tree.end(), 0);
     for (const Place& place : m_places) m_tree[ToSize(place.child)] = place.parent;
-    for (int& tree : m_tree) {
-        while (m_tree[ToSize(tree)] != tree) tree = m_tree[ToSize(tree)];
+    for (size_t row = 0; row < m_tree.size(); ++row) {
+        int root = m_tree[row];
+        while (m_tree[ToSize(root)] != root) root = m_tree[ToSize(root)];
+        // The whole way, or the rows of a long chain would each walk it.
+        for (auto at = static_cast<int>(row); m_tree[ToSize(at)] != root;) at = std::exchange(m_tree[ToSize(at)], root);
     }
     for (size_t i = 0; i < m_places.size(); ++i) {
         Place& place = m_places[i];
