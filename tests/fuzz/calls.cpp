@@ -93,7 +93,7 @@ private:
         if ((flags & 2) != 0) def.restitution = m_input.Amount();
         def.isSensor = (flags & 12) == 12;
         def.reports = (flags & 16) != 0 ? Report::all : 0;
-        Vec2 points[8];
+        Vec2 points[8] = {};
         const int count = 1 + m_input.Choose(8);
         for (int i = 0; i < count; ++i) points[i] = m_input.Point();
         const auto add = [&](const Shape& shape) {

@@ -18,6 +18,8 @@ inline constexpr double halfPiLow = 0x1.8469898cc517p-48;
 inline constexpr double roundingShift = 0x1.8p+52;
 /// Smaller angles are reduced by these parts, rad.
 inline constexpr float largestDirect = 1.0e9f;
+/// A rotation may be turned on by less than that by adding what is at right angles to it: it grows by an ulp at most.
+inline constexpr float largestTurn = 0x1p-12f;
 // Near-minimax polynomials on |r| <= π/4 in r²: sin r = r + r³·S(r²), relative error 2e-11; cos r = 1 − r²/2 +
 // r⁴·C(r²), error 8e-10, both far below half an ulp of float (3e-8).
 inline constexpr double s0 = -0x1.555555545dd83p-3, s1 = 0x1.11110deeb33b2p-7;

@@ -263,7 +263,10 @@ private:
             }
         }
         NoteHits();
-        m_settings.solveRest({m_s.islandBodies, m_s.islandContacts, m_s.islandJoints, (1.0f - alpha) * m_settings.dt});
+        const SolverCounts counts = m_settings.solveRest(
+            {m_s.islandBodies, m_s.islandContacts, m_s.islandJoints, (1.0f - alpha) * m_settings.dt});
+        m_report.capped += counts.capped, m_report.nonFinite += counts.nonFinite;
+        QuarantineTouched();
         for (size_t i = 0; i < m_s.islandBodies.size(); ++i) m_toi.Refresh(m_s.islandBodies[i]);
         ForgetMembers();
     }
@@ -366,6 +369,8 @@ private:
             if (leaves) AddSpeed(i, 0.5f);
             Integrate(body, rest);
             if (leaves) AddSpeed(i, 0.5f);
+            Quarantine(body);
+            m_bodies.UpdateTransform(body);
         }
     }
 
@@ -440,18 +445,28 @@ private:
         if (turn > m_settings.maxRotation) v.w *= m_settings.maxRotation / turn;
         m_bodies.Shift(body, h * v.v);
         m_bodies.position[body].a += h * v.w;
-        Quarantine(body);
-        m_bodies.UpdateTransform(body);
     }
 
-    /// A body that is not finite any more goes back to where the event found it, at rest.
-    void Quarantine(BodyIndex body) {
+    /// A body that is not finite any more goes back to where the event found it, at rest. Then returns true.
+    bool Quarantine(BodyIndex body) {
         Velocity& v = m_bodies.velocity[body];
         const bool inRange = IsInRange(m_bodies.position[body], v);
-        if (inRange && (!m_bodies.IsFar() || IsInRange(m_bodies.rest[body].end))) return;
+        if (inRange && (!m_bodies.IsFar() || IsInRange(m_bodies.rest[body].end))) return false;
         ++m_report.nonFinite;
         m_bodies.ReturnToStart(body);
         v = {vec2Zero, 0.0f, 0.0f};
+        return true;
+    }
+
+    /// Bodies that touch the jointed ones are pushed by them.
+    void QuarantineTouched() {
+        for (const ContactIndex contact : m_s.islandContacts) {
+            const ContactPair& pair = m_t.contacts.pair[contact];
+            for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
+                if (PlaceOf(body) >= 0 || !m_toi.IsDynamic(body)) continue;
+                if (Quarantine(body)) m_bodies.UpdateTransform(body);
+            }
+        }
     }
 
     /// Holds the dynamic bodies of the pair where they meet, for the rest of the step. They keep the velocities that

@@ -47,7 +47,7 @@ struct ContinuousSettings {
     bool atOutlines = false;
     /// Soft step: solves and moves jointed bodies for the rest of a step. One limb that is stopped alone tears its
     /// joints.
-    FunctionRef<void(const JointedRest&)> solveRest{};
+    FunctionRef<SolverCounts(const JointedRest&)> solveRest{};
     const StartVelocities* startVelocities = nullptr;
 };
 
@@ -74,10 +74,11 @@ struct ContinuousScratch : ToiScratch {
     std::vector<JointIndex> islandJoints;
     std::vector<int> pairsInOrder;       ///< of one body
     Column<BodyIndex, int> islandPlace;  ///< per body: its place in islandBodies; −1 if it is not there
+    std::vector<BodyIndex> goingOn;      ///< of a step that goes on: what was active before
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return ToiScratch::GetMemoryBytes() + BytesOf(rows.velocity, rows.position, ahead, islandContacts, islandBodies,
-                                                      islandJoints, pairsInOrder, islandPlace);
+                                                      islandJoints, pairsInOrder, islandPlace, goingOn);
     }
 };
 

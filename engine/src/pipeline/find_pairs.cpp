@@ -8,7 +8,6 @@
 #include <algorithm>
 
 #include "pipeline/parts/rouse.h"
-#include "pipeline/parts/update_boxes.h"
 
 namespace scree {
 
@@ -68,9 +67,9 @@ void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairT
     edited.Clear();
 }
 
-void FindPairsOfMoved(std::initializer_list<const std::vector<BodyIndex>*> solved, float farDistance,
-                      const ContactEvents& events, PairTables t) {
-    if (t.bodies.Listed().empty()) return;  // no box has changed since pairs were found
+void FindPairsOfMoved(const MovedLists& solved, float farDistance, const ContactEvents& events, PairTables t) {
+    if (t.bodies.Listed().empty()) return t.contacts.Compact();  // no box has changed since pairs were found
+    RouseContacts(t.bodies, t.contacts);                         // of what an impact has woken
     RouseProxies(t.bodies, t.fixtures, t.broadPhase);
     const float farthest = UpdateMovedBoxes(t.bodies, t.fixtures, solved, t.pool, t.broadPhase);
     if (farthest > farDistance) t.bodies.EnsureRests();

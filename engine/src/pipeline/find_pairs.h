@@ -5,13 +5,13 @@
 
 #pragma once
 
-#include <initializer_list>
 #include <vector>
 
 #include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
 #include "pipeline/contact_events.h"
 #include "pipeline/parts/match_contacts.h"
+#include "pipeline/parts/update_boxes.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
 #include "state/edited_proxies.h"
@@ -37,7 +37,6 @@ void FindPairsOfEdited(EditedProxies& edited, const ContactEvents& events, PairT
 /// Finds the pairs of listed bodies if any box has changed. Called at the end of a step, after the boxes of the bodies
 /// that moved in it are known. These are the active ones, and those of the lists `solved` that fell asleep. A centre
 /// farther out than `farDistance`, m, makes positions have rests.
-void FindPairsOfMoved(std::initializer_list<const std::vector<BodyIndex>*> solved, float farDistance,
-                      const ContactEvents& events, PairTables tables);
+void FindPairsOfMoved(const MovedLists& solved, float farDistance, const ContactEvents& events, PairTables tables);
 
 }  // namespace scree

@@ -113,21 +113,22 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
     return report;
 }
 
-void SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
-               const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
+SolverCounts SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
+                       const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
     SolverSettings own = settings;
     const float share = dt / settings.dt;
     own.dt = dt;
     own.substeps = std::max(1, static_cast<int>(std::lround(share * static_cast<float>(settings.substeps))));
     own.impulseScale = settings.impulseScale > 0.0f ? share : 0.0f;
     tables.isRest = true;
-    SolveSoft(own, fixtures, lists, events, tables, scratch);
+    const SolverCounts counts = SolveSoft(own, fixtures, lists, events, tables, scratch);
     // Impulses are to be those of a whole step; of a very short rest they are those of a blow.
     const float whole = Min(1.0f / share, static_cast<float>(2 * settings.substeps) / static_cast<float>(own.substeps));
     for (const ContactIndex contact : lists.contacts) {
         for (ManifoldPoint& point : tables.contacts.manifold[contact].points)
             point.normalImpulse *= whole, point.tangentImpulse *= whole;
     }
+    return counts;
 }
 
 namespace {

@@ -46,9 +46,9 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
                   const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
 
 /// Solves and moves some bodies with their contacts and joints once more, for the last `dt` seconds of a soft step that
-/// took `settings`.
-void SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
-               const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
+/// took `settings`. Returns what it counted.
+SolverCounts SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
+                       const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
 
 /// Impulses that are not finite become 0: warm starting would bring them back in every later step, and no image could
 /// be read that has them.

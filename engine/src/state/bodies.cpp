@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/sin_cos_terms.h"
 #include "base/two_sum.h"
 
 namespace scree {
@@ -145,7 +146,10 @@ void BodyTable::NoteKinematic(BodyIndex body) {
 void BodyTable::UpdateTransform(BodyIndex body) {
     Transform& xf = transform[body];
     xf.q.Set(position[body].a);
-    if (const float turn = position[body].aRest; turn != 0.0f) {
+    const float turn = position[body].aRest;
+    if (Abs(turn) >= sin_cos::largestTurn) {
+        xf.q = Mul(xf.q, Rot(turn));
+    } else if (turn != 0.0f) {
         const float sine = xf.q.s;
         xf.q.s += turn * xf.q.c;
         xf.q.c -= turn * sine;

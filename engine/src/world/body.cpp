@@ -290,7 +290,13 @@ ErrorCode Body::SetAwake(bool flag) {
     if (!flag && GetType() != staticBody && guard.Uses({Feature::sleeping}).Failed()) return guard.Code();
     const Recording recording = guard.RecordMotion(m_index, flag);
     if (GetType() == staticBody) return ErrorCode::ok;
-    flag ? m_state->bodies.Wake(m_index) : m_state->bodies.PutToSleep(m_index);
+    if (flag) {
+        m_state->bodies.Wake(m_index);
+        return ErrorCode::ok;
+    }
+    m_state->bodies.PutToSleep(m_index);
+    // What it had before it in a sub-stepped step is over.
+    if (m_state->continuousScratch.resuming && !m_state->IsLocked()) m_state->bodies.NoteStart(m_index);
     return ErrorCode::ok;
 }
 bool Body::IsAwake() const { return Lives("Body::IsAwake") ? m_state->bodies.Has(m_index, BodyFlag::awake) : false; }

@@ -191,6 +191,7 @@ ErrorCode Body::SetType(BodyType type) {
     ResetMass(s, m_index);
     if (type == staticBody) {
         s.bodies.PutToSleep(m_index);  // clears velocity; the flag is never set on static bodies
+        s.bodies.NoteStart(m_index);   // what it had before it in a sub-stepped step is over
     } else {
         s.bodies.Wake(m_index);
     }

@@ -40,6 +40,17 @@ void RefilterIf(WorldState& s, BodyIndex body, Predicate involves) {
     }
 }
 
+/// The centre of mass where the sum of moments overflows, or rounding leads out of range.
+Vec2 MeanOfCenters(const WorldState& s, BodyIndex body, float invMass) {
+    Vec2 mean = vec2Zero;
+    for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[body])) {
+        MassData part;
+        s.fixtures.shape[f]->ComputeMass(&part, s.fixtures.info[f].density);
+        mean += (part.mass * invMass) * part.center;
+    }
+    return {Clamp(mean.x, -farthest, farthest), Clamp(mean.y, -farthest, farthest)};
+}
+
 Motion MotionOf(BodyType type) {
     return type == staticBody ? Motion::isStatic : type == dynamicBody ? Motion::dynamic : Motion::kinematic;
 }
@@ -75,6 +86,8 @@ void AddProxy(WorldState& s, FixtureIndex fixture) {
     box = place.OutOf(box);
     s.edited.Add(fixture);
     s.broadPhase->Insert(ProxyOf(fixture), OwnerOf(body), MotionOf(s.bodies.type[body]), box);
+    const bool rests = s.bodies.type[body] != staticBody && s.bodies.isListed[body] == 0;
+    if (rests) s.broadPhase->SetResting(ProxyOf(fixture), true);
     s.fixtures.info[fixture].inBroadPhase = true;
     ForgetGeometry(s, body);
     Stir(s, body);
@@ -147,6 +160,7 @@ void ResetMass(WorldState& s, BodyIndex body) {
     row.invMass = UsableInverse(mass);
     center *= row.invMass;
     if (row.invMass == 0.0f) mass = 0.0f, center = vec2Zero;
+    if (!IsInRange(center)) center = MeanOfCenters(s, body, row.invMass);
     const bool turns = info.inertia > 0.0f && !s.bodies.Has(body, BodyFlag::fixedRotation);
     if (turns) info.inertia -= mass * Dot(center, center);
     row.invI = turns ? UsableInverse(info.inertia) : 0.0f;

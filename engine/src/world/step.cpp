@@ -16,11 +16,27 @@ namespace scree {
 
 namespace {
 
+void ListActive(const BodyTable& bodies, std::vector<BodyIndex>& active) {
+    active.clear();
+    for (const BodyIndex body : bodies.Listed()) {
+        if (bodies.IsActive(body)) active.push_back(body);
+    }
+}
+
+/// What the step has moved. One that goes on leaves out what was solved before it: an image does not tell of that.
+MovedLists MovedBy(const WorldState& s, bool goesOn) {
+    if (goesOn) return {&s.continuousScratch.goingOn};
+    return {&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies};
+}
+
 /// Moves the bodies. With sub-stepping a step may end after an event; the next one then only goes on with its rest.
 void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents& events, Stopwatch& watch,
              StepResults& r) {
     s.log.NoteAwake(s.bodies);
-    if (!s.continuousScratch.resuming) {
+    const bool goesOn = s.continuousScratch.resuming;
+    if (goesOn) {
+        ListActive(s.bodies, s.continuousScratch.goingOn);
+    } else {
         GatherLists(settings, *s.pool, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
         r.profile.islands = watch.Lap();
         r.solved = RunSolver(s, settings, events);
@@ -29,8 +45,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     if (NeedsContinuous(s)) r.continuous = RunContinuous(s, settings, events, r.solved.substeps);
     r.profile.continuous = watch.Lap();
     if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts, s.joints);
-    FindPairsOfMoved({&s.active.isolated, &s.active.bodies, &s.islands.isolated, &s.islands.bodies}, s.FarDistance(),
-                     events, s.ForPairs());
+    FindPairsOfMoved(MovedBy(s, goesOn), s.FarDistance(), events, s.ForPairs());
     s.log.NoteMoves(s.bodies);
     RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
     r.profile.broadPhase += watch.Lap();

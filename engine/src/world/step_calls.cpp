@@ -84,8 +84,8 @@ ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, co
         rest.bodies.assign(jointed.bodies.begin(), jointed.bodies.end());
         rest.contacts.assign(jointed.contacts.begin(), jointed.contacts.end());
         rest.joints.assign(jointed.joints.begin(), jointed.joints.end());
-        SolveRest(ofRest, jointed.dt, s.fixtures, rest, events, {*s.pool, s.bodies, s.contacts, s.joints},
-                  s.solverScratch);
+        return SolveRest(ofRest, jointed.dt, s.fixtures, rest, events, {*s.pool, s.bodies, s.contacts, s.joints},
+                         s.solverScratch);
     };
     if (settings.substeps > 0 && s.joints.slots.Count() > 0) {
         // A step that goes on knows no more than the image of a world that it was loaded from.

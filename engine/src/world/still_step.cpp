@@ -28,6 +28,7 @@ void StandStill(WorldState& s, const StepRequest& request, StepResults& results)
     if (!s.bodies.risenProxies.empty()) {
         std::erase_if(s.bodies.risenProxies, [&](BodyIndex b) { return s.bodies.isListed[b] == 0; });
     }
+    s.contacts.Compact();  // some may have ended in a step of no duration
     s.lastInverseDt = 1.0f / request.dt;
 }
 

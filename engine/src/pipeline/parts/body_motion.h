@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "base/sin_cos_terms.h"
 #include "pipeline/parts/solver.h"
 #include "state/limits.h"
 
@@ -49,10 +50,13 @@ inline bool FinishPose(BodyTable& bodies, BodyIndex body) {
     HasTurned(bodies, body) ? bodies.UpdateTransform(body) : bodies.UpdateOrigin(body);
     return isLost;
 }
-/// The same where the rotation of the position is known.
+/// The same where SinCos8 has turned the body. Large angles are beyond it.
 inline bool FinishPose(BodyTable& bodies, BodyIndex body, Rot rotation) {
     const bool isLost = ReturnIfLost(bodies, body);
-    if (HasTurned(bodies, body)) bodies.transform[body].q = rotation;
+    const float angle = bodies.position[body].a;
+    if (HasTurned(bodies, body)) {
+        bodies.transform[body].q = Abs(angle) < sin_cos::largestDirect ? rotation : Rot(angle);
+    }
     bodies.UpdateOrigin(body);
     return isLost;
 }

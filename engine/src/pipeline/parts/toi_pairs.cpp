@@ -387,6 +387,8 @@ void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDyn
     const auto visit = [&](uint32_t proxy) {
         const FixtureIndex other = FixtureOf(proxy);
         const BodyIndex otherBody = m_t.fixtures.body[other];
+        // A mover that is shown all the same looks for its pairs itself, or the order of a pair would hang on the tree.
+        if (!withDynamic && m_bodies.type[otherBody] != staticBody) return true;
         const bool isSwept = withDynamic && m_bodies.isListed[otherBody] != 0 && m_bodies.IsActive(otherBody);
         if (!isSwept || TestOverlap(box, SweptBox(otherBody, other))) m_s.found.push_back(other);
         return true;
@@ -430,6 +432,7 @@ void ToiPairs::Add(const ToiCandidate& candidate) {
     const BodyIndex body = m_t.fixtures.body[fixture];
     const BodyIndex otherBody = m_t.fixtures.body[other];
     if (otherBody == body || m_t.fixtures.isSensor[other] || !MayMeet(body, otherBody)) return;
+    if (!m_bodies.IsActive(body) && !m_bodies.IsActive(otherBody)) return;
     if (m_bodies.type[otherBody] == staticBody && IsClear(fixture, other, 0.0f)) return;
     if (m_s.knownTo[other] == m_s.round) return;
     if (!MayCollide(fixture, other)) return;

@@ -106,8 +106,8 @@ float UpdateShared(const BodyTable& bodies, const FixtureTable& fixtures, TaskPo
 }
 
 template <bool isFar>
-float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
-                  std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool, BroadPhase& broadPhase) {
+float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures, const MovedLists& solved, TaskPool& pool,
+                  BroadPhase& broadPhase) {
     float farthest = 0.0f;
     BoxBatch<isFar> batch(bodies, fixtures, broadPhase);
     if (pool.IsWide() && broadPhase.SharesUpdates()) {
@@ -119,7 +119,7 @@ float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
     }
     // Bodies that fell asleep in this step moved in it, too.
     for (const std::vector<BodyIndex>* list : solved) {
-        if (bodies.fellAsleep == 0) break;
+        if (list == nullptr || bodies.fellAsleep == 0) break;
         for (const BodyIndex body : *list) {
             constexpr uint16_t active = BodyFlag::awake | BodyFlag::enabled;
             const uint16_t flags = bodies.flags[body];
@@ -133,8 +133,7 @@ float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures,
 
 }  // namespace
 
-float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures,
-                       std::initializer_list<const std::vector<BodyIndex>*> solved, TaskPool& pool,
+float UpdateMovedBoxes(const BodyTable& bodies, const FixtureTable& fixtures, const MovedLists& solved, TaskPool& pool,
                        BroadPhase& broadPhase) {
     return bodies.IsFar() ? UpdateMoved<true>(bodies, fixtures, solved, pool, broadPhase)
                           : UpdateMoved<false>(bodies, fixtures, solved, pool, broadPhase);
