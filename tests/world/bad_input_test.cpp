@@ -123,6 +123,31 @@ TEST_F(BadInput, Shapes) {
                   [&] { EXPECT_EQ(box->CreateFixture(&polygon, 1), nullptr); });
 }
 
+TEST_F(BadInput, FieldsOfShapesThatProgramsHaveWritten) {
+    const auto refused = [&](ErrorCode code, const char* field, auto write) {
+        PolygonShape polygon;
+        polygon.SetAsBox(1, 1);
+        ConvexShape convex = MakeEllipse(2.0f, 1.0f);
+        const Shape* shape = nullptr;
+        if constexpr (std::is_invocable_v<decltype(write), PolygonShape&>) {
+            write(polygon), shape = &polygon;
+        } else {
+            write(convex), shape = &convex;
+        }
+        ExpectRefused(code, field, [&] { EXPECT_EQ(box->CreateFixture(shape, 1), nullptr); });
+    };
+    refused(ErrorCode::badShape, "PolygonShape::m_normals", [](PolygonShape& p) { p.m_normals[1] = {0, 2}; });
+    refused(ErrorCode::outOfRange, "PolygonShape::m_centroid", [](PolygonShape& p) { p.m_centroid.x = 1e30f; });
+    refused(ErrorCode::badShape, "ConvexShape::m_normals", [](ConvexShape& c) { c.m_normals[1] = {0, 2}; });
+    refused(ErrorCode::outOfRange, "ConvexShape::m_controls", [](ConvexShape& c) { c.m_controls[0].y = 1e30f; });
+    refused(ErrorCode::nonFinite, "ConvexShape::m_error", [](ConvexShape& c) { c.m_error = infinity; });
+    refused(ErrorCode::outOfRange, "ConvexShape::m_error", [](ConvexShape& c) { c.m_error = -1; });
+    refused(ErrorCode::outOfRange, "ConvexShape::m_error", [](ConvexShape& c) { c.m_error = 1e30f; });
+    refused(ErrorCode::nonFinite, "ConvexShape::m_solidRadius", [](ConvexShape& c) { c.m_solidRadius = nan; });
+    refused(ErrorCode::badShape, "ConvexShape::m_solidRadius", [](ConvexShape& c) { c.m_solidRadius = 9; });
+    refused(ErrorCode::outOfRange, "ConvexShape::m_unitMass", [](ConvexShape& c) { c.m_unitMass.center.x = 1e30f; });
+}
+
 TEST_F(BadInput, BodySetters) {
     ExpectRefused(ErrorCode::nonFinite, "position", [&] { box->SetTransform({nan, 0}, 0); });
     ExpectRefused(ErrorCode::nonFinite, "angle", [&] { box->SetTransform({0, 0}, infinity); });

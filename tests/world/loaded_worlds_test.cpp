@@ -13,6 +13,7 @@
 
 #include "fixtures.h"
 #include "scree/snapshot.h"
+#include "world/world_state.h"
 
 namespace scree::test {
 namespace {
@@ -203,6 +204,33 @@ TEST_F(LoadedWorlds, RotationsStayUnitVectorsAtAnyAngle) {
             }
         }
         ExpectAlike(world);
+    }
+}
+
+TEST_F(LoadedWorlds, OfBodiesInPlacesThatNoProgramCanGiveThemThereAreNone) {
+    World world({0.0f, -10.0f});
+    Body* body = AddBody(world, dynamicBody, {1e18f, -1e18f});
+    CircleShape far;
+    far.m_p = {1e18f, -1e18f}, far.m_radius = 1.0f;
+    body->CreateFixture(&far, 1e-3f);
+    ASSERT_NE(LoadWorld(SaveWorld(world)), nullptr) << "what a program can give";
+    BodyTable& bodies = world.GetState().bodies;
+    const BodyIndex row{body->GetIndex()};
+    const auto expectRefused = [&](float& value, float bad) {
+        const float good = value;
+        value = bad;
+        SnapshotError error = SnapshotError::ok;
+        EXPECT_EQ(LoadWorld(SaveWorld(world), &error), nullptr) << bad;
+        EXPECT_EQ(error, SnapshotError::badContent);
+        value = good;
+    };
+    for (int round = 0; round < rounds; ++round) {
+        const float beyond = std::exp2(Between(64.0f, 127.9f)) * (Flip() ? 1.0f : -1.0f);
+        expectRefused(bodies.position[row].c.x, beyond);
+        expectRefused(bodies.position[row].c.y, beyond);
+        expectRefused(bodies.startPosition[row].c.x, beyond);
+        expectRefused(bodies.transform[row].p.y, beyond);
+        expectRefused(bodies.transform[row].q.s, Between(1.01f, 1e6f));
     }
 }
 

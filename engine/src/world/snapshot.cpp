@@ -57,7 +57,7 @@ bool ReadShapesAndBoxes(WorldState& s, ImageReader& in) {
         if (!s.fixtures.info[fixture].inBroadPhase) continue;
         AABB box;
         in(box);
-        if (in.Failed() || !box.IsValid()) return false;
+        if (in.Failed() || !IsPossible(box)) return false;
         RestoreProxy(s, fixture, box);
     }
     return true;

@@ -20,13 +20,19 @@ bool HaveSize(size_t size, const Columns&... columns) {
     return ((columns.size() == size) && ...);
 }
 
-bool IsFinite(const BodyTable& t, BodyIndex b) {
+/// Bodies and their centres of mass are placed in range, but one may lie out of range by how far the other is from it.
+bool IsPlace(Vec2 p) {
+    constexpr float most = 8.0f * farthest;
+    return Abs(p.x) <= most && Abs(p.y) <= most;
+}
+
+bool IsPossible(const BodyTable& t, BodyIndex b) {
     const Transform& xf = t.transform[b];
-    const bool poses = t.position[b].c.IsValid() && t.startPosition[b].c.IsValid() && xf.p.IsValid() &&
+    const bool poses = IsPlace(t.position[b].c) && IsPlace(t.startPosition[b].c) && IsPlace(xf.p) &&
                        std::isfinite(t.position[b].a) && std::isfinite(t.startPosition[b].a);
-    const bool rests = t.rest.empty() || (t.rest[b].end.IsValid() && t.rest[b].start.IsValid());
-    return poses && rests && std::isfinite(xf.q.s) && std::isfinite(xf.q.c) && t.velocity[b].v.IsValid() &&
-           std::isfinite(t.velocity[b].w);
+    const bool rests = t.rest.empty() || (IsPlace(t.rest[b].end) && IsPlace(t.rest[b].start));
+    const bool isRotation = Abs(xf.q.s * xf.q.s + xf.q.c * xf.q.c - 1.0f) < 1e-3f;
+    return poses && rests && isRotation && t.velocity[b].v.IsValid() && std::isfinite(t.velocity[b].w);
 }
 
 /// Within what programs can give a body, and fixtures together make.
@@ -70,6 +76,12 @@ bool AreMoversWhole(const BodyTable& t) {
 
 }  // namespace
 
+bool IsPossible(const AABB& box) {
+    constexpr float most = 100.0f * farthest;  // a box may be wider than what is in it, and lie ahead of it
+    const auto isNear = [](Vec2 p) { return Abs(p.x) <= most && Abs(p.y) <= most; };
+    return box.IsValid() && isNear(box.lowerBound) && isNear(box.upperBound);
+}
+
 bool AreBodiesConsistent(const BodyTable& t) {
     const size_t size = ToSize(t.slots.Size());
     if (!t.slots.IsConsistent() || !HaveSize(size, t.velocity, t.position, t.startPosition)) return false;
@@ -83,7 +95,7 @@ bool AreBodiesConsistent(const BodyTable& t) {
     for (const BodyIndex b : t.slots.Rows()) {
         if (t.type[b] > dynamicBody) return false;
         if (!t.slots.IsAlive(b)) continue;
-        if (!IsFinite(t, b) || !IsPossible(t.mass[b], t.motion[b], t.info[b].inertia)) return false;
+        if (!IsPossible(t, b) || !IsPossible(t.mass[b], t.motion[b], t.info[b].inertia)) return false;
     }
     return IsBodyListWhole(t) && AreMoversWhole(t);
 }

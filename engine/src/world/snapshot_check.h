@@ -10,6 +10,8 @@
 
 namespace scree {
 
+/// A fixture's box in the broad phase.
+[[nodiscard]] bool IsPossible(const AABB& box);
 /// Bodies and fixtures; call it before anything is made from them.
 [[nodiscard]] bool AreBodiesConsistent(const BodyTable& bodies);
 [[nodiscard]] bool AreFixturesConsistent(const FixtureTable& fixtures, const BodyTable& bodies);

@@ -48,13 +48,31 @@ Finding CheckNear(std::span<const Vec2> vertices, const char* field) {
     return {};
 }
 
+/// Of what is computed from vertices in range, and rounded.
+template <typename T>
+Finding CheckAbout(T value, const char* field) {
+    return CheckNear(0.5f * value, field);
+}
+
+/// Those of single points are 0.
+Finding CheckNormals(std::span<const Vec2> normals, const char* field) {
+    constexpr float most = 1.01f;
+    for (const Vec2 normal : normals) {
+        if (!(normal.LengthSquared() <= most)) return {ErrorCode::badShape, field, "give normals of length 1"};
+    }
+    return {};
+}
+
 Finding CheckPolygon(const PolygonShape& polygon) {
     if (polygon.m_count < 3 || polygon.m_count > maxPolygonVertices) {
         return {ErrorCode::badShape, "PolygonShape::m_count", "call Set or SetAsBox first; 3 to 8 vertices"};
     }
     if (!polygon.Validate())
         return {ErrorCode::badShape, "PolygonShape::m_vertices", "give a convex, counter-clockwise polygon"};
-    return CheckNear(std::span(polygon.m_vertices, ToSize(polygon.m_count)), "PolygonShape::m_vertices");
+    const size_t count = ToSize(polygon.m_count);
+    return First(CheckNear(std::span(polygon.m_vertices, count), "PolygonShape::m_vertices"),
+                 CheckNormals(std::span(polygon.m_normals, count), "PolygonShape::m_normals"),
+                 CheckAbout(polygon.m_centroid, "PolygonShape::m_centroid"));
 }
 
 Finding CheckConvex(const ConvexShape& convex) {
@@ -63,7 +81,17 @@ Finding CheckConvex(const ConvexShape& convex) {
         return {ErrorCode::badShape, "ConvexShape::m_count", "use a Make function; 1 to 64 vertices"};
     if (!convex.Validate())
         return {ErrorCode::badShape, "ConvexShape::m_vertices", "give a convex, counter-clockwise core"};
-    return CheckNear(std::span(convex.m_vertices, ToSize(convex.m_count)), "ConvexShape::m_vertices");
+    if (convex.m_solidRadius > convex.m_radius)
+        return {ErrorCode::badShape, "ConvexShape::m_solidRadius", "give at most the radius"};
+    const size_t count = ToSize(convex.m_count);
+    for (const Vec2 control : std::span(convex.m_controls, count)) {
+        if (const Finding wrong = CheckAbout(control, "ConvexShape::m_controls")) return wrong;
+    }
+    return First(CheckNear(std::span(convex.m_vertices, count), "ConvexShape::m_vertices"),
+                 CheckNormals(std::span(convex.m_normals, count), "ConvexShape::m_normals"),
+                 CheckAmount(convex.m_solidRadius, "ConvexShape::m_solidRadius"),
+                 CheckAmount(convex.m_error, "ConvexShape::m_error"), CheckNear(convex.m_error, "ConvexShape::m_error"),
+                 CheckAbout(convex.m_unitMass.center, "ConvexShape::m_unitMass"));
 }
 
 Finding CheckEdge(const EdgeShape& edge) {
