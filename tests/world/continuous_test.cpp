@@ -9,9 +9,12 @@
 
 #include <cmath>
 #include <memory>
+#include <random>
 #include <string>
 
 #include "base/indexed_heap.h"
+#include "scree/inspect.h"
+#include "scree/rollback.h"
 #include "scree/snapshot.h"
 #include "tests/world/fixtures.h"
 
@@ -333,6 +336,97 @@ TEST(Continuous, NothingPassesThroughABulletAtRest) {
         StepFor(world, 30);
         EXPECT_LT(disk->GetPosition().x, plate->GetPosition().x) << speed;
     }
+}
+
+/// Nor through one that sleeps, whether it slept from the start, became a bullet in its sleep, or was brought back.
+TEST(Continuous, NothingPassesThroughASleepingBullet) {
+    enum class Way { born, toldLater, loaded, rolledBack };
+    std::mt19937 random(20261127);
+    const auto between = [&](float low, float high) { return std::uniform_real_distribution(low, high)(random); };
+    for (int round = 0; round < 24; ++round) {
+        for (const Way way : {Way::born, Way::toldLater, Way::loaded, Way::rolledBack}) {
+            std::unique_ptr<World> world = std::make_unique<World>(Vec2{0.0f, 0.0f});
+            const Vec2 place{between(-20.0f, 20.0f), between(-20.0f, 20.0f)};
+            const float angle = between(-3.0f, 3.0f);
+            const Vec2 along = Mul(Rot(angle), Vec2{1.0f, 0.0f});
+            BodyDef def;
+            def.type = dynamicBody;
+            def.position = place;
+            def.angle = angle;
+            def.awake = false;
+            def.bullet = way != Way::toldLater;
+            // Many of them are looked for in another way than a few.
+            const int others = round % 2 == 0 ? 0 : 40;
+            AddBox(world->CreateBody(&def), 0.02f, 3.0f, 1000.0f);
+            for (int i = 0; i < others; ++i) {
+                def.position = {100.0f + 3.0f * static_cast<float>(i), 0.0f};
+                AddBox(world->CreateBody(&def), 0.5f, 0.5f);
+            }
+            Body* disk = AddBody(*world, dynamicBody, place - between(4.0f, 6.0f) * along);
+            AddCircle(disk, between(0.05f, 0.2f), 0.1f);
+            const int substeps = round % 3 == 0 ? 0 : 4;
+            for (int i = 0; i < 3; ++i) StepWith(*world, substeps);  // nothing happens
+            Rollback rollback(*world, 2);
+            const int64_t moment = rollback.Save();
+            for (Body* body = world->GetBodyList(); body != nullptr; body = body->GetNext()) {
+                if (way == Way::toldLater && body != disk) body->SetBullet(true);
+                if (way == Way::rolledBack) body->SetBullet(false);
+            }
+            if (way == Way::rolledBack) {
+                ASSERT_EQ(rollback.Restore(moment), SnapshotError::ok);
+            }
+            if (way == Way::loaded) world = LoadWorld(SaveWorld(*world));
+            ASSERT_NE(world, nullptr);
+            Body* plate = nullptr;
+            for (Body* body = world->GetBodyList(); body != nullptr; body = body->GetNext()) {
+                const Shape::Type type = body->GetFixtureList()->GetType();
+                if (type == Shape::e_circle) disk = body;
+                if (type == Shape::e_polygon && body->GetPosition() == place) plate = body;
+            }
+            ASSERT_NE(plate, nullptr);
+            ASSERT_FALSE(plate->IsAwake());
+            disk->SetLinearVelocity(between(80.0f, 110.0f) * along);
+            for (int i = 0; i < 10; ++i) StepWith(*world, substeps);
+            EXPECT_LT(Dot(disk->GetPosition() - plate->GetPosition(), along), 0.0f)
+                << "round " << round << ", way " << static_cast<int>(way);
+        }
+    }
+}
+
+/// Of many bullets and kinematic bodies that rest, a step looks at those on somebody's way. After an image it looks at
+/// all: that makes no difference.
+TEST(Continuous, TargetsOutOfTheWayChangeNothing) {
+    std::mt19937 random(20261128);
+    const auto between = [&](float low, float high) { return std::uniform_real_distribution(low, high)(random); };
+    int events = 0;
+    for (int round = 0; round < 20; ++round) {
+        World world({0.0f, -10.0f});
+        BodyDef def;
+        def.awake = false;
+        for (int i = 0; i < 80; ++i) {
+            def.type = between(0.0f, 1.0f) < 0.5f ? dynamicBody : kinematicBody;
+            def.bullet = def.type == dynamicBody;
+            def.gravityScale = 0.0f;
+            def.position = {between(-10.0f, 10.0f), between(-10.0f, 10.0f)};
+            def.angle = between(-3.0f, 3.0f);
+            AddBox(world.CreateBody(&def), between(0.02f, 0.6f), between(0.02f, 0.6f));
+        }
+        for (int i = 0; i < 3; ++i) StepWith(world, round % 2 == 0 ? 0 : 4);
+        for (int i = 0; i < 6; ++i) {
+            Body* disk = AddBody(world, dynamicBody, {between(-10.0f, 10.0f), between(-10.0f, 10.0f)});
+            AddCircle(disk, between(0.05f, 0.3f));
+            disk->SetLinearVelocity({between(-200.0f, 200.0f), between(-200.0f, 200.0f)});
+        }
+        for (int i = 0; i < 10; ++i) {
+            const std::unique_ptr<World> again = LoadWorld(SaveWorld(world));
+            ASSERT_NE(again, nullptr);
+            events += StepWith(world, round % 2 == 0 ? 0 : 4).continuousEventCount;
+            StepWith(*again, round % 2 == 0 ? 0 : 4);
+            ASSERT_EQ(inspect::GetStateHash(world), inspect::GetStateHash(*again))
+                << "round " << round << ", step " << i;
+        }
+    }
+    EXPECT_GT(events, 200);
 }
 
 TEST(Continuous, AJointToADisabledBodyHoldsNothingInAnEvent) {

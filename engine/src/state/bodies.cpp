@@ -37,7 +37,7 @@ BodyIndex BodyTable::Add(WorldState* state, const BodyDef& def) {
     ReserveRows(movers.size() + 1, movers);
     ReserveRows(rows, isListed, risen, risenProxies, m_listed);
     listedRows.Reserve(movers.size() + 1);
-    kinematicRows.Reserve(movers.size() + 1);
+    targetRows.Reserve(movers.size() + 1);
     while (handles.size() < rows) handles.emplace_back(state, handles.End());
 
     slots.Allocate();
@@ -121,14 +121,14 @@ void BodyTable::ListAll() {
     isListed.resize(info.size(), 0);
     for (const BodyIndex body : movers) {
         Enlist(body);
-        NoteKinematic(body);
+        NoteTarget(body);
     }
     fellAsleep = 1;
 }
 
-void BodyTable::AddRestingKinematics(std::vector<BodyIndex>& bodies) const {
+void BodyTable::AddResting(const IndexSet<MoverRow>& rows, std::vector<BodyIndex>& bodies) const {
     const auto listed = static_cast<ptrdiff_t>(bodies.size());
-    kinematicRows.ForEach([&](MoverRow row) {
+    rows.ForEach([&](MoverRow row) {
         const BodyIndex body = movers[row];
         if (isListed[body] == 0) bodies.push_back(body);
     });
@@ -137,10 +137,10 @@ void BodyTable::AddRestingKinematics(std::vector<BodyIndex>& bodies) const {
         std::inplace_merge(bodies.begin(), bodies.begin() + listed, bodies.end(), before);
 }
 
-void BodyTable::NoteKinematic(BodyIndex body) {
+void BodyTable::NoteTarget(BodyIndex body) {
     const MoverRow row = info[body].moverRow;
     if (IsNone(row)) return;
-    type[body] == kinematicBody ? kinematicRows.Insert(row) : kinematicRows.Erase(row);
+    IsTarget(body) ? targetRows.Insert(row) : targetRows.Erase(row);
 }
 
 void BodyTable::UpdateTransform(BodyIndex body) {
@@ -247,7 +247,7 @@ void BodyTable::Link(BodyIndex body) {
         row.moverRow = movers.End();
         movers.push_back(body);
         Enlist(body);
-        NoteKinematic(body);
+        NoteTarget(body);
         if (!Has(body, BodyFlag::awake)) fellAsleep = 1;
     } else {
         row.moverRow = MoverRow::none;
@@ -264,7 +264,7 @@ void BodyTable::Unlink(BodyIndex body) {
         isListed[body] = 0;
         const BodyIndex moved = movers.back();
         const auto last = ToIndex<MoverRow>(movers.size() - 1);
-        for (IndexSet<MoverRow>* rows : {&listedRows, &kinematicRows}) {
+        for (IndexSet<MoverRow>* rows : {&listedRows, &targetRows}) {
             const bool movesIn = rows->Erase(last);
             rows->Erase(row.moverRow);
             if (movesIn && moved != body) rows->Insert(row.moverRow);

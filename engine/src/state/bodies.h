@@ -108,7 +108,7 @@ struct BodyTable {
     // Which movers a step looks at: all that are awake are listed, and some that are not, such as those edited since
     // the last step. The others rest: no stage visits them. Whether a body that is asleep is listed changes no result.
     IndexSet<MoverRow> listedRows;        ///< rows of `movers`
-    IndexSet<MoverRow> kinematicRows;     ///< likewise, of kinematic bodies
+    IndexSet<MoverRow> targetRows;        ///< likewise, of what dynamic bodies must not pass: see IsTarget
     Column<BodyIndex, uint8_t> isListed;  ///< per body
     std::vector<BodyIndex> risen;         ///< bodies listed again, whose contacts still rest
     std::vector<BodyIndex> risenProxies;  ///< and those whose proxies do
@@ -148,10 +148,14 @@ struct BodyTable {
     [[nodiscard]] bool AreAllListed() const { return ToSize(listedRows.Count()) == movers.size(); }
     /// After the fields were read: lists every mover.
     void ListAll();
-    /// After a change of type.
-    void NoteKinematic(BodyIndex body);
-    /// Adds the kinematic bodies that rest to a list of bodies in the order of `movers`.
-    void AddRestingKinematics(std::vector<BodyIndex>& bodies) const;
+    /// A mover that dynamic bodies must not pass: a kinematic body or a bullet.
+    [[nodiscard]] bool IsTarget(BodyIndex body) const {
+        return type[body] == kinematicBody || (type[body] == dynamicBody && Has(body, BodyFlag::bullet));
+    }
+    /// After a change of what IsTarget asks for.
+    void NoteTarget(BodyIndex body);
+    /// Adds the movers of these rows that rest to a list of bodies in the order of `movers`.
+    void AddResting(const IndexSet<MoverRow>& rows, std::vector<BodyIndex>& bodies) const;
     void PutToSleep(BodyIndex body);
     /// Positions have rests.
     [[nodiscard]] bool IsFar() const { return !rest.empty(); }
@@ -216,13 +220,13 @@ struct BodyTable {
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion, demand,
-               sleepTime, flags, type, fixtureHead, info, handles, movers, listHead, lastMover, listedRows,
-               kinematicRows, isListed, risen, risenProxies, fellAsleep, listed, listedChanged] = t;
+               sleepTime, flags, type, fixtureHead, info, handles, movers, listHead, lastMover, listedRows, targetRows,
+               isListed, risen, risenProxies, fellAsleep, listed, listedChanged] = t;
         visit(slots), visit.Hashed(t.IsFar());
         visit.Rows(slots, velocity, startVelocity, position, startPosition, rest, transform, mass, force, motion,
                    demand, sleepTime, flags, type, fixtureHead, info);
         visit(movers, listHead, lastMover);
-        visit.LeftOut(handles, listedRows, kinematicRows, isListed, risen, risenProxies, fellAsleep, listed,
+        visit.LeftOut(handles, listedRows, targetRows, isListed, risen, risenProxies, fellAsleep, listed,
                       listedChanged);
     }
 

@@ -267,6 +267,7 @@ ErrorCode Body::SetBullet(bool flag) {
     const Recording recording = guard.Record(m_index, flag);
     const BodyFeatureEdit edit(*m_state, m_index);
     SetFlag(m_state->bodies, m_index, BodyFlag::bullet, flag);
+    m_state->bodies.NoteTarget(m_index);
     return ErrorCode::ok;
 }
 bool Body::IsBullet() const { return Lives("Body::IsBullet") ? m_state->bodies.Has(m_index, BodyFlag::bullet) : false; }

@@ -187,7 +187,7 @@ ErrorCode Body::SetType(BodyType type) {
     ForgetGeometry(s, m_index);  // as what it was
     s.bodies.type[m_index] = type;
     if (changesList) s.bodies.Relist(m_index);
-    s.bodies.NoteKinematic(m_index);
+    s.bodies.NoteTarget(m_index);
     ResetMass(s, m_index);
     if (type == staticBody) {
         s.bodies.PutToSleep(m_index);  // clears velocity; the flag is never set on static bodies

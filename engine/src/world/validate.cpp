@@ -84,11 +84,11 @@ Finding CheckConvex(const ConvexShape& convex) {
     if (convex.m_solidRadius > convex.m_radius)
         return {ErrorCode::badShape, "ConvexShape::m_solidRadius", "give at most the radius"};
     const size_t count = ToSize(convex.m_count);
+    if (const Finding wrong = CheckNear(std::span(convex.m_vertices, count), "ConvexShape::m_vertices")) return wrong;
     for (const Vec2 control : std::span(convex.m_controls, count)) {
         if (const Finding wrong = CheckAbout(control, "ConvexShape::m_controls")) return wrong;
     }
-    return First(CheckNear(std::span(convex.m_vertices, count), "ConvexShape::m_vertices"),
-                 CheckNormals(std::span(convex.m_normals, count), "ConvexShape::m_normals"),
+    return First(CheckNormals(std::span(convex.m_normals, count), "ConvexShape::m_normals"),
                  CheckAmount(convex.m_solidRadius, "ConvexShape::m_solidRadius"),
                  CheckAmount(convex.m_error, "ConvexShape::m_error"), CheckNear(convex.m_error, "ConvexShape::m_error"),
                  CheckAbout(convex.m_unitMass.center, "ConvexShape::m_unitMass"));

@@ -65,14 +65,15 @@ bool ToiPairs::Moves(BodyIndex body) const {
 
 void ToiPairs::FindAll() {
     const std::span<const BodyIndex> bodies = m_bodies.Listed();
-    // What rests is no danger but to what moves: a kinematic body that rests counts only where dynamic ones do not.
+    // What rests is no danger but to what moves: a kinematic body or a bullet that rests counts only where dynamic ones
+    // do not.
     const bool somethingMoves =
         std::ranges::any_of(bodies, [this](BodyIndex b) { return IsDynamic(b) && m_bodies.IsActive(b); });
     m_s.lookers.assign(bodies.begin(), bodies.end());
-    if (somethingMoves) m_bodies.AddRestingKinematics(m_s.lookers);
+    if (somethingMoves) AddRestingTargets();
     for (const BodyIndex body : m_s.lookers) {
         if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
-        m_dynamicTargets = m_dynamicTargets || !IsDynamic(body) || (IsBullet(body) && m_bodies.IsActive(body));
+        m_dynamicTargets = m_dynamicTargets || m_bodies.IsTarget(body);
     }
     m_fewToMeet = m_dynamicTargets && AreFewToMeet(somethingMoves);
     if (m_fewToMeet) {
@@ -87,9 +88,9 @@ void ToiPairs::FindAll() {
     for (size_t i = 0; i < m_s.lookers.size(); ++i) {
         const BodyIndex body = m_s.lookers[i];
         if (m_s.screened[i] == ScreenedBody::passes) continue;
-        if (!IsDynamic(body) && m_fewToMeet) {
+        if (IsHitter(body) && m_fewToMeet) {
             CollectHits(body, hitter);
-        } else if (!IsDynamic(body)) {
+        } else if (IsHitter(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
         } else {
             CollectFirst(body, nearby);
@@ -97,6 +98,34 @@ void ToiPairs::FindAll() {
     }
     m_timesFollow = false;
     FindTimes();
+}
+
+/// Adds the targets that rest, or where they are many those on somebody's way.
+void ToiPairs::AddRestingTargets() {
+    const std::span<const BodyIndex> movers = m_bodies.Listed();
+    if (ToSize(m_bodies.targetRows.Count()) <= movers.size()) {
+        m_bodies.AddResting(m_bodies.targetRows, m_s.lookers);
+        return;
+    }
+    m_dynamicTargets = true;  // ways may still change
+    m_s.nearTargets.Reserve(m_bodies.movers.size());
+    m_s.nearTargets.Clear();
+    const auto visit = [&](uint32_t proxy) {
+        const BodyIndex body = m_t.fixtures.body[FixtureOf(proxy)];
+        if (m_bodies.IsTarget(body)) m_s.nearTargets.Insert(m_bodies.info[body].moverRow);
+        return true;
+    };
+    const float margin = linearSlop * m_lengthScale;  // as in QuickSweepOf
+    for (const BodyIndex body : movers) {
+        if (!IsDynamic(body) || !m_bodies.IsActive(body)) continue;
+        for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
+            if (!m_t.fixtures.info[f].inBroadPhase) continue;
+            AABB box = SweptBox(body, f);
+            box.lowerBound -= {margin, margin}, box.upperBound += {margin, margin};
+            m_t.broadPhase.QueryResting(box, visit);
+        }
+    }
+    m_bodies.AddResting(m_s.nearTargets, m_s.lookers);
 }
 
 /// Looks over all bodies, on all workers: who needs no pairs. Asks nobody outside and changes only what is kept for
@@ -116,7 +145,7 @@ void ToiPairs::Screen() {
 
 ScreenedBody ToiPairs::ScreenBody(BodyIndex body) {
     if (!m_bodies.Has(body, BodyFlag::enabled)) return ScreenedBody::passes;
-    if (!IsDynamic(body)) return ScreenedBody::isToCollect;
+    if (IsHitter(body)) return ScreenedBody::isToCollect;
     if (!m_bodies.IsActive(body)) return ScreenedBody::passes;
     if (IsBullet(body)) return ScreenedBody::isToCollect;
     if (!Moves(body)) return ScreenedBody::passes;
@@ -202,38 +231,36 @@ void ToiPairs::SweepBoxes() {
     m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
 }
 
-/// No bullets, few kinematic fixtures for what is dynamic and moves, and boxes in the broad phase that are those of the
-/// start of the step.
+/// No bullets that move, few fixtures of hitters for what is dynamic and moves, and boxes in the broad phase that are
+/// those of the start of the step.
 bool ToiPairs::AreFewToMeet(bool somethingMoves) const {
     constexpr int most = 24;
     if (m_s.resuming || m_bodies.IsFar()) return false;
     if (!somethingMoves) return true;
     int fixtures = 0;
     for (const BodyIndex body : m_s.lookers) {
-        if (!m_bodies.Has(body, BodyFlag::enabled)) continue;
-        if (IsDynamic(body)) {
-            if (IsBullet(body) && m_bodies.IsActive(body)) return false;
-        } else {
-            fixtures += m_bodies.info[body].fixtureCount;
-            if (fixtures > most) return false;
-        }
+        if (!m_bodies.Has(body, BodyFlag::enabled) || !m_bodies.IsTarget(body)) continue;
+        if (!IsHitter(body)) return false;
+        fixtures += m_bodies.info[body].fixtureCount;
+        if (fixtures > most) return false;
     }
     return true;
 }
 
-/// Lists the kinematic fixtures with boxes that cover their motion, and the listed dynamic fixtures whose own boxes
+/// Lists the fixtures of hitters with boxes that cover their motion, and the listed dynamic fixtures whose own boxes
 /// then overlap one of these. That is one pass over the bodies instead of a tree of all their swept boxes.
 void ToiPairs::GatherTargets() {
     m_s.sweptBoxes.clear();
     m_s.hitters.clear();
     m_hittersAreSwept = false;
     for (const BodyIndex body : m_s.lookers) {
-        if (IsDynamic(body) || !m_bodies.Has(body, BodyFlag::enabled)) continue;
+        if (!IsHitter(body) || !m_bodies.Has(body, BodyFlag::enabled)) continue;
         const bool moves = m_bodies.IsActive(body);
         for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
             m_s.hitters.push_back({SweptBox(body, f), f, moves});
         }
     }
+    if (m_s.hitters.empty()) return;
     const auto isNear = [this](const AABB& box) {
         return std::ranges::any_of(m_s.hitters, [&](const ToiHitter& hitter) { return TestOverlap(box, hitter.box); });
     };
@@ -265,7 +292,7 @@ void ToiPairs::SweepHitters() {
     }
 }
 
-/// Makes the pairs of a kinematic body with everything dynamic on its way. `next`: its first hitter; afterwards that of
+/// Makes the pairs of a hitter with everything dynamic on its way. `next`: its first hitter; afterwards that of
 /// the next body.
 void ToiPairs::CollectHits(BodyIndex body, size_t& next) {
     m_s.candidates.clear();

@@ -63,7 +63,7 @@ struct ToiCandidate {
     Bounded bounded = Bounded::notYet;
 };
 
-/// A kinematic fixture that dynamic ones may meet.
+/// A fixture that dynamic ones may meet: of a kinematic body, or of a bullet that rests.
 struct ToiHitter {
     AABB box;  ///< covers its way
     FixtureIndex fixture;
@@ -88,10 +88,11 @@ struct ToiScratch {
     std::vector<BodyIndex> touched;           ///< bodies whose entries in firstPair and alpha must be reset
     std::vector<FixtureIndex> found;          ///< fixtures of one query
     std::vector<BodyIndex> lookers;           ///< bodies whose ways are looked at
+    IndexSet<MoverRow> nearTargets;           ///< those that rest and are on somebody's way
     std::vector<ToiCandidate> candidates;     ///< of one body
     std::vector<ScreenedBody> screened;       ///< by place among the lookers
     std::vector<BoxUpdate> sweptBoxes;        ///< when someone can hit moving bodies
-    std::vector<ToiHitter> hitters;           ///< kinematic fixtures, while they are few
+    std::vector<ToiHitter> hitters;           ///< while they are few
     Column<BodyIndex, uint8_t> isPassedOver;  ///< per body: 1 if it has no pairs because it meets nothing static
     Column<int, float> times;                 ///< per pair
     Column<FixtureIndex, int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -104,7 +105,7 @@ struct ToiScratch {
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(pairs, firstPair, alpha, ballistic, touched, found, lookers, candidates, screened, sweptBoxes,
                        hitters, isPassedOver, times, knownTo) +
-               nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
+               nearTargets.GetMemoryBytes() + nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
 };
 
@@ -144,6 +145,10 @@ public:
 
 private:
     [[nodiscard]] bool IsBullet(BodyIndex body) const { return m_bodies.Has(body, BodyFlag::bullet); }
+    /// Looks for all that hits it, as that looks for static fixtures alone.
+    [[nodiscard]] bool IsHitter(BodyIndex body) const {
+        return m_bodies.IsTarget(body) && (!IsDynamic(body) || !m_bodies.IsActive(body));
+    }
     [[nodiscard]] bool MayMeet(BodyIndex bodyA, BodyIndex bodyB) const;
     [[nodiscard]] bool Moves(BodyIndex body) const;
     /// Of a pair with something dynamic: which one moves against the other.
@@ -160,6 +165,7 @@ private:
                 .nextB = -1,
                 .over = false};
     }
+    void AddRestingTargets();
     void Screen();
     [[nodiscard]] ScreenedBody ScreenBody(BodyIndex body);
     [[nodiscard]] ScreenedBody LookAround(BodyIndex body);
@@ -204,7 +210,7 @@ private:
     ToiScratch& m_s;
     bool m_timesFollow = false;     ///< of all pairs, once they are there
     bool m_dynamicTargets = false;  ///< some body can hit dynamic ones: a bullet or a kinematic body
-    bool m_fewToMeet = false;       ///< these are few and kinematic: sweptBoxes holds what is near them
+    bool m_fewToMeet = false;       ///< these are few, and no bullet moves: sweptBoxes holds what is near them
     bool m_hittersAreSwept = true;  ///< the broad phase has the boxes of the hitters
 };
 
