@@ -10,6 +10,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "fixtures.h"
 #include "scree/snapshot.h"
@@ -279,6 +280,49 @@ TEST_F(UnfinishedSteps, WhatIsPutToSleepGoesOnFromWhereItIs) {
         if (Flip()) m_ball->SetAwake(false);
         ExpectAlike(*m_world, 6);
         EXPECT_EQ(m_paddle->GetPosition(), before);
+    }
+}
+
+/// While most joints rest, a step asks the bodies that are awake for theirs; in which order joints were made still
+/// counts.
+TEST_F(LoadedWorlds, FewJointsAmongManyThatRest) {
+    constexpr int pairs = 500;
+    for (int round = 0; round < rounds; ++round) {
+        World world({0.0f, -10.0f});
+        const auto join = [&](Body* a, Body* b) {
+            RevoluteJointDef def;
+            def.Initialize(a, b, 0.5f * (a->GetPosition() + b->GetPosition()));
+            return world.CreateJoint(&def);
+        };
+        std::vector<Joint*> resting;
+        std::vector<Body*> sleepers;
+        for (int i = 0; i < pairs; ++i) {
+            const Vec2 place{static_cast<float>(4 * i), 30.0f};
+            Body* a = AddSleeper(world, dynamicBody, place);
+            Body* b = AddSleeper(world, dynamicBody, place + Vec2{1.0f, 0.0f});
+            AddBox(a, 0.4f, 0.4f), AddBox(b, 0.4f, 0.4f);
+            resting.push_back(join(a, b));
+            sleepers.push_back(a);
+        }
+        // Joints made later take the places of these.
+        for (int i = 0; i < 12; ++i) {
+            const size_t which = static_cast<size_t>(OneOf(static_cast<int>(resting.size())));
+            world.DestroyJoint(resting[which]);
+            resting.erase(resting.begin() + static_cast<std::ptrdiff_t>(which));
+        }
+        std::vector<Body*> net;
+        for (int i = 0; i < 7; ++i) {
+            net.push_back(AddBody(world, dynamicBody, PointWithin(3.0f)));
+            AddBox(net.back(), Between(0.1f, 0.5f), Between(0.1f, 0.5f));
+        }
+        for (size_t i = 1; i < net.size(); ++i) join(net[i], net[static_cast<size_t>(OneOf(static_cast<int>(i)))]);
+        for (int i = 0; i < 5; ++i) {
+            const size_t a = static_cast<size_t>(OneOf(7)), b = (a + 1 + static_cast<size_t>(OneOf(6))) % 7;
+            join(net[a], net[b]);
+        }
+        for (int i = 0; i < 3; ++i) world.Step(frame, 4);
+        if (Flip()) join(net[0], sleepers[static_cast<size_t>(OneOf(pairs))]);  // which wakes it
+        ExpectAlike(world, 4);
     }
 }
 

@@ -46,6 +46,33 @@ void ClearForListed(const BodyTable& bodies, Column<BodyIndex, T>& column) {
     for (const BodyIndex body : bodies.Listed()) column[body] = 0;
 }
 
+/// Whether so few movers are listed that asking them for their joints costs less than to look at all joints.
+bool AreFewListed(const JointTable& joints, const BodyTable& bodies) {
+    return ToSize(joints.slots.Count()) > 8 * bodies.Listed().size();
+}
+
+/// The solved joints with an active body, in the order of the list.
+void GatherActiveJoints(const JointTable& joints, const BodyTable& bodies, std::vector<JointIndex>& active) {
+    active.clear();
+    if (!AreFewListed(joints, bodies)) {
+        for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
+            const JointInfo& info = joints.info[joint];
+            const bool isActive = bodies.IsActive(info.bodyA) || bodies.IsActive(info.bodyB);
+            if (isActive && IsSolved(info, bodies)) active.push_back(joint);
+        }
+        return;
+    }
+    for (const BodyIndex body : bodies.Listed()) {
+        if (!bodies.IsActive(body) || bodies.info[body].jointCount == 0) continue;
+        for (const JointIndex joint : joints.OfBody(body)) {
+            const JointInfo& info = joints.info[joint];
+            const bool isOther = body != info.bodyA && bodies.IsActive(info.bodyA);  // which has it already
+            if (!isOther && IsSolved(info, bodies)) active.push_back(joint);
+        }
+    }
+    std::ranges::sort(active, [&](JointIndex a, JointIndex b) { return joints.IsNewer(a, b); });
+}
+
 /// Fewer rows than this are not worth sharing.
 constexpr int leastRowsToShare = 1024;
 
@@ -292,16 +319,28 @@ bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, TaskPo
         if (IsSolved(contacts.flags[contact]) && wakes(contacts.pair[contact].bodyA, contacts.pair[contact].bodyB))
             return true;
     }
-    for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
+    const auto wakesBy = [&](JointIndex joint) {
         const JointInfo& info = joints.info[joint];
-        if (IsSolved(info, bodies) && wakes(info.bodyA, info.bodyB)) return true;
+        return IsSolved(info, bodies) && wakes(info.bodyA, info.bodyB);
+    };
+    if (AreFewListed(joints, bodies)) {
+        for (const BodyIndex body : listed) {
+            if (bodies.info[body].jointCount == 0) continue;
+            for (const JointIndex joint : joints.OfBody(body)) {
+                if (wakesBy(joint)) return true;
+            }
+        }
+        return false;
+    }
+    for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
+        if (wakesBy(joint)) return true;
     }
     return false;
 }
 
 void GatherActive(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
                   IslandScratch& scratch, IslandTable& active, IsolatedPath path) {
-    active.islands.clear(), active.joints.clear();
+    active.islands.clear();
     ClearForListed(bodies, scratch.progress);
     const auto note = [&](BodyIndex body) { SetSharedBits(scratch.progress[body], IslandScratch::touched); };
     GatherSolved(contacts, pool, active.contacts, [&](ContactIndex contact) {
@@ -310,12 +349,8 @@ void GatherActive(const ContactTable& contacts, const JointTable& joints, TaskPo
         note(pair.bodyA), note(pair.bodyB);
         return true;
     });
-    for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
-        const JointInfo& info = joints.info[joint];
-        if (!IsSolved(info, bodies) || (!bodies.IsActive(info.bodyA) && !bodies.IsActive(info.bodyB))) continue;
-        active.joints.push_back(joint);
-        note(info.bodyA), note(info.bodyB);
-    }
+    GatherActiveJoints(joints, bodies, active.joints);
+    for (const JointIndex joint : active.joints) note(joints.info[joint].bodyA), note(joints.info[joint].bodyB);
     const std::span<const BodyIndex> listed = bodies.Listed();
     GatherParts<BodyIndex, 2>(
         pool, static_cast<int>(listed.size()), leastRowsToShare, {&active.isolated, &active.bodies},

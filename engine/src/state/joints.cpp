@@ -10,7 +10,9 @@ namespace scree {
 void JointTable::Link(JointIndex joint, JointRow row, const JointInfo& head, Joint* handle) {
     EnsureRow(info, joint);
     EnsureRow(handles, joint);
+    EnsureRow(m_births, joint);
     handles[joint] = handle;
+    m_births[joint] = m_nextBirth++;
     JointInfo& added = info[joint];
     added = JointInfo{};
     added.type = head.type;
@@ -73,7 +75,16 @@ bool JointTable::Restore(WorldState* state, int bodyCount) {
         if (!(row.forceThreshold >= 0.0f && row.torqueThreshold >= 0.0f)) return false;
         NoteThresholds(joint);
     }
-    return RestoreHandles(state) && AreListsWhole();
+    if (!RestoreHandles(state) || !AreListsWhole()) return false;
+    CountBirths();
+    return true;
+}
+
+void JointTable::CountBirths() {
+    EnsureRows(m_births, info.size());
+    m_nextBirth = slots.Count();
+    int64_t birth = m_nextBirth;
+    for (JointIndex joint = listHead; IsSome(joint); joint = info[joint].listNext) m_births[joint] = --birth;
 }
 
 bool JointTable::RestoreHandles(WorldState* state) {
@@ -169,7 +180,8 @@ void JointTable::ShiftOrigin(Vec2 newOrigin) {
 }
 
 size_t JointTable::GetMemoryBytes() const {
-    size_t bytes = info.size() * (sizeof(JointInfo) + sizeof(Joint*)) + (m_first.size() + m_count.size()) * sizeof(int);
+    size_t bytes = info.size() * (sizeof(JointInfo) + sizeof(Joint*) + sizeof(int64_t)) +
+                   (m_first.size() + m_count.size()) * sizeof(int);
     std::apply(
         [&](const auto&... store) {
             ((bytes +=

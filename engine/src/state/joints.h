@@ -132,7 +132,7 @@ struct JointTable {
         const JointIndex index = slots.Prepare();
         // When memory runs out nothing has changed yet.
         ReserveRows(ToSize(rowIndex) + 1, store.rows);
-        ReserveRows(ToSize(index) + 1, info, handles);
+        ReserveRows(ToSize(index) + 1, info, handles, m_births);
         watched.Reserve(ToSize(index) + 1);
         ReserveRows(ToSize(std::max(head.bodyA, head.bodyB)) + 1, m_first, m_count);
         if (rowIndex == store.handles.End()) store.handles.emplace_back(state, JointIndex::none, rowIndex);
@@ -148,6 +148,8 @@ struct JointTable {
     }
     void Remove(JointIndex joint);
 
+    /// Whether `a` stands before `b` in the list.
+    [[nodiscard]] bool IsNewer(JointIndex a, JointIndex b) const { return m_births[a] > m_births[b]; }
     [[nodiscard]] BodyJoints OfBody(BodyIndex body) const { return {info, m_first.Has(body) ? m_first[body] : -1}; }
     /// The joint after `joint` in the list of one of its bodies; −1 at the end.
     [[nodiscard]] JointIndex NextOfBody(JointIndex joint, BodyIndex body) const;
@@ -156,10 +158,10 @@ struct JointTable {
     /// The lists of the bodies and everything a joint has; the rows of each type are in the stores.
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
-        auto& [slots, info, handles, stores, listHead, watched, first, count] = t;
+        auto& [slots, info, handles, stores, listHead, watched, first, count, births, nextBirth] = t;
         visit(slots), visit.Rows(slots, info), visit(listHead, first, count);
         std::apply([&](auto&... store) { visit(store...); }, stores);
-        visit.LeftOut(handles, watched);
+        visit.LeftOut(handles, watched, births, nextBirth);
     }
     /// After its thresholds changed.
     void NoteThresholds(JointIndex joint) { info[joint].HasThreshold() ? watched.Insert(joint) : watched.Erase(joint); }
@@ -178,9 +180,12 @@ private:
     void UnlinkFromBody(JointIndex joint, int side);
     [[nodiscard]] bool RestoreHandles(WorldState* state);
     [[nodiscard]] bool AreListsWhole() const;
+    void CountBirths();
 
-    Column<BodyIndex, int> m_first;  ///< per body: its newest entry
-    Column<BodyIndex, int> m_count;  ///< per body: entries
+    Column<BodyIndex, int> m_first;        ///< per body: its newest entry
+    Column<BodyIndex, int> m_count;        ///< per body: entries
+    Column<JointIndex, int64_t> m_births;  ///< larger for those that stand before others in the list
+    int64_t m_nextBirth = 0;
 };
 
 }  // namespace scree
