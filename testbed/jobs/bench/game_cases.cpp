@@ -55,6 +55,27 @@ Scene Stacks(BodyType extra, int extraCount) {
     return scene;
 }
 
+/// Sleepers far from all else, two side by side, and ten disks that fly.
+Scene Sleepers(BodyType type, bool hinged) {
+    Scene scene;
+    scene.gravity = {};
+    for (int i = 0; i < 4000; ++i) {
+        AddBody(scene, type, scenes::Point(5.0 * (i / 2 % 100) + 1.1 * (i % 2), 3.0 * (i / 200)));
+        scene.bodies.back().awake = false;
+        AddFixture(scene, scenes::Box(0.5, 0.5), type == BodyType::dynamic ? 1.0 : 0.0);
+        if (!hinged || i % 2 == 0) continue;
+        const double x = 5.0 * (i / 2 % 100) + 0.55, y = 3.0 * (i / 200);
+        scenes::AddJoint(scene, scenes::JointType::revolute, i - 1, i, scenes::Point(x, y));
+    }
+    for (int i = 0; i < 10; ++i) {
+        AddBody(scene, BodyType::dynamic, scenes::Point(-20.0, 3.0 * i));
+        AddFixture(scene, scenes::Circle(0.3), 1.0);
+        scene.bodies.back().allowSleep = false;
+        scene.bodies.back().linearVelocity = {-1.0f, 0.0f};
+    }
+    return scene;
+}
+
 int Last(const LabWorld& lab) { return static_cast<int>(lab.GetScene().bodies.size()) - 1; }
 
 void MoveLast(LabWorld& lab, int frame) { lab.SetPose(Last(lab), {0.01 * (frame % 400), 40.0}, 0.0); }
@@ -170,6 +191,12 @@ std::vector<GameCase> MakeCases() {
          .what = "the same, a body teleported in each frame",
          .build = stacks(BodyType::dynamic, 1),
          .play = TeleportLast},
+        {.name = "asleep-kinematic",
+         .what = "4,000 kinematic bodies at rest, ten disks that fly",
+         .build = [] { return Sleepers(BodyType::kinematic, false); }},
+        {.name = "asleep-joints",
+         .what = "2,000 hinged pairs asleep, ten disks that fly",
+         .build = [] { return Sleepers(BodyType::dynamic, true); }},
         {.name = "platformer",
          .what = "a level of a chain, blocks, sensors, crates; 60 walkers; a listener",
          .build = [] { return scenes::Build("platformer", walkerCount); },
