@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <vector>
@@ -231,6 +232,53 @@ TEST(ImpactLaws, ARowOfBallsHandsABlowOn) {
         if (balls > 2) continue;
         EXPECT_NEAR(double{row[0]->GetLinearVelocity().x}, 0.5 * (1.0 - double{e}) * double{blow}, 0.01 * double{blow});
         EXPECT_NEAR(double{row[1]->GetLinearVelocity().x}, 0.5 * (1.0 + double{e}) * double{blow}, 0.01 * double{blow});
+    }
+}
+
+/// A kinematic wall meets a ball head-on. Seen from the wall the ball leaves with its share of the speed at which they
+/// closed, whichever of them moved, whatever the direction, and whoever finds the impact.
+TEST(ImpactLaws, AMovingWallHandsItsSpeedOn) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    const auto between = [&random](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    for (int round = 0; round < 64; ++round) {
+        const float angle = between(-pi, pi), e = between(0.1f, 1.0f);
+        const float wallSpeed = between(-4.0f, 12.0f), closing = between(1.5f, 12.0f);
+        const float ballSpeed = wallSpeed - closing;
+        const bool isContinuous = round % 2 == 0;
+        const int substeps = 1 + static_cast<int>(random() % 8u);
+        const Vec2 along{std::cos(angle), std::sin(angle)};
+        World world({0.0f, 0.0f});
+        world.SetContinuousPhysics(isContinuous);
+        const auto add = [&](BodyType type, float place, float speed, const Shape& shape) {
+            BodyDef def;
+            def.type = type;
+            def.position = place * along;
+            def.angle = angle;
+            def.linearVelocity = speed * along;
+            Body* body = world.CreateBody(&def);
+            FixtureDef fixture;
+            fixture.shape = &shape;
+            fixture.density = 1.0f;
+            fixture.friction = 0.0f;
+            fixture.restitution = e;
+            body->CreateFixture(&fixture);
+            return body;
+        };
+        PolygonShape box;
+        box.SetAsBox(1.0f, 1.0f);
+        CircleShape disk;
+        disk.m_radius = 0.5f;
+        add(kinematicBody, 0.0f, wallSpeed, box);
+        const Body* ball = add(dynamicBody, 1.75f, ballSpeed, disk);
+        for (int i = 0; i < 30; ++i) world.Step(1.0f / 60.0f, substeps);
+        SCOPED_TRACE("round " + std::to_string(round) + ", e = " + std::to_string(e) + ", wall at " +
+                     std::to_string(wallSpeed) + ", closing at " + std::to_string(closing) + ", " +
+                     std::to_string(substeps) + " sub-steps" + (isContinuous ? ", continuous" : ""));
+        EXPECT_NEAR(Dot(ball->GetLinearVelocity(), along), wallSpeed + e * closing, 0.01f * closing);
     }
 }
 
