@@ -8,8 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <future>
 #include <numeric>
+#include <thread>
 
 namespace scree {
 
@@ -45,6 +48,45 @@ TEST(TaskPool, MeetsEveryItemOnce) {
             pool.End();
         }
     }
+}
+
+// Threads wake, and find that the step is over.
+TEST(TaskPool, AStepWithoutLoopsRunsNothing) {
+    for (const int workers : {2, 3, 7}) {
+        TaskPool pool(workers, {});
+        for (int step = 0; step < 20; ++step) {
+            pool.Begin();
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+            pool.End();
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        }
+        pool.Begin();
+        ExpectEachOnce(Owners(pool, 1000, 1), workers);
+        pool.End();
+    }
+}
+
+// A thread whose chunk takes long leaves the rest of its part to the others.
+TEST(TaskPool, OthersTakeWhatAThreadHasNotBegun) {
+    constexpr int workers = 2, count = 64;
+    TaskPool pool(workers, {});
+    pool.Begin();
+    for (int loop = 0; loop < 20; ++loop) {
+        std::atomic<int> left{count};
+        const int held = loop % workers;  // this one waits in its first chunk until all else is done
+        std::atomic<bool> isHeld{false};
+        std::vector<int> owner(count, -1);
+        const auto give = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        pool.For(count, 1, [&](int begin, int end, int worker) {
+            for (int i = begin; i < end; ++i) owner[static_cast<size_t>(i)] = worker;
+            left -= end - begin;
+            if (worker != held || isHeld.exchange(true)) return;
+            while (left > 0 && std::chrono::steady_clock::now() < give) std::this_thread::yield();
+            EXPECT_EQ(left, 0);
+        });
+        ExpectEachOnce(owner, workers);
+    }
+    pool.End();
 }
 
 TEST(TaskPool, OneWorkerHasOneChunkAtATime) {

@@ -38,8 +38,8 @@ TaskPool::~TaskPool() { Stop(); }
 TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
     : m_workerCount(workerCount),
       m_rowCount(callbacks.enqueue == nullptr ? workerCount : workerCount * callbacks.tasksPerWorker),
-      m_chunkCount(workerCount * chunksPerWorker),
-      m_callbacks(callbacks) {
+      m_callbacks(callbacks),
+      m_shares(std::make_unique<Share[]>(static_cast<size_t>(workerCount))) {
     MakeThreads();
 }
 
@@ -107,19 +107,29 @@ void TaskPool::Run(int count, TaskFunction function, void* context) {
         return;
     }
     m_done.store(0, std::memory_order_relaxed);
-    m_next.store(static_cast<uint64_t>(++m_turn) << 32, std::memory_order_release);
+    m_published.store(++m_turn, std::memory_order_release);
     RunChunks(m_turn, 0);
-    Await([&] { return m_done.load(std::memory_order_acquire) == m_chunkCount; });
+    Await([&] { return m_done.load(std::memory_order_acquire) == m_workerCount * chunksPerWorker; });
 }
 
 void TaskPool::RunChunks(uint32_t turn, int worker) {
-    uint64_t next = m_next.load(std::memory_order_acquire);
-    while (static_cast<uint32_t>(next >> 32) == turn && static_cast<int>(next & 0xFFFFFFFFu) < m_chunkCount) {
-        if (!m_next.compare_exchange_weak(next, next + 1, std::memory_order_acq_rel, std::memory_order_acquire))
-            continue;
-        RunRange(static_cast<int>(next & 0xFFFFFFFFu), m_chunkCount, worker);
+    for (int i = 0; i < m_workerCount; ++i) RunShare(turn, (worker + i) % m_workerCount, worker);
+}
+
+/// A share whose turn is the one before is that of a loop that has ended: nobody has begun it in this one.
+void TaskPool::RunShare(uint32_t turn, int share, int worker) {
+    std::atomic<uint64_t>& shared = m_shares[static_cast<size_t>(share)].next;
+    uint64_t next = shared.load(std::memory_order_acquire);
+    for (;;) {
+        const auto ofTurn = static_cast<uint32_t>(next >> 32);
+        if (ofTurn != turn && ofTurn != turn - 1) return;
+        const auto chunk = ofTurn == turn ? static_cast<int>(next & 0xFFFFFFFFu) : 0;
+        if (chunk >= chunksPerWorker) return;
+        const uint64_t taken = static_cast<uint64_t>(turn) << 32 | static_cast<uint32_t>(chunk + 1);
+        if (!shared.compare_exchange_weak(next, taken, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
+        RunRange(share * chunksPerWorker + chunk, m_workerCount * chunksPerWorker, worker);
         m_done.fetch_add(1, std::memory_order_release);
-        next = m_next.load(std::memory_order_acquire);
+        next = shared.load(std::memory_order_acquire);
     }
 }
 
@@ -130,7 +140,7 @@ void TaskPool::Work(int worker) {
         // Between steps: sleep.
         for (uint32_t awake = m_awake.load(); awake % 2 == 0 && !m_quit; awake = m_awake.load()) m_awake.wait(awake);
         if (m_quit) return;
-        const auto current = [&] { return static_cast<uint32_t>(m_next.load(std::memory_order_acquire) >> 32); };
+        const auto current = [&] { return m_published.load(std::memory_order_acquire); };
         Await([&] { return current() != turn || m_awake.load() % 2 == 0 || m_quit; });
         turn = current();
         RunChunks(turn, worker);

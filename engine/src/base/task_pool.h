@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Loops over independent items on several threads. A loop is cut into chunks by position alone, and each thread takes
-// the next chunk that nobody has. So a thread that lost its core to another process delays a loop by one chunk at most.
-// Items are independent, so no result depends on who took what. Loops below a size stay on the caller.
+// Loops over independent items on several threads. A loop is cut into chunks by position alone. Each thread has its own
+// share of them, the same part of every loop, so that what it works on stays in its caches. Then it takes what others
+// have not begun. So a thread that lost its core to another process delays a loop by one chunk at most. Items are
+// independent, so no result depends on who took what. Loops below a size stay on the caller.
 //
 // Workers sleep between steps: Begin wakes them once, End lets them sleep, and PoolRegion does both for a step, if
 // sharing pays. Between the loops of a step they wait by spinning for a while and then yielding.
@@ -12,6 +13,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <memory>
 #include <type_traits>
 
 #include "base/clock.h"
@@ -82,6 +84,7 @@ private:
     void MakeThreads();
     void Stop();
     void RunChunks(uint32_t turn, int worker);
+    void RunShare(uint32_t turn, int share, int worker);
     void RunRange(int index, int parts, int worker) {
         const auto at = [&](int i) { return static_cast<int>(static_cast<int64_t>(m_count) * i / parts); };
         m_function(m_context, at(index), at(index + 1), worker);
@@ -89,7 +92,6 @@ private:
 
     const int m_workerCount;
     const int m_rowCount;
-    const int m_chunkCount;
     const TaskCallbacks m_callbacks;
     SharingGauge m_gauge;
     bool m_sharesAlways = false;
@@ -103,10 +105,15 @@ private:
     TaskFunction m_function = nullptr;
     void* m_context = nullptr;
 
-    uint32_t m_turn = 0;                                    ///< counts loops
-    alignas(64) std::atomic<uint64_t> m_next{0x7FFFFFFFu};  ///< turn · 2³² + first chunk that nobody has; none at first
-    alignas(64) std::atomic<int> m_done{0};                 ///< chunks of the loop that are finished
-    alignas(64) std::atomic<uint32_t> m_awake{0};           ///< odd: inside a step
+    /// The chunks of one thread: turn · 2³² + the first that nobody has; none before the first turn.
+    struct alignas(64) Share {
+        std::atomic<uint64_t> next{0x7FFFFFFFu};
+    };
+    uint32_t m_turn = 0;                               ///< counts loops
+    alignas(64) std::atomic<uint32_t> m_published{0};  ///< the turn that threads may work on
+    std::unique_ptr<Share[]> m_shares;                 ///< by worker
+    alignas(64) std::atomic<int> m_done{0};            ///< chunks of the loop that are finished
+    alignas(64) std::atomic<uint32_t> m_awake{0};      ///< odd: inside a step
     std::atomic<bool> m_quit{false};
 };
 
