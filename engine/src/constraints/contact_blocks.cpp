@@ -370,25 +370,24 @@ void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impuls
 }
 
 void ContactBlocks::LeaveJointed(const BodyTable& bodies, Column<ContactIndex, SteadyContact>& steady) {
-    for (size_t i = 0; i < m_sided.size(); ++i) {
-        ContactBlock& block = m_blocks[ToSize(m_lane[i] / blockLanes)];
-        const int l = m_lane[i] % blockLanes;
-        if (block.initialOverlap[0][l] == 0.0f && block.initialOverlap[1][l] == 0.0f) continue;
-        if (bodies.info[m_sided[i].a].jointCount == 0 && bodies.info[m_sided[i].b].jointCount == 0) continue;
+    ForEachLane([&](ContactIndex contact, size_t k, size_t l) {
+        ContactBlock& block = m_blocks[k];
+        if (block.initialOverlap[0][l] == 0.0f && block.initialOverlap[1][l] == 0.0f) return;
+        const BodyIndex a{block.bodyA[l]}, b{block.bodyB[l]};
+        if (bodies.info[a].jointCount == 0 && bodies.info[b].jointCount == 0) return;
         for (int p = 0; p < 2; ++p) {
             block.separation[p][l] -= block.initialOverlap[p][l];
             block.initialOverlap[p][l] = 0.0f;
         }
-        steady[m_sided[i].contact].initialOverlap = 0.0f;
-    }
+        steady[contact].initialOverlap = 0.0f;
+    });
 }
 
 void ContactBlocks::StoreInitialOverlaps(Column<ContactIndex, SteadyContact>& steady) const {
-    for (size_t i = 0; i < m_sided.size(); ++i) {
-        const ContactBlock& block = m_blocks[ToSize(m_lane[i] / blockLanes)];
-        const int l = m_lane[i] % blockLanes;
-        steady[m_sided[i].contact].initialOverlap = Max(block.initialOverlap[0][l], block.initialOverlap[1][l]);
-    }
+    ForEachLane([&](ContactIndex contact, size_t k, size_t l) {
+        const ContactBlock& block = m_blocks[k];
+        steady[contact].initialOverlap = Max(block.initialOverlap[0][l], block.initialOverlap[1][l]);
+    });
 }
 
 float ContactBlocks::GetSeparation(size_t at, const Column<BodyIndex, Velocity>& delta) const {

@@ -114,6 +114,14 @@ private:
     void StoreRange(size_t begin, size_t end, float scale, Column<ContactIndex, Manifold>& manifold) const;
     FillFindings FillRange(const BlockInput& input, size_t begin, size_t end);
     void FetchAhead(const BlockInput& input, size_t block, size_t end) const;
+    /// Calls visit(contact, block, lane) for all contacts, block by block: those of the list are anywhere in them.
+    template <typename Visit>
+    void ForEachLane(Visit&& visit) const {
+        for (size_t k = 0; k < m_blocks.size(); ++k) {
+            for (size_t l = 0; l < blockLanes && m_blocks[k].slot[l] >= 0; ++l)
+                visit(m_contact[k * blockLanes + l], k, l);
+        }
+    }
     /// By position in the list.
     [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }
 

@@ -36,6 +36,13 @@ public:
     void ForEachResult(Visit&& visit) const {
         for (const JointBatches& grove : Groves()) grove.ForEachResult(visit);
     }
+    /// The same on the workers of the pool.
+    template <typename Visit>
+    void ForEachResult(TaskPool& pool, Visit&& visit) const {
+        pool.For(static_cast<int>(m_count), 2, [&](int begin, int end, int) {
+            for (int i = begin; i < end; ++i) m_groves[ToSize(i)].ForEachResult(visit);
+        });
+    }
 
 private:
     [[nodiscard]] std::span<const JointBatches> Groves() const { return std::span(m_groves).first(m_count); }

@@ -228,7 +228,7 @@ void JointTree::NotePullRates(float dt, Column<BodyIndex, BodyDemand>& demand) c
 }
 
 void JointTree::Store(float scale, JointTable& joints) const {
-    m->ForEachResult([&](const TreeResult& result) {
+    m->ForEachResult(*m->pool, [&](const TreeResult& result) {
         float impulse[maxTreeRows] = {};
         for (int i = 0; i < result.rows.count; ++i) impulse[i] = scale * static_cast<float>(result.impulse[i]);
         StoreImpulse(result.shape, result.rows, impulse, result.joint, joints);

@@ -78,10 +78,22 @@ public:
     void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list, How how);
     [[nodiscard]] size_t GetMemoryBytes() const;
 
-    /// Calls visit(const TreeResult&) for each joint.
+    /// Calls visit(const TreeResult&) for each joint; on the workers of the pool.
+    template <typename Visit>
+    void ForEachResult(TaskPool& workers, Visit&& visit) const {
+        trees.ForEachResult(workers, visit);
+        ForEachResultBut(visit);
+    }
     template <typename Visit>
     void ForEachResult(Visit&& visit) const {
         trees.ForEachResult(visit);
+        ForEachResultBut(visit);
+    }
+
+private:
+    /// Without the trees.
+    template <typename Visit>
+    void ForEachResultBut(Visit&& visit) const {
         nets.ForEachResult(visit);
         const auto side = [&](int row) {
             const TreeBody& b = bodies[ToSize(row)];
@@ -91,7 +103,6 @@ public:
             visit(TreeResult{joint.joint, joint.shape, joint.rows, joint.total, side(joint.a), side(joint.b)});
     }
 
-private:
     struct Candidate {
         JointIndex joint;
         int a, b;  ///< rows of its bodies; not of trees

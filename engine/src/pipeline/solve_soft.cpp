@@ -615,17 +615,17 @@ private:
     template <typename Pass>
     void NoteContacts(Pass&& pass) {
         if (!m_plan.hasContacts) return;
-        for (size_t i = 0; i < m_s.jointed.size(); ++i) {
+        ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
             const Velocity& v = VelocityOf(Jointed(i));
             m_s.before[i] = {v.v, v.w};
-        }
+        });
         pass();
-        for (size_t i = 0; i < m_s.jointed.size(); ++i) {
+        ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
             SoftBody& soft = Jointed(i);
             const Velocity& v = VelocityOf(soft);
             soft.gained.v += v.v - m_s.before[i].v;
             soft.gained.w += v.w - m_s.before[i].w;
-        }
+        });
     }
     void EndContacts(SoftBody& soft) {
         if (soft.jointed) {
@@ -640,20 +640,20 @@ private:
     [[nodiscard]] SoftBody& Jointed(size_t i) { return m_s.soft[ToSize(m_s.jointed[i])]; }
 
     void PlaceJointed() {
-        for (const int i : m_s.jointed) {
-            const BodyIndex b = m_s.soft[ToSize(i)].body;
+        ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
+            const BodyIndex b = Jointed(i).body;
             m_bodies.SetMotion(b, m_s.delta[b].v);
             m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
-        }
+        });
     }
     /// Removes the position errors of joints that are rows, and takes the result back as motion.
     void CorrectJoints() {
         SolveJointPositions(JointWork(1.0f));
-        for (const int i : m_s.jointed) {
-            const BodyIndex b = m_s.soft[ToSize(i)].body;
+        ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
+            const BodyIndex b = Jointed(i).body;
             m_s.delta[b].v = m_bodies.GetMotion(b);
             m_s.delta[b].w = m_bodies.position[b].a - m_bodies.startPosition[b].a;
-        }
+        });
     }
 
     const SolverSettings& m_settings;

@@ -87,8 +87,13 @@ void ToiPairs::FindAll() {
     size_t hitter = 0;
     for (size_t i = 0; i < m_s.lookers.size(); ++i) {
         const BodyIndex body = m_s.lookers[i];
-        if (m_s.screened[i] == ScreenedBody::passes) continue;
-        if (IsHitter(body) && m_fewToMeet) {
+        const ScreenFind& screened = m_s.screened[i];
+        if (screened.says == ScreenedBody::passes) continue;
+        if (screened.says == ScreenedBody::hasCandidates) {
+            const std::vector<ToiCandidate>& found = m_s.screenedCandidates[screened.worker];
+            m_s.candidates.assign(found.begin() + screened.begin, found.begin() + screened.end);
+            AddCandidates(body);
+        } else if (IsHitter(body) && m_fewToMeet) {
             CollectHits(body, hitter);
         } else if (IsHitter(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
@@ -134,8 +139,9 @@ void ToiPairs::Screen() {
     m_s.nearStatics.PrepareCalm(m_atOutlines);
     const std::vector<BodyIndex>& lookers = m_s.lookers;
     m_s.screened.resize(lookers.size());
-    m_t.pool.For(static_cast<int>(lookers.size()), leastToScreen, [&](int begin, int end, int /*worker*/) {
-        for (int i = begin; i < end; ++i) m_s.screened[ToSize(i)] = ScreenBody(lookers[ToSize(i)]);
+    for (std::vector<ToiCandidate>& candidates : m_s.screenedCandidates) candidates.clear();
+    m_t.pool.For(static_cast<int>(lookers.size()), leastToScreen, [&](int begin, int end, int worker) {
+        for (int i = begin; i < end; ++i) m_s.screened[ToSize(i)] = ScreenBody(lookers[ToSize(i)], worker);
     });
     if (m_s.audit == nullptr) return;
     for (const BodyIndex body : lookers) {
@@ -143,15 +149,33 @@ void ToiPairs::Screen() {
     }
 }
 
-ScreenedBody ToiPairs::ScreenBody(BodyIndex body) {
-    if (!m_bodies.Has(body, BodyFlag::enabled)) return ScreenedBody::passes;
-    if (IsHitter(body)) return ScreenedBody::isToCollect;
-    if (!m_bodies.IsActive(body)) return ScreenedBody::passes;
-    if (IsBullet(body)) return ScreenedBody::isToCollect;
-    if (!Moves(body)) return ScreenedBody::passes;
-    const ScreenedBody screened = LookAround(body);
-    if (screened == ScreenedBody::passes) m_s.isPassedOver[body] = 1;
-    return screened;
+ScreenFind ToiPairs::ScreenBody(BodyIndex body, int worker) {
+    if (!m_bodies.Has(body, BodyFlag::enabled)) return {ScreenedBody::passes};
+    if (IsHitter(body)) return {ScreenedBody::isToCollect};
+    if (!m_bodies.IsActive(body)) return {ScreenedBody::passes};
+    if (IsBullet(body)) return {ScreenedBody::isToCollect};
+    if (!Moves(body)) return {ScreenedBody::passes};
+    ScreenFind find{LookAround(body)};
+    if (find.says == ScreenedBody::hasCandidates) find = FindKnown(body, worker);
+    if (find.says == ScreenedBody::passes) m_s.isPassedOver[body] = 1;
+    return find;
+}
+
+/// Collects for a body whose near static fixtures are known.
+ScreenFind ToiPairs::FindKnown(BodyIndex body, int worker) {
+    std::vector<ToiCandidate>& candidates = m_s.screenedCandidates[worker];
+    const size_t begin = candidates.size();
+    const auto near = m_s.nearStatics.Get(body, m_bodies);
+    for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
+        if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
+        FindCandidates(body, f, *near, candidates);
+    }
+    if (BoundWays(std::span(candidates).subspan(begin))) {
+        candidates.resize(begin);
+        return {ScreenedBody::passes};
+    }
+    return {ScreenedBody::hasCandidates, static_cast<uint8_t>(worker), static_cast<int>(begin),
+            static_cast<int>(candidates.size())};
 }
 
 /// Passes if the body surely meets no static fixture of those that are known to be near it.
@@ -177,7 +201,7 @@ ScreenedBody ToiPairs::LookAround(BodyIndex body) {
             slack = clearance.isSure ? Min(slack, clearance.slack) : -1.0f;
             reach = Max(reach, clearance.reach);
             if (clearance.isSure) continue;
-            if (!PassesBy(pair) && TestOverlap(SweptBox(body, f), box)) return ScreenedBody::isToCollect;
+            if (!PassesBy(pair) && TestOverlap(SweptBox(body, f), box)) return ScreenedBody::hasCandidates;
         }
     }
     if (slack > 0.0f) m_s.nearStatics.NoteCalm(body, m_bodies, reach, slack);
@@ -196,8 +220,8 @@ void ToiPairs::AuditBody(BodyIndex body) const {
 
 void ToiPairs::Audit(const ToiPair& pair) const {
     TOIStats work;
-    ++m_s.audit->spared;
-    if (TimeOf(pair, Bounded::notYet, work) < 1.0f) ++m_s.audit->missed;
+    AddShared(m_s.audit->spared, 1);
+    if (TimeOf(pair, Bounded::notYet, work) < 1.0f) AddShared(m_s.audit->missed, 1);
 }
 
 /// Times of all pairs, on all workers, and their events.
@@ -372,22 +396,25 @@ void ToiPairs::CollectFirst(BodyIndex body, const NearStatics::Tables& tables) {
         if (!known) {
             FindCandidates(body, f, isBullet);
         } else if (!known->empty()) {
-            FindCandidates(body, f, *known);
+            FindCandidates(body, f, *known, m_s.candidates);
         }
     }
     if (m_s.candidates.empty()) return;
-    bool passes = !isBullet;
-    for (ToiCandidate& c : m_s.candidates) {
-        if (m_bodies.type[m_t.fixtures.body[c.other]] == staticBody) {
-            c.bounded = BoundsOf(PairOf(c.fixture, c.other));
-        }
-        passes = passes && c.bounded == Bounded::isSpared;
-    }
-    if (passes) {
+    const bool areSpared = BoundWays(m_s.candidates);
+    if (areSpared && !isBullet) {
         m_s.isPassedOver[body] = 1;
     } else {
         AddCandidates(body);
     }
+}
+
+bool ToiPairs::BoundWays(std::span<ToiCandidate> candidates) const {
+    bool areSpared = true;
+    for (ToiCandidate& c : candidates) {
+        if (m_bodies.type[m_t.fixtures.body[c.other]] == staticBody) c.bounded = BoundsOf(PairOf(c.fixture, c.other));
+        areSpared = areSpared && c.bounded == Bounded::isSpared;
+    }
+    return areSpared;
 }
 
 /// Makes the pairs of a body with everything on its way and puts their events into the heap.
@@ -400,11 +427,11 @@ void ToiPairs::Collect(BodyIndex body, bool withDynamic) {
     AddCandidates(body);
 }
 
-void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<const FixtureIndex> known) {
+void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<const FixtureIndex> known,
+                              std::vector<ToiCandidate>& candidates) const {
     const AABB box = SweptBox(body, fixture);
     for (const FixtureIndex other : known) {
-        if (!TestOverlap(box, m_t.broadPhase.GetBox(ProxyOf(other)))) continue;
-        m_s.candidates.push_back({fixture, other});
+        if (TestOverlap(box, m_t.broadPhase.GetBox(ProxyOf(other)))) candidates.push_back({fixture, other});
     }
 }
 

@@ -71,7 +71,18 @@ struct ToiHitter {
 };
 
 /// What the first look at a body says.
-enum class ScreenedBody : uint8_t { passes, isToCollect };
+enum class ScreenedBody : uint8_t {
+    passes,
+    hasCandidates,  ///< among what is known to be near it
+    isToCollect
+};
+
+/// And what was found for it: candidates [begin, end) of those of a worker, with their bounds.
+struct ScreenFind {
+    ScreenedBody says = ScreenedBody::passes;
+    uint8_t worker = 0;
+    int begin = 0, end = 0;
+};
 
 /// For tests: searches in full for every pair that was spared it.
 struct ToiAudit {
@@ -82,15 +93,16 @@ struct ToiAudit {
 /// Scratch of the pairs, kept between steps.
 struct ToiScratch {
     Column<int, ToiPair> pairs;
-    Column<BodyIndex, int> firstPair;         ///< per body, −1: none
-    Column<BodyIndex, float> alpha;           ///< per body: the part of the step done at its start position
-    Column<BodyIndex, uint8_t> ballistic;     ///< per body: moved by gravity and forces alone; empty until they meet
-    std::vector<BodyIndex> touched;           ///< bodies whose entries in firstPair and alpha must be reset
-    std::vector<FixtureIndex> found;          ///< fixtures of one query
-    std::vector<BodyIndex> lookers;           ///< bodies whose ways are looked at
-    IndexSet<MoverRow> nearTargets;           ///< those that rest and are on somebody's way
-    std::vector<ToiCandidate> candidates;     ///< of one body
-    std::vector<ScreenedBody> screened;       ///< by place among the lookers
+    Column<BodyIndex, int> firstPair;      ///< per body, −1: none
+    Column<BodyIndex, float> alpha;        ///< per body: the part of the step done at its start position
+    Column<BodyIndex, uint8_t> ballistic;  ///< per body: moved by gravity and forces alone; empty until they meet
+    std::vector<BodyIndex> touched;        ///< bodies whose entries in firstPair and alpha must be reset
+    std::vector<FixtureIndex> found;       ///< fixtures of one query
+    std::vector<BodyIndex> lookers;        ///< bodies whose ways are looked at
+    IndexSet<MoverRow> nearTargets;        ///< those that rest and are on somebody's way
+    std::vector<ToiCandidate> candidates;  ///< of one body
+    std::vector<ScreenFind> screened;      ///< by place among the lookers
+    std::vector<ToiCandidate> screenedCandidates[maxWorkers];
     std::vector<BoxUpdate> sweptBoxes;        ///< when someone can hit moving bodies
     std::vector<ToiHitter> hitters;           ///< while they are few
     Column<BodyIndex, uint8_t> isPassedOver;  ///< per body: 1 if it has no pairs because it meets nothing static
@@ -103,7 +115,10 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(pairs, firstPair, alpha, ballistic, touched, found, lookers, candidates, screened, sweptBoxes,
+        size_t bytes = 0;
+        for (const std::vector<ToiCandidate>& ofWorker : screenedCandidates) bytes += BytesOf(ofWorker);
+        return bytes +
+               BytesOf(pairs, firstPair, alpha, ballistic, touched, found, lookers, candidates, screened, sweptBoxes,
                        hitters, isPassedOver, times, knownTo) +
                nearTargets.GetMemoryBytes() + nearStatics.GetMemoryBytes() + events.GetMemoryBytes();
     }
@@ -167,8 +182,9 @@ private:
     }
     void AddRestingTargets();
     void Screen();
-    [[nodiscard]] ScreenedBody ScreenBody(BodyIndex body);
+    [[nodiscard]] ScreenFind ScreenBody(BodyIndex body, int worker);
     [[nodiscard]] ScreenedBody LookAround(BodyIndex body);
+    [[nodiscard]] ScreenFind FindKnown(BodyIndex body, int worker);
     void AuditBody(BodyIndex body) const;
     void Audit(const ToiPair& pair) const;
     void FindTimes();
@@ -188,7 +204,10 @@ private:
     [[nodiscard]] AABB SweptBox(BodyIndex body, FixtureIndex fixture) const;
     void CollectFirst(BodyIndex body, const NearStatics::Tables& tables);
     void Collect(BodyIndex body, bool withDynamic);
-    void FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<const FixtureIndex> known);
+    void FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<const FixtureIndex> known,
+                        std::vector<ToiCandidate>& candidates) const;
+    /// Bounds the ways to static ones; true if all candidates are spared.
+    bool BoundWays(std::span<ToiCandidate> candidates) const;
     void FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDynamic);
     void AddCandidates(BodyIndex body);
     void MarkKnown(BodyIndex body, FixtureIndex fixture);
