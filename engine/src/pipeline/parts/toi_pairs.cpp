@@ -139,7 +139,7 @@ void ToiPairs::Screen() {
     m_s.nearStatics.PrepareCalm(m_atOutlines);
     const std::vector<BodyIndex>& lookers = m_s.lookers;
     m_s.screened.resize(lookers.size());
-    for (std::vector<ToiCandidate>& candidates : m_s.screenedCandidates) candidates.clear();
+    for (int worker = 0; worker < m_t.pool.GetRowCount(); ++worker) m_s.screenedCandidates[worker].clear();
     m_t.pool.For(static_cast<int>(lookers.size()), leastToScreen, [&](int begin, int end, int worker) {
         for (int i = begin; i < end; ++i) m_s.screened[ToSize(i)] = ScreenBody(lookers[ToSize(i)], worker);
     });
