@@ -15,8 +15,8 @@ namespace testbed {
 namespace {
 
 constexpr int fewObjects = 4096;
-/// Tables grow by a factor, so what they hold for a row depends on how many there are: worlds of so many sizes between
-/// fewObjects and twice as many tell the mean.
+/// Tables grow by a factor, so what they hold for a row depends on how many there are. So many sizes of worlds, from
+/// fewObjects to twice as many, tell the mean.
 constexpr int sizes = 8;
 
 enum class Content { bodies, fixtures, apart, touching, joints };
