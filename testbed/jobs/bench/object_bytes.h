@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What one body, fixture, contact and joint costs in memory. Two worlds differ in one kind of object: the second has
-// twice as many. The cost is the difference of the heaps over the difference of the counts. Counts are powers of two,
-// so that arrays that grow by doubling show what they hold on average.
+// twice as many. The cost is the difference of the heaps over the difference of the counts. It is the mean over several
+// counts, since arrays grow by a factor: at some counts they have no room to spare, at others much.
 
 #pragma once
 

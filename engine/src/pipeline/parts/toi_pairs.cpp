@@ -133,8 +133,8 @@ void ToiPairs::AddRestingTargets() {
     m_bodies.AddResting(m_s.nearTargets, m_s.lookers);
 }
 
-/// Looks over all bodies, on all workers: who needs no pairs. Asks nobody outside and changes only what is kept for
-/// the body.
+/// Looks over all bodies, on all workers: who needs no pairs, and which candidates the others have where the static
+/// fixtures near them are known. Asks nobody outside and changes only what is kept for the body or the worker.
 void ToiPairs::Screen() {
     m_s.nearStatics.PrepareCalm(m_atOutlines);
     const std::vector<BodyIndex>& lookers = m_s.lookers;

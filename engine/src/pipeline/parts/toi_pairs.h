@@ -6,8 +6,8 @@
 // heap of events.
 //
 // Most bodies rest, slide or pass by. Cheap bounds (geometry/passage.h) show that they meet nothing; such a body gets
-// no pairs until an event needs them. Bodies are looked over and times are searched on all workers; pairs are made in
-// the order of bodies, by one.
+// no pairs until an event needs them. Bodies are looked over, their candidates found and times searched on all workers;
+// pairs are made in the order of bodies, by one.
 
 #pragma once
 
@@ -102,9 +102,9 @@ struct ToiScratch {
     IndexSet<MoverRow> nearTargets;        ///< those that rest and are on somebody's way
     std::vector<ToiCandidate> candidates;  ///< of one body
     std::vector<ScreenFind> screened;      ///< by place among the lookers
-    std::vector<ToiCandidate> screenedCandidates[maxWorkers];
-    std::vector<BoxUpdate> sweptBoxes;        ///< when someone can hit moving bodies
-    std::vector<ToiHitter> hitters;           ///< while they are few
+    std::vector<ToiCandidate> screenedCandidates[maxWorkers];  ///< by worker: of the bodies that it looked over
+    std::vector<BoxUpdate> sweptBoxes;                         ///< when someone can hit moving bodies
+    std::vector<ToiHitter> hitters;                            ///< while they are few
     Column<BodyIndex, uint8_t> isPassedOver;  ///< per body: 1 if it has no pairs because it meets nothing static
     Column<int, float> times;                 ///< per pair
     Column<FixtureIndex, int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
