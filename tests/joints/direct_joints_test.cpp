@@ -56,19 +56,27 @@ TEST(DirectJoints, HoldLoadsThatTearWhatIsSolvedInTurn) {
 }
 
 /// In mid-swing, with a load that is under way: nothing is to be thrown, and in the end all is closed.
+void ExpectToClose(uint32_t seed, int substeps) {
+    LoadedChain chain(seed, false);
+    EXPECT_FALSE(inspect::GetDirectJoints(chain.world));
+    EXPECT_GT(chain.Swing(60, substeps), substeps == 4 ? 0.003f : 0.0003f) << seed;
+    inspect::SetDirectJoints(chain.world, true);
+    EXPECT_LT(chain.Swing(240, substeps), substeps == 4 ? 4.0f : 0.2f) << seed;
+    chain.Swing(360, substeps);
+    EXPECT_LT(chain.Swing(60, substeps), substeps == 4 ? 0.5f : 0.02f) << seed;
+}
+
 TEST(DirectJoints, CloseWhatWasOpenedWhenTheyAreTurnedOnAgain) {
     std::mt19937 random(std::random_device{}());
     for (int round = 0; round < 8; ++round) {
-        for (const int substeps : {4, 16}) {
-            const uint32_t seed = random();
-            LoadedChain chain(seed, false);
-            EXPECT_FALSE(inspect::GetDirectJoints(chain.world));
-            EXPECT_GT(chain.Swing(60, substeps), substeps == 4 ? 0.003f : 0.0003f) << seed;
-            inspect::SetDirectJoints(chain.world, true);
-            EXPECT_LT(chain.Swing(240, substeps), substeps == 4 ? 4.0f : 0.2f) << seed;
-            chain.Swing(360, substeps);
-            EXPECT_LT(chain.Swing(60, substeps), substeps == 4 ? 0.5f : 0.02f) << seed;
-        }
+        for (const int substeps : {4, 16}) ExpectToClose(random(), substeps);
+    }
+}
+
+/// Chains of which four in two thousand were thrown: what closed a gap in one sub-step gave the load its speed.
+TEST(DirectJoints, CloseWithoutBringingEnergy) {
+    for (const uint32_t seed : {1579874688u, 3880940467u, 2992286136u, 1030504754u, 3608243170u, 3293529044u}) {
+        ExpectToClose(seed, 4);
     }
 }
 

@@ -450,15 +450,15 @@ double JointBatches::AimAll(const JointBatchTask& task) {
     return left;
 }
 
-/// Largest errors to which the velocities of `aimed` lead, per row that stands for a tree.
-std::vector<double> JointBatches::MeasureTrees(const JointBatchTask& task) {
+/// Where the velocities of `aimed` lead, per row that stands for a tree.
+std::vector<TreeCourse> JointBatches::MeasureTrees(const JointBatchTask& task) {
     const JointBatchKernels& kernels = GetJointBatchKernels();
     kernels.lead(task);
     kernels.measure(task);
     MeasureRows();
-    std::vector<double> errors(m_bodies.size(), 0.0);
+    std::vector<TreeCourse> trees(m_bodies.size());
     for (const Place& place : m_places) {
-        double& largest = errors[ToSize(m_tree[ToSize(place.child)])];
+        double& largest = trees[ToSize(m_tree[ToSize(place.child)])].error;
         const auto note = [&](const LaneRow& right) {
             largest = std::max(largest, std::abs(right.v[place.lane]) * task.h);
         };
@@ -469,15 +469,19 @@ std::vector<double> JointBatches::MeasureTrees(const JointBatchTask& task) {
             for (int i = 0; i < batch.count; ++i) note(batch.right[i]);
         }
     }
-    return errors;
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        const double(&mass)[4] = m_mass[row].v;
+        trees[ToSize(m_tree[row])].energy += EnergyOf(m_aimed[row].v, mass[0], mass[2]);
+    }
+    return trees;
 }
 
 /// In trees whose aim misleads. False if there are none.
 bool JointBatches::GiveWay(const JointBatchTask& task, double compliance) {
-    const std::vector<double> aimed = MeasureTrees(task);
+    const std::vector<TreeCourse> aimed = MeasureTrees(task);
     const std::vector<BodyRow> velocities = m_aimed;
     GetJointBatchKernels().coast(task);
-    const std::vector<double> coasted = MeasureTrees(task);
+    const std::vector<TreeCourse> coasted = MeasureTrees(task);
     m_aimed.assign(velocities.begin(), velocities.end());
     std::vector<uint8_t> gives(m_bodies.size(), 0);
     bool doAny = false;

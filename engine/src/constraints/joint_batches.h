@@ -28,6 +28,8 @@ struct TreeEdge {
     bool isTree = false;  ///< it was
 };
 
+struct TreeCourse;
+
 class JointBatches {
 public:
     /// Takes over the links whose bodies form trees, and puts them into an order that stays until the next call.
@@ -104,7 +106,7 @@ private:
     void MeasureRows();
     /// The most that the solve leaves, as `left` of the task.
     double AimAll(const JointBatchTask& task);
-    std::vector<double> MeasureTrees(const JointBatchTask& task);
+    [[nodiscard]] std::vector<TreeCourse> MeasureTrees(const JointBatchTask& task);
     bool GiveWay(const JointBatchTask& task, double compliance);
     void StandFirm();
 

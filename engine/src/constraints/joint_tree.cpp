@@ -127,6 +127,7 @@ double AimAll(JointForest& forest, double h, const Column<BodyIndex, Velocity>& 
     LoadVelocities(forest.bodies, velocity, [](const TreeBody& b, double spin) {
         return b.steadyInvI < b.invI ? spin * (b.steadyInvI / b.invI) : spin;
     });
+    for (TreeBody& b : forest.bodies) std::ranges::copy(b.v, b.coasted);
     for (int iteration = 0; iteration < iterations; ++iteration) {
         Lead(forest, h);
         for (TreeBody& b : forest.bodies) b.left = b.v[2];
@@ -149,15 +150,26 @@ double AimAll(JointForest& forest, double h, const Column<BodyIndex, Velocity>& 
 /// In loops whose aim misleads. All impulses of the last aim are taken back then. False if there are none.
 bool GiveWay(JointForest& forest, double h, double compliance, const std::vector<TreeSums>& before) {
     struct Loop {
-        double left = 0.0, coasted = 0.0, aimed = 0.0;  ///< the largest
+        double left = 0.0;  ///< the largest
+        TreeCourse coasted, aimed;
     };
     std::map<int, Loop> loops;
+    std::vector<int> partOf(forest.bodies.size(), -1);
     Lead(forest, h);
     for (const TreeJoint& joint : forest.joints) {
         Loop& loop = loops[joint.part];
-        for (const int row : {joint.a, joint.b}) loop.left = std::max(loop.left, forest.bodies[ToSize(row)].left);
-        loop.coasted = std::max(loop.coasted, joint.coasted);
-        loop.aimed = std::max(loop.aimed, LargestOf(ErrorsAhead(forest, joint)));
+        for (const int row : {joint.a, joint.b}) {
+            loop.left = std::max(loop.left, forest.bodies[ToSize(row)].left);
+            partOf[ToSize(row)] = joint.part;
+        }
+        loop.coasted.error = std::max(loop.coasted.error, joint.coasted);
+        loop.aimed.error = std::max(loop.aimed.error, LargestOf(ErrorsAhead(forest, joint)));
+    }
+    for (size_t row = 0; row < forest.bodies.size(); ++row) {
+        const TreeBody& b = forest.bodies[row];
+        if (partOf[row] < 0) continue;
+        loops[partOf[row]].coasted.energy += EnergyOf(b.coasted, b.invMass, b.steadyInvI);
+        loops[partOf[row]].aimed.energy += EnergyOf(b.v, b.invMass, b.steadyInvI);
     }
     const auto gives = [](const Loop& loop) { return Misleads(loop.left, loop.aimed, loop.coasted); };
     if (std::ranges::none_of(loops, [&](const auto& loop) { return gives(loop.second); })) return false;

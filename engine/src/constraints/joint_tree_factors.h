@@ -26,10 +26,20 @@ inline double TakeSpin(double spin, double last, double left, double invI, doubl
 inline constexpr double leastGive = 1e-4, mostGive = 1.0, giveFactor = 10.0;  ///< as jointCompliance
 /// By what the new turns may leave of an error, in shares of an arm: rad².
 inline bool TurnsTooFar(double left) { return left > 0.1; }
-/// By the largest errors after a move with what was aimed at, and with the velocities before it. A whip may turn far in
-/// good order, but not by two radians.
-inline bool Misleads(double left, double aimed, double coasted) {
-    return TurnsTooFar(left) && (aimed > coasted || left > 4.0);
+/// Of a tree: where velocities lead, and their energy.
+struct TreeCourse {
+    double error = 0.0;   ///< largest of a joint after a move
+    double energy = 0.0;  ///< twice the kinetic
+};
+/// True if an aim is to be done again: large turns leave more open than there was, or double the energy. A whip may
+/// turn far in good order, but what closes a gap that fast throws what it closed.
+inline bool Misleads(double left, const TreeCourse& aimed, const TreeCourse& coasted) {
+    return TurnsTooFar(left) && (aimed.error > coasted.error || aimed.energy > 2.0 * coasted.energy);
+}
+/// What a body with the inertia of the solve adds to TreeCourse::energy.
+inline double EnergyOf(const double* velocity, double invMass, double steadyInvI) {
+    const double moving = invMass > 0.0 ? (velocity[0] * velocity[0] + velocity[1] * velocity[1]) / invMass : 0.0;
+    return moving + (steadyInvI > 0.0 ? velocity[2] * velocity[2] / steadyInvI : 0.0);
 }
 
 /// Replaces the first `count` rows of a symmetric matrix by its inverse. Rows whose pivot is only rounding beside

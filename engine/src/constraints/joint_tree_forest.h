@@ -26,6 +26,7 @@ struct TreeBody {
     double startCos, startSin;
     TreePose pose, next;  ///< now, and where its velocity leads
     double v[3];          ///< x, y, turning; of the last solve
+    double coasted[3];    ///< these before the last aim
     double left;          ///< the most that its turn in the last aim may leave of an error, in shares of an arm
 };
 
@@ -47,7 +48,7 @@ struct TreeJoint : TreeSums {
     int part;                ///< those of one number may be coupled
     int linkBegin, linkEnd;  ///< in the order of elimination
     double give;             ///< compliance beside that of all
-    double coasted;          ///< largest error to which velocities lead before an aim
+    double coasted;          ///< largest error to which the velocities before an aim lead
     TreeRows rows;
     double inverse[maxTreeRows][maxTreeRows];  ///< of its pivot
     double rhs[maxTreeRows];                   ///< right side, then impulses
