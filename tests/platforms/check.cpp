@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Are states the same on this machine as on all others? Runs every scene of the catalogue and nets of joints by three
-// kinds of step. Checks that other numbers of workers, a saved world and a recording lead to the same state. Holds a
-// dozen longer runs and every scene to the golden hashes. Checks that a program's rounding mode does not matter. Prints
-// a line per state, which tests/platforms/run compares with those of x86-64. Needs nothing but the engine: no test
-// library, no exceptions.
+// Are states the same on this machine as on all others? Runs every scene of the catalogue, nets of joints and a room of
+// bounces by three kinds of step. Checks that other numbers of workers, a saved world and a recording lead to the same
+// state. Holds a dozen longer runs and every scene to the golden hashes. Checks that a program's rounding mode does not
+// matter. Prints a line per state, which tests/platforms/run compares with those of x86-64. Needs nothing but the
+// engine: no test library, no exceptions.
 //
 //   scree_check          all of that; exit code 1 if anything differs
 //   scree_check golden   golden hashes alone, with one worker and with three
@@ -28,6 +28,7 @@
 #include "scree/inspect.h"
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
+#include "tests/determinism/bounces.h"
 #include "tests/determinism/golden_hashes.h"
 #include "tests/determinism/nets.h"
 #include "tests/determinism/round_shapes.h"
@@ -215,6 +216,7 @@ int CheckAll(const std::string& what) {
     };
     for (const scenes::SceneInfo& info : scenes::Catalog()) check(determinism::BuildSmall(info));
     check(determinism::BuildNets());
+    check(determinism::BuildBounces());
     if (!isQuick && !isGolden) CheckFloatModes();
     std::printf("failures %d\n", failures);
     return failures == 0 ? 0 : 1;
