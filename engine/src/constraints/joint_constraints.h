@@ -12,6 +12,7 @@
 #include "constraints/distance.h"
 #include "constraints/friction.h"
 #include "constraints/gear.h"
+#include "constraints/hinge_lanes.h"
 #include "constraints/motor.h"
 #include "constraints/mouse.h"
 #include "constraints/prismatic.h"
@@ -35,6 +36,7 @@ using ConstraintTables = std::tuple<std::vector<typename JointTraits<Row>::Const
 
 struct JointConstraints {
     std::vector<JointRun> runs;
+    HingeLanes wholeHinges;  ///< in place of all runs, or none
     // Joints that a direct solve holds, of which limits, motors and springs remain, in this order: of revolute joints
     // and wheels either the runs or the lanes.
     std::vector<JointRun> bounds;
@@ -49,13 +51,14 @@ struct JointConstraints {
     }
     void Clear() {
         runs.clear();
+        wholeHinges.Clear();
         bounds.clear();
         wheelBounds.clear();
         std::apply([](auto&... constraints) { (constraints.clear(), ...); }, byType);
     }
     [[nodiscard]] size_t GetMemoryBytes() const {
         size_t bytes = (runs.capacity() + bounds.capacity() + wheelBounds.capacity()) * sizeof(JointRun) +
-                       hinges.GetMemoryBytes() + wheels.GetMemoryBytes();
+                       wholeHinges.GetMemoryBytes() + hinges.GetMemoryBytes() + wheels.GetMemoryBytes();
         std::apply([&](const auto&... c) { ((bytes += c.capacity() * sizeof(c[0])), ...); }, byType);
         return bytes;
     }

@@ -78,6 +78,18 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
     WarmStartJoints(task);
 }
 
+void PrepareIslandJoints(const JointTask& task, std::span<const JointIndex> joints) {
+    HingeLanes& hinges = task.scratch.wholeHinges;
+    task.scratch.Clear();
+    hinges.Plan(joints, task.bodies, task.joints);
+    if (hinges.IsEmpty()) return PrepareJoints(task, joints);
+    hinges.Prepare(task.step, task.bodies);
+    hinges.WarmStart(task.step, task.bodies);
+}
+void StoreJointImpulses(const JointTask& task) {
+    task.scratch.wholeHinges.Store(task.joints.Store<RevoluteRow>().rows);
+}
+
 void WarmStartJoints(const JointTask& task) {
     const PhaseTable& phases = GetPhases();
     JointConstraints& s = task.scratch;
@@ -91,6 +103,7 @@ void WarmStartJoints(const JointTask& task) {
 void SolveJointVelocities(const JointTask& task) {
     const PhaseTable& phases = GetPhases();
     JointConstraints& s = task.scratch;
+    if (!s.wholeHinges.IsEmpty()) s.wholeHinges.Solve(task.step, task.bodies);
     for (const JointRun& run : s.runs) phases[run.type]->solveVelocity(task, run);
     for (const JointRun& run : s.bounds) phases[run.type]->solveBounds(task, run);
     if (s.hinges.Act()) s.hinges.Solve(task.step, task.bodies);
@@ -103,6 +116,7 @@ bool SolveJointPositions(const JointTask& task) {
     JointConstraints& s = task.scratch;
     bool solved = true;
     const auto note = [&solved](bool one) { solved = one && solved; };
+    if (!s.wholeHinges.IsEmpty()) note(s.wholeHinges.SolvePositions(task.step, task.bodies));
     for (const JointRun& run : s.runs) note(phases[run.type]->solvePosition(task, run));
     for (const JointRun& run : s.bounds) note(phases[run.type]->solveBoundPosition(task, run));
     if (s.hinges.Act()) note(s.hinges.SolvePositions(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows));

@@ -16,6 +16,10 @@ void PlanBounds(const JointTask& task, std::span<const JointIndex> bounded);
 /// Makes the constraints of these joints, in this order, and warm-starts them. Of `bounded`, which a direct solve
 /// holds, only limits, motors and springs, and those that are idle are left out.
 void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded = {});
+/// The same for joints of an island that are all solved in turn: side by side where that gives the same bits.
+/// StoreJointImpulses must follow the iterations on velocities.
+void PrepareIslandJoints(const JointTask& task, std::span<const JointIndex> joints);
+void StoreJointImpulses(const JointTask& task);
 /// Applies the impulses that the joints have at present once more.
 void WarmStartJoints(const JointTask& task);
 /// Multiplies the impulses that these joints keep for warm starting by task.step.impulseScale, without pushing

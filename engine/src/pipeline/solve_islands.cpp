@@ -50,7 +50,7 @@ public:
             WarmStartContacts(m_scratch.contacts, m_tables.bodies.velocity);
             m_scratch.rolling.WarmStart(m_tables.bodies.velocity);
         }
-        PrepareJoints(JointWork(), m_joints);
+        PrepareIslandJoints(JointWork(), m_joints);
         m_scratch.locked.Stop(m_tables.bodies.velocity);
     }
 
@@ -62,6 +62,7 @@ public:
                                     [&](int at) { return GetPressure(m_scratch.contacts, at); });
             m_scratch.locked.Stop(m_tables.bodies.velocity);
         }
+        StoreJointImpulses(JointWork());
         StoreContactImpulses(m_scratch.contacts, m_tables.contacts.manifold);
         m_scratch.rolling.Store(1.0f, m_tables.contacts.rolling);
     }
@@ -145,7 +146,7 @@ public:
             RunKernel(Pool(), m_task, m_kernels.warmStart);
             m_s.rolling.WarmStart(m_bodies.velocity);
         }
-        if (HasJoints()) PrepareJoints(JointWork(), m_joints);
+        if (HasJoints()) PrepareIslandJoints(JointWork(), m_joints);
         m_s.locked.Stop(m_bodies.velocity);
     }
 
@@ -156,6 +157,7 @@ public:
             m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_blocks.GetPressure(at); });
             m_s.locked.Stop(m_bodies.velocity);
         }
+        if (HasJoints()) StoreJointImpulses(JointWork());
         m_blocks.Store(1.0f, Pool(), m_tables.contacts.manifold);
         m_s.rolling.Store(1.0f, m_tables.contacts.rolling);
     }
