@@ -18,9 +18,9 @@ struct alignas(32) HingeBatch {
     // Of a step.
     Row anchorAX, anchorAY, anchorBX, anchorBY;  ///< from the centres of mass, in the bodies' frames
     Row impulseX, impulseY;
-    Row armAX, armAY, armBX, armBY;     ///< in world coordinates
-    Row kxx, kxy, kyy, inverseOfDet;    ///< inverse effective mass of the point
-    int32_t hasRange;                   ///< some lane has a spring, motor or limit
+    Row armAX, armAY, armBX, armBY;   ///< in world coordinates
+    Row kxx, kxy, kyy, inverseOfDet;  ///< inverse effective mass of the point
+    int32_t hasRange;                 ///< some lane has a spring, motor or limit
 };
 
 /// Batches that are solved one after the other. Lanes to spare come last and repeat the first.
@@ -30,9 +30,9 @@ struct HingeLaneTask {
     float* position;  ///< by body: centre of mass, angle, and one more
     float* velocity;  ///< by body: v, w, and one more
     float dt, inverseDt;
-    float impulseScale;         ///< of warm starting
-    float slop, angularSlop;    ///< m, rad
-    float mostTurn;             ///< of a correction, rad
+    float impulseScale;       ///< of warm starting
+    float slop, angularSlop;  ///< m, rad
+    float mostTurn;           ///< of a correction, rad
 };
 
 /// All forms give the bits of solving joint after joint.

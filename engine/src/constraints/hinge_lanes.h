@@ -32,13 +32,14 @@ public:
     /// Writes the impulses into the rows.
     void Store(Column<JointRow, RevoluteRow>& rows) const;
 
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches) + m_levels.GetMemoryBytes(); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches, m_inTurn) + m_levels.GetMemoryBytes(); }
 
 private:
     [[nodiscard]] HingeLaneTask Task(const JointStep& step, BodyTable& bodies);
 
     std::vector<HingeBatch> m_batches;
     JointLevels m_levels;
+    std::vector<JointIndex> m_inTurn;  ///< joints for which it did not pay of late
 };
 
 }  // namespace scree

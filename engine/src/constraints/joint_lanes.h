@@ -21,20 +21,17 @@ template <typename Row>
 struct LaneTraits;
 
 /// A joint that gets into a lane; or a lane to spare, which repeats one.
-template <typename Row>
 struct LaneJoint {
     const JointInfo& info;
-    const Row& row;
     const MassRow &massA, &massB;
     bool isSpare;
 };
-template <typename Row>
-void FillLane(const LaneJoint<Row>& from, size_t lane, typename LaneTraits<Row>::Batch& batch) {
+template <typename Batch>
+void PutBodies(const LaneJoint& from, size_t lane, Batch& batch) {
     batch.bodyA[lane] = ToInt(from.info.bodyA), batch.bodyB[lane] = ToInt(from.info.bodyB);
     batch.row[lane] = from.isSpare ? -1 : ToInt(from.info.row);
     batch.invMassA[lane] = from.massA.invMass, batch.invIA[lane] = from.massA.invI;
     batch.invMassB[lane] = from.massB.invMass, batch.invIB[lane] = from.massB.invI;
-    LaneTraits<Row>::Fill(from.row, from.massA, from.massB, lane, batch);
 }
 
 template <typename Row>
@@ -52,9 +49,10 @@ public:
             const size_t lane = i % jointBatchSize;
             const bool isSpare = IsNone(order[i]);
             const JointInfo& info = table.info[isSpare ? order[i - lane] : order[i]];
-            FillLane<Row>({info, table.Store<Row>().rows[info.row], bodies.mass[info.bodyA], bodies.mass[info.bodyB],
-                           isSpare},
-                          lane, m_batches[i / jointBatchSize]);
+            Batch& batch = m_batches[i / jointBatchSize];
+            const MassRow &massA = bodies.mass[info.bodyA], &massB = bodies.mass[info.bodyB];
+            PutBodies({info, massA, massB, isSpare}, lane, batch);
+            Traits::Fill(table.Store<Row>().rows[info.row], massA, massB, lane, batch);
         }
     }
     [[nodiscard]] bool IsEmpty() const { return m_batches.empty(); }
