@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// A scene of what the catalogue has little of: boxes, disks and polygons that bounce, with one point and with two, off
-// walls, off each other, and off bodies that move on their own.
+// A scene of what the catalogue has little of: boxes, disks and polygons that bounce, with one point and with two. They
+// meet walls, each other, and bodies that move on their own.
 
 #pragma once
 

@@ -10,7 +10,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/world/fixtures.h"
+#include "tests/world/random_hinges.h"
 #include "world/world_state.h"
 
 namespace scree {
@@ -112,73 +112,29 @@ struct Cars {
 /// A figure of two to six limbs, in a tree, whose hinges have limits, motors or springs.
 class Figure {
 public:
-    Figure(World& world, uint32_t seed, float x) : m_random(seed) {
+    Figure(World& world, uint32_t seed, float x) : m_draw(seed) {
         Body* ground = AddBody(world, staticBody, {x, 0.0f});
         AddBox(ground, 12.0f, 0.5f);
-        AddLimb(world, {x, 3.0f});
-        const int count = 1 + static_cast<int>(m_random() % 5);
-        for (int i = 0; i < count; ++i) AddHinge(world);
+        m_limbs.push_back(AddLimb(world, {x, 3.0f}, 3.0f, m_draw));
+        const uint32_t count = 1 + m_draw.Below(5);
+        for (uint32_t i = 0; i < count; ++i) AddHinge(world);
     }
-
-    /// Of all bodies, and of what the joints do.
-    [[nodiscard]] std::vector<uint32_t> GetBits() const {
-        std::vector<uint32_t> bits;
-        const auto add = [&bits](float x) { bits.push_back(std::bit_cast<uint32_t>(x)); };
-        for (const Body* body : m_limbs) {
-            add(body->GetPosition().x), add(body->GetPosition().y), add(body->GetAngle());
-            add(body->GetLinearVelocity().x), add(body->GetLinearVelocity().y), add(body->GetAngularVelocity());
-        }
-        for (const RevoluteJoint* joint : m_joints) {
-            const Vec2 force = joint->GetReactionForce(60.0f);
-            add(force.x), add(force.y), add(joint->GetReactionTorque(60.0f)), add(joint->GetMotorTorque(60.0f));
-        }
-        return bits;
-    }
-    /// Hinges that are out of their range, or within a milliradian of an end.
-    [[nodiscard]] int CountAtLimits() const {
-        int count = 0;
-        for (const RevoluteJoint* joint : m_joints) {
-            const float at = joint->GetJointAngle();
-            const float room = Min(at - joint->GetLowerLimit(), joint->GetUpperLimit() - at);
-            if (joint->IsLimitEnabled() && room < 0.001f) ++count;
-        }
-        return count;
-    }
+    [[nodiscard]] std::vector<uint32_t> GetBits() const { return test::GetBits(m_limbs, m_joints); }
+    [[nodiscard]] int CountAtLimits() const { return test::CountAtLimits(m_joints); }
 
 private:
-    float Any(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
-    bool OneIn(uint32_t count) { return m_random() % count == 0; }
-
-    Body* AddLimb(World& world, Vec2 place) {
-        Body* limb = AddBody(world, dynamicBody, place, Any(-0.5f, 0.5f));
-        Fixture* fixture = AddBox(limb, Any(0.2f, 0.5f), Any(0.1f, 0.2f), Any(0.5f, 3.0f));
-        Filter filter;
-        filter.groupIndex = -1;
-        fixture->SetFilterData(filter);
-        limb->SetAngularVelocity(Any(-4.0f, 4.0f));
-        m_limbs.push_back(limb);
-        return limb;
-    }
     void AddHinge(World& world) {
-        Body* parent = m_limbs[m_random() % m_limbs.size()];
-        const Vec2 anchor = parent->GetWorldPoint({OneIn(2) ? 0.4f : -0.4f, 0.0f});
-        Body* limb = AddLimb(world, anchor + Vec2{Any(-0.4f, 0.4f), Any(-0.2f, 0.2f)});
+        Body* parent = m_limbs[m_draw.Below(static_cast<uint32_t>(m_limbs.size()))];
+        const Vec2 anchor = parent->GetWorldPoint({m_draw.OneIn(2) ? 0.4f : -0.4f, 0.0f});
+        const float x = m_draw.Any(-0.4f, 0.4f), y = m_draw.Any(-0.2f, 0.2f);
+        m_limbs.push_back(AddLimb(world, anchor + Vec2{x, y}, 3.0f, m_draw));
         RevoluteJointDef def;
-        def.Initialize(parent, limb, anchor);
-        def.enableLimit = !OneIn(4);
-        def.lowerAngle = Any(-1.0f, 0.1f);
-        def.upperAngle = def.lowerAngle + (OneIn(5) ? 0.0f : Any(0.0f, 1.0f));
-        def.enableMotor = OneIn(3);
-        def.motorSpeed = Any(-4.0f, 4.0f);
-        def.maxMotorTorque = Any(0.0f, 5.0f);
-        def.enableSpring = OneIn(3);
-        AngularStiffness(def.stiffness, def.damping, Any(1.0f, 6.0f), 0.5f, parent, limb);
-        def.targetAngle = Any(-0.5f, 0.5f);
-        if (OneIn(2)) def.maxSpringTorque = Any(0.1f, 5.0f);
+        def.Initialize(parent, m_limbs.back(), anchor);
+        GiveRange(def, m_draw);
         m_joints.push_back(static_cast<RevoluteJoint*>(world.CreateJoint(&def)));
     }
 
-    std::mt19937 m_random;
+    Draws m_draw;
     std::vector<Body*> m_limbs;
     std::vector<RevoluteJoint*> m_joints;
 };
