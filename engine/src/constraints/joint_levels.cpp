@@ -11,6 +11,12 @@
 
 namespace scree {
 
+namespace {
+
+constexpr size_t jointsOfBatch = 3;  // a batch takes as long as so many one by one
+
+}  // namespace
+
 void JointLevels::Take(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
                        const JointTable& table) {
     constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
@@ -26,7 +32,7 @@ void JointLevels::Take(JointType type, std::span<const JointIndex> joints, const
     }
 }
 
-void JointLevels::FindLevels(const BodyTable& bodies, const JointTable& table) {
+bool JointLevels::FindLevels(const BodyTable& bodies, const JointTable& table) {
     EnsureRows(m_next, ToSize(bodies.slots.Size()));
     for (const JointIndex joint : m_taken) {
         const JointInfo& info = table.info[joint];
@@ -40,19 +46,19 @@ void JointLevels::FindLevels(const BodyTable& bodies, const JointTable& table) {
         for (const BodyIndex body : {info.bodyA, info.bodyB}) {
             if (bodies.mass[body].invMass > 0.0f) level = std::max(level, m_next[body]);
         }
+        if (ToSize(level + 1) * jointsOfBatch > m_taken.size()) return false;
         m_next[info.bodyA] = m_next[info.bodyB] = level + 1;
         m_levels[i] = level;
         if (ToSize(level) >= m_start.size()) m_start.resize(ToSize(level) + 1, 0);
         ++m_start[ToSize(level)];
     }
+    return true;
 }
 
 std::span<const JointIndex> JointLevels::Sort(JointType type, std::span<const JointIndex> joints,
                                               const BodyTable& bodies, const JointTable& table) {
-    constexpr size_t jointsOfBatch = 3;  // a batch takes as long as so many one by one
     Take(type, joints, bodies, table);
-    if (m_taken.size() < jointsOfBatch) return {};
-    FindLevels(bodies, table);
+    if (!FindLevels(bodies, table)) return {};
     int begin = 0;
     for (int& start : m_start) {
         const int batches = (start + jointBatchSize - 1) / jointBatchSize;

@@ -26,7 +26,8 @@ public:
 
 private:
     void Take(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table);
-    void FindLevels(const BodyTable& bodies, const JointTable& table);
+    /// False where they are so many that their batches do not pay.
+    bool FindLevels(const BodyTable& bodies, const JointTable& table);
 
     std::vector<JointIndex> m_taken;
     std::vector<int> m_levels;      ///< by joint: how many before it must be solved first
