@@ -39,14 +39,18 @@ inline scenes::Scene BuildBounces() {
     for (int i = 0; i < 96; ++i) {
         const double x = -14.0 + 2.5 * (i % 12), y = 1.5 + 1.75 * (i / 12);
         scenes::Body& body = AddBody(scene, scenes::BodyType::dynamic, scenes::Point(x, y));
-        body.linearVelocity = scenes::Point(random.Uniform(-8.0, 8.0), random.Uniform(-8.0, 8.0));
+        // One draw a statement: compilers differ in the order of arguments.
+        const double vx = random.Uniform(-8.0, 8.0), vy = random.Uniform(-8.0, 8.0);
+        body.linearVelocity = scenes::Point(vx, vy);
         // A third falls flat.
         if (i % 3 != 0) body.angularVelocity = static_cast<float>(random.Uniform(-4.0, 4.0));
         const double size = random.Uniform(0.2, 0.6);
         const scenes::Shape shape = i % 4 == 0   ? scenes::Circle(size)
                                     : i % 4 == 1 ? scenes::RegularPolygon(3 + i % 5, size)
                                                  : scenes::Box(size, 0.7 * size);
-        bounce(AddFixture(scene, shape, random.Uniform(0.5, 50.0)), random.Uniform(0.0, 1.0), random.Uniform(0.0, 1.0));
+        const double density = random.Uniform(0.5, 50.0);
+        const double restitution = random.Uniform(0.0, 1.0), friction = random.Uniform(0.0, 1.0);
+        bounce(AddFixture(scene, shape, density), restitution, friction);
     }
     return scene;
 }

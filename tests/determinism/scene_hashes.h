@@ -68,7 +68,7 @@ inline constexpr SceneHashes sceneHashes[] = {
     {"joint-weld", {0xd5779354f3ee121d, 0x7aebc33f3ec1cdce, 0x55d75ff7596529fe}},
     {"joint-wheel", {0xec80a76d03bc7c8a, 0x4758b65e0df73c7b, 0xe2339771e81b820e}},
     {"nets", {0xb613c1a99c7d2456, 0x92b7bd821df0e95b, 0xc286fe8cbe2f56c9}},
-    {"bounces", {0xecca40b98c4e9941, 0x65fcce54583cd450, 0xc56207f53ee9cb14}},
+    {"bounces", {0xd4b5439c8e900d12, 0xac530b8596cc58b7, 0xea732c415a6dc6ca}},
 };
 
 }  // namespace determinism
