@@ -107,5 +107,39 @@ TEST(HingeLanes, GiveTheBitsOfOneByOne) {
     EXPECT_GT(atLimits, 3000);
 }
 
+/// Mobiles that hang on one static body, whose row no worker may write: the thread sanitizer would tell.
+uint64_t HashOfMobiles(int workers, bool& inLanes) {
+    WorldDef def;
+    def.gravity = {0.0f, -10.0f};
+    def.workerCount = workers;
+    World world(def);
+    world.GetState().pool->ShareAlways();
+    world.SetAllowSleeping(false);
+    Body* ceiling = AddBody(world, staticBody, {0.0f, 0.0f});
+    Draws draw(3);
+    for (int mobile = 0; mobile < 12; ++mobile) {
+        std::vector<Body*> limbs{ceiling};
+        for (size_t i = 1; i < 128; ++i) {
+            Body* parent = limbs[i / 2];
+            const Vec2 anchor = i == 1 ? Vec2{60.0f * static_cast<float>(mobile), 0.0f}
+                                       : parent->GetWorldPoint({i % 2 == 0 ? 0.4f : -0.4f, 0.0f});
+            limbs.push_back(AddLimb(world, anchor + Vec2{0.0f, -0.3f}, 3.0f, draw));
+            RevoluteJointDef hinge;
+            hinge.Initialize(parent, limbs.back(), anchor);
+            world.CreateJoint(&hinge);
+        }
+    }
+    for (int i = 0; i < 30; ++i) world.Step(frame, 8, 3);
+    inLanes = !world.GetState().solverScratch.islandRows[0].joints.wholeHinges.IsEmpty();
+    return inspect::GetStateHash(world);
+}
+
+TEST(HingeLanes, ShareAStaticBodyBetweenWorkers) {
+    bool inLanes = false;
+    const uint64_t alone = HashOfMobiles(1, inLanes);
+    EXPECT_TRUE(inLanes);
+    for (const int workers : {2, 3}) EXPECT_EQ(HashOfMobiles(workers, inLanes), alone) << workers;
+}
+
 }  // namespace
 }  // namespace scree
