@@ -86,6 +86,20 @@ size_t Sum(const inspect::MemoryUse& use) {
     return use.bodies + use.fixtures + use.contacts + use.joints + use.broadPhase + use.solverScratch;
 }
 
+/// What workers need is made for those that there are.
+TEST(Memory, ASmallWorldTakesLittle) {
+    for (const int substeps : {0, 4}) {
+        const long before = AllocatedBytes();
+        World world({0.0f, -10.0f});
+        EXPECT_LT(AllocatedBytes() - before, 32 * 1024);
+        AddGround(world);
+        for (int i = 0; i < 10; ++i)
+            AddBox(AddBody(world, dynamicBody, {1.1f * static_cast<float>(i), 0.6f}), 0.5f, 0.5f);
+        for (int i = 0; i < 30; ++i) StepWith(world, substeps);
+        EXPECT_LT(AllocatedBytes() - before, 128 * 1024);
+    }
+}
+
 TEST(Memory, TheReportCountsWhatIsAllocatedAndTrimGivesItBack) {
     for (const int substeps : {0, 4}) {
         const long before = AllocatedBytes();

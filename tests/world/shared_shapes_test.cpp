@@ -5,8 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <memory>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "scree/snapshot.h"
@@ -68,6 +71,50 @@ TEST(SharedShapes, AChangedOneIsItsFixturesOwn) {
     own->SetAsBox(0.5f, 0.5f);
     const auto last = AddBoxes(world, 1, 0.5f);
     EXPECT_NE(Look(last[0]), own);
+}
+
+/// The same polygon in other bits, which no pool has: each is refused, however often good ones were taken before.
+TEST(SharedShapes, BadOnesAreRefusedAmongEqualGoodOnes) {
+    std::vector<std::string> errors;
+    World world({0.0f, 0.0f});
+    world.SetErrorHandler(
+        [](const Error& error, void* context) {
+            static_cast<std::vector<std::string>*>(context)->emplace_back(error.field);
+        },
+        &errors);
+    Fixture* const fixture = AddBoxes(world, 2, 0.5f)[0];
+    Body* const body = AddBody(world, dynamicBody, {0.0f, 5.0f});
+    PolygonShape good;
+    good.SetAsBox(0.5f, 0.5f);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const std::vector<std::pair<std::string, void (*)(PolygonShape&, float)>> faults{
+        {"PolygonShape::m_vertices", [](PolygonShape& s, float bad) { s.m_vertices[1].y = bad; }},
+        {"PolygonShape::m_vertices", [](PolygonShape& s, float bad) { s.m_normals[3].x = bad; }},
+        {"PolygonShape::m_normals", [](PolygonShape& s, float) { s.m_normals[3] *= 2.0f; }},
+        {"PolygonShape::m_vertices", [](PolygonShape& s, float) { std::swap(s.m_vertices[0], s.m_vertices[1]); }},
+        {"Shape::m_radius", [](PolygonShape& s, float bad) { s.m_radius = bad; }},
+        {"PolygonShape::m_count", [](PolygonShape& s, float) { s.m_count = 2; }},
+        {"PolygonShape::m_count", [](PolygonShape& s, float) { s.m_count = -1; }},
+        {"PolygonShape::m_count", [](PolygonShape& s, float) { s.m_count = 1 << 30; }},
+    };
+    for (const auto& [field, spoil] : faults) {
+        PolygonShape bad = good;
+        spoil(bad, nan);
+        errors.clear();
+        EXPECT_EQ(body->CreateFixture(&bad, 1.0f), nullptr);
+        EXPECT_EQ(errors, std::vector{field});
+        EXPECT_NE(body->CreateFixture(&good, 1.0f), nullptr);
+        // Nor does a form join in that its user has spoilt.
+        Fixture* const spoilt = AddBoxes(world, 1, 0.5f)[0];
+        static_cast<PolygonShape&>(*spoilt->GetShape()) = bad;
+        EXPECT_EQ(body->CreateFixture(&bad, 1.0f), nullptr);
+        static_cast<PolygonShape&>(*spoilt->GetShape()) = good;
+    }
+    errors.clear();
+    EXPECT_EQ(body->CreateFixture(&good, nan), nullptr);
+    EXPECT_EQ(body->CreateFixture(&good, 1e35f), nullptr);
+    EXPECT_EQ(errors, (std::vector<std::string>{"FixtureDef::density", "FixtureDef::density"}));
+    EXPECT_EQ(Look(fixture), Look(body->GetFixtureList())) << "the good ones are all one";
 }
 
 TEST(SharedShapes, TheOnlyUserTakesItsOwnInPlace) {

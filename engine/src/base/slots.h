@@ -19,9 +19,9 @@ namespace scree {
 template <AnyColumn... T>
 void ReserveRows(size_t count, T&... columns) {
     const auto reserve = [count](auto& column) {
-        constexpr size_t small = 1024;  // rows; longer ones grow by half, or much would be left empty
+        constexpr size_t least = 16, small = 1024;  // rows; longer ones grow by half, or much would be left empty
         const size_t room = column.capacity();
-        if (count > room) column.reserve(std::max(count, room < small ? 2 * room : room + room / 2));
+        if (count > room) column.reserve(std::max({count, least, room < small ? 2 * room : room + room / 2}));
     };
     (reserve(columns), ...);
 }

@@ -21,9 +21,9 @@ inline FanMoments IntegrateFan(const Vec2* vertices, int count) {
     constexpr float oneThird = 1.0f / 3.0f;
     FanMoments out;
     const Vec2 apex = vertices[0];
-    for (int i = 0; i < count; ++i) {
+    for (int i = 1; i + 1 < count; ++i) {
         const Vec2 e1 = vertices[i] - apex;
-        const Vec2 e2 = vertices[i + 1 < count ? i + 1 : 0] - apex;
+        const Vec2 e2 = vertices[i + 1] - apex;
         const float doubleArea = Cross(e1, e2);
         const float triangleArea = 0.5f * doubleArea;
         out.area += triangleArea;

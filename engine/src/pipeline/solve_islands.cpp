@@ -317,7 +317,7 @@ SolverCounts RunPhases(Solver&& solver, const FixtureTable& fixtures, Report&& r
 SolverCounts SolveLone(const IslandWork& work, const LoneIsland& lone, SolverTables tables, int worker) {
     const Island& island = work.islands.islands[ToSize(lone.island)];
     SolverScratch& s = work.scratch;
-    IslandRows& rows = s.islandRows[worker];
+    IslandRows& rows = s.islandRows[ToSize(worker)];
     if (!IsWide(island)) {
         return RunPhases(IslandSolver(work.settings, work.islands, island, tables, rows), work.fixtures,
                          [&] { ReportImpulses(rows.contacts, work.events, tables.contacts); });
@@ -439,6 +439,8 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
 
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
+    EnsureRows(scratch.islandRows, ToSize(tables.pool.GetRowCount()));
+    EnsureRows(scratch.lanes.workers, ToSize(tables.pool.GetRowCount()));
     const IsolatedSolver isolated(settings, islands, tables.bodies);
     LaneSolver lanes(settings, islands, events, tables, scratch);
     ListLone(islands, lanes, tables.bodies, scratch);

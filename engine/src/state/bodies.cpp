@@ -192,8 +192,11 @@ Vec2 BodyTable::SetLocalCenter(BodyIndex body, Vec2 center) {
     const Vec2 way = Mul(xf.q, center) - Mul(xf.q, mass[body].localCenter);
     const Vec2 before = position[body].c;
     const bool moves = !(GetMotion(body) == vec2Zero) || position[body].a != startPosition[body].a;
-    const Rot startTurn(startPosition[body].a);
-    const Vec2 startWay = Mul(startTurn, center) - Mul(startTurn, mass[body].localCenter);
+    Vec2 startWay = vec2Zero;
+    if (moves) {
+        const Rot startTurn(startPosition[body].a);
+        startWay = Mul(startTurn, center) - Mul(startTurn, mass[body].localCenter);
+    }
     mass[body].localCenter = center;
     if (IsFar()) {
         rest[body].end += way;

@@ -7,13 +7,13 @@
 
 namespace scree {
 
-FixtureIndex FixtureTable::Add(WorldState* state, BodyIndex bodyIndex, const FixtureDef& def) {
+FixtureIndex FixtureTable::Add(WorldState* state, BodyIndex bodyIndex, const FixtureDef& def, int knownShape) {
     const FixtureIndex index = slots.Prepare();
     const size_t rows = ToSize(index) + 1;
     // When memory runs out nothing has changed yet.
     ReserveRows(rows, body, shape, type, isSensor, filter, material, next, info, m_shapeRow);
     while (handles.size() < rows) handles.emplace_back(state, handles.End());
-    const int shapeRow = TakeShape(*def.shape);
+    const int shapeRow = TakeShape(*def.shape, knownShape);
 
     slots.Allocate();
     if (body.size() < rows) AppendRow(body, shape, type, isSensor, filter, material, next, info);
@@ -46,9 +46,23 @@ void FixtureTable::WithPool(Shape::Type shapeType, Use&& use) {
     }
 }
 
-int FixtureTable::TakeShape(const Shape& value) {
-    int row = -1;
-    WithPool(value.GetType(), [&]<typename T>(ShapePool<T>& pool) { row = pool.Take(static_cast<const T&>(value)); });
+int FixtureTable::FindShape(const Shape& value) const {
+    switch (value.GetType()) {
+        case Shape::e_circle:
+            return m_circles.Find(static_cast<const CircleShape&>(value));
+        case Shape::e_polygon:
+            return m_polygons.Find(static_cast<const PolygonShape&>(value));
+        default:
+            return -1;  // shapes of other types are not shared
+    }
+}
+
+int FixtureTable::TakeShape(const Shape& value, int knownShape) {
+    int row = knownShape;
+    WithPool(value.GetType(), [&]<typename T>(ShapePool<T>& pool) {
+        if (row >= 0) return pool.Share(row);
+        row = pool.Take(static_cast<const T&>(value));
+    });
     return row;
 }
 
@@ -60,7 +74,7 @@ void FixtureTable::PutShape(FixtureIndex fixture, Shape::Type shapeType, int row
 }
 
 void FixtureTable::SetShape(FixtureIndex fixture, const Shape& value) {
-    PutShape(fixture, value.GetType(), TakeShape(value));
+    PutShape(fixture, value.GetType(), TakeShape(value, FindShape(value)));
 }
 
 Shape* FixtureTable::GetOwnShape(FixtureIndex fixture) {

@@ -81,8 +81,11 @@ struct FixtureTable {
 
     /// The list of fixtures that begins with `head`, as a range of rows.
     [[nodiscard]] FixtureList From(FixtureIndex head) const { return {&next, head}; }
-    /// Adds a row; the shape is no chain.
-    FixtureIndex Add(WorldState* state, BodyIndex bodyIndex, const FixtureDef& def);
+    /// The row of an equal shape in the pool of its type, −1 if none is known. All that are in pools are valid; `value`
+    /// may be anything.
+    [[nodiscard]] int FindShape(const Shape& value) const;
+    /// Adds a row; the shape is no chain. `knownShape` is what FindShape gave for it.
+    FixtureIndex Add(WorldState* state, BodyIndex bodyIndex, const FixtureDef& def, int knownShape);
     void Remove(FixtureIndex fixture);
     /// Takes back the newest Add that was not taken back yet: the rows are as they were before it.
     void UndoAdd(FixtureIndex fixture);
@@ -107,7 +110,7 @@ private:
     template <typename Use>
     void WithPool(Shape::Type shapeType, Use&& use);
     /// A row of the pool with the shape's values, and its use as a fixture's shape.
-    int TakeShape(const Shape& value);
+    int TakeShape(const Shape& value, int knownShape);
     void PutShape(FixtureIndex fixture, Shape::Type shapeType, int row);
 
     Column<FixtureIndex, int> m_shapeRow;  ///< in the pool of its type

@@ -10,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "base/slots.h"
@@ -26,7 +27,7 @@ inline uint64_t HashPair(uint64_t sum, float x, float y) {
 inline bool AreSameBits(float a, float b) { return std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b); }
 inline bool AreSameBits(Vec2 a, Vec2 b) { return AreSameBits(a.x, b.x) && AreSameBits(a.y, b.y); }
 
-/// Whether a type of shape is worth comparing, and how its bits are.
+/// Whether a type of shape is worth comparing, which of its values can be, and how their bits are.
 template <typename T>
 struct ShapeBits {
     static constexpr bool areShared = false;
@@ -35,6 +36,7 @@ struct ShapeBits {
 template <>
 struct ShapeBits<CircleShape> {
     static constexpr bool areShared = true;
+    static bool IsComparable(const CircleShape& /*s*/) { return true; }
     static uint64_t Hash(const CircleShape& s) { return HashPair(HashPair(0, s.m_radius, s.m_p.x), s.m_p.y, 0.0f); }
     static bool AreEqual(const CircleShape& a, const CircleShape& b) {
         return AreSameBits(a.m_radius, b.m_radius) && AreSameBits(a.m_p, b.m_p);
@@ -44,6 +46,7 @@ struct ShapeBits<CircleShape> {
 template <>
 struct ShapeBits<PolygonShape> {
     static constexpr bool areShared = true;
+    static bool IsComparable(const PolygonShape& s) { return s.m_count >= 0 && s.m_count <= maxPolygonVertices; }
     /// Normals follow from the rest.
     static uint64_t Hash(const PolygonShape& s) {
         uint64_t sum = HashPair(HashPair(0, s.m_radius, static_cast<float>(s.m_count)), s.m_centroid.x, s.m_centroid.y);
@@ -52,29 +55,33 @@ struct ShapeBits<PolygonShape> {
     }
     static bool AreEqual(const PolygonShape& a, const PolygonShape& b) {
         if (a.m_count != b.m_count) return false;
-        bool same = AreSameBits(a.m_radius, b.m_radius) && AreSameBits(a.m_centroid, b.m_centroid);
-        for (int i = 0; same && i < a.m_count; ++i) {
-            same = AreSameBits(a.m_vertices[i], b.m_vertices[i]) && AreSameBits(a.m_normals[i], b.m_normals[i]);
-        }
-        return same;
+        const auto areSame = [&](const Vec2* x, const Vec2* y) {
+            return std::memcmp(x, y, ToSize(a.m_count) * sizeof(Vec2)) == 0;
+        };
+        return AreSameBits(a.m_radius, b.m_radius) && AreSameBits(a.m_centroid, b.m_centroid) &&
+               areSame(a.m_vertices, b.m_vertices) && areSame(a.m_normals, b.m_normals);
     }
 };
 
 template <typename T>
 class ShapePool {
 public:
-    /// The row of a shape with these bits, shared or new.
-    int Take(const T& value) {
+    /// The row of a shape with these bits that may be shared, −1 if none is known. Any value may be asked for.
+    [[nodiscard]] int Find(const T& value) const {
         if constexpr (ShapeBits<T>::areShared) {
-            int& known = m_known[PlaceOf(value)];
-            if (known >= 0 && ShapeBits<T>::AreEqual(value, m_items[known])) {
-                ++m_users[known];
-                return known;
-            }
-            return known = Add(value);
-        } else {
-            return Add(value);
+            if (!ShapeBits<T>::IsComparable(value)) return -1;
+            const int known = m_known[PlaceOf(value)];
+            if (known >= 0 && ShapeBits<T>::AreEqual(value, m_items[known])) return known;
         }
+        return -1;
+    }
+    /// One more user of a row that was found.
+    void Share(int row) { ++m_users[row]; }
+    /// A new row with a value that Find did not find.
+    int Take(const T& value) {
+        const int row = Add(value);
+        if constexpr (ShapeBits<T>::areShared) m_known[PlaceOf(value)] = row;
+        return row;
     }
     void Release(int row) {
         if (--m_users[row] > 0) return;
@@ -117,6 +124,7 @@ private:
     /// Nobody shall share the row any more. Shapes that their users may have changed are not known, hence not found.
     void Forget(int row) {
         if constexpr (ShapeBits<T>::areShared) {
+            if (!ShapeBits<T>::IsComparable(m_items[row])) return;  // whoever owns it may have put in anything
             int& known = m_known[PlaceOf(m_items[row])];
             if (known == row) known = -1;
         }

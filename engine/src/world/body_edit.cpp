@@ -17,9 +17,9 @@ namespace scree {
 
 namespace {
 
-/// Adds a fixture in front of the body's list; the mass is not updated.
-FixtureIndex AttachFixture(WorldState& s, BodyIndex body, const FixtureDef& def) {
-    const FixtureIndex fixture = s.fixtures.Add(&s, body, def);
+/// Adds a fixture in front of the body's list; the mass is not updated. `knownShape`: FixtureTable::FindShape.
+FixtureIndex AttachFixture(WorldState& s, BodyIndex body, const FixtureDef& def, int knownShape) {
+    const FixtureIndex fixture = s.fixtures.Add(&s, body, def, knownShape);
     Undo undo([&] { s.fixtures.UndoAdd(fixture); });
     // The default skin is for bodies of the default size; a radius that was chosen stays.
     const Shape& shape = *s.fixtures.shape[fixture];
@@ -77,7 +77,7 @@ FixtureIndex AttachChain(WorldState& s, BodyIndex body, const FixtureDef& def, c
     });
     for (int i = 0; i < chain.GetChildCount(); ++i) {
         chain.GetChildEdge(&edge, i);
-        const FixtureIndex fixture = AttachFixture(s, body, edgeDef);
+        const FixtureIndex fixture = AttachFixture(s, body, edgeDef, -1);
         s.fixtures.info[fixture].chainId = id;
         s.fixtures.info[fixture].chainIndex = i;
         if (i == 0) first = fixture;
@@ -106,12 +106,14 @@ Fixture* Body::CreateFixture(const FixtureDef* def) {
     Guard guard(s, "Body::CreateFixture");
     guard.Living(s.bodies.slots, m_index).NotNull(def != nullptr, "def", "pass a FixtureDef");
     guard.Unlocked("create fixtures outside of Step and callbacks");
-    if (guard.Failed() || guard.Accept(Check(*def)).Failed()) return nullptr;
-    if (guard.Uses(UnderSettings(FeaturesOf(*def, GetType()), s.def)).Failed()) return nullptr;
+    if (guard.Failed()) return nullptr;
+    const int knownShape = def->shape != nullptr ? s.fixtures.FindShape(*def->shape) : -1;
+    if (guard.Accept(Check(*def, knownShape >= 0)).Failed()) return nullptr;
+    if (guard.Uses(UnderSettings(FeaturesOf(*def, s.bodies.type[m_index]), s.def)).Failed()) return nullptr;
     const Recording recording = guard.Record(m_index, *def);
     const bool isChain = def->shape->GetType() == Shape::e_chain;
     const FixtureIndex fixture = isChain ? AttachChain(s, m_index, *def, static_cast<const ChainShape&>(*def->shape))
-                                         : AttachFixture(s, m_index, *def);
+                                         : AttachFixture(s, m_index, *def, knownShape);
     if (def->density > 0.0f) ResetMass(s, m_index);
     return &s.fixtures.handles[fixture];
 }

@@ -69,10 +69,10 @@ enum class Changes : bool { definitions, motion };
 class Recording {
 public:
     template <typename... Arguments>
-    Recording(const WorldState& state, std::string_view call, const Arguments&... arguments)
+    Recording(const WorldState& state, const char* call, const Arguments&... arguments)
         : Recording(Changes::definitions, state, call, arguments...) {}
     template <typename... Arguments>
-    Recording(Changes changes, const WorldState& state, std::string_view call, const Arguments&... arguments)
+    Recording(Changes changes, const WorldState& state, const char* call, const Arguments&... arguments)
         : m_state(state), m_recorder(state.recorder) {
         if (changes == Changes::definitions) state.definitions.Note();
         if (m_recorder == nullptr || m_recorder->m_depth++ > 0) return;

@@ -146,12 +146,14 @@ Finding Check(const BodyDef& def) {
     if (def.type != staticBody && def.type != kinematicBody && def.type != dynamicBody) {
         return {ErrorCode::outOfRange, "BodyDef::type", "use staticBody, kinematicBody or dynamicBody"};
     }
-    return First(CheckNear(def.position, "BodyDef::position"), CheckNear(def.positionRest, "BodyDef::positionRest"),
-                 CheckNear(def.angle, "BodyDef::angle"), CheckNear(def.linearVelocity, "BodyDef::linearVelocity"),
-                 CheckNear(def.angularVelocity, "BodyDef::angularVelocity"),
-                 CheckAmount(def.linearDamping, "BodyDef::linearDamping"),
-                 CheckAmount(def.angularDamping, "BodyDef::angularDamping"),
-                 CheckFinite(std::isfinite(def.gravityScale), "BodyDef::gravityScale"));
+    if (const Finding wrong = CheckNear(def.position, "BodyDef::position")) return wrong;
+    if (const Finding wrong = CheckNear(def.positionRest, "BodyDef::positionRest")) return wrong;
+    if (const Finding wrong = CheckNear(def.angle, "BodyDef::angle")) return wrong;
+    if (const Finding wrong = CheckNear(def.linearVelocity, "BodyDef::linearVelocity")) return wrong;
+    if (const Finding wrong = CheckNear(def.angularVelocity, "BodyDef::angularVelocity")) return wrong;
+    if (const Finding wrong = CheckAmount(def.linearDamping, "BodyDef::linearDamping")) return wrong;
+    if (const Finding wrong = CheckAmount(def.angularDamping, "BodyDef::angularDamping")) return wrong;
+    return CheckFinite(std::isfinite(def.gravityScale), "BodyDef::gravityScale");
 }
 
 Finding CheckRule(MixRule rule, const char* field) {
@@ -163,18 +165,21 @@ Finding CheckReports(uint8_t reports, const char* field) {
     return {ErrorCode::outOfRange, field, "use bits of Report"};
 }
 
-Finding Check(const FixtureDef& def) {
+Finding Check(const FixtureDef& def, bool isShapeKnown) {
     if (def.shape == nullptr) return {ErrorCode::nullArgument, "FixtureDef::shape", "point it at a shape"};
-    if (const Finding shape = Check(*def.shape)) return shape;
-    return First(CheckAmount(def.friction, "FixtureDef::friction"),
-                 CheckFinite(std::isfinite(def.restitution), "FixtureDef::restitution"),
-                 CheckAmount(def.restitutionThreshold, "FixtureDef::restitutionThreshold"),
-                 CheckNear(def.tangentSpeed, "FixtureDef::tangentSpeed"),
-                 CheckAmount(def.rollingResistance, "FixtureDef::rollingResistance"),
-                 CheckRule(def.frictionRule, "FixtureDef::frictionRule"),
-                 CheckRule(def.restitutionRule, "FixtureDef::restitutionRule"),
-                 CheckAmount(def.density, "FixtureDef::density"), CheckReports(def.reports, "FixtureDef::reports"),
-                 CheckMass(*def.shape, def.density, "FixtureDef::density"));
+    if (!isShapeKnown) {
+        if (const Finding wrong = Check(*def.shape)) return wrong;
+    }
+    if (const Finding wrong = CheckAmount(def.friction, "FixtureDef::friction")) return wrong;
+    if (!std::isfinite(def.restitution)) return NotFinite("FixtureDef::restitution");
+    if (const Finding wrong = CheckAmount(def.restitutionThreshold, "FixtureDef::restitutionThreshold")) return wrong;
+    if (const Finding wrong = CheckNear(def.tangentSpeed, "FixtureDef::tangentSpeed")) return wrong;
+    if (const Finding wrong = CheckAmount(def.rollingResistance, "FixtureDef::rollingResistance")) return wrong;
+    if (const Finding wrong = CheckRule(def.frictionRule, "FixtureDef::frictionRule")) return wrong;
+    if (const Finding wrong = CheckRule(def.restitutionRule, "FixtureDef::restitutionRule")) return wrong;
+    if (const Finding wrong = CheckAmount(def.density, "FixtureDef::density")) return wrong;
+    if (const Finding wrong = CheckReports(def.reports, "FixtureDef::reports")) return wrong;
+    return CheckMass(*def.shape, def.density, "FixtureDef::density");
 }
 
 Finding CheckMass(const Shape& shape, float density, const char* field) {

@@ -18,7 +18,8 @@ struct Finding {
 };
 
 Finding Check(const BodyDef& def);
-Finding Check(const FixtureDef& def);
+/// `isShapeKnown`: the shape is as one that was checked before.
+Finding Check(const FixtureDef& def, bool isShapeKnown);
 Finding Check(const WorldDef& def);
 Finding Check(const Shape& shape);
 Finding Check(const ChainShape& chain);

@@ -152,8 +152,8 @@ void LaneSolver::FetchAhead(const FixtureTable& fixtures, Places next, Places la
 
 SolverCounts LaneSolver::SolveGroup(const FixtureTable& fixtures, Places group, int worker) {
     BodyTable& bodies = m_tables.bodies;
-    IslandLanes& lanes = m_s.lanes.lanes[worker];
-    std::vector<IslandLanes::Member>& all = m_s.lanes.members[worker];
+    IslandLanes& lanes = m_s.lanes.workers[ToSize(worker)].lanes;
+    std::vector<IslandLanes::Member>& all = m_s.lanes.workers[ToSize(worker)].members;
     all.clear();
     for (const LaneScratch::Place& place : group) {
         const Island& island = IslandOf(place.island);

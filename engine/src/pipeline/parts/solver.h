@@ -86,13 +86,16 @@ struct LaneScratch {
     std::vector<Place> places;      ///< of the islands chosen
     std::vector<Group> groups;
     Column<BodyIndex, int> slotOf;
-    IslandLanes lanes[maxWorkers];                         ///< per worker
-    std::vector<IslandLanes::Member> members[maxWorkers];  ///< likewise: of the group that it solves
+    /// What a worker needs.
+    struct OfWorker {
+        IslandLanes lanes;
+        std::vector<IslandLanes::Member> members;  ///< of the group that it solves
+    };
+    std::vector<OfWorker> workers;  ///< per worker
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = BytesOf(isChosen, bySize, places, groups, slotOf);
-        for (const IslandLanes& one : lanes) bytes += one.GetMemoryBytes();
-        for (const auto& list : members) bytes += BytesOf(list);
+        size_t bytes = BytesOf(isChosen, bySize, places, groups, slotOf, workers);
+        for (const OfWorker& one : workers) bytes += one.lanes.GetMemoryBytes() + BytesOf(one.members);
         return bytes;
     }
 };
@@ -148,13 +151,13 @@ struct SolverScratch {
     LaneScratch lanes;
     std::vector<SolverJob> jobs;
     std::vector<LoneIsland> lone;
-    IslandRows islandRows[maxWorkers];  ///< per worker
-    std::vector<ContactBlocks> wide;    ///< of the large islands, in their order (sequential impulses)
-    std::vector<int> colours;           ///< by place in the list of contacts of islands; set of those that have blocks
+    std::vector<IslandRows> islandRows;  ///< per worker
+    std::vector<ContactBlocks> wide;     ///< of the large islands, in their order (sequential impulses)
+    std::vector<int> colours;            ///< by place in the list of contacts of islands; set of those that have blocks
     std::vector<ContactImpulse> impulses;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t ofIslands = BytesOf(wide, jobs, lone, colours);
+        size_t ofIslands = BytesOf(islandRows, wide, jobs, lone, colours);
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
         return ofIslands + BytesOf(coloursTaken, delta, soft, jointed, netted, before, impulses) +
@@ -179,7 +182,7 @@ struct SolverScratch {
         rest = {};
         lanes = {};
         jobs = {}, lone = {};
-        for (IslandRows& rows : islandRows) rows = {};
+        islandRows = {};
         wide = {};
         colours = {};
         impulses = {};
