@@ -120,6 +120,60 @@ TEST(ContactBlocks, NoColourPushesABodyTwice) {
     }
 }
 
+/// Bodies B of the lanes in use, range by range.
+std::vector<std::vector<int>> BodiesOfRanges(const KernelTask& task) {
+    std::vector<std::vector<int>> bodies;
+    for (int i = 0; i < task.rangeCount; ++i) {
+        std::vector<int>& own = bodies.emplace_back();
+        for (int k = task.ranges[i].begin; k < task.ranges[i].end; ++k) {
+            const ContactBlock& block = task.blocks[k];
+            for (int l = 0; l < blockLanes && block.slot[l] >= 0; ++l) own.push_back(block.bodyB[l]);
+        }
+    }
+    return bodies;
+}
+
+TEST(ContactBlocks, ThreadsMeetLikeBodiesInEveryColour) {
+    for (const int workers : {2, 3, 8}) {
+        std::mt19937 random(static_cast<unsigned>(workers));
+        World world({0.0f, -10.0f});
+        MakeHeap(world, 500 + static_cast<int>(random() % 200), 5.0f);
+        const WorldState& s = world.GetState();
+        std::vector<ContactIndex> list = TouchingContacts(s);
+        std::shuffle(list.begin(), list.end(), random);
+        ASSERT_GT(list.size(), 512u);
+        ContactBlocks alone, shared;
+        ColoursTaken taken;
+        Column<BodyIndex, Velocity> velocity = s.bodies.velocity, ofShared = velocity;
+        Column<BodyIndex, Velocity> delta(velocity.size());
+        alone.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
+        TaskPool pool(workers, {});
+        pool.Begin();
+        shared.Build({pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
+        pool.End();
+        EXPECT_TRUE(std::ranges::equal(shared.GetColours(), alone.GetColours()));
+
+        const KernelTask task = alone.Task(velocity, delta), sharedTask = shared.Task(ofShared, delta);
+        std::vector<std::vector<int>> listed = BodiesOfRanges(task), ordered = BodiesOfRanges(sharedTask);
+        ASSERT_EQ(ordered.size(), listed.size());
+        const int sixteenth = ToInt(s.bodies.slots.Size()) / 16 + 1;
+        int steps = 0, steepOfListed = 0;
+        for (size_t i = 0; i < ordered.size(); ++i) {
+            for (size_t k = 1; k < ordered[i].size(); ++k) {
+                ++steps;
+                EXPECT_GE(ordered[i][k], ordered[i][k - 1] - sixteenth) << workers << " workers, range " << i;
+                steepOfListed += listed[i][k] < listed[i][k - 1] - sixteenth ? 1 : 0;
+            }
+            std::ranges::sort(listed[i]), std::ranges::sort(ordered[i]);
+        }
+        EXPECT_EQ(ordered, listed);
+        EXPECT_GT(steepOfListed, steps / 5) << "the list was ordered to begin with";
+
+        GetContactKernels().solveRigid(task), GetContactKernels().solveRigid(sharedTask);
+        EXPECT_EQ(std::memcmp(velocity.data(), ofShared.data(), velocity.size() * sizeof(Velocity)), 0);
+    }
+}
+
 TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
     World world({0.0f, -10.0f});
     MakeHeap(world, 100, 3.0f);

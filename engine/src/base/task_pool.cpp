@@ -50,7 +50,7 @@ void TaskPool::RunWithCallbacks() {
         void* handle;
     };
     Range ranges[maxWorkers];
-    const int parts = std::min(m_rowCount, m_count);
+    const int parts = std::min(m_rowCount, m_loop.count);
     for (int index = 1; index < parts; ++index) {
         Range& range = ranges[index];
         range = {this, index, parts, nullptr};
@@ -99,36 +99,39 @@ void TaskPool::End() {
 }
 
 void TaskPool::Run(int count, TaskFunction function, void* context) {
-    m_count = count;
-    m_function = function;
-    m_context = context;
+    m_loop.count = count;
+    m_loop.function = function;
+    m_loop.context = context;
     if (m_callbacks.enqueue != nullptr) {
         RunWithCallbacks();
         return;
     }
-    m_done.store(0, std::memory_order_relaxed);
-    m_published.store(++m_turn, std::memory_order_release);
-    RunChunks(m_turn, 0);
-    Await([&] { return m_done.load(std::memory_order_acquire) == m_workerCount * chunksPerWorker; });
+    m_loop.turn.store(++m_turn, std::memory_order_release);
+    const auto chunks = static_cast<uint32_t>(m_workerCount * chunksPerWorker);
+    uint32_t own = 0;
+    for (int i = 0; i < m_workerCount; ++i) {
+        // To look at the share of a thread that is at work holds it up.
+        if (m_done.load(std::memory_order_acquire) == m_doneByThreads + (chunks - own)) break;
+        own += RunShare(m_turn, i, 0);
+    }
+    m_doneByThreads += chunks - own;
+    Await([&] { return m_done.load(std::memory_order_acquire) == m_doneByThreads; });
 }
 
-void TaskPool::RunChunks(uint32_t turn, int worker) {
-    for (int i = 0; i < m_workerCount; ++i) RunShare(turn, (worker + i) % m_workerCount, worker);
-}
-
-/// A share whose turn is the one before is that of a loop that has ended: nobody has begun it in this one.
-void TaskPool::RunShare(uint32_t turn, int share, int worker) {
+/// Runs what is left of a share and returns how many chunks that were. A share whose turn is the one before is that of
+/// a loop that has ended: nobody has begun it in this one.
+uint32_t TaskPool::RunShare(uint32_t turn, int share, int worker) {
     std::atomic<uint64_t>& shared = m_shares[static_cast<size_t>(share)].next;
     uint64_t next = shared.load(std::memory_order_acquire);
-    for (;;) {
+    for (uint32_t done = 0;;) {
         const auto ofTurn = static_cast<uint32_t>(next >> 32);
-        if (ofTurn != turn && ofTurn != turn - 1) return;
+        if (ofTurn != turn && ofTurn != turn - 1) return done;
         const auto chunk = ofTurn == turn ? static_cast<int>(next & 0xFFFFFFFFu) : 0;
-        if (chunk >= chunksPerWorker) return;
+        if (chunk >= chunksPerWorker) return done;
         const uint64_t taken = static_cast<uint64_t>(turn) << 32 | static_cast<uint32_t>(chunk + 1);
         if (!shared.compare_exchange_weak(next, taken, std::memory_order_acq_rel, std::memory_order_acquire)) continue;
         RunRange(share * chunksPerWorker + chunk, m_workerCount * chunksPerWorker, worker);
-        m_done.fetch_add(1, std::memory_order_release);
+        ++done;
         next = shared.load(std::memory_order_acquire);
     }
 }
@@ -140,10 +143,13 @@ void TaskPool::Work(int worker) {
         // Between steps: sleep.
         for (uint32_t awake = m_awake.load(); awake % 2 == 0 && !m_quit; awake = m_awake.load()) m_awake.wait(awake);
         if (m_quit) return;
-        const auto current = [&] { return m_published.load(std::memory_order_acquire); };
+        const auto current = [&] { return m_loop.turn.load(std::memory_order_acquire); };
         Await([&] { return current() != turn || m_awake.load() % 2 == 0 || m_quit; });
         turn = current();
-        RunChunks(turn, worker);
+        for (int i = 0; i < m_workerCount; ++i) {
+            const uint32_t done = RunShare(turn, (worker + i) % m_workerCount, worker);
+            if (done > 0) m_done.fetch_add(done, std::memory_order_release);
+        }
     }
 }
 
@@ -155,9 +161,9 @@ void TaskPool::Begin() { m_inStep = m_workerCount > 1 && m_callbacks.enqueue != 
 void TaskPool::End() { m_inStep = false; }
 
 void TaskPool::Run(int count, TaskFunction function, void* context) {
-    m_count = count;
-    m_function = function;
-    m_context = context;
+    m_loop.count = count;
+    m_loop.function = function;
+    m_loop.context = context;
     RunWithCallbacks();
 }
 

@@ -83,11 +83,10 @@ private:
     void Work(int worker);
     void MakeThreads();
     void Stop();
-    void RunChunks(uint32_t turn, int worker);
-    void RunShare(uint32_t turn, int share, int worker);
+    uint32_t RunShare(uint32_t turn, int share, int worker);
     void RunRange(int index, int parts, int worker) {
-        const auto at = [&](int i) { return static_cast<int>(static_cast<int64_t>(m_count) * i / parts); };
-        m_function(m_context, at(index), at(index + 1), worker);
+        const auto at = [&](int i) { return static_cast<int>(static_cast<int64_t>(m_loop.count) * i / parts); };
+        m_loop.function(m_loop.context, at(index), at(index + 1), worker);
     }
 
     const int m_workerCount;
@@ -99,21 +98,26 @@ private:
     std::vector<std::thread> m_threads;
 #endif
 
-    // The loop at hand; written before its turn is published, and only read by who holds a chunk of it.
     bool m_inStep = false;  ///< and with more than one worker
-    int m_count = 0;
-    TaskFunction m_function = nullptr;
-    void* m_context = nullptr;
 
+    /// The loop at hand, in one cache line; written before its turn, and only read by who holds a chunk of it.
+    struct alignas(64) Loop {
+        std::atomic<uint32_t> turn{0};  ///< that threads may work on
+        int count = 0;
+        TaskFunction function = nullptr;
+        void* context = nullptr;
+    };
     /// The chunks of one thread: turn · 2³² + the first that nobody has; none before the first turn.
     struct alignas(64) Share {
         std::atomic<uint64_t> next{0x7FFFFFFFu};
     };
-    uint32_t m_turn = 0;                               ///< counts loops
-    alignas(64) std::atomic<uint32_t> m_published{0};  ///< the turn that threads may work on
-    std::unique_ptr<Share[]> m_shares;                 ///< by worker
-    alignas(64) std::atomic<int> m_done{0};            ///< chunks of the loop that are finished
-    alignas(64) std::atomic<uint32_t> m_awake{0};      ///< odd: inside a step
+    uint32_t m_turn = 0;           ///< counts loops
+    uint32_t m_doneByThreads = 0;  ///< what m_done is once the loop has ended
+    Loop m_loop;
+    std::unique_ptr<Share[]> m_shares;  ///< by worker
+    /// Chunks that other threads than the caller's have finished, of all loops. The caller only reads it.
+    alignas(64) std::atomic<uint32_t> m_done{0};
+    alignas(64) std::atomic<uint32_t> m_awake{0};  ///< odd: inside a step
     std::atomic<bool> m_quit{false};
 };
 
