@@ -42,6 +42,7 @@ public:
     [[nodiscard]] int GetRowCount() const { return m_rowCount; }
     /// From now on every step with work to share is shared, whether that pays or not: for tests.
     void ShareAlways() { m_sharesAlways = true; }
+    [[nodiscard]] bool SharesAlways() const { return m_sharesAlways; }
     /// Between Begin and End, with more than one worker.
     [[nodiscard]] bool IsOpen() const { return m_inStep; }
     void Begin();

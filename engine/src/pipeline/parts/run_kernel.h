@@ -12,8 +12,13 @@
 
 namespace scree {
 
-/// Fewer blocks than this in a colour are not worth waking the workers' attention.
-inline constexpr int leastBlocks = 32;
+/// Fewer blocks than this in a colour are not worth a shared loop. A block takes some 25 ns, and the end of a loop 0.5 to
+/// 1 µs. With few workers what one core wrote has to reach the other besides.
+inline int LeastBlocks(const TaskPool& pool) {
+    constexpr int ofWide = 64, ofFew = 128, ofTests = 4;
+    if (pool.SharesAlways()) return ofTests;
+    return pool.IsWide() ? ofWide : ofFew;
+}
 
 /// The end of the ranges of one colour that begin at `begin`: they are independent of each other.
 inline int EndOfColour(const KernelTask& task, int begin) {
@@ -47,6 +52,7 @@ void RunKernel(TaskPool& pool, const KernelTask& task, Pass&& pass) {
         part.rangeCount = end - begin;
         return part;
     };
+    const int leastBlocks = LeastBlocks(pool);
     const auto isLarge = [&](int begin, int end) {
         return task.ranges[end - 1].end - task.ranges[begin].begin >= leastBlocks;
     };
