@@ -7,6 +7,7 @@
 #include <rapidcheck.h>
 
 #include <numeric>
+#include <random>
 
 #include "pipeline/solve_islands.h"
 #include "pipeline/solve_soft.h"
@@ -102,6 +103,38 @@ TEST(Islands, EqualTheComponentsOfTheContactGraph) {
             RC_ASSERT(islandOf[static_cast<size_t>(Root(parent, static_cast<int>(body)))] == islandOf[body]);
         }
     }));
+}
+
+TEST(Islands, AreTheSameWhoeverListsTheContacts) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<float> place(-6.0f, 6.0f);
+        World world({0.0f, -10.0f});
+        AddGround(world, 20.0f);
+        AddBox(AddBody(world, kinematicBody, {0.0f, 1.0f}), 4.0f, 0.5f);  // which very many contacts meet
+        const int count = 900 + static_cast<int>(random() % 600);
+        for (int i = 0; i < count; ++i) {
+            Body* body = AddBody(world, dynamicBody, {place(random), 7.0f + place(random)});
+            i % 2 == 0 ? AddBox(body, 0.3f, 0.3f) : AddCircle(body, 0.3f);
+        }
+        world.SetAllowSleeping(false);
+        StepFor(world, 3);
+        WorldState& s = world.GetState();
+        FindIslands(s.contacts, s.joints, *s.pool, s.bodies, s.islandScratch, s.islands);
+        ASSERT_GT(s.islands.contacts.size(), 2000u);
+        for (const int workers : {4, 8}) {
+            TaskPool pool(workers, {});
+            pool.Begin();
+            IslandScratch scratch;
+            IslandTable shared;
+            FindIslands(s.contacts, s.joints, pool, s.bodies, scratch, shared);
+            pool.End();
+            EXPECT_EQ(shared.bodies, s.islands.bodies) << seed;
+            EXPECT_EQ(shared.contacts, s.islands.contacts) << seed;
+            EXPECT_EQ(shared.isolated, s.islands.isolated) << seed;
+            EXPECT_EQ(shared.islands.size(), s.islands.islands.size()) << seed;
+        }
+    }
 }
 
 /// Steps two equal worlds by one solver's stage, once with the bodies listed as isolated, once as islands of one.

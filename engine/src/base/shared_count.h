@@ -11,11 +11,12 @@
 
 namespace scree {
 
-inline void AddShared(int& count, int number) {
+/// Returns what it was before.
+inline int AddShared(int& count, int number) {
 #if defined(__cpp_lib_atomic_ref)
-    std::atomic_ref(count).fetch_add(number, std::memory_order_relaxed);
+    return std::atomic_ref(count).fetch_add(number, std::memory_order_relaxed);
 #else
-    __atomic_fetch_add(&count, number, __ATOMIC_RELAXED);
+    return __atomic_fetch_add(&count, number, __ATOMIC_RELAXED);
 #endif
 }
 

@@ -113,41 +113,86 @@ void ListMoversOf(std::span<const ContactIndex> rows, const ContactTable& contac
     }
 }
 
-/// Contacts of each mover that has some, the newest row first; these movers become `touched`, the others `untouched`.
-/// Returns the number of contacts.
-size_t BuildAdjacency(const ContactTable& contacts, TaskPool& pool, BodyTable& bodies, IslandScratch& s) {
-    const std::vector<ContactIndex>& rows = s.rows;
-    GatherSolved(contacts, pool, s.rows, [](ContactIndex) { return true; });
-    ListMoversOf(rows, contacts, bodies);
-    ClearForListed(bodies, s.end);
-    ClearForListed(bodies, s.progress);
-    EnsureRows(s.first, s.end.size());
+/// Calls visit(mover, other, row) for both sides of contacts [begin, end) of the rows, as far as they are movers; the
+/// other one is −1 if it is static.
+template <typename Visit>
+void ForEachSide(const ContactTable& contacts, const BodyTable& bodies, std::span<const ContactIndex> rows,
+                 Visit&& visit) {
     const auto mover = [&](BodyIndex body) { return bodies.type[body] != staticBody ? body : BodyIndex::none; };
-    int total = 0;
     for (const ContactIndex row : rows) {
         const ContactPair& pair = contacts.pair[row];
-        for (const BodyIndex body : {mover(pair.bodyA), mover(pair.bodyB)}) {
-            if (IsSome(body)) ++s.end[body], ++total;
-        }
+        const BodyIndex a = mover(pair.bodyA), b = mover(pair.bodyB);
+        if (IsSome(a)) visit(a, b, row);
+        if (IsSome(b)) visit(b, a, row);
     }
-    EnsureRows(s.entries, ToSize(total));
+}
+
+/// Lists the contacts of each mover in `entries`, the newest row first; movers that have some become `touched`.
+void ListByBody(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
+    ForEachSide(contacts, bodies, s.rows, [&](BodyIndex body, BodyIndex, ContactIndex) { ++s.end[body]; });
     int used = 0;
-    const auto add = [&](BodyIndex body, IslandScratch::Entry entry) {
-        if (IsNone(body)) return;
+    ForEachSide(contacts, bodies, s.rows, [&](BodyIndex body, BodyIndex other, ContactIndex row) {
         if (s.progress[body] == IslandScratch::untouched) {
             s.progress[body] = IslandScratch::touched;
             used += s.end[body];
             s.first[body] = s.end[body] = used;  // filling moves the start down
         }
-        s.entries[ToSize(--s.first[body])] = entry;
+        s.entries[ToSize(--s.first[body])] = {row, other};
+    });
+}
+
+/// The same by many workers. Where a mover's entries are depends on who came first, which is of no consequence.
+void ListByBodyShared(const ContactTable& contacts, const BodyTable& bodies, TaskPool& pool, IslandScratch& s) {
+    const std::span<const BodyIndex> listed = bodies.Listed();
+    const auto forRows = [&](auto&& visit) {
+        pool.For(static_cast<int>(s.rows.size()), leastRowsToShare, [&](int begin, int end, int /*worker*/) {
+            ForEachSide(contacts, bodies, std::span(s.rows).subspan(ToSize(begin), ToSize(end - begin)), visit);
+        });
     };
-    for (const ContactIndex row : rows) {
-        const ContactPair& pair = contacts.pair[row];
-        const BodyIndex a = mover(pair.bodyA), b = mover(pair.bodyB);
-        add(a, {row, b});
-        add(b, {row, a});
+    const auto forListed = [&](auto&& visit) {
+        pool.For(static_cast<int>(listed.size()), leastRowsToShare, [&](int begin, int end, int /*worker*/) {
+            visit(listed.subspan(ToSize(begin), ToSize(end - begin)));
+        });
+    };
+    forRows([&](BodyIndex body, BodyIndex, ContactIndex) { AddShared(s.end[body], 1); });
+    int used = 0;
+    forListed([&](std::span<const BodyIndex> part) {
+        int count = 0;
+        for (const BodyIndex body : part) count += s.end[body];
+        int next = AddShared(used, count);
+        for (const BodyIndex body : part) {
+            if (s.end[body] == 0) continue;
+            s.progress[body] = IslandScratch::touched;
+            s.first[body] = s.end[body] = next += s.end[body];
+        }
+    });
+    forRows([&](BodyIndex body, BodyIndex other, ContactIndex row) {
+        s.entries[ToSize(AddShared(s.first[body], -1) - 1)] = {row, other};
+    });
+    forListed([&](std::span<const BodyIndex> part) {
+        for (const BodyIndex body : part) {
+            if (s.progress[body] != IslandScratch::touched) continue;
+            std::ranges::sort(s.entries.begin() + s.first[body], s.entries.begin() + s.end[body], std::greater<>(),
+                              &IslandScratch::Entry::contact);
+        }
+    });
+}
+
+/// Contacts of each mover that has some; these movers become `touched`, the others `untouched`. Returns the number of
+/// contacts.
+size_t BuildAdjacency(const ContactTable& contacts, TaskPool& pool, BodyTable& bodies, IslandScratch& s) {
+    GatherSolved(contacts, pool, s.rows, [](ContactIndex) { return true; });
+    ListMoversOf(s.rows, contacts, bodies);
+    ClearForListed(bodies, s.end);
+    ClearForListed(bodies, s.progress);
+    EnsureRows(s.first, s.end.size());
+    EnsureRows(s.entries, 2 * s.rows.size());
+    if (pool.IsWide() && s.rows.size() >= leastRowsToShare) {
+        ListByBodyShared(contacts, bodies, pool, s);
+    } else {
+        ListByBody(contacts, bodies, s);
     }
-    return rows.size();
+    return s.rows.size();
 }
 
 class IslandSearch {
