@@ -12,8 +12,8 @@
 
 namespace scree {
 
-/// Fewer blocks than this in a colour are not worth a shared loop. A block takes some 25 ns, and the end of a loop 0.5 to
-/// 1 µs. With few workers what one core wrote has to reach the other besides.
+/// Fewer blocks than this in a colour are not worth a shared loop. A block takes some 25 ns, and the end of a loop 0.5
+/// to 1 µs. With few workers what one core wrote has to reach the other besides.
 inline int LeastBlocks(const TaskPool& pool) {
     constexpr int ofWide = 64, ofFew = 128, ofTests = 4;
     if (pool.SharesAlways()) return ofTests;
