@@ -411,8 +411,8 @@ void ContactBlocks::GetImpulses(bool summed, std::vector<ContactImpulse>& impuls
     }
 }
 
-void ContactBlocks::LeaveJointed(const BodyTable& bodies, Column<ContactIndex, SteadyContact>& steady) {
-    ForEachLane([&](ContactIndex contact, size_t k, size_t l) {
+void ContactBlocks::LeaveJointed(const BodyTable& bodies, TaskPool& pool, Column<ContactIndex, SteadyContact>& steady) {
+    ForEachLane(pool, [&](ContactIndex contact, size_t k, size_t l) {
         ContactBlock& block = m_blocks[k];
         if (block.initialOverlap[0][l] == 0.0f && block.initialOverlap[1][l] == 0.0f) return;
         const BodyIndex a{block.bodyA[l]}, b{block.bodyB[l]};
@@ -425,8 +425,8 @@ void ContactBlocks::LeaveJointed(const BodyTable& bodies, Column<ContactIndex, S
     });
 }
 
-void ContactBlocks::StoreInitialOverlaps(Column<ContactIndex, SteadyContact>& steady) const {
-    ForEachLane([&](ContactIndex contact, size_t k, size_t l) {
+void ContactBlocks::StoreInitialOverlaps(TaskPool& pool, Column<ContactIndex, SteadyContact>& steady) const {
+    ForEachLane(pool, [&](ContactIndex contact, size_t k, size_t l) {
         const ContactBlock& block = m_blocks[k];
         steady[contact].initialOverlap = Max(block.initialOverlap[0][l], block.initialOverlap[1][l]);
     });

@@ -72,9 +72,9 @@ public:
     /// Contacts with initial overlap (SteadyContact).
     [[nodiscard]] int GetInitialOverlapCount() const { return m_findings.initialOverlaps; }
     /// That of bodies with joints is left to springs: moving them would tear their joints.
-    void LeaveJointed(const BodyTable& bodies, Column<ContactIndex, SteadyContact>& steady);
+    void LeaveJointed(const BodyTable& bodies, TaskPool& pool, Column<ContactIndex, SteadyContact>& steady);
     /// Writes what is left of the overlaps that contacts began with.
-    void StoreInitialOverlaps(Column<ContactIndex, SteadyContact>& steady) const;
+    void StoreInitialOverlaps(TaskPool& pool, Column<ContactIndex, SteadyContact>& steady) const;
     [[nodiscard]] int GetColourCount() const { return m_colourCount; }
     /// Colour of each contact of the list.
     [[nodiscard]] std::span<const int> GetColours() const { return m_colours; }
@@ -117,11 +117,14 @@ private:
     void FetchAhead(const BlockInput& input, size_t block, size_t end) const;
     /// Calls visit(contact, block, lane) for all contacts, block by block: those of the list are anywhere in them.
     template <typename Visit>
-    void ForEachLane(Visit&& visit) const {
-        for (size_t k = 0; k < m_blocks.size(); ++k) {
-            for (size_t l = 0; l < blockLanes && m_blocks[k].slot[l] >= 0; ++l)
-                visit(m_contact[k * blockLanes + l], k, l);
-        }
+    void ForEachLane(TaskPool& pool, Visit&& visit) const {
+        constexpr int least = 64;  // blocks that are worth sharing
+        pool.ForIfWide(static_cast<int>(m_blocks.size()), least, [&](int begin, int end, int /*worker*/) {
+            for (size_t k = ToSize(begin); k < ToSize(end); ++k) {
+                for (size_t l = 0; l < blockLanes && m_blocks[k].slot[l] >= 0; ++l)
+                    visit(m_contact[k * blockLanes + l], k, l);
+            }
+        });
     }
     /// By position in the list.
     [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }

@@ -195,7 +195,7 @@ public:
         m_task.friction = m_settings.kernels.friction;
         m_task.sumImpulses = report || m_s.blocks.Bounces() || !m_s.loaded.IsEmpty();
         if (m_s.blocks.GetInitialOverlapCount() > 0) {
-            if (HasJoints()) m_s.blocks.LeaveJointed(m_bodies, m_tables.contacts.steady);
+            if (HasJoints()) m_s.blocks.LeaveJointed(m_bodies, Pool(), m_tables.contacts.steady);
             if (!m_tables.isRest) PushInitialApart();
         }
         const bool hasRows = !m_tree.GetOthers().empty() || !m_tree.GetBounded().empty();
@@ -328,7 +328,7 @@ private:
         m_s.locked.Stop(m_s.delta);
         RunKernel(Pool(), m_task,
                   [&](const KernelTask& part, int) { m_kernels.endParting(part, parting, done * m_settings.Slop()); });
-        m_s.blocks.StoreInitialOverlaps(m_tables.contacts.steady);
+        m_s.blocks.StoreInitialOverlaps(Pool(), m_tables.contacts.steady);
         // In a crowd bodies are pushed into others that they had no contact with.
         const bool isCrowd = 2 * m_s.blocks.GetInitialOverlapCount() > blockLanes * m_task.GetBlockCount();
         m_tables.contacts.addsFresh = m_tables.contacts.addsFresh || isCrowd;
