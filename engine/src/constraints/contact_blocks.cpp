@@ -74,6 +74,30 @@ void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& l
     }
 }
 
+/// Where threads share colours, contacts of neighbouring bodies stand together in each of them. So a thread meets much
+/// the same bodies in all colours, and what it knows of these stays in its cache. No result depends on that order.
+class BodyStrips {
+public:
+    /// `groups`: counts that are kept of each strip.
+    BodyStrips(const BlockInput& input, size_t groups) {
+        constexpr size_t mostCounts = 1 << 14, mostStrips = 32;
+        const std::span<const BodyIndex> bodies = input.bodies.Listed();
+        if (!input.pool.IsOpen() || bodies.empty()) return;
+        m_count = std::clamp(mostCounts / groups, size_t{1}, mostStrips);
+        m_first = ToInt(bodies.front());  // lists are more or less in order
+        const int last = ToInt(bodies.back());
+        while ((last - m_first) >> m_shift >= static_cast<int>(m_count)) ++m_shift;
+    }
+    [[nodiscard]] size_t Count() const { return m_count; }
+    [[nodiscard]] size_t Of(BodyIndex body) const {
+        return ToSize(std::clamp((ToInt(body) - m_first) >> m_shift, 0, static_cast<int>(m_count) - 1));
+    }
+
+private:
+    size_t m_count = 1;
+    int m_first = 0, m_shift = 0;
+};
+
 }  // namespace
 
 /// The only place that knows which side of a contact is which side of its block.
@@ -165,63 +189,29 @@ void ContactBlocks::ColourFixed(ColoursTaken& taken) {
     m_colourCount += most;
 }
 
-/// Contacts of neighbouring bodies stand together in each colour. So a thread meets much the same bodies in all of
-/// them, and what it knows of these stays in its cache. Within a colour the order changes no result.
-void ContactBlocks::OrderByBody(const BlockInput& input) {
-    m_byBody.clear();
-    if (!input.pool.IsOpen() || m_sided.size() < leastContactsToShare) return;
-    constexpr int strips = 32;  // of bodies
-    struct Part {
-        int least = std::numeric_limits<int>::max(), most = 0;  // of bodies
-        std::array<int, strips> start{};
-    };
-    std::array<Part, Parts::most> all;
-    const Parts parts(input.pool, static_cast<int>(m_sided.size()), leastContactsToShare);
-    parts.For(input.pool, [&](int part, int begin, int end) {
-        Part own;
-        for (int i = begin; i < end; ++i) {
-            own.least = std::min(own.least, ToInt(At(i).b));
-            own.most = std::max(own.most, ToInt(At(i).b));
-        }
-        all[ToSize(part)] = own;
-    });
-    const auto used = std::span(all).first(ToSize(parts.Count()));
-    const int least = std::ranges::min(used, {}, &Part::least).least;
-    const int most = std::ranges::max(used, {}, &Part::most).most;
-    int shift = 0;
-    while ((most - least) >> shift >= strips) ++shift;
-    const auto stripOf = [&](int i) { return ToSize((ToInt(At(i).b) - least) >> shift); };
-    parts.For(input.pool, [&](int part, int begin, int end) {
-        for (int i = begin; i < end; ++i) ++all[ToSize(part)].start[stripOf(i)];
-    });
-    int next = 0;
-    for (size_t strip = 0; strip < strips; ++strip) {
-        for (Part& part : used) next += std::exchange(part.start[strip], next);
-    }
-    m_byBody.resize(m_sided.size());
-    parts.For(input.pool, [&](int part, int begin, int end) {
-        for (int i = begin; i < end; ++i) m_byBody[ToSize(all[ToSize(part)].start[stripOf(i)]++)] = i;
-    });
-}
-
 void ContactBlocks::MakeRanges(const BlockInput& input) {
-    // Counting sort by (colour, points) into blocks, a count for each part of the list.
-    const auto groupOf = [&](size_t i) { return ToSize(m_colours[i] * kindCount + (m_sided[i].hasTwoPoints ? 1 : 0)); };
-    const size_t groupCount = ToSize(m_colourCount * kindCount);
-    const auto position = [&](int k) { return m_byBody.empty() ? ToSize(k) : ToSize(m_byBody[ToSize(k)]); };
+    // Counting sort by (colour, points, strip) into blocks, a count for each part of the list.
     const Parts parts(input.pool, static_cast<int>(m_sided.size()), leastContactsToShare);
-    const auto startsOf = [&](int part) { return m_start.data() + ToSize(part) * groupCount; };
-    m_start.assign(groupCount * ToSize(parts.Count()), 0);
+    const size_t groupCount = ToSize(m_colourCount * kindCount);
+    const BodyStrips strips(input, groupCount * ToSize(parts.Count()));
+    const auto startOf = [&](int part, size_t i) -> int& {
+        const size_t group = ToSize(m_colours[i] * kindCount + (m_sided[i].hasTwoPoints ? 1 : 0));
+        return m_start[(ToSize(part) * groupCount + group) * strips.Count() + strips.Of(m_sided[i].b)];
+    };
+    m_start.assign(groupCount * strips.Count() * ToSize(parts.Count()), 0);
     parts.For(input.pool, [&](int part, int begin, int end) {
-        int* const counts = startsOf(part);
-        for (int k = begin; k < end; ++k) ++counts[groupOf(position(k))];
+        for (size_t i = ToSize(begin); i < ToSize(end); ++i) ++startOf(part, i);
     });
     m_ranges.clear();
     int block = 0;
     for (size_t g = 0; g < groupCount; ++g) {
         int lanes = 0;
-        for (int part = 0; part < parts.Count(); ++part)
-            lanes += std::exchange(startsOf(part)[g], block * blockLanes + lanes);
+        for (size_t strip = 0; strip < strips.Count(); ++strip) {
+            for (int part = 0; part < parts.Count(); ++part) {
+                int& start = m_start[(ToSize(part) * groupCount + g) * strips.Count() + strip];
+                lanes += std::exchange(start, block * blockLanes + lanes);
+            }
+        }
         const int blocks = (lanes + blockLanes - 1) / blockLanes;
         const bool fixedA = static_cast<int>(g / kindCount) >= m_moverColourCount;
         if (blocks > 0) {
@@ -235,10 +225,8 @@ void ContactBlocks::MakeRanges(const BlockInput& input) {
     m_order.assign(lanes, -1);
     m_contact.assign(lanes, ContactIndex{0});
     parts.For(input.pool, [&](int part, int begin, int end) {
-        int* const starts = startsOf(part);
-        for (int k = begin; k < end; ++k) {
-            const size_t i = position(k);
-            m_lane[i] = starts[groupOf(i)]++;
+        for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
+            m_lane[i] = startOf(part, i)++;
             m_order[ToSize(m_lane[i])] = static_cast<int>(i);
             m_contact[ToSize(m_lane[i])] = m_sided[i].contact;
         }
@@ -360,7 +348,6 @@ void ContactBlocks::LayOut(const BlockInput& input, ColoursTaken& taken) {
     Sort(input);
     ColourMovers(taken);
     ColourFixed(taken);
-    OrderByBody(input);
     MakeRanges(input);
     m_grouping = input.contacts.grouping;
 }

@@ -81,8 +81,8 @@ public:
     /// Contacts for which there is room.
     [[nodiscard]] size_t GetRoom() const { return m_sided.capacity(); }
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(m_blocks, m_ranges, m_sided, m_colours, m_movers, m_fixed, m_next, m_byBody, m_start, m_lane,
-                       m_order, m_contact);
+        return BytesOf(m_blocks, m_ranges, m_sided, m_colours, m_movers, m_fixed, m_next, m_start, m_lane, m_order,
+                       m_contact);
     }
 
 private:
@@ -106,7 +106,6 @@ private:
     void Sort(const BlockInput& input);
     void ColourMovers(ColoursTaken& taken);
     void ColourFixed(ColoursTaken& taken);
-    void OrderByBody(const BlockInput& input);
     void MakeRanges(const BlockInput& input);
     void Fill(const BlockInput& input);
     [[nodiscard]] bool AreKept(const BlockInput& input, size_t block) const;
@@ -135,8 +134,7 @@ private:
     std::vector<int> m_colours;           ///< per contact of the list
     std::vector<int> m_movers, m_fixed;   ///< positions in the list; movers that have no colour yet
     std::vector<int> m_next;              ///< the same for the next round
-    std::vector<int> m_byBody;            ///< positions in the list by body B, if threads share colours, or nothing
-    std::vector<int> m_start;             ///< per part of the list and group: first lane
+    std::vector<int> m_start;             ///< per part of the list, group and strip: first lane
     std::vector<int> m_lane;              ///< per contact of the list: block · 8 + lane
     std::vector<int> m_order;             ///< per lane, and some more: position in the list, −1 to spare
     std::vector<ContactIndex> m_contact;  ///< the same: contact, 0 to spare
