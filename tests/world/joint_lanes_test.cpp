@@ -89,11 +89,30 @@ private:
     std::vector<WheelJoint*> m_joints;
 };
 
+WorldDef MakeDef(int workers) {
+    WorldDef def;
+    def.gravity = {0.0f, -10.0f};
+    def.workerCount = workers;
+    return def;
+}
+
+/// Boxes on a ground far below: so many that steps are worth sharing.
+void AddBallast(World& world) {
+    AddBox(AddBody(world, staticBody, {0.0f, -100.0f}), 400.0f, 0.5f);
+    for (int i = 0; i < 256; ++i) {
+        AddBox(AddBody(world, dynamicBody, {3.0f * static_cast<float>(i - 128), -99.0f}), 0.5f, 0.5f);
+    }
+}
+
 /// Many cars, and a wheel to spare that turns in the air.
 struct Cars {
     /// `oneByOne`: the spare wheel has turned so far that the lanes take none; its cosine and sine matter to nobody.
-    Cars(uint32_t seed, bool oneByOne) {
+    Cars(uint32_t seed, bool oneByOne, int workers) : world(MakeDef(workers)) {
+        world.SetAllowSleeping(false);
+        if (workers > 1) world.GetState().pool->ShareAlways();
+        AddBallast(world);
         for (uint32_t i = 0; i < 40; ++i) all.emplace_back(world, 1000 * seed + i, 40.0f * static_cast<float>(i));
+        if (workers > 1 && seed % 2 == 1) return;  // a level without what cannot be pushed
         Body* post = AddBody(world, staticBody, {-50.0f, 5.0f});
         Body* wheel = AddBody(world, dynamicBody, {-50.0f, 5.0f}, oneByOne ? 2.0e8f : 0.0f);
         AddCircle(wheel, 0.3f);
@@ -101,11 +120,10 @@ struct Cars {
         def.Initialize(post, wheel, wheel->GetPosition(), {0.0f, 1.0f});
         def.stiffness = 1000.0f, def.damping = 50.0f;
         world.CreateJoint(&def);
-        world.SetAllowSleeping(false);
     }
     [[nodiscard]] bool AreInLanes() const { return !world.GetState().solverScratch.joints.wheels.IsEmpty(); }
 
-    World world{{0.0f, -10.0f}};
+    World world;
     std::vector<Car> all;
 };
 
@@ -142,8 +160,12 @@ private:
 /// Many figures, and a hinge to spare in the air.
 struct Figures {
     /// `oneByOne` as of Cars.
-    Figures(uint32_t seed, bool oneByOne) {
+    Figures(uint32_t seed, bool oneByOne, int workers) : world(MakeDef(workers)) {
+        world.SetAllowSleeping(false);
+        if (workers > 1) world.GetState().pool->ShareAlways();
+        AddBallast(world);
         for (uint32_t i = 0; i < 40; ++i) all.emplace_back(world, 1000 * seed + i, 40.0f * static_cast<float>(i));
+        if (workers > 1 && seed % 2 == 1) return;  // a level without what cannot be pushed
         Body* post = AddBody(world, staticBody, {-50.0f, 5.0f});
         Body* disk = AddBody(world, dynamicBody, {-50.0f, 5.0f}, oneByOne ? 2.0e8f : 0.0f);
         AddCircle(disk, 0.3f);
@@ -151,28 +173,29 @@ struct Figures {
         def.Initialize(post, disk, disk->GetPosition());
         def.enableMotor = true;
         world.CreateJoint(&def);
-        world.SetAllowSleeping(false);
     }
     [[nodiscard]] bool AreInLanes() const { return !world.GetState().solverScratch.joints.hinges.IsEmpty(); }
 
-    World world{{0.0f, -10.0f}};
+    World world;
     std::vector<Figure> all;
 };
 
-/// Six worlds, side by side and one by one. Expects so many times that a joint was at its limit.
+/// Six worlds, side by side by one thread and by three, and one by one. Expects so many times that a joint was at its
+/// limit.
 template <typename Worlds>
 void ExpectTheSameBits(int leastAtLimits) {
     int atLimits = 0, inLanes = 0;
     for (uint32_t seed = 0; seed < 6 && !testing::Test::HasFailure(); ++seed) {
-        Worlds lanes(seed, false), alone(seed, true);
+        Worlds lanes(seed, false, 1), shared(seed, false, 3), alone(seed, true, 1);
         for (int step = 0; step < 150; ++step) {
-            lanes.world.Step(frame, 4);
-            alone.world.Step(frame, 4);
+            for (Worlds* worlds : {&lanes, &shared, &alone}) worlds->world.Step(frame, 4);
             inLanes += lanes.AreInLanes() ? 1 : 0;  // unless a few go on after a time of impact
             ASSERT_FALSE(alone.AreInLanes());
             for (size_t i = 0; i < lanes.all.size(); ++i) {
                 ASSERT_EQ(lanes.all[i].GetBits(), alone.all[i].GetBits())
                     << "seed " << seed << ", step " << step << ", number " << i;
+                ASSERT_EQ(shared.all[i].GetBits(), alone.all[i].GetBits())
+                    << "three threads, seed " << seed << ", step " << step << ", number " << i;
                 atLimits += lanes.all[i].CountAtLimits();
             }
         }

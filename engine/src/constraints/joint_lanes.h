@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Springs, motors and limits of many joints of a type, eight at a time, with the bits of one after the other.
+// Springs, motors and limits of many joints of a type, eight at a time, with the bits of one after the other. Threads
+// share the batches of a level, which push different bodies.
 
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <functional>
 #include <span>
 #include <vector>
 
+#include "base/task_pool.h"
 #include "constraints/joint_lane_task.h"
 #include "constraints/joint_levels.h"
 #include "constraints/joint_math.h"
@@ -41,60 +45,108 @@ class JointLanes {
 
 public:
     /// Takes the joints of the type from this list, or none where that does not pay. To be called in every step.
-    void Plan(std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table) {
+    void Plan(std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table, TaskPool& pool) {
         m_acts = false;
         const std::span<const JointIndex> order = m_levels.Sort(Row::type, joints, bodies, table);
         m_batches.resize(order.size() / jointBatchSize);
-        for (size_t i = 0; i < order.size(); ++i) {
-            const size_t lane = i % jointBatchSize;
-            const bool isSpare = IsNone(order[i]);
-            const JointInfo& info = table.info[isSpare ? order[i - lane] : order[i]];
-            Batch& batch = m_batches[i / jointBatchSize];
-            const MassRow &massA = bodies.mass[info.bodyA], &massB = bodies.mass[info.bodyB];
-            PutBodies({info, massA, massB, isSpare}, lane, batch);
-            Traits::Fill(table.Store<Row>().rows[info.row], massA, massB, lane, batch);
-        }
+        ForAll(pool, [&](std::span<Batch> part, int begin, int /*worker*/) {
+            for (size_t k = 0; k < part.size(); ++k) {
+                FillBatch(order.subspan((ToSize(begin) + k) * jointBatchSize, jointBatchSize), bodies, table, part[k]);
+            }
+        });
     }
     [[nodiscard]] bool IsEmpty() const { return m_batches.empty(); }
     /// Some joint acted when they were prepared.
     [[nodiscard]] bool Act() const { return m_acts; }
 
     // As the phases of joint_solver.h.
-    void Prepare(const JointStep& step, BodyTable& bodies) { m_acts = Traits::Kernels().prepare(Task(step, bodies)); }
-    void WarmStart(const JointStep& step, BodyTable& bodies) { Traits::Kernels().warmStart(Task(step, bodies)); }
-    void Solve(const JointStep& step, BodyTable& bodies) { Traits::Kernels().solve(Task(step, bodies)); }
+    void Prepare(const JointStep& step, BodyTable& bodies, TaskPool& pool) {
+        bool acts[maxWorkers] = {};
+        ForAll(pool, [&](std::span<Batch> part, int /*begin*/, int worker) {
+            acts[worker] = Traits::Kernels().prepare(Task(step, bodies, part)) || acts[worker];
+        });
+        m_acts = std::ranges::any_of(acts, std::identity());
+    }
+    void WarmStart(const JointStep& step, BodyTable& bodies, TaskPool& pool) {
+        ForLevels(pool, [&](std::span<Batch> part, int) { Traits::Kernels().warmStart(Task(step, bodies, part)); });
+    }
+    void Solve(const JointStep& step, BodyTable& bodies, TaskPool& pool) {
+        ForLevels(pool, [&](std::span<Batch> part, int) { Traits::Kernels().solve(Task(step, bodies, part)); });
+    }
     /// What is out of its range is looked at joint by joint. True if all is within the slop.
-    bool SolvePositions(const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows) {
-        const JointLaneTask<Batch> task = Task(step, bodies);
-        bool solved = true;
-        for (const Batch& batch : m_batches) {
-            for (uint32_t left = Traits::Kernels().findOutOfRange(task, batch); left != 0; left &= left - 1) {
-                const auto lane = static_cast<size_t>(std::countr_zero(left));
-                if (batch.row[lane] < 0) continue;
-                const BodyIndex a{batch.bodyA[lane]}, b{batch.bodyB[lane]};
-                const JointPair pair{a, b, bodies.mass[a], bodies.mass[b]};
-                solved = Traits::Correct(batch, lane, pair, step, bodies, rows[JointRow{batch.row[lane]}]) && solved;
+    bool SolvePositions(const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows, TaskPool& pool) {
+        bool isOff[maxWorkers] = {};
+        ForLevels(pool, [&](std::span<Batch> part, int worker) {
+            const JointLaneTask<Batch> task = Task(step, bodies, part);
+            for (const Batch& batch : part) {
+                for (uint32_t left = Traits::Kernels().findOutOfRange(task, batch); left != 0; left &= left - 1) {
+                    const auto lane = static_cast<size_t>(std::countr_zero(left));
+                    if (batch.row[lane] < 0) continue;
+                    const BodyIndex a{batch.bodyA[lane]}, b{batch.bodyB[lane]};
+                    const JointPair pair{a, b, bodies.mass[a], bodies.mass[b]};
+                    if (!Traits::Correct(batch, lane, pair, step, bodies, rows[JointRow{batch.row[lane]}]))
+                        isOff[worker] = true;
+                }
             }
-        }
-        return solved;
+        });
+        return std::ranges::none_of(isOff, std::identity());
     }
     /// Writes the impulses times step.impulseScale into the rows.
-    void Store(const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows) {
-        Traits::Kernels().scale(Task(step, bodies));
-        for (const Batch& batch : m_batches) {
-            for (size_t lane = 0; lane < jointBatchSize && batch.row[lane] >= 0; ++lane) {
-                Traits::Store(batch, lane, rows[JointRow{batch.row[lane]}]);
+    void Store(const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows, TaskPool& pool) {
+        ForAll(pool, [&](std::span<Batch> part, int /*begin*/, int /*worker*/) {
+            Traits::Kernels().scale(Task(step, bodies, part));
+            for (const Batch& batch : part) {
+                for (size_t lane = 0; lane < jointBatchSize && batch.row[lane] >= 0; ++lane) {
+                    Traits::Store(batch, lane, rows[JointRow{batch.row[lane]}]);
+                }
             }
-        }
+        });
     }
 
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches) + m_levels.GetMemoryBytes(); }
 
 private:
-    [[nodiscard]] JointLaneTask<Batch> Task(const JointStep& step, BodyTable& bodies) {
+    /// Fewer batches are not worth sharing; one takes some 50 to 100 ns.
+    static int Least(const TaskPool& pool) { return pool.SharesAlways() ? 2 : 32; }
+
+    static void FillBatch(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table,
+                          Batch& batch) {
+        for (size_t lane = 0; lane < jointBatchSize; ++lane) {
+            const bool isSpare = IsNone(order[lane]);
+            const JointInfo& info = table.info[isSpare ? order[0] : order[lane]];
+            const MassRow &massA = bodies.mass[info.bodyA], &massB = bodies.mass[info.bodyB];
+            PutBodies({info, massA, massB, isSpare}, lane, batch);
+            Traits::Fill(table.Store<Row>().rows[info.row], massA, massB, lane, batch);
+        }
+    }
+    /// Calls visit(batches, number of the first, worker) for parts of all batches, in any order.
+    template <typename Visit>
+    void ForAll(TaskPool& pool, Visit&& visit) {
+        pool.For(static_cast<int>(m_batches.size()), Least(pool), [&](int begin, int end, int worker) {
+            visit(std::span(m_batches).subspan(ToSize(begin), ToSize(end - begin)), begin, worker);
+        });
+    }
+    /// Calls visit(batches, worker) for parts of the levels, one level after the other.
+    template <typename Visit>
+    void ForLevels(TaskPool& pool, Visit&& visit) {
+        if (!pool.IsOpen()) return visit(std::span(m_batches), 0);
+        int first = 0;
+        for (const JointLevel& level : m_levels.GetLevels()) {
+            const auto batches = std::span(m_batches).subspan(ToSize(first), ToSize(level.end - first));
+            first = level.end;
+            if (!level.pushesAll) {
+                visit(batches, 0);
+                continue;
+            }
+            pool.For(static_cast<int>(batches.size()), Least(pool), [&](int begin, int end, int worker) {
+                visit(batches.subspan(ToSize(begin), ToSize(end - begin)), worker);
+            });
+        }
+    }
+    [[nodiscard]] static JointLaneTask<Batch> Task(const JointStep& step, BodyTable& bodies, std::span<Batch> batches) {
         static_assert(sizeof(Position) == 4 * sizeof(float) && sizeof(Velocity) == 4 * sizeof(float));
-        return {.batches = m_batches.data(),
-                .count = static_cast<int32_t>(m_batches.size()),
+        return {.batches = batches.data(),
+                .count = static_cast<int32_t>(batches.size()),
                 .position = &bodies.position.data()->c.x,
                 .velocity = &bodies.velocity.data()->v.x,
                 .dt = step.dt,

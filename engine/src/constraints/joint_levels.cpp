@@ -39,18 +39,22 @@ bool JointLevels::FindLevels(const BodyTable& bodies, const JointTable& table) {
         m_next[info.bodyA] = m_next[info.bodyB] = 0;
     }
     m_levels.resize(m_taken.size());
-    m_start.clear();
+    m_start.clear(), m_ends.clear();
     for (size_t i = 0; i < m_taken.size(); ++i) {
         const JointInfo& info = table.info[m_taken[i]];
         int level = 0;
+        bool pushesBoth = true;
         for (const BodyIndex body : {info.bodyA, info.bodyB}) {
-            if (bodies.mass[body].invMass > 0.0f) level = std::max(level, m_next[body]);
+            const bool isPushed = bodies.mass[body].invMass > 0.0f;
+            if (isPushed) level = std::max(level, m_next[body]);
+            pushesBoth = pushesBoth && isPushed;
         }
         if (ToSize(level + 1) * jointsOfBatch > m_taken.size()) return false;
         m_next[info.bodyA] = m_next[info.bodyB] = level + 1;
         m_levels[i] = level;
-        if (ToSize(level) >= m_start.size()) m_start.resize(ToSize(level) + 1, 0);
+        if (ToSize(level) >= m_start.size()) m_start.push_back(0), m_ends.push_back({0, true});
         ++m_start[ToSize(level)];
+        m_ends[ToSize(level)].pushesAll = m_ends[ToSize(level)].pushesAll && pushesBoth;
     }
     return true;
 }
@@ -60,10 +64,11 @@ std::span<const JointIndex> JointLevels::Sort(JointType type, std::span<const Jo
     Take(type, joints, bodies, table);
     if (!FindLevels(bodies, table)) return {};
     int begin = 0;
-    for (int& start : m_start) {
-        const int batches = (start + jointBatchSize - 1) / jointBatchSize;
-        start = begin;
+    for (size_t level = 0; level < m_start.size(); ++level) {
+        const int batches = (m_start[level] + jointBatchSize - 1) / jointBatchSize;
+        m_start[level] = begin;
         begin += batches * jointBatchSize;
+        m_ends[level].end = begin / jointBatchSize;
     }
     if (ToSize(begin / jointBatchSize) * jointsOfBatch > m_taken.size()) return {};
     m_order.assign(ToSize(begin), JointIndex::none);

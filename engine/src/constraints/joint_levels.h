@@ -16,13 +16,21 @@
 
 namespace scree {
 
+/// Batches up to `end` that are in no other level before them.
+struct JointLevel {
+    int end;
+    bool pushesAll;  ///< no body in it is one that cannot be pushed: several threads may write to all of them
+};
+
 class JointLevels {
 public:
     /// The joints of a type in this list, by batch and place in it; none: to spare, behind the others of the batch. No
     /// joints where that does not pay, or where the kernels cannot turn the bodies. Valid until the next call.
     std::span<const JointIndex> Sort(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
                                      const JointTable& table);
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_taken, m_levels, m_next, m_order, m_start); }
+    /// Of the batches, in their order.
+    [[nodiscard]] std::span<const JointLevel> GetLevels() const { return m_ends; }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_taken, m_levels, m_next, m_order, m_start, m_ends); }
 
 private:
     void Take(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table);
@@ -34,6 +42,7 @@ private:
     Column<BodyIndex, int> m_next;  ///< level of the next joint that pushes the body
     std::vector<JointIndex> m_order;
     std::vector<int> m_start;  ///< by level: how many joints; then the next place of m_order
+    std::vector<JointLevel> m_ends;
 };
 
 }  // namespace scree

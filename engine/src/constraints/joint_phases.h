@@ -16,6 +16,7 @@ struct JointTask {
     BodyTable& bodies;
     JointTable& joints;
     JointConstraints& scratch;
+    TaskPool& pool;
 };
 
 struct JointPhases {

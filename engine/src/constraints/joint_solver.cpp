@@ -30,8 +30,8 @@ const PhaseTable& GetPhases() {
 }  // namespace
 
 void PlanBounds(const JointTask& task, std::span<const JointIndex> bounded) {
-    task.scratch.hinges.Plan(bounded, task.bodies, task.joints);
-    task.scratch.wheels.Plan(bounded, task.bodies, task.joints);
+    task.scratch.hinges.Plan(bounded, task.bodies, task.joints, task.pool);
+    task.scratch.wheels.Plan(bounded, task.bodies, task.joints, task.pool);
 }
 
 void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints,
@@ -47,8 +47,8 @@ void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joint
             (type == e_revoluteJoint && !hinges.IsEmpty()) || (type == e_wheelJoint && !wheels.IsEmpty());
         if (!isInLanes) phases[type]->prepareBounds(task, joint);
     }
-    if (!hinges.IsEmpty()) hinges.Store(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows);
-    if (!wheels.IsEmpty()) wheels.Store(task.step, task.bodies, task.joints.Store<WheelRow>().rows);
+    if (!hinges.IsEmpty()) hinges.Store(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows, task.pool);
+    if (!wheels.IsEmpty()) wheels.Store(task.step, task.bodies, task.joints.Store<WheelRow>().rows, task.pool);
 }
 
 void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded) {
@@ -73,8 +73,8 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
     const auto isWheel = [](JointType type) { return type == e_wheelJoint; };
     JointConstraints& s = task.scratch;
     addBounds(s.bounds, [&](JointType type) { return !isHinge(type) && !isWheel(type); });
-    s.hinges.IsEmpty() ? addBounds(s.bounds, isHinge) : s.hinges.Prepare(task.step, task.bodies);
-    s.wheels.IsEmpty() ? addBounds(s.wheelBounds, isWheel) : s.wheels.Prepare(task.step, task.bodies);
+    s.hinges.IsEmpty() ? addBounds(s.bounds, isHinge) : s.hinges.Prepare(task.step, task.bodies, task.pool);
+    s.wheels.IsEmpty() ? addBounds(s.wheelBounds, isWheel) : s.wheels.Prepare(task.step, task.bodies, task.pool);
     WarmStartJoints(task);
 }
 
@@ -95,9 +95,9 @@ void WarmStartJoints(const JointTask& task) {
     JointConstraints& s = task.scratch;
     for (const JointRun& run : s.runs) phases[run.type]->warmStart(task, run);
     for (const JointRun& run : s.bounds) phases[run.type]->warmStartBounds(task, run);
-    if (s.hinges.Act()) s.hinges.WarmStart(task.step, task.bodies);
+    if (s.hinges.Act()) s.hinges.WarmStart(task.step, task.bodies, task.pool);
     for (const JointRun& run : s.wheelBounds) phases[run.type]->warmStartBounds(task, run);
-    if (s.wheels.Act()) s.wheels.WarmStart(task.step, task.bodies);
+    if (s.wheels.Act()) s.wheels.WarmStart(task.step, task.bodies, task.pool);
 }
 
 void SolveJointVelocities(const JointTask& task) {
@@ -106,9 +106,9 @@ void SolveJointVelocities(const JointTask& task) {
     if (!s.wholeHinges.IsEmpty()) s.wholeHinges.Solve(task.step, task.bodies);
     for (const JointRun& run : s.runs) phases[run.type]->solveVelocity(task, run);
     for (const JointRun& run : s.bounds) phases[run.type]->solveBounds(task, run);
-    if (s.hinges.Act()) s.hinges.Solve(task.step, task.bodies);
+    if (s.hinges.Act()) s.hinges.Solve(task.step, task.bodies, task.pool);
     for (const JointRun& run : s.wheelBounds) phases[run.type]->solveBounds(task, run);
-    if (s.wheels.Act()) s.wheels.Solve(task.step, task.bodies);
+    if (s.wheels.Act()) s.wheels.Solve(task.step, task.bodies, task.pool);
 }
 
 bool SolveJointPositions(const JointTask& task) {
@@ -119,9 +119,11 @@ bool SolveJointPositions(const JointTask& task) {
     if (!s.wholeHinges.IsEmpty()) note(s.wholeHinges.SolvePositions(task.step, task.bodies));
     for (const JointRun& run : s.runs) note(phases[run.type]->solvePosition(task, run));
     for (const JointRun& run : s.bounds) note(phases[run.type]->solveBoundPosition(task, run));
-    if (s.hinges.Act()) note(s.hinges.SolvePositions(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows));
+    if (s.hinges.Act())
+        note(s.hinges.SolvePositions(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows, task.pool));
     for (const JointRun& run : s.wheelBounds) note(phases[run.type]->solveBoundPosition(task, run));
-    if (s.wheels.Act()) note(s.wheels.SolvePositions(task.step, task.bodies, task.joints.Store<WheelRow>().rows));
+    if (s.wheels.Act())
+        note(s.wheels.SolvePositions(task.step, task.bodies, task.joints.Store<WheelRow>().rows, task.pool));
     return solved;
 }
 

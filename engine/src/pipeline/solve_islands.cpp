@@ -100,7 +100,7 @@ public:
 
 private:
     [[nodiscard]] JointTask JointWork() {
-        return {JointStepOf(m_settings), m_tables.bodies, m_tables.joints, m_scratch.joints};
+        return {JointStepOf(m_settings), m_tables.bodies, m_tables.joints, m_scratch.joints, m_tables.pool};
     }
 
     const SolverSettings& m_settings;
@@ -205,7 +205,9 @@ public:
 private:
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
     [[nodiscard]] bool HasJoints() const { return !m_joints.empty(); }
-    [[nodiscard]] JointTask JointWork() { return {JointStepOf(m_settings), m_bodies, m_tables.joints, m_s.joints}; }
+    [[nodiscard]] JointTask JointWork() {
+        return {JointStepOf(m_settings), m_bodies, m_tables.joints, m_s.joints, Pool()};
+    }
 
     [[nodiscard]] bool IsWithinTolerance(float separation) const {
         return separation - m_settings.Slop() >= ContactTolerance(m_settings);

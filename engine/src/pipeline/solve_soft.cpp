@@ -423,7 +423,8 @@ private:
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
     /// Impulses of half a sub-step; what may still close, may do so in a whole one.
     [[nodiscard]] JointTask JointWork(float impulseScale) {
-        return {{0.5f * m_h, 1.0f / m_h, impulseScale, m_settings.Slop()}, m_bodies, m_tables.joints, m_s.joints};
+        return {
+            {0.5f * m_h, 1.0f / m_h, impulseScale, m_settings.Slop()}, m_bodies, m_tables.joints, m_s.joints, Pool()};
     }
     [[nodiscard]] JointTree::Poses Poses() const { return {m_bodies, m_s.delta}; }
 
