@@ -20,7 +20,7 @@ program, game, scratch = (pathlib.Path(argument).resolve() for argument in sys.a
 update = '--update' in sys.argv
 
 # Dear ImGui places smooth edges with the processor's reciprocal square root, whose relative error is up to 1.5 / 4096 and not the
-# same on all processors. Of 255 levels that is 0.1: a rounded one may be the next.
+# same on all processors. Of 255 levels that is 0.1: a rounded one may be the next. Seen between an AMD EPYC and an Intel Xeon.
 RSQRT = 'processors differ in reciprocal square roots, which place smooth edges'
 # For each picture in pages/: the command that makes what it shows, and the boxes in which it shows times or which engines
 # were built. For a page, also its address in the scratch folder and the size of the picture; for another one, the file if it
