@@ -10,6 +10,7 @@
 
 #include "geometry/collide_quads.h"
 #include "scree/collision.h"
+#include "scree/convex_shape.h"
 #include "scree/distance.h"
 #include "scree/time_of_impact.h"
 #include "tests/bench/micro.h"
@@ -51,9 +52,9 @@ void Register(const char* name, const Collide& collide) {
     benchmark::RegisterBenchmark(name, [collide](benchmark::State& state) { Run(state, collide); });
 }
 
-/// The same poses of `b` before a box, in batches.
-template <typename Batch, typename Shape>
-void RegisterBatch(const char* name, const PolygonShape& box, const Shape& b) {
+/// The same poses of `b` before `a`, in batches.
+template <typename Batch, typename A, typename B>
+void RegisterBatch(const char* name, const A& a, const B& b) {
     benchmark::RegisterBenchmark(name, [=](benchmark::State& state) {
         const auto poses = MakePoses();
         Transform origin;
@@ -62,7 +63,7 @@ void RegisterBatch(const char* name, const PolygonShape& box, const Shape& b) {
         int points = 0;
         for (auto _ : state) {
             for (int i = 0; i < poseCount; ++i) {
-                batch.Add(i, box, origin, b, poses[static_cast<size_t>(i)]);
+                batch.Add(i, a, origin, b, poses[static_cast<size_t>(i)]);
                 if (!batch.IsFull()) continue;
                 batch.Collide();
                 for (int pair = 0; pair < batch.Size(); ++pair) {
@@ -100,6 +101,8 @@ CircleShape MakeCircle() {
     circle.m_radius = 0.5f;
     return circle;
 }
+
+ConvexShape MakeLimb() { return MakeCapsule({-0.4f, 0.0f}, {0.4f, 0.0f}, 0.3f); }
 
 EdgeShape MakeEdge() {
     EdgeShape edge;
@@ -163,6 +166,7 @@ void RegisterCollide() {
     const PolygonShape box = MakeBox(), octagon = MakeOctagon();
     const CircleShape circle = MakeCircle();
     const EdgeShape edge = MakeEdge();
+    const ConvexShape capsule = MakeLimb();
     Register("collide/circle-circle",
              [=](Manifold* m, const Transform& pose) { CollideCircles(m, &circle, origin, &circle, pose); });
     Register("collide/box-circle",
@@ -171,6 +175,12 @@ void RegisterCollide() {
              [=](Manifold* m, const Transform& pose) { CollidePolygons(m, &box, origin, &box, pose); });
     RegisterBatch<QuadBatch>("collide/box-box/eight", box, box);
     RegisterBatch<QuadDiskBatch>("collide/box-circle/eight", box, circle);
+    Register("collide/capsule-capsule",
+             [=](Manifold* m, const Transform& pose) { CollideConvex(m, &capsule, origin, &capsule, pose); });
+    Register("collide/box-capsule",
+             [=](Manifold* m, const Transform& pose) { CollideConvex(m, &box, origin, &capsule, pose); });
+    RegisterBatch<CapsuleBatch>("collide/capsule-capsule/eight", capsule, capsule);
+    RegisterBatch<QuadCapsuleBatch>("collide/box-capsule/eight", box, capsule);
     Register("collide/octagon-octagon",
              [=](Manifold* m, const Transform& pose) { CollidePolygons(m, &octagon, origin, &octagon, pose); });
     Register("collide/edge-circle",

@@ -9,22 +9,22 @@
 #include <cfloat>
 
 #include "geometry/clip.h"
+#include "geometry/collide_quads.h"
 #include "geometry/convex_curve.h"
 #include "geometry/distance.h"
 #include "geometry/edge_seam.h"
+#include "geometry/polygon_preference.h"
 
 namespace scree {
 
 namespace {
 
 /// Below this distance of the cores the direction between them is mostly rounding.
-constexpr float shallowest = 0.1f * linearSlop;
+constexpr float shallowest = convexPreference;
 /// A side this close to the best axis is taken: two sides nearly in one plane would otherwise alternate.
-constexpr float preference = 0.1f * linearSlop;
+constexpr float preference = convexPreference;
 /// Rounds in which a touch of curves is refined.
 constexpr int refinements = 4;
-/// Names the point where a curve touches: it stays the same contact while it rolls.
-constexpr int curveFeature = 255;
 
 /// A core with its sides, in its body's coordinates.
 struct Outline {
@@ -119,6 +119,7 @@ struct Axis {
     Vec2 normal;  ///< from A to B, world
     float separation;
     int vertexA, vertexB;  ///< a nearest pair of vertices
+    bool isApart;          ///< the cores do not overlap
 };
 
 Vec2 FaceNormal(const Side& side) { return Mul(side.xf.q, side.outline.normals[side.face]); }
@@ -133,7 +134,8 @@ bool FindAxis(Side& a, Side& b, float reach, Axis& axis) {
     SimplexCache cache;
     const Nearest nearest = FindNearest(placed.a, placed.b, placed.xfB, cache);
     if (!(nearest.distance <= reach)) return false;
-    axis = {Mul(a.xf.q, nearest.normal), nearest.distance, nearest.indexA[0], nearest.indexB[0]};
+    axis = {Mul(a.xf.q, nearest.normal), nearest.distance, nearest.indexA[0], nearest.indexB[0],
+            nearest.distance > 0.0f};
     const bool isPoints = a.outline.count == 1 && b.outline.count == 1;
     if (nearest.distance > shallowest || isPoints) {
         a.face = FindFace(a, axis.normal);
@@ -207,12 +209,25 @@ bool TouchFace(Manifold& manifold, const Side& reference, const Side& incident, 
     return nearest <= limit;
 }
 
+/// The nearest points of two cores that are apart.
+void TouchNearest(Manifold& manifold, const Side& a, const Side& b, const Axis& axis, uint32_t key) {
+    const PlacedCores placed = PlaceCores(a.outline.proxy, a.xf, b.outline.proxy, b.xf);
+    SimplexCache cache;
+    const Nearest nearest = FindNearest(placed.a, placed.b, placed.xfB, cache);
+    const NearestPoints points = FindNearestPoints(placed.a, placed.b, placed.xfB, nearest);
+    manifold.type = Manifold::e_faceA;
+    manifold.localNormal = MulT(a.xf.q, axis.normal);
+    manifold.localPoint = points.onA + placed.a.origin;
+    SetPoint(manifold, Mul(a.xf, points.onB + placed.a.origin), b, key);
+}
+
 /// Corners and arcs: one point.
 void TouchPoint(Manifold& manifold, const Side& a, const Side& b, const Axis& axis, bool isCorners) {
     Vec2 normal = axis.normal;
     CurvePoint onA = Outermost(a, normal), onB = Outermost(b, -normal);
     const uint32_t key = MakeContactKey(curveFeature, ContactFeature::e_vertex, curveFeature, ContactFeature::e_vertex);
-    if (isCorners && onA.bendRadius + onB.bendRadius == 0.0f && axis.separation > shallowest) {
+    if (onA.bendRadius + onB.bendRadius == 0.0f && axis.isApart) {
+        if (!isCorners) return TouchNearest(manifold, a, b, axis, key);
         manifold.type = Manifold::e_circles;
         manifold.localNormal.SetZero();
         manifold.localPoint = a.outline.vertices[axis.vertexA];
@@ -262,10 +277,26 @@ Vec2 CenterOf(const Outline& outline) {
     return (1.0f / static_cast<float>(outline.count)) * sum;
 }
 
+/// One pair of a kind that is also collided eight at a time.
+template <typename Batch, typename A>
+void CollideOne(Manifold& manifold, const A& a, const Transform& xfA, const Shape& b, const Transform& xfB) {
+    Batch batch;
+    batch.Add(0, a, xfA, static_cast<const ConvexShape&>(b), xfB);
+    batch.Collide();
+    batch.Write(0, manifold);
+}
+
 }  // namespace
 
 void CollideConvex(Manifold* manifold, const Shape* shapeA, const Transform& xfA, const Shape* shapeB,
                    const Transform& xfB) {
+    if (IsCapsule(*shapeB)) {
+        if (IsSegment(*shapeA)) return CollideOne<CapsuleBatch>(*manifold, *shapeA, xfA, *shapeB, xfB);
+        if (IsQuad(*shapeA)) {
+            return CollideOne<QuadCapsuleBatch>(*manifold, static_cast<const PolygonShape&>(*shapeA), xfA, *shapeB,
+                                                xfB);
+        }
+    }
     manifold->pointCount = 0;
     Outline outlineA, outlineB;
     MakeOutline(outlineA, *shapeA);

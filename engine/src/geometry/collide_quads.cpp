@@ -6,19 +6,40 @@
 #include "geometry/collide_quads.h"
 
 #include "geometry/clip.h"
+#include "geometry/convex_curve.h"
 #include "geometry/polygon_preference.h"
 
 namespace scree {
 
 namespace {
 
-void LoadShape(const PolygonShape& shape, int lane, QuadShapes& shapes) {
+void LoadCorners(const Vec2* vertices, const Vec2* normals, int count, int lane, QuadShapes& shapes) {
     for (int i = 0; i < 4; ++i) {
-        const int corner = i < shape.m_count ? i : 0;
-        shapes.vertexX[i][lane] = shape.m_vertices[corner].x, shapes.vertexY[i][lane] = shape.m_vertices[corner].y;
-        shapes.normalX[i][lane] = shape.m_normals[corner].x, shapes.normalY[i][lane] = shape.m_normals[corner].y;
+        const int corner = i < count ? i : 0;
+        shapes.vertexX[i][lane] = vertices[corner].x, shapes.vertexY[i][lane] = vertices[corner].y;
+        shapes.normalX[i][lane] = normals[corner].x, shapes.normalY[i][lane] = normals[corner].y;
     }
-    shapes.last[lane] = static_cast<float>(shape.m_count - 1);
+    shapes.last[lane] = static_cast<float>(count - 1);
+}
+
+void LoadShape(const PolygonShape& shape, int lane, QuadShapes& shapes) {
+    LoadCorners(shape.m_vertices, shape.m_normals, shape.m_count, lane, shapes);
+}
+
+void LoadShape(const ConvexShape& capsule, int lane, QuadShapes& shapes) {
+    LoadCorners(capsule.m_vertices, capsule.m_normals, 2, lane, shapes);
+}
+
+void LoadShape(const Shape& segment, int lane, QuadShapes& shapes) {
+    if (segment.GetType() == Shape::e_convex) {
+        LoadShape(static_cast<const ConvexShape&>(segment), lane, shapes);
+        return;
+    }
+    const auto& edge = static_cast<const EdgeShape&>(segment);
+    Vec2 right = Cross(edge.m_vertex2 - edge.m_vertex1, 1.0f);
+    right.Normalize();
+    const Vec2 normals[2] = {right, -right};
+    LoadCorners(&edge.m_vertex1, normals, 2, lane, shapes);
 }
 
 /// Lanes to spare repeat the first.
@@ -43,29 +64,56 @@ struct Keys {
 
 }  // namespace
 
-void QuadBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const PolygonShape& b, const Transform& xfB) {
+template <typename A, typename B>
+int FaceBatch::AddPair(int id, const A& a, const Transform& xfA, const B& b, const Transform& xfB) {
     static_assert(sizeof(Transform) == 4 * sizeof(float));
     const int lane = Take(id);
-    if (m_shapeA[lane] != &a) LoadShape(*(m_shapeA[lane] = &a), lane, m_pairs.a);
-    if (m_shapeB[lane] != &b) LoadShape(*(m_shapeB[lane] = &b), lane, m_pairs.b);
+    if (m_shapeA[lane] != &a) m_shapeA[lane] = &a, LoadShape(a, lane, m_pairs.a);
+    if (m_shapeB[lane] != &b) m_shapeB[lane] = &b, LoadShape(b, lane, m_pairs.b);
     m_pairs.placedA[lane] = &xfA.p.x;
     m_pairs.placedB[lane] = &xfB.p.x;
     m_pairs.radius[lane] = a.m_radius + b.m_radius;
-    m_pairs.preference[lane] = ReferencePreference(m_pairs.radius[lane]);
+    return lane;
 }
 
-void QuadBatch::Collide() {
+void FaceBatch::Collide() {
     FillSpareLanes(m_pairs, Size());
     m_kernel(m_pairs, m_contacts);
 }
 
-void QuadBatch::Write(int pair, Manifold& manifold) const {
+void QuadBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const PolygonShape& b, const Transform& xfB) {
+    const int lane = AddPair(id, a, xfA, b, xfB);
+    Prefer(lane, ReferencePreference(GetRadius(lane)));
+}
+
+void CapsuleBatch::Add(int id, const Shape& a, const Transform& xfA, const ConvexShape& b, const Transform& xfB) {
+    Prefer(AddPair(id, a, xfA, b, xfB), convexPreference);
+}
+
+void QuadCapsuleBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const ConvexShape& b,
+                           const Transform& xfB) {
+    Prefer(AddPair(id, a, xfA, b, xfB), convexPreference);
+}
+
+void FaceBatch::Write(int pair, Manifold& manifold) const {
     manifold.pointCount = 0;
     const QuadContacts& c = m_contacts;
     const auto isSet = [&](uint32_t mask) { return (mask >> pair & 1u) != 0; };
     if (!isSet(c.touching)) return;
     const auto corner = [&](const QuadContacts::Row& row) { return static_cast<int>(row[pair]); };
     const int face = corner(c.face);
+    if (isSet(c.isCorners | c.isPoint)) {
+        const bool isPoint = isSet(c.isPoint);
+        manifold.type = isPoint ? Manifold::e_faceA : Manifold::e_circles;
+        manifold.localNormal = isPoint ? Vec2{c.localNormalX[pair], c.localNormalY[pair]} : vec2Zero;
+        manifold.localPoint = {c.localPointX[pair], c.localPointY[pair]};
+        manifold.pointCount = 1;
+        manifold.points[0].localPoint = {c.pointX[0][pair], c.pointY[0][pair]};
+        manifold.points[0].id.key =
+            MakeContactKey(isPoint ? curveFeature : face, ContactFeature::e_vertex,
+                           isPoint ? curveFeature : corner(c.incident), ContactFeature::e_vertex);
+        return;
+    }
     const auto keyOf = [&](int incident) {
         return MakeContactKey(face, ContactFeature::e_face, incident, ContactFeature::e_vertex);
     };

@@ -123,9 +123,18 @@ bool ConvexShape::RayCast(RayCastOutput* output, const RayCastInput& input, cons
 }
 
 void ConvexShape::ComputeAABB(AABB* aabb, const Transform& xf) const {
+    const Vec2 skin{m_radius, m_radius};
+    if (m_curvedSides == 0) {
+        Vec2 lowest = Mul(xf, m_vertices[0]), highest = lowest;
+        for (int i = 1; i < m_count; ++i) {
+            const Vec2 v = Mul(xf, m_vertices[i]);
+            lowest = Min(lowest, v), highest = Max(highest, v);
+        }
+        *aabb = {lowest - skin, highest + skin};
+        return;
+    }
     const Vec2 alongX = MulT(xf.q, Vec2{1.0f, 0.0f});
     const Vec2 alongY = MulT(xf.q, Vec2{0.0f, 1.0f});
-    const Vec2 skin{m_radius, m_radius};
     aabb->lowerBound = Vec2{Mul(xf, GetSupportPoint(-alongX)).x, Mul(xf, GetSupportPoint(-alongY)).y} - skin;
     aabb->upperBound = Vec2{Mul(xf, GetSupportPoint(alongX)).x, Mul(xf, GetSupportPoint(alongY)).y} + skin;
 }

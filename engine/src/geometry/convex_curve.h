@@ -11,6 +11,9 @@
 
 namespace scree {
 
+/// In the id of a contact where a curve touches: it stays the same contact while it rolls.
+inline constexpr int curveFeature = 255;
+
 /// A point of the outline.
 struct CurvePoint {
     Vec2 point;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Which of two polygons gives the reference face.
+// Which of two polygons, or of other convex shapes, gives the reference face.
 
 #pragma once
 
@@ -17,5 +17,9 @@ inline float ReferencePreference(float radius) {
     constexpr float usual = 0.1f * linearSlop;
     return radius > 0.0f ? Min(usual, 0.025f * radius) : usual;
 }
+
+/// The same for convex shapes, whose radius may be as large as they are. Cores nearer than this have a direction
+/// between them that is mostly rounding.
+inline constexpr float convexPreference = 0.1f * linearSlop;
 
 }  // namespace scree

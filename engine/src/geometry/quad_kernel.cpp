@@ -10,11 +10,16 @@ namespace scree {
 
 void CollideQuadsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
 void CollideQuadDisksAvx2(const QuadDiskPairs& pairs, QuadDiskContacts& contacts);
+void CollideCapsulesAvx2(const QuadPairs& pairs, QuadContacts& contacts);
+void CollideQuadCapsulesAvx2(const QuadPairs& pairs, QuadContacts& contacts);
 
 QuadKernels GetQuadKernels() {
-    return SCREE_WIDEST(GetBaseQuadKernels(), (QuadKernels{&CollideQuadsAvx2, &CollideQuadDisksAvx2}));
+    return SCREE_WIDEST(GetBaseQuadKernels(), (QuadKernels{&CollideQuadsAvx2, &CollideQuadDisksAvx2,
+                                                           &CollideCapsulesAvx2, &CollideQuadCapsulesAvx2}));
 }
 
-QuadKernels GetBaseQuadKernels() { return {&CollideQuadsBase, &CollideQuadDisksBase}; }
+QuadKernels GetBaseQuadKernels() {
+    return {&CollideQuadsBase, &CollideQuadDisksBase, &CollideCapsulesBase, &CollideQuadCapsulesBase};
+}
 
 }  // namespace scree

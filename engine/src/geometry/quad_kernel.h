@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Eight pairs of polygons with three or four corners, or of one and a disk, side by side, as the vector kernels read
-// and write them. Plain data only, because translation units for different instruction sets share it.
+// Eight pairs of shapes side by side, as the vector kernels read and write them: small polygons, one and a disk, one or
+// a segment and a capsule. Plain data only, because translation units for different instruction sets share it.
 
 #pragma once
 
@@ -12,7 +12,8 @@ namespace scree {
 
 inline constexpr int quadLanes = 8;
 
-/// The polygons of one side, [corner][lane]. Corners beyond a polygon's number repeat the first.
+/// The polygons of one side, [corner][lane]. Corners beyond a polygon's number repeat the first. A segment has two
+/// corners and two faces, which look away from each other.
 struct alignas(32) QuadShapes {
     using Row = float[quadLanes];
     Row vertexX[4], vertexY[4], normalX[4], normalY[4];
@@ -31,15 +32,17 @@ struct alignas(32) QuadPairs {
 /// What was found; bit l of a mask is lane l.
 struct alignas(32) QuadContacts {
     using Row = float[quadLanes];
-    uint32_t touching;                           ///< the rest counts for these lanes only
-    uint32_t flipped;                            ///< the reference face is B's
-    uint32_t isCut[2];                           ///< the clip against the reference face's first, second end cut…
-    uint32_t hasMoved[2];                        ///< …its first point off, so that the second became the first
-    uint32_t keeps[2];                           ///< the point lies within the skins
     Row face, faceNext, incident, incidentNext;  ///< corner numbers
     Row localNormalX, localNormalY;              ///< of the reference face
     Row localPointX, localPointY;                ///< its middle
     Row pointX[2], pointY[2];                    ///< in the incident polygon's frame
+    uint32_t touching;                           ///< the rest counts for these lanes only
+    uint32_t isCorners;                          ///< capsules: the corners `face` and `incident` touch, as disks…
+    uint32_t isPoint;                            ///< …or points do along a normal in A's frame
+    uint32_t flipped;                            ///< the reference face is B's
+    uint32_t isCut[2];                           ///< the clip against the reference face's first, second end cut…
+    uint32_t hasMoved[2];                        ///< …its first point off, so that the second became the first
+    uint32_t keeps[2];                           ///< the point lies within the skins
 };
 
 /// Polygons with three or four corners, and disks.
@@ -64,6 +67,9 @@ struct alignas(32) QuadDiskContacts {
 struct QuadKernels {
     void (*collideQuads)(const QuadPairs& pairs, QuadContacts& contacts);
     void (*collideQuadDisks)(const QuadDiskPairs& pairs, QuadDiskContacts& contacts);
+    /// B are capsules; A are segments for the first and polygons for the second.
+    void (*collideCapsules)(const QuadPairs& pairs, QuadContacts& contacts);
+    void (*collideQuadCapsules)(const QuadPairs& pairs, QuadContacts& contacts);
 };
 
 /// The best this processor has, and those that every processor has.

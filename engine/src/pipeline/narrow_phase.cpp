@@ -105,6 +105,8 @@ public:
         }
         if (m_quads.batch.Size() > 0) ComputeBatch(m_quads);
         if (m_disks.batch.Size() > 0) ComputeBatch(m_disks);
+        if (m_capsules.batch.Size() > 0) ComputeBatch(m_capsules);
+        if (m_quadCapsules.batch.Size() > 0) ComputeBatch(m_quadCapsules);
         return m_passedTouching;
     }
 
@@ -124,11 +126,17 @@ private:
             CollideDisks(contact, static_cast<const CircleShape&>(a), static_cast<const CircleShape&>(b));
             return true;
         }
+        if (IsCapsule(b) && IsSegment(a)) {
+            Add(m_capsules, contact, a, static_cast<const ConvexShape&>(b));
+            return true;
+        }
         if (!IsQuad(a)) return false;
         if (IsQuad(b)) {
             Add(m_quads, contact, static_cast<const PolygonShape&>(a), static_cast<const PolygonShape&>(b));
         } else if (b.GetType() == Shape::e_circle) {
             Add(m_disks, contact, static_cast<const PolygonShape&>(a), static_cast<const CircleShape&>(b));
+        } else if (IsCapsule(b)) {
+            Add(m_quadCapsules, contact, static_cast<const PolygonShape&>(a), static_cast<const ConvexShape&>(b));
         } else {
             return false;
         }
@@ -147,8 +155,8 @@ private:
         Note(contact, manifold.pointCount > 0, manifold.pointCount != old.GetCount());
     }
 
-    template <typename Batch, typename B>
-    void Add(Lanes<Batch>& lanes, ContactIndex contact, const PolygonShape& a, const B& b) {
+    template <typename Batch, typename A, typename B>
+    void Add(Lanes<Batch>& lanes, ContactIndex contact, const A& a, const B& b) {
         const ContactPair& pair = m_t.contacts.pair[contact];
         const Transform* xfA = &m_t.bodies.transform[pair.bodyA];
         const Transform* xfB = &m_t.bodies.transform[pair.bodyB];
@@ -197,6 +205,8 @@ private:
     NarrowPhaseScratch& m_scratch;
     Lanes<QuadBatch> m_quads;
     Lanes<QuadDiskBatch> m_disks;
+    Lanes<CapsuleBatch> m_capsules;
+    Lanes<QuadCapsuleBatch> m_quadCapsules;
 };
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order. Returns how many contacts that are

@@ -14,9 +14,11 @@ namespace scree {
 
 bool MayHaveContact(FixtureIndex fixtureA, FixtureIndex fixtureB, const ContactEvents& events, FixtureTable& fixtures,
                     JointTable& joints) {
+    // The filters first: the limbs of a ragdoll have one group, and each step asks about all that overlap.
+    if (events.filter == nullptr && !ShouldCollide(fixtures.filter[fixtureA], fixtures.filter[fixtureB])) return false;
     if (!joints.MayCollide(fixtures.body[fixtureA], fixtures.body[fixtureB])) return false;
-    if (events.filter == nullptr) return ShouldCollide(fixtures.filter[fixtureA], fixtures.filter[fixtureB]);
-    return events.filter->ShouldCollide(&fixtures.handles[fixtureA], &fixtures.handles[fixtureB]);
+    return events.filter == nullptr ||
+           events.filter->ShouldCollide(&fixtures.handles[fixtureA], &fixtures.handles[fixtureB]);
 }
 
 ContactIndex MakeContact(FixtureIndex fixtureA, FixtureIndex fixtureB, const ContactEvents& events,
