@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/geometry/source.h"
 #include "tests/world/fixtures.h"
 
 namespace scree::test {
@@ -87,6 +88,82 @@ TEST(FilterCalls, WhatIsLetThroughIsAskedOnceToo) {
     s.filter.answer = true;
     EXPECT_EQ(s.CallsIn(1), 10);
     EXPECT_EQ(s.world.GetContactCount(), 10);
+}
+
+TEST(FilterCalls, WhatOnlyTheProgramsFilterLetThroughStaysWithoutIt) {
+    for (const int count : {3, 5, 60}) {
+        Overlapping s(count);
+        s.filter.answer = true;
+        // Of one group: of themselves they do not meet.
+        for (Body* body : s.bodies) {
+            body->GetFixtureList()->SetSensor(true);
+            body->GetFixtureList()->SetFilterData({1, 0xFFFF, -1});
+        }
+        s.world.SetContactFilter(nullptr);
+        StepFor(s.world, 2);
+        EXPECT_EQ(s.world.GetContactCount(), 0);
+        s.world.SetContactFilter(&s.filter);
+        s.CallsIn(1);
+        const int all = count * (count - 1) / 2;
+        EXPECT_EQ(s.world.GetContactCount(), all);
+        s.world.SetContactFilter(nullptr);
+        StepFor(s.world, 3);
+        EXPECT_EQ(s.world.GetContactCount(), all);
+        s.bodies[1]->GetFixtureList()->Refilter();
+        StepFor(s.world, 3);
+        EXPECT_EQ(s.world.GetContactCount(), all - (count - 1));
+    }
+}
+
+/// Sensors that drift through each other, whose filters change all the time, against all pairs tried.
+TEST(FilterCalls, ContactsAreThoseThatTheFiltersOfTheMomentAllow) {
+    Source source(41);
+    for (int round = 0; round < 20; ++round) {
+        World world({0.0f, 0.0f});
+        world.SetAllowSleeping(source.Chance(2));
+        std::vector<Body*> bodies;
+        const auto randomFilter = [&] {
+            const auto bits = [&] { return static_cast<uint16_t>(1 + source.Below(7)); };
+            return Filter{bits(), bits(), static_cast<int16_t>(source.Chance(2) ? source.Below(5) - 2 : 0)};
+        };
+        for (int i = 0, count = 2 + source.Below(60); i < count; ++i) {
+            bodies.push_back(AddBody(world, dynamicBody, source.InSquare(3.0f)));
+            AddBox(bodies.back(), 0.5f, 0.5f)->SetSensor(true);
+            bodies.back()->GetFixtureList()->SetFilterData(randomFilter());
+            bodies.back()->SetLinearVelocity(source.InSquare(0.1f));
+        }
+        for (int step = 0; step < 40; ++step) {
+            for (int edits = source.Below(4); edits > 0; --edits) {
+                Body* body = bodies[static_cast<size_t>(source.Below(static_cast<int>(bodies.size())))];
+                body->GetFixtureList()->SetFilterData(randomFilter());
+            }
+            StepFor(world, 2);
+            // What touched when it was refused or parted ends in the next step.
+            std::vector<Vec2> velocities;
+            for (Body* body : bodies) {
+                velocities.push_back(body->GetLinearVelocity());
+                body->SetLinearVelocity(vec2Zero);
+            }
+            StepFor(world, 1);
+            for (size_t i = 0; i < bodies.size(); ++i) bodies[i]->SetLinearVelocity(velocities[i]);
+            int expected = 0;
+            for (size_t i = 0; i < bodies.size(); ++i) {
+                for (size_t j = 0; j < i; ++j) {
+                    const Fixture &a = *bodies[i]->GetFixtureList(), &b = *bodies[j]->GetFixtureList();
+                    const Filter f = a.GetFilterData(), g = b.GetFilterData();
+                    const bool sameGroup = f.groupIndex == g.groupIndex && f.groupIndex != 0;
+                    const bool areAllowed =
+                        sameGroup ? f.groupIndex > 0
+                                  : (f.maskBits & g.categoryBits) != 0 && (f.categoryBits & g.maskBits) != 0;
+                    const bool overlap = TestOverlap(a.GetAABB(), b.GetAABB());
+                    expected += areAllowed && overlap ? 1 : 0;
+                }
+            }
+            int touching = 0;
+            for (const Contact* c = world.GetContactList(); c != nullptr; c = c->GetNext()) ++touching;
+            ASSERT_EQ(touching, expected) << "round " << round << ", step " << step;
+        }
+    }
 }
 
 /// Takes itself away in its first call; the engine must not call it again in that step.

@@ -334,6 +334,7 @@ bool ContactTable::Restore() {
 
 void ContactTable::MakeAnew() {
     m_count = 0;
+    filtersAgree = false;
     for (const uint8_t flag : flags) m_count += (flag & ContactFlag::alive) != 0 ? 1 : 0;
     successor.assign(flags.size(), ContactIndex::none);
     RouseAll();
@@ -344,6 +345,7 @@ void ContactTable::MakeAnew() {
 
 void ContactTable::NoteReturn(const FormerRows& before) {
     ++grouping;
+    filtersAgree = false;
     mustMatch = true;
     m_isCompact = false;
     refused.Clear();

@@ -90,6 +90,9 @@ struct ContactTable {
     IndexSet<ContactIndex> active;  ///< living rows that do not rest
     bool mayRest = false;           ///< some of them could, as some body has fallen asleep or contacts were roused
     bool addsFresh = false;         ///< rows that are added now are
+    /// No contact is of a pair that its filters refuse. To be put to false where a filter changes or contacts come from
+    /// elsewhere; the matching finds out anew.
+    bool filtersAgree = false;
     bool mustMatch =
         true;  ///< pairs must be matched even if no box changes: contacts were added, or the filter changed
 
@@ -180,14 +183,14 @@ struct ContactTable {
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
         auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
-               grouping, matched, missing, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, mustMatch,
-               hash, shift, free, isCompact, handles, generation, count, resting, restingFirst, restingTouching,
-               adjacency, first, entries, late, ofBody, handleRows, generationRows] = t;
+               grouping, matched, missing, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, filtersAgree,
+               mustMatch, hash, shift, free, isCompact, handles, generation, count, resting, restingFirst,
+               restingTouching, adjacency, first, entries, late, ofBody, handleRows, generationRows] = t;
         visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
         visit.LeftOut(steadyReach, successor, firstMatched, grouping, matched, missing, freshPairs, freshRefusals,
-                      refused, active, mayRest, addsFresh, mustMatch, hash, shift, isCompact, handles, generation,
-                      count, resting, restingFirst, restingTouching, adjacency, first, entries, late, ofBody,
-                      handleRows, generationRows);
+                      refused, active, mayRest, addsFresh, filtersAgree, mustMatch, hash, shift, isCompact, handles,
+                      generation, count, resting, restingFirst, restingTouching, adjacency, first, entries, late,
+                      ofBody, handleRows, generationRows);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();

@@ -36,6 +36,7 @@ void RefilterIf(WorldState& s, BodyIndex body, Predicate involves) {
     for (const ContactIndex c : s.contacts.OfBody(body)) {
         if (s.contacts.IsAlive(c) && involves(s.contacts.pair[c])) {
             s.contacts.flags[c] |= ContactFlag::refilter;
+            s.contacts.filtersAgree = false;
         }
     }
 }

@@ -172,6 +172,7 @@ ErrorCode World::SetContactFilter(ContactFilter* filter) {
     if (filter != nullptr && guard.Uses({Feature::filters}).Failed()) return guard.Code();
     m_state->filter = filter;
     m_state->contacts.refused.Clear();
+    m_state->contacts.filtersAgree = false;
     // The coming step asks it about all pairs without a contact.
     m_state->contacts.mustMatch = true;
     for (const BodyIndex body : m_state->bodies.movers) m_state->bodies.List(body);

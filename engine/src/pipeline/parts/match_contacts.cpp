@@ -21,10 +21,21 @@ namespace {
 /// Below this many pairs their contacts are not worth looking for on several threads.
 constexpr int leastPairsToShare = 1024;
 
+/// Whether the filters of all pairs that have contacts still let them meet.
+bool FiltersAgree(const FixtureTable& fixtures, const ContactTable& contacts) {
+    for (const ContactIndex contact : contacts.Rows()) {
+        const ContactPair& p = contacts.pair[contact];
+        if (contacts.IsAlive(contact) && !ShouldCollide(fixtures.filter[p.fixtureA], fixtures.filter[p.fixtureB]))
+            return false;
+    }
+    return true;
+}
+
 /// Finds the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the
-/// pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another.
-void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& contacts,
-                  std::vector<ContactIndex>& found) {
+/// pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another. `filters`, if
+/// not null, tell of pairs that they have none: limbs of ragdolls overlap all the time.
+void FindContacts(std::span<const Pair> pairs, TaskPool& pool, const Column<FixtureIndex, Filter>* filters,
+                  ContactTable& contacts, std::vector<ContactIndex>& found) {
     EnsureRows(found, pairs.size());
     pool.For(static_cast<int>(pairs.size()), leastPairsToShare, [&](int begin, int end, int /*worker*/) {
         ContactIndex ownFirst = ContactIndex::none;
@@ -32,7 +43,10 @@ void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& con
         for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
             const FixtureIndex a = FixtureOf(pairs[i].a), b = FixtureOf(pairs[i].b);
             ContactIndex contact = *follower;
-            if (!contacts.IsRowOf(contact, a, b)) contact = contacts.Find(a, b);
+            if (!contacts.IsRowOf(contact, a, b)) {
+                const bool isRefused = filters != nullptr && !ShouldCollide((*filters)[a], (*filters)[b]);
+                contact = isRefused ? ContactIndex::none : contacts.Find(a, b);
+            }
             found[i] = contact;
             if (IsNone(contact)) continue;
             if (*follower != contact) *follower = contact;
@@ -45,7 +59,10 @@ void FindContacts(std::span<const Pair> pairs, TaskPool& pool, ContactTable& con
 /// reads flags of rows that other workers mark.
 void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t, std::vector<uint64_t>& fresh) {
     std::vector<ContactIndex>& found = t.contacts.matched;
-    FindContacts(pairs, t.pool, t.contacts, found);
+    const bool areDefault = events.filter == nullptr;
+    if (areDefault && !t.contacts.filtersAgree) t.contacts.filtersAgree = FiltersAgree(t.fixtures, t.contacts);
+    const bool asksFilters = areDefault && t.contacts.filtersAgree;
+    FindContacts(pairs, t.pool, asksFilters ? &t.fixtures.filter : nullptr, t.contacts, found);
     const auto mayBegin = [&](const Pair& pair) {
         return events.filter != nullptr ||
                MayHaveContact(FixtureOf(pair.a), FixtureOf(pair.b), events, t.fixtures, t.joints);
