@@ -54,12 +54,12 @@ void Register(const char* name, const Collide& collide) {
 
 /// The same poses of `b` before `a`, in batches.
 template <typename Batch, typename A, typename B>
-void RegisterBatch(const char* name, const A& a, const B& b) {
+void RegisterBatch(const char* name, const A& a, const B& b, const Batch& empty = Batch()) {
     benchmark::RegisterBenchmark(name, [=](benchmark::State& state) {
         const auto poses = MakePoses();
         Transform origin;
         origin.SetIdentity();
-        Batch batch;
+        Batch batch = empty;
         int points = 0;
         for (auto _ : state) {
             for (int i = 0; i < poseCount; ++i) {
@@ -103,6 +103,12 @@ CircleShape MakeCircle() {
 }
 
 ConvexShape MakeLimb() { return MakeCapsule({-0.4f, 0.0f}, {0.4f, 0.0f}, 0.3f); }
+
+ConvexShape MakeRoundedBox() {
+    PolygonShape core;
+    core.SetAsBox(0.4f, 0.4f);
+    return MakeRoundedPolygon(core.m_vertices, 4, 0.1f);
+}
 
 EdgeShape MakeEdge() {
     EdgeShape edge;
@@ -166,7 +172,7 @@ void RegisterCollide() {
     const PolygonShape box = MakeBox(), octagon = MakeOctagon();
     const CircleShape circle = MakeCircle();
     const EdgeShape edge = MakeEdge();
-    const ConvexShape capsule = MakeLimb();
+    const ConvexShape capsule = MakeLimb(), rounded = MakeRoundedBox();
     Register("collide/circle-circle",
              [=](Manifold* m, const Transform& pose) { CollideCircles(m, &circle, origin, &circle, pose); });
     Register("collide/box-circle",
@@ -179,8 +185,15 @@ void RegisterCollide() {
              [=](Manifold* m, const Transform& pose) { CollideConvex(m, &capsule, origin, &capsule, pose); });
     Register("collide/box-capsule",
              [=](Manifold* m, const Transform& pose) { CollideConvex(m, &box, origin, &capsule, pose); });
-    RegisterBatch<CapsuleBatch>("collide/capsule-capsule/eight", capsule, capsule);
-    RegisterBatch<QuadCapsuleBatch>("collide/box-capsule/eight", box, capsule);
+    Register("collide/capsule-circle",
+             [=](Manifold* m, const Transform& pose) { CollideConvex(m, &capsule, origin, &circle, pose); });
+    Register("collide/octagon-capsule",
+             [=](Manifold* m, const Transform& pose) { CollideConvex(m, &octagon, origin, &capsule, pose); });
+    Register("collide/rounded-rounded",
+             [=](Manifold* m, const Transform& pose) { CollideConvex(m, &rounded, origin, &rounded, pose); });
+    RegisterBatch("collide/capsule-capsule/eight", capsule, capsule, CoreBatch(CorePair(capsule, capsule)));
+    RegisterBatch("collide/box-capsule/eight", box, capsule, CoreBatch(CorePair(box, capsule)));
+    RegisterBatch("collide/rounded-rounded/eight", rounded, rounded, CoreBatch(CorePair(rounded, rounded)));
     Register("collide/octagon-octagon",
              [=](Manifold* m, const Transform& pose) { CollidePolygons(m, &octagon, origin, &octagon, pose); });
     Register("collide/edge-circle",

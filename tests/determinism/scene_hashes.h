@@ -52,7 +52,7 @@ inline constexpr SceneHashes sceneHashes[] = {
     {"ray-cast-playground", {0xf80daddc6d351def, 0xaf8e1cc38e2027b9, 0xfdf536f6bb319a93}},
     {"restitution-row", {0x1e42998a27c00cec, 0x47f068548d185f69, 0xb7afe5887a96c6ac}},
     {"friction-row", {0x2af052c5fb570bbd, 0xab1b9cb6db981160, 0xcada6be40209f686}},
-    {"convex-shapes", {0x4522aa5f94027c5a, 0xaec187ba7cb0e0f4, 0x1b162b4cc21d8ccf}},
+    {"convex-shapes", {0x9f4ce1c43b300abb, 0xb1c91b0a054b8e20, 0xfc4e919a1cc775ec}},
     {"platformer", {0x814decc4de443064, 0x9a7f98b1479d45dd, 0x0326cf3b7b296dc4}},
     {"cars", {0x5d4f1a3fa72fc8fd, 0xf95bbfb64dfc4985, 0x68c0b34307e09dcd}},
     {"bin", {0xd8d98f9e6dff0595, 0x6db2cadf62fd701c, 0x49d4ef507daa5188}},

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Capsules with each other, with edges and with small polygons. Manifolds against distances in double precision, closed
-// forms where sides lie along each other, and the same bits whatever shares a batch.
+// Capsules and rounded polygons with each other, with edges and with plain polygons. Manifolds against distances in
+// double precision, closed forms where sides lie along each other, and the same bits whatever shares a batch.
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,8 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/collide_quads.h"
@@ -19,8 +21,7 @@ namespace scree::test {
 namespace {
 
 struct Pair {
-    std::unique_ptr<Shape> a;
-    ConvexShape b;
+    std::unique_ptr<Shape> a, b;  ///< at least one is convex
     Placement placement;
     float size;  ///< of the shapes, m
 };
@@ -29,34 +30,33 @@ Vec2 EndOf(Source& source, Vec2 start, float size) {
     return start + source.Size(0.01f, 1.0f) * size * source.Direction();
 }
 
-ConvexShape RandomCapsule(Source& source, float size) {
-    const Vec2 start = source.InSquare(0.5f * size);
-    return MakeCapsule(start, EndOf(source, start, size), source.Size(0.01f, 0.5f) * size);
-}
-
-std::unique_ptr<Shape> RandomOther(Source& source, float size) {
-    const int kind = source.Below(4);
-    if (kind == 0) return std::make_unique<ConvexShape>(RandomCapsule(source, size));
-    if (kind == 1) {
-        EdgeShape edge;
-        const Vec2 start = source.InSquare(0.5f * size);
-        edge.SetTwoSided(start, EndOf(source, start, 2.0f * size));
-        return std::make_unique<EdgeShape>(edge);
-    }
+/// Corners of a box, or three to eight free ones.
+PolygonShape RandomCorners(Source& source, float size) {
     PolygonShape polygon;
     polygon.SetAsBox(source.Size(0.05f, 1.0f) * size, source.Size(0.05f, 1.0f) * size, source.InSquare(0.5f * size),
                      source.Between(-pi, pi));
+    if (source.Chance(2)) return polygon;
+    Vec2 corners[maxPolygonVertices];
+    const int count = 3 + source.Below(source.Chance(2) ? 2 : 6);
+    do {
+        for (Vec2& corner : std::span(corners).first(static_cast<size_t>(count))) corner = source.InSquare(size);
+    } while (!polygon.Set(corners, count));
+    return polygon;
+}
+
+std::unique_ptr<Shape> RandomShape(Source& source, float size) {
+    const int kind = source.Below(7);
+    const Vec2 start = source.InSquare(0.5f * size);
+    const float radius = source.Size(0.01f, 0.5f) * size;
+    if (kind <= 2) return std::make_unique<ConvexShape>(MakeCapsule(start, EndOf(source, start, size), radius));
     if (kind == 3) {
-        Vec2 corners[3];
-        do {
-            for (Vec2& corner : corners) corner = source.InSquare(size);
-        } while (!polygon.Set(corners, 3));
+        EdgeShape edge;
+        edge.SetTwoSided(start, EndOf(source, start, 2.0f * size));
+        return std::make_unique<EdgeShape>(edge);
     }
-    if (source.Chance(3)) {
-        const float rounded = source.Size(0.01f, 0.5f) * size;
-        return std::make_unique<ConvexShape>(MakeRoundedPolygon(polygon.m_vertices, polygon.m_count, rounded));
-    }
-    return std::make_unique<PolygonShape>(polygon);
+    const PolygonShape polygon = RandomCorners(source, size);
+    if (kind == 4) return std::make_unique<PolygonShape>(polygon);
+    return std::make_unique<ConvexShape>(MakeRoundedPolygon(polygon.m_vertices, polygon.m_count, radius));
 }
 
 Outline CoreOf(const Shape& shape, const Transform& xf) {
@@ -66,41 +66,43 @@ Outline CoreOf(const Shape& shape, const Transform& xf) {
 }
 
 double DistanceOf(const Pair& pair) {
-    return OutlineDistance(CoreOf(*pair.a, pair.placement.a), CoreOf(pair.b, pair.placement.b));
+    return OutlineDistance(CoreOf(*pair.a, pair.placement.a), CoreOf(*pair.b, pair.placement.b));
 }
 
 /// Free poses, sides along each other, and cores that are as far apart as they may be to touch, or a little nearer or
 /// farther.
 Pair RandomPair(Source& source) {
     const float size = source.Size(0.05f, 20.0f);
-    Pair pair{RandomOther(source, size), RandomCapsule(source, size), {}, size};
+    Pair pair{nullptr, nullptr, {}, size};
+    const auto isConvex = [](const Shape& shape) { return shape.GetType() == Shape::e_convex; };
+    do {
+        pair.a = RandomShape(source, size), pair.b = RandomShape(source, size);
+    } while (!isConvex(*pair.a) && !isConvex(*pair.b));
+    if (pair.b->GetType() == Shape::e_edge) std::swap(pair.a, pair.b);
+    DistanceProxy a, b;
+    a.Set(pair.a.get(), 0), b.Set(pair.b.get(), 0);
     Placement& at = pair.placement;
     at.a.Set(source.InSquare(size), source.Between(-7.0f, 7.0f));
     at.b.Set(at.a.p + source.InSquare(1.5f * size), source.Between(-7.0f, 7.0f));
     if (source.Chance(3)) {
-        DistanceProxy proxy;
-        proxy.Set(pair.a.get(), 0);
-        const Vec2 along = proxy.m_vertices[1] - proxy.m_vertices[0],
-                   side = pair.b.m_vertices[1] - pair.b.m_vertices[0];
+        const Vec2 along = a.m_vertices[1] - a.m_vertices[0], side = b.m_vertices[1] - b.m_vertices[0];
         const float turn = std::atan2(along.y, along.x) - std::atan2(side.y, side.x);
         at.b.q.Set(at.a.q.GetAngle() + turn + (source.Chance(2) ? pi : 0.0f) + source.Size(1e-7f, 1e-2f));
     }
     if (!source.Chance(4)) {
         // From where a point of one core lies on the other's, in some direction.
-        DistanceProxy proxy;
-        proxy.Set(pair.a.get(), 0);
         const float share = source.Between(0.0f, 1.0f);
-        const Vec2 onB = (1.0f - share) * pair.b.m_vertices[0] + share * pair.b.m_vertices[1];
-        const Vec2 start = Mul(at.a, proxy.m_vertices[source.Below(proxy.m_count)]) - Mul(at.b.q, onB);
+        const Vec2 onB = (1.0f - share) * b.m_vertices[0] + share * b.m_vertices[1];
+        const Vec2 start = Mul(at.a, a.m_vertices[source.Below(a.m_count)]) - Mul(at.b.q, onB);
         const Vec2 direction = source.Direction();
-        const double wanted = source.Chance(4) ? 0.0 : pair.a->m_radius + pair.b.m_radius;
+        const double wanted = source.Chance(4) ? 0.0 : pair.a->m_radius + pair.b->m_radius;
         float near = 0.0f, far = 8.0f * size;
         for (int i = 0; i < 30; ++i) {
             const float middle = 0.5f * (near + far);
             at.b.p = start + middle * direction;
             (DistanceOf(pair) <= wanted ? near : far) = middle;
         }
-        const float jitter = source.Size(1e-6f, 0.3f) * pair.b.m_radius;
+        const float jitter = source.Size(1e-6f, 0.3f) * pair.b->m_radius;
         at.b.p = start + (near + source.Between(-jitter, jitter)) * direction;
     }
     return pair;
@@ -108,7 +110,7 @@ Pair RandomPair(Source& source) {
 
 Manifold Collide(const Pair& pair) {
     Manifold manifold;
-    CollideConvex(&manifold, pair.a.get(), pair.placement.a, &pair.b, pair.placement.b);
+    CollideConvex(&manifold, pair.a.get(), pair.placement.a, pair.b.get(), pair.placement.b);
     return manifold;
 }
 
@@ -140,8 +142,8 @@ TEST(CollideCapsules, TouchWhereTheirCoresAreNear) {
     int apart = 0, corners = 0, faces = 0, twoPoints = 0, deep = 0;
     for (int trial = 0; trial < trials; ++trial) {
         const Pair pair = RandomPair(source);
-        const Outline a = CoreOf(*pair.a, pair.placement.a), b = CoreOf(pair.b, pair.placement.b);
-        const double distance = OutlineDistance(a, b), radius = pair.a->m_radius + pair.b.m_radius;
+        const Outline a = CoreOf(*pair.a, pair.placement.a), b = CoreOf(*pair.b, pair.placement.b);
+        const double distance = OutlineDistance(a, b), radius = pair.a->m_radius + pair.b->m_radius;
         const double rounding = 2e-6 * pair.size, preference = 0.1 * linearSlop;
         const Manifold manifold = Collide(pair);
         SCOPED_TRACE(testing::Message() << "trial " << trial << ", size " << pair.size << ", distance " << distance
@@ -154,7 +156,7 @@ TEST(CollideCapsules, TouchWhereTheirCoresAreNear) {
             continue;
         }
         WorldManifold world;
-        world.Initialize(&manifold, pair.placement.a, pair.a->m_radius, pair.placement.b, pair.b.m_radius);
+        world.Initialize(&manifold, pair.placement.a, pair.a->m_radius, pair.placement.b, pair.b->m_radius);
         const Vec2d normal = ToDouble(world.normal);
         ASSERT_NEAR(Length(normal), 1.0, 1e-4);
         double nearest = world.separations[0];
@@ -177,7 +179,7 @@ TEST(CollideCapsules, TouchWhereTheirCoresAreNear) {
             // The point is the middle between both surfaces.
             const double halfGap = 0.5 * Abs(world.separations[i]) + rounding;
             const Vec2d p = ToDouble(world.points[i]);
-            for (const auto& [core, skin] : {std::pair(&a, pair.a->m_radius), std::pair(&b, pair.b.m_radius)}) {
+            for (const auto& [core, skin] : {std::pair(&a, pair.a->m_radius), std::pair(&b, pair.b->m_radius)}) {
                 const double away = OutlineDistance({p}, *core);
                 ASSERT_LE(away, skin + halfGap + 2.0 * preference) << "point " << i;
             }
@@ -237,49 +239,46 @@ void ExpectSame(const Manifold& expected, const Manifold& found) {
     }
 }
 
-/// Puts pairs of its kind into one batch and compares each with its manifold alone; returns how many touch.
-template <typename Batch, typename Add>
-int CompareBatch(Batch batch, const std::vector<const Pair*>& pairs, Add add) {
-    int touching = 0;
-    for (size_t begin = 0; begin < pairs.size(); begin += quadLanes, batch.Clear()) {
-        for (size_t i = begin; i < std::min(pairs.size(), begin + quadLanes); ++i)
-            add(batch, static_cast<int>(i), *pairs[i]);
-        batch.Collide();
-        for (int lane = 0; lane < batch.Size(); ++lane) {
-            const Manifold expected = Collide(*pairs[static_cast<size_t>(batch.GetId(lane))]);
-            Manifold found;
-            batch.Write(lane, found);
-            ExpectSame(expected, found);
-            touching += found.pointCount > 0 ? 1 : 0;
-        }
-    }
-    return touching;
-}
-
 TEST(CollideCapsules, HaveTheSameBitsInEveryBatch) {
     Source source(33);
-    int touching = 0;
+    int touching[2][2] = {}, all = 0;
     for (int trial = 0; trial < 2000; ++trial) {
-        std::vector<Pair> all;
-        for (int i = 1 + source.Below(3 * quadLanes); i > 0; --i) all.push_back(RandomPair(source));
-        std::vector<const Pair*> segments, quads;
-        for (const Pair& pair : all) {
-            if (IsSegment(*pair.a)) segments.push_back(&pair);
-            if (IsQuad(*pair.a)) quads.push_back(&pair);
-        }
+        std::vector<Pair> pairs;
+        for (int i = 1 + source.Below(4 * quadLanes); i > 0; --i) pairs.push_back(RandomPair(source));
         for (const QuadKernels& kernels : {GetQuadKernels(), GetBaseQuadKernels()}) {
-            const auto addSegment = [](CapsuleBatch& batch, int id, const Pair& p) {
-                batch.Add(id, *p.a, p.placement.a, p.b, p.placement.b);
+            std::optional<CoreBatch> batches[2][2];
+            const auto compare = [&](CoreBatch& batch, int& count) {
+                batch.Collide();
+                for (int lane = 0; lane < batch.Size(); ++lane) {
+                    const Manifold expected = Collide(pairs[static_cast<size_t>(batch.GetId(lane))]);
+                    Manifold found;
+                    batch.Write(lane, found);
+                    ExpectSame(expected, found);
+                    count += found.pointCount > 0 ? 1 : 0;
+                }
+                batch.Clear();
             };
-            const auto addQuad = [](QuadCapsuleBatch& batch, int id, const Pair& p) {
-                batch.Add(id, static_cast<const PolygonShape&>(*p.a), p.placement.a, p.b, p.placement.b);
-            };
-            touching += CompareBatch(CapsuleBatch(kernels), segments, addSegment);
-            touching += CompareBatch(QuadCapsuleBatch(kernels), quads, addQuad);
+            for (size_t i = 0; i < pairs.size(); ++i) {
+                const Pair& p = pairs[i];
+                const CorePair kinds(*p.a, *p.b);
+                if (!kinds.GoTogether()) continue;
+                const auto a = static_cast<size_t>(kinds.a), b = static_cast<size_t>(kinds.b);
+                if (!batches[a][b]) batches[a][b].emplace(kinds, kernels);
+                batches[a][b]->Add(static_cast<int>(i), *p.a, p.placement.a, *p.b, p.placement.b);
+                ++all;
+                if (batches[a][b]->IsFull()) compare(*batches[a][b], touching[a][b]);
+            }
+            for (size_t a = 0; a < 2; ++a) {
+                for (size_t b = 0; b < 2; ++b) {
+                    if (batches[a][b]) compare(*batches[a][b], touching[a][b]);
+                }
+            }
             if (HasFatalFailure()) FAIL() << "trial " << trial;
         }
     }
-    EXPECT_GT(touching, 5000);
+    for (const auto& ofA : touching) {
+        for (const int count : ofA) EXPECT_GT(count, all / 50);
+    }
 }
 
 TEST(CollideCapsules, TouchNothingAtANonFinitePlacement) {
@@ -290,20 +289,15 @@ TEST(CollideCapsules, TouchNothingAtANonFinitePlacement) {
     for (const float bad : {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         Transform broken = fine;
         broken.p.x = bad;
-        CapsuleBatch capsules;
-        capsules.Add(0, capsule, fine, capsule, broken);
-        capsules.Add(1, capsule, fine, capsule, fine);
-        capsules.Collide();
-        QuadCapsuleBatch quads;
-        quads.Add(0, box, fine, capsule, broken);
-        quads.Add(1, box, fine, capsule, fine);
-        quads.Collide();
-        for (const FaceBatch* batch :
-             {static_cast<const FaceBatch*>(&capsules), static_cast<const FaceBatch*>(&quads)}) {
+        for (const Shape* a : {static_cast<const Shape*>(&capsule), static_cast<const Shape*>(&box)}) {
+            CoreBatch batch(CorePair(*a, capsule));
+            batch.Add(0, *a, fine, capsule, broken);
+            batch.Add(1, *a, fine, capsule, fine);
+            batch.Collide();
             Manifold manifold;
-            batch->Write(0, manifold);
+            batch.Write(0, manifold);
             EXPECT_EQ(manifold.pointCount, 0);
-            batch->Write(1, manifold);
+            batch.Write(1, manifold);
             EXPECT_GT(manifold.pointCount, 0) << "the neighbour is not affected";
         }
     }

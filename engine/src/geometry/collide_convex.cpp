@@ -120,6 +120,7 @@ struct Axis {
     float separation;
     int vertexA, vertexB;  ///< a nearest pair of vertices
     bool isApart;          ///< the cores do not overlap
+    bool isBetween;        ///< these two are the nearest points
 };
 
 Vec2 FaceNormal(const Side& side) { return Mul(side.xf.q, side.outline.normals[side.face]); }
@@ -134,8 +135,8 @@ bool FindAxis(Side& a, Side& b, float reach, Axis& axis) {
     SimplexCache cache;
     const Nearest nearest = FindNearest(placed.a, placed.b, placed.xfB, cache);
     if (!(nearest.distance <= reach)) return false;
-    axis = {Mul(a.xf.q, nearest.normal), nearest.distance, nearest.indexA[0], nearest.indexB[0],
-            nearest.distance > 0.0f};
+    axis = {Mul(a.xf.q, nearest.normal), nearest.distance,        nearest.indexA[0],
+            nearest.indexB[0],           nearest.distance > 0.0f, nearest.count == 1};
     const bool isPoints = a.outline.count == 1 && b.outline.count == 1;
     if (nearest.distance > shallowest || isPoints) {
         a.face = FindFace(a, axis.normal);
@@ -221,13 +222,32 @@ void TouchNearest(Manifold& manifold, const Side& a, const Side& b, const Axis& 
     SetPoint(manifold, Mul(a.xf, points.onB + placed.a.origin), b, key);
 }
 
+/// Of the corners that are about as far out along the normal those that are nearest to each other: sides that lie in
+/// one line may meet end to end.
+void TakeNearestTied(const Side& a, const Side& b, Vec2 normal, Vec2& onA, Vec2& onB) {
+    const float mostA = Dot(normal, onA), leastB = Dot(normal, onB);
+    float nearest = FLT_MAX;
+    for (int i = 0; i < a.outline.count; ++i) {
+        const Vec2 cornerA = Mul(a.xf, a.outline.vertices[i]);
+        if (Dot(normal, cornerA) < mostA - preference) continue;
+        for (int j = 0; j < b.outline.count; ++j) {
+            const Vec2 cornerB = Mul(b.xf, b.outline.vertices[j]);
+            const float away = DistanceSquared(cornerA, cornerB);
+            if (Dot(normal, cornerB) > leastB + preference || away >= nearest) continue;
+            nearest = away;
+            onA = cornerA, onB = cornerB;
+        }
+    }
+}
+
 /// Corners and arcs: one point.
 void TouchPoint(Manifold& manifold, const Side& a, const Side& b, const Axis& axis, bool isCorners) {
     Vec2 normal = axis.normal;
     CurvePoint onA = Outermost(a, normal), onB = Outermost(b, -normal);
     const uint32_t key = MakeContactKey(curveFeature, ContactFeature::e_vertex, curveFeature, ContactFeature::e_vertex);
-    if (onA.bendRadius + onB.bendRadius == 0.0f && axis.isApart) {
-        if (!isCorners) return TouchNearest(manifold, a, b, axis, key);
+    const bool isStraight = onA.bendRadius + onB.bendRadius == 0.0f;
+    if (isStraight && axis.isApart) {
+        if (!isCorners || !axis.isBetween) return TouchNearest(manifold, a, b, axis, key);
         manifold.type = Manifold::e_circles;
         manifold.localNormal.SetZero();
         manifold.localPoint = a.outline.vertices[axis.vertexA];
@@ -235,6 +255,7 @@ void TouchPoint(Manifold& manifold, const Side& a, const Side& b, const Axis& ax
                  MakeContactKey(axis.vertexA, ContactFeature::e_vertex, axis.vertexB, ContactFeature::e_vertex));
         return;
     }
+    if (isStraight) TakeNearestTied(a, b, normal, onA.point, onB.point);
     // The core's normal is right to half the turn of one arc; exact for circles after one round, for others after few.
     // The separation along any direction is at most the distance, so the direction that separates most is the best.
     float separation = Dot(normal, onB.point - onA.point);
@@ -277,25 +298,15 @@ Vec2 CenterOf(const Outline& outline) {
     return (1.0f / static_cast<float>(outline.count)) * sum;
 }
 
-/// One pair of a kind that is also collided eight at a time.
-template <typename Batch, typename A>
-void CollideOne(Manifold& manifold, const A& a, const Transform& xfA, const Shape& b, const Transform& xfB) {
-    Batch batch;
-    batch.Add(0, a, xfA, static_cast<const ConvexShape&>(b), xfB);
-    batch.Collide();
-    batch.Write(0, manifold);
-}
-
 }  // namespace
 
 void CollideConvex(Manifold* manifold, const Shape* shapeA, const Transform& xfA, const Shape* shapeB,
                    const Transform& xfB) {
-    if (IsCapsule(*shapeB)) {
-        if (IsSegment(*shapeA)) return CollideOne<CapsuleBatch>(*manifold, *shapeA, xfA, *shapeB, xfB);
-        if (IsQuad(*shapeA)) {
-            return CollideOne<QuadCapsuleBatch>(*manifold, static_cast<const PolygonShape&>(*shapeA), xfA, *shapeB,
-                                                xfB);
-        }
+    if (const CorePair kinds(*shapeA, *shapeB); kinds.GoTogether()) {
+        CoreBatch batch(kinds);
+        batch.Add(0, *shapeA, xfA, *shapeB, xfB);
+        batch.Collide();
+        return batch.Write(0, *manifold);
     }
     manifold->pointCount = 0;
     Outline outlineA, outlineB;

@@ -22,24 +22,24 @@ void LoadCorners(const Vec2* vertices, const Vec2* normals, int count, int lane,
     shapes.last[lane] = static_cast<float>(count - 1);
 }
 
-void LoadShape(const PolygonShape& shape, int lane, QuadShapes& shapes) {
-    LoadCorners(shape.m_vertices, shape.m_normals, shape.m_count, lane, shapes);
-}
-
-void LoadShape(const ConvexShape& capsule, int lane, QuadShapes& shapes) {
-    LoadCorners(capsule.m_vertices, capsule.m_normals, 2, lane, shapes);
-}
-
-void LoadShape(const Shape& segment, int lane, QuadShapes& shapes) {
-    if (segment.GetType() == Shape::e_convex) {
-        LoadShape(static_cast<const ConvexShape&>(segment), lane, shapes);
-        return;
+void LoadShape(const Shape& shape, int lane, QuadShapes& shapes) {
+    switch (shape.GetType()) {
+        case Shape::e_convex: {
+            const auto& convex = static_cast<const ConvexShape&>(shape);
+            return LoadCorners(convex.m_vertices, convex.m_normals, convex.m_count, lane, shapes);
+        }
+        case Shape::e_edge: {
+            const auto& edge = static_cast<const EdgeShape&>(shape);
+            Vec2 right = Cross(edge.m_vertex2 - edge.m_vertex1, 1.0f);
+            right.Normalize();
+            const Vec2 normals[2] = {right, -right};
+            return LoadCorners(&edge.m_vertex1, normals, 2, lane, shapes);
+        }
+        default: {
+            const auto& polygon = static_cast<const PolygonShape&>(shape);
+            return LoadCorners(polygon.m_vertices, polygon.m_normals, polygon.m_count, lane, shapes);
+        }
     }
-    const auto& edge = static_cast<const EdgeShape&>(segment);
-    Vec2 right = Cross(edge.m_vertex2 - edge.m_vertex1, 1.0f);
-    right.Normalize();
-    const Vec2 normals[2] = {right, -right};
-    LoadCorners(&edge.m_vertex1, normals, 2, lane, shapes);
 }
 
 /// Lanes to spare repeat the first.
@@ -64,16 +64,16 @@ struct Keys {
 
 }  // namespace
 
-template <typename A, typename B>
-int FaceBatch::AddPair(int id, const A& a, const Transform& xfA, const B& b, const Transform& xfB) {
+void FaceBatch::AddPair(int id, const Shape& a, const Transform& xfA, const Shape& b, const Transform& xfB,
+                        float preference) {
     static_assert(sizeof(Transform) == 4 * sizeof(float));
     const int lane = Take(id);
-    if (m_shapeA[lane] != &a) m_shapeA[lane] = &a, LoadShape(a, lane, m_pairs.a);
-    if (m_shapeB[lane] != &b) m_shapeB[lane] = &b, LoadShape(b, lane, m_pairs.b);
+    if (m_shapeA[lane] != &a) LoadShape(*(m_shapeA[lane] = &a), lane, m_pairs.a);
+    if (m_shapeB[lane] != &b) LoadShape(*(m_shapeB[lane] = &b), lane, m_pairs.b);
     m_pairs.placedA[lane] = &xfA.p.x;
     m_pairs.placedB[lane] = &xfB.p.x;
     m_pairs.radius[lane] = a.m_radius + b.m_radius;
-    return lane;
+    m_pairs.preference[lane] = preference;
 }
 
 void FaceBatch::Collide() {
@@ -82,17 +82,11 @@ void FaceBatch::Collide() {
 }
 
 void QuadBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const PolygonShape& b, const Transform& xfB) {
-    const int lane = AddPair(id, a, xfA, b, xfB);
-    Prefer(lane, ReferencePreference(GetRadius(lane)));
+    AddPair(id, a, xfA, b, xfB, ReferencePreference(a.m_radius + b.m_radius));
 }
 
-void CapsuleBatch::Add(int id, const Shape& a, const Transform& xfA, const ConvexShape& b, const Transform& xfB) {
-    Prefer(AddPair(id, a, xfA, b, xfB), convexPreference);
-}
-
-void QuadCapsuleBatch::Add(int id, const PolygonShape& a, const Transform& xfA, const ConvexShape& b,
-                           const Transform& xfB) {
-    Prefer(AddPair(id, a, xfA, b, xfB), convexPreference);
+void CoreBatch::Add(int id, const Shape& a, const Transform& xfA, const Shape& b, const Transform& xfB) {
+    AddPair(id, a, xfA, b, xfB, convexPreference);
 }
 
 void FaceBatch::Write(int pair, Manifold& manifold) const {

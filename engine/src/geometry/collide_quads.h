@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Manifolds of polygons with three or four corners, with each other and with disks, eight pairs at a time: the same
-// bits as CollidePolygons and CollidePolygonAndCircle. And of capsules, with each other, with such polygons and with
-// edges that have two sides: the bits of CollideConvex, which asks here.
+// bits as CollidePolygons and CollidePolygonAndCircle. And of capsules and rounded polygons with such corners, with
+// each other, with such polygons and with edges that have two sides: the bits of CollideConvex, which asks here.
 
 #pragma once
 
@@ -16,13 +16,34 @@ namespace scree {
 [[nodiscard]] inline bool IsQuad(const Shape& shape) {
     return shape.GetType() == Shape::e_polygon && static_cast<const PolygonShape&>(shape).m_count <= 4;
 }
-[[nodiscard]] inline bool IsCapsule(const Shape& shape) {
-    return shape.GetType() == Shape::e_convex && static_cast<const ConvexShape&>(shape).m_count == 2;
+/// What the core of a shape is, if it is one of those that go eight at a time with any radius.
+enum class CoreKind : int8_t { none = -1, segment, quad };
+/// Capsules and edges that have two sides are segments.
+[[nodiscard]] inline CoreKind CoreKindOf(const Shape& shape) {
+    switch (shape.GetType()) {
+        case Shape::e_edge:
+            return static_cast<const EdgeShape&>(shape).m_oneSided ? CoreKind::none : CoreKind::segment;
+        case Shape::e_polygon:
+            return IsQuad(shape) ? CoreKind::quad : CoreKind::none;
+        case Shape::e_convex: {
+            const auto& convex = static_cast<const ConvexShape&>(shape);
+            if (convex.m_curvedSides != 0 || convex.m_count < 2 || convex.m_count > 4) return CoreKind::none;
+            return convex.m_count == 2 ? CoreKind::segment : CoreKind::quad;
+        }
+        default:
+            return CoreKind::none;
+    }
 }
-/// A capsule, or an edge that has two sides.
-[[nodiscard]] inline bool IsSegment(const Shape& shape) {
-    return IsCapsule(shape) || (shape.GetType() == Shape::e_edge && !static_cast<const EdgeShape&>(shape).m_oneSided);
-}
+
+/// Two shapes as cores, at least one of them convex (e_convex); the other pairs have functions of their own.
+struct CorePair {
+    CoreKind a, b;
+    CorePair(const Shape& shapeA, const Shape& shapeB) : a(CoreKind::none), b(CoreKind::none) {
+        if (shapeA.GetType() != Shape::e_convex && shapeB.GetType() != Shape::e_convex) return;
+        a = CoreKindOf(shapeA), b = CoreKindOf(shapeB);
+    }
+    [[nodiscard]] bool GoTogether() const { return a != CoreKind::none && b != CoreKind::none; }
+};
 
 /// The lanes in use of a batch, and the number that each pair was added with.
 class QuadLanes {
@@ -56,10 +77,7 @@ protected:
 
     explicit FaceBatch(Kernel kernel) : m_kernel(kernel) {}
 
-    template <typename A, typename B>
-    int AddPair(int id, const A& a, const Transform& xfA, const B& b, const Transform& xfB);
-    void Prefer(int lane, float preference) { m_pairs.preference[lane] = preference; }
-    [[nodiscard]] float GetRadius(int lane) const { return m_pairs.radius[lane]; }
+    void AddPair(int id, const Shape& a, const Transform& xfA, const Shape& b, const Transform& xfB, float preference);
 
 private:
     Kernel m_kernel;
@@ -78,23 +96,16 @@ public:
     void Add(int id, const PolygonShape& a, const Transform& xfA, const PolygonShape& b, const Transform& xfB);
 };
 
-/// Segments (IsSegment) and capsules.
-class CapsuleBatch : public FaceBatch {
+/// Pairs of one sort that go together.
+class CoreBatch : public FaceBatch {
 public:
-    explicit CapsuleBatch(QuadKernels kernels = GetQuadKernels()) : FaceBatch(kernels.collideCapsules) {}
+    explicit CoreBatch(const CorePair& kinds, QuadKernels kernels = GetQuadKernels())
+        : FaceBatch(kernels.collideCores[static_cast<int>(kinds.a)][static_cast<int>(kinds.b)]) {}
 
-    void Add(int id, const Shape& a, const Transform& xfA, const ConvexShape& b, const Transform& xfB);
+    void Add(int id, const Shape& a, const Transform& xfA, const Shape& b, const Transform& xfB);
 };
 
-/// Quads (IsQuad) and capsules.
-class QuadCapsuleBatch : public FaceBatch {
-public:
-    explicit QuadCapsuleBatch(QuadKernels kernels = GetQuadKernels()) : FaceBatch(kernels.collideQuadCapsules) {}
-
-    void Add(int id, const PolygonShape& a, const Transform& xfA, const ConvexShape& b, const Transform& xfB);
-};
-
-/// The same for quads A and disks B.
+/// Quads A and disks B.
 class QuadDiskBatch : public QuadLanes {
 public:
     explicit QuadDiskBatch(QuadKernels kernels = GetQuadKernels()) : m_kernel(kernels.collideQuadDisks) {}

@@ -10,16 +10,22 @@ namespace scree {
 
 void CollideQuadsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
 void CollideQuadDisksAvx2(const QuadDiskPairs& pairs, QuadDiskContacts& contacts);
-void CollideCapsulesAvx2(const QuadPairs& pairs, QuadContacts& contacts);
-void CollideQuadCapsulesAvx2(const QuadPairs& pairs, QuadContacts& contacts);
+void CollideSegmentsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
+void CollideSegmentQuadsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
+void CollideQuadSegmentsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
+void CollideRoundQuadsAvx2(const QuadPairs& pairs, QuadContacts& contacts);
 
 QuadKernels GetQuadKernels() {
-    return SCREE_WIDEST(GetBaseQuadKernels(), (QuadKernels{&CollideQuadsAvx2, &CollideQuadDisksAvx2,
-                                                           &CollideCapsulesAvx2, &CollideQuadCapsulesAvx2}));
+    return SCREE_WIDEST(GetBaseQuadKernels(), (QuadKernels{&CollideQuadsAvx2,
+                                                           &CollideQuadDisksAvx2,
+                                                           {{&CollideSegmentsAvx2, &CollideSegmentQuadsAvx2},
+                                                            {&CollideQuadSegmentsAvx2, &CollideRoundQuadsAvx2}}}));
 }
 
 QuadKernels GetBaseQuadKernels() {
-    return {&CollideQuadsBase, &CollideQuadDisksBase, &CollideCapsulesBase, &CollideQuadCapsulesBase};
+    return {&CollideQuadsBase,
+            &CollideQuadDisksBase,
+            {{&CollideSegmentsBase, &CollideSegmentQuadsBase}, {&CollideQuadSegmentsBase, &CollideRoundQuadsBase}}};
 }
 
 }  // namespace scree

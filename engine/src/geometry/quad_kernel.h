@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Eight pairs of shapes side by side, as the vector kernels read and write them: small polygons, one and a disk, one or
-// a segment and a capsule. Plain data only, because translation units for different instruction sets share it.
+// Eight pairs of shapes side by side, as the vector kernels read and write them: small polygons, one and a disk, round
+// shapes whose cores are segments or small polygons. Plain data only, because translation units for different
+// instruction sets share it.
 
 #pragma once
 
@@ -37,7 +38,7 @@ struct alignas(32) QuadContacts {
     Row localPointX, localPointY;                ///< its middle
     Row pointX[2], pointY[2];                    ///< in the incident polygon's frame
     uint32_t touching;                           ///< the rest counts for these lanes only
-    uint32_t isCorners;                          ///< capsules: the corners `face` and `incident` touch, as disks…
+    uint32_t isCorners;                          ///< of round shapes: the corners `face` and `incident` touch…
     uint32_t isPoint;                            ///< …or points do along a normal in A's frame
     uint32_t flipped;                            ///< the reference face is B's
     uint32_t isCut[2];                           ///< the clip against the reference face's first, second end cut…
@@ -67,9 +68,8 @@ struct alignas(32) QuadDiskContacts {
 struct QuadKernels {
     void (*collideQuads)(const QuadPairs& pairs, QuadContacts& contacts);
     void (*collideQuadDisks)(const QuadDiskPairs& pairs, QuadDiskContacts& contacts);
-    /// B are capsules; A are segments for the first and polygons for the second.
-    void (*collideCapsules)(const QuadPairs& pairs, QuadContacts& contacts);
-    void (*collideQuadCapsules)(const QuadPairs& pairs, QuadContacts& contacts);
+    /// Cores with any radius, [A][B]: 0 segments, 1 polygons.
+    void (*collideCores[2][2])(const QuadPairs& pairs, QuadContacts& contacts);
 };
 
 /// The best this processor has, and those that every processor has.

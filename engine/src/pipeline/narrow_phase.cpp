@@ -7,6 +7,7 @@
 
 #include <cstring>
 #include <numeric>
+#include <optional>
 
 #include "base/compiler.h"
 #include "base/slots.h"
@@ -105,8 +106,11 @@ public:
         }
         if (m_quads.batch.Size() > 0) ComputeBatch(m_quads);
         if (m_disks.batch.Size() > 0) ComputeBatch(m_disks);
-        if (m_capsules.batch.Size() > 0) ComputeBatch(m_capsules);
-        if (m_quadCapsules.batch.Size() > 0) ComputeBatch(m_quadCapsules);
+        for (auto& ofA : m_cores) {
+            for (auto& lanes : ofA) {
+                if (lanes && lanes->batch.Size() > 0) ComputeBatch(*lanes);
+            }
+        }
         return m_passedTouching;
     }
 
@@ -115,7 +119,7 @@ private:
     template <typename Batch>
     struct Lanes {
         Batch batch;
-        Transform near[quadLanes][2];
+        Transform near[quadLanes][2]{};
     };
 
     bool Batch(ContactIndex contact) {
@@ -126,20 +130,19 @@ private:
             CollideDisks(contact, static_cast<const CircleShape&>(a), static_cast<const CircleShape&>(b));
             return true;
         }
-        if (IsCapsule(b) && IsSegment(a)) {
-            Add(m_capsules, contact, a, static_cast<const ConvexShape&>(b));
+        if (IsQuad(a) && IsQuad(b)) {
+            Add(m_quads, contact, static_cast<const PolygonShape&>(a), static_cast<const PolygonShape&>(b));
             return true;
         }
-        if (!IsQuad(a)) return false;
-        if (IsQuad(b)) {
-            Add(m_quads, contact, static_cast<const PolygonShape&>(a), static_cast<const PolygonShape&>(b));
-        } else if (b.GetType() == Shape::e_circle) {
+        if (IsQuad(a) && b.GetType() == Shape::e_circle) {
             Add(m_disks, contact, static_cast<const PolygonShape&>(a), static_cast<const CircleShape&>(b));
-        } else if (IsCapsule(b)) {
-            Add(m_quadCapsules, contact, static_cast<const PolygonShape&>(a), static_cast<const ConvexShape&>(b));
-        } else {
-            return false;
+            return true;
         }
+        const CorePair kinds(a, b);
+        if (!kinds.GoTogether()) return false;
+        std::optional<Lanes<CoreBatch>>& lanes = m_cores[static_cast<int>(kinds.a)][static_cast<int>(kinds.b)];
+        if (!lanes) lanes.emplace(Lanes<CoreBatch>{.batch = CoreBatch(kinds)});
+        Add(*lanes, contact, a, b);
         return true;
     }
 
@@ -205,8 +208,7 @@ private:
     NarrowPhaseScratch& m_scratch;
     Lanes<QuadBatch> m_quads;
     Lanes<QuadDiskBatch> m_disks;
-    Lanes<CapsuleBatch> m_capsules;
-    Lanes<QuadCapsuleBatch> m_quadCapsules;
+    std::optional<Lanes<CoreBatch>> m_cores[2][2];  ///< by the kinds of both; most worlds have none
 };
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order. Returns how many contacts that are
