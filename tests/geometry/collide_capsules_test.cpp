@@ -16,6 +16,7 @@
 
 #include "geometry/collide_quads.h"
 #include "tests/geometry/convex_oracle.h"
+#include "tests/geometry/same_manifold.h"
 
 namespace scree::test {
 namespace {
@@ -224,18 +225,6 @@ TEST(CollideCapsules, HaveTwoPointsWhereSidesLieAlongEachOther) {
         EXPECT_NEAR(Min(places[0], places[1]), from, 2e-5f) << "trial " << trial;
         EXPECT_NEAR(Max(places[0], places[1]), to, 2e-5f) << "trial " << trial;
         EXPECT_NEAR(Dot(world.normal, place.q.GetYAxis()), 1.0f, 1e-5f);
-    }
-}
-
-void ExpectSame(const Manifold& expected, const Manifold& found) {
-    ASSERT_EQ(found.pointCount, expected.pointCount);
-    if (expected.pointCount == 0) return;
-    ASSERT_EQ(found.type, expected.type);
-    ASSERT_TRUE(found.localNormal == expected.localNormal);
-    ASSERT_TRUE(found.localPoint == expected.localPoint);
-    for (int i = 0; i < expected.pointCount; ++i) {
-        ASSERT_TRUE(found.points[i].localPoint == expected.points[i].localPoint);
-        ASSERT_EQ(found.points[i].id.key, expected.points[i].id.key);
     }
 }
 
