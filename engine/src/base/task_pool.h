@@ -61,11 +61,11 @@ public:
             body(0, count, 0);
             return;
         }
-        using Loop = std::remove_reference_t<Body>;
+        using Code = std::remove_reference_t<Body>;
         Run(
             count,
-            [](void* context, int begin, int end, int worker) { (*static_cast<Loop*>(context))(begin, end, worker); },
-            const_cast<std::remove_const_t<Loop>*>(&body));
+            [](void* context, int begin, int end, int worker) { (*static_cast<Code*>(context))(begin, end, worker); },
+            const_cast<std::remove_const_t<Code>*>(&body));
     }
 
     /// The same for such short loops: with few workers all of it is the caller's.
