@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Two convex shapes of any kind → up to two contact points. GJK on the straight cores gives the normal while they are
-// apart, a separating axis test over all sides when they overlap. Then straight sides are clipped against each other
-// (E. Catto, "Contact Manifolds", GDC 2007); corners touch as disks; arcs touch in one point, found by putting the
-// circles that bend like them side by side. Manifold layout of Box2D 2.4, so the solver sees nothing new.
+// Two convex shapes of any kind → up to two contact points. Straight cores with up to four corners go through the
+// vector kernel (collide_quads.h), with the same meaning. For others GJK on the straight cores gives the normal while
+// they are apart, a separating axis test over all sides when they overlap. Then straight sides are clipped against each
+// other (E. Catto, "Contact Manifolds", GDC 2007); corners touch as disks; arcs touch in one point, found by putting
+// the circles that bend like them side by side. Manifold layout of Box2D 2.4, so the solver sees nothing new.
 
 #include <cfloat>
 
