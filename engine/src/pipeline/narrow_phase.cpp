@@ -57,8 +57,23 @@ SCREE_INLINE bool IsActive(ContactIndex contact, const NarrowPhaseTables& t) {
 
 /// From this many contacts on, manifolds are computed ahead: together where shapes allow it, and by all workers.
 constexpr int leastContacts = 16;
+/// Or from this many on whose shapes are round: two of them together take less time than one after the other.
+constexpr int leastCorePairs = 2;
 /// Below this many they are not worth waking workers for.
 constexpr int leastContactsToShare = 128;
+
+bool PaysToLookAhead(const NarrowPhaseTables& t) {
+    if (t.contacts.active.Count() >= leastContacts) return true;
+    if (t.contacts.active.Count() < leastCorePairs) return false;
+    int corePairs = 0;
+    for (ContactIndex contact = t.contacts.flags.End(); IsSome(contact = t.contacts.Before(contact));) {
+        if (!t.contacts.IsAlive(contact)) continue;
+        const ContactPair& pair = t.contacts.pair[contact];
+        corePairs += CorePair(*t.fixtures.shape[pair.fixtureA], *t.fixtures.shape[pair.fixtureB]).GoTogether() ? 1 : 0;
+        if (corePairs == leastCorePairs) return true;
+    }
+    return false;
+}
 
 /// Whether a contact that was looked at ahead goes on touching, or not touching, as before.
 bool StaysAsItWas(uint8_t flags, uint8_t finding) {
@@ -246,7 +261,7 @@ bool Holds(uint8_t finding, ContactIndex contact, const NarrowPhaseTables& t) {
 }  // namespace
 
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
-    const bool ahead = t.contacts.active.Count() >= leastContacts;
+    const bool ahead = PaysToLookAhead(t);
     const bool keepsOld = events.HearsPreSolve();
     const bool isQuick = events.listener == nullptr && events.log == nullptr;
     int touchingCount = ahead ? ComputeAhead(t, keepsOld, isQuick, *events.work, scratch) : 0;
