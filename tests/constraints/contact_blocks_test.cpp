@@ -10,9 +10,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <random>
 #include <set>
 
+#include "pipeline/parts/run_kernel.h"
 #include "scree/inspect.h"
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
@@ -111,8 +113,8 @@ TEST(ContactBlocks, NoColourPushesABodyTwice) {
         const WorldState& s = world.GetState();
         const std::vector<ContactIndex> list = TouchingContacts(s);
         ContactBlocks blocks;
-        ColoursTaken taken;
-        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
+        BodyMarks marks;
+        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, marks);
         ExpectProper(s, list, blocks.GetColours());
         if (spread < 1.0f) {
             EXPECT_GT(blocks.GetColourCount(), 64);
@@ -143,13 +145,13 @@ TEST(ContactBlocks, ThreadsMeetLikeBodiesInEveryColour) {
         std::shuffle(list.begin(), list.end(), random);
         ASSERT_GT(list.size(), 512u);
         ContactBlocks alone, shared;
-        ColoursTaken taken;
+        BodyMarks marks;
         Column<BodyIndex, Velocity> velocity = s.bodies.velocity, ofShared = velocity;
         Column<BodyIndex, Velocity> delta(velocity.size());
-        alone.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
+        alone.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, marks);
         TaskPool pool(workers, {});
         pool.Begin();
-        shared.Build({pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
+        shared.Build({pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, marks);
         pool.End();
         EXPECT_TRUE(std::ranges::equal(shared.GetColours(), alone.GetColours()));
 
@@ -174,14 +176,92 @@ TEST(ContactBlocks, ThreadsMeetLikeBodiesInEveryColour) {
     }
 }
 
+/// By body: the chains whose blocks push it, in and behind their borders.
+struct Pushers {
+    std::set<int> atBorder, behind;
+};
+
+std::map<int, Pushers> PushersOf(const KernelTask& task) {
+    std::map<int, Pushers> pushers;
+    const std::span<const BlockChains::Section> sections = task.chains->GetSections();
+    const int groups = static_cast<int>(sections.size()) / task.chains->Count();
+    for (int i = 0; i < static_cast<int>(sections.size()); ++i) {
+        const BlockChains::Section& section = sections[ToSize(i)];
+        for (int k = section.begin; k < section.end; ++k) {
+            const ContactBlock& block = task.blocks[k];
+            for (int l = 0; l < blockLanes && block.slot[l] >= 0; ++l) {
+                const auto note = [&](int body) {
+                    Pushers& of = pushers[body];
+                    (k < section.border ? of.atBorder : of.behind).insert(i / groups);
+                };
+                note(block.bodyB[l]);
+                if (block.invMassA[l] > 0.0f) note(block.bodyA[l]);
+            }
+        }
+    }
+    return pushers;
+}
+
+TEST(ContactBlocks, ChainsGiveTheBitsOfOneThread) {
+    for (const int workers : {2, 3, 8}) {
+        std::mt19937 random(static_cast<unsigned>(10 + workers));
+        World world({0.0f, -10.0f});
+        MakeHeap(world, 1800 + static_cast<int>(random() % 300), 20.0f);
+        const WorldState& s = world.GetState();
+        const std::vector<ContactIndex> list = TouchingContacts(s);
+        ContactBlocks alone, shared;
+        BodyMarks marks;
+        Column<BodyIndex, Velocity> velocity = s.bodies.velocity, ofShared = velocity;
+        Column<BodyIndex, Velocity> delta(velocity.size()), deltaOfShared = delta;
+        alone.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, marks);
+        const KernelTask task = alone.Task(velocity, delta);
+        EXPECT_EQ(task.chains, nullptr);
+
+        TaskPool pool(workers, {});
+        pool.ShareAlways();
+        pool.Begin();
+        shared.GetSlices().Update(pool, s.bodies, s.contacts, list);
+        shared.Build({pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, marks);
+        const KernelTask sharedTask = shared.Task(ofShared, deltaOfShared);
+        ASSERT_NE(sharedTask.chains, nullptr);
+        EXPECT_EQ(sharedTask.chains->Count(), workers);
+        EXPECT_EQ(shared.GetBlockCount(), alone.GetBlockCount());
+        EXPECT_TRUE(std::ranges::equal(shared.GetColours(), alone.GetColours()));
+        bool anyBehind = false, anyAtBorder = false;
+        for (const auto& [body, of] : PushersOf(sharedTask)) {
+            EXPECT_LE(of.behind.size(), 1u) << body;
+            anyBehind = anyBehind || !of.behind.empty();
+            anyAtBorder = anyAtBorder || of.atBorder.size() > 1;
+            if (of.atBorder.size() + of.behind.size() < 2) continue;
+            std::set<int> all = of.atBorder;
+            all.insert(of.behind.begin(), of.behind.end());
+            EXPECT_TRUE(all.size() == 1 || of.behind.empty()) << "body " << body << ", " << workers << " workers";
+        }
+        EXPECT_TRUE(anyBehind && anyAtBorder);
+
+        const ContactKernels& kernels = GetContactKernels();
+        constexpr int passes = 5;
+        RunKernel(*s.pool, task, kernels.solveRigid, passes), RunKernel(pool, sharedTask, kernels.solveRigid, passes);
+        EXPECT_EQ(std::memcmp(velocity.data(), ofShared.data(), velocity.size() * sizeof(Velocity)), 0);
+        for (int i = 0; i < passes; ++i) {
+            EXPECT_EQ(RunPushApart(pool, sharedTask, kernels, 0.2f), RunPushApart(*s.pool, task, kernels, 0.2f));
+        }
+        EXPECT_EQ(std::memcmp(delta.data(), deltaOfShared.data(), delta.size() * sizeof(Velocity)), 0);
+        Column<ContactIndex, Manifold> stored = s.contacts.manifold, storedOfShared = stored;
+        alone.Store(1.0f, *s.pool, stored), shared.Store(1.0f, pool, storedOfShared);
+        EXPECT_EQ(std::memcmp(stored.data(), storedOfShared.data(), stored.size() * sizeof(Manifold)), 0);
+        pool.End();
+    }
+}
+
 TEST(ContactBlocks, StoreGivesBackWhatWasFilled) {
     World world({0.0f, -10.0f});
     MakeHeap(world, 100, 3.0f);
     WorldState& s = world.GetState();
     const std::vector<ContactIndex> list = TouchingContacts(s);
     ContactBlocks blocks;
-    ColoursTaken taken;
-    blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 0.25f}, taken);
+    BodyMarks marks;
+    blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 0.25f}, marks);
     Column<ContactIndex, Manifold> stored = s.contacts.manifold;
     for (Manifold& m : stored) m.points[0].normalImpulse = m.points[1].normalImpulse = -1.0f;
     blocks.Store(4.0f, *s.pool, stored);
@@ -238,7 +318,7 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
     for (const bool onMoverSurface : {false, true}) {
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
-            ColoursTaken taken;
+            BodyMarks marks;
             blocks.Build({.pool = *s.pool,
                           .bodies = s.bodies,
                           .fixtures = s.fixtures,
@@ -247,7 +327,7 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
                           .impulseScale = 0.5f,
                           .onMoverSurface = onMoverSurface,
                           .kernels = *kernels},
-                         taken);
+                         marks);
             Column<BodyIndex, Velocity> unused(s.bodies.velocity.size());
             const KernelTask task = blocks.Task(unused, unused);
             size_t lanes = 0, circles = 0, spare = 0;
@@ -279,7 +359,7 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
 std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s,
                               const std::vector<ContactIndex>& list) {
     ContactBlocks blocks;
-    ColoursTaken taken;
+    BodyMarks marks;
     blocks.Build({.pool = *s.pool,
                   .bodies = s.bodies,
                   .fixtures = s.fixtures,
@@ -287,7 +367,7 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
                   .list = list,
                   .impulseScale = 1.0f,
                   .kernels = kernels},
-                 taken);
+                 marks);
     Column<BodyIndex, Velocity> velocity = s.bodies.velocity;
     Column<BodyIndex, Velocity> delta(velocity.size());
     KernelTask task = blocks.Task(velocity, delta);
@@ -348,7 +428,7 @@ TEST(ContactKernels, BothPointsOfAContactAreSolvedAtOnce) {
         s.contacts.material[list[0]].friction = 0.0f;
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
-            ColoursTaken taken;
+            BodyMarks marks;
             blocks.Build({.pool = *s.pool,
                           .bodies = s.bodies,
                           .fixtures = s.fixtures,
@@ -356,7 +436,7 @@ TEST(ContactKernels, BothPointsOfAContactAreSolvedAtOnce) {
                           .list = list,
                           .impulseScale = 1.0f,
                           .kernels = *kernels},
-                         taken);
+                         marks);
             Column<BodyIndex, Velocity> velocity = s.bodies.velocity, delta(velocity.size());
             const KernelTask task = blocks.Task(velocity, delta);
             kernels->relax(task);
@@ -397,8 +477,8 @@ TEST(ContactKernels, OneContactEqualsTheScalarRows) {
         ContactRows rows;
         PrepareContacts({s.bodies, s.fixtures, s.contacts, list, 1.0f}, rows);
         ContactBlocks blocks;
-        ColoursTaken taken;
-        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, taken);
+        BodyMarks marks;
+        blocks.Build({*s.pool, s.bodies, s.fixtures, s.contacts, list, 1.0f}, marks);
         const KernelTask task = blocks.Task(wide, delta);
         for (int i = 0; i < 8; ++i) {
             SolveContactVelocities(rows, scalar);

@@ -217,13 +217,25 @@ long CountAllocations(World& world, int substeps, int warmUp) {
     return AllocationCount() - before;
 }
 
+/// Two share a step where that pays, so that times decide; or always.
+struct Workers {
+    int count;
+    bool shareAlways;
+
+    friend std::ostream& operator<<(std::ostream& out, const Workers& w) {
+        return out << w.count << (w.shareAlways ? ", who always share" : "");
+    }
+};
+constexpr Workers anyWorkers[] = {{1, false}, {2, false}, {2, true}, {3, true}};
+
 /// Allocations of 60 steps of settled stacks beside isolated bodies, after 240 steps.
-long CountWarmAllocations(int substeps, int workers) {
+long CountWarmAllocations(int substeps, Workers workers) {
     WorldDef def;
     def.gravity = {0.0f, -10.0f};
     def.allowSleep = false;
-    def.workerCount = workers;
+    def.workerCount = workers.count;
     World world(def);
+    if (workers.shareAlways) world.GetState().pool->ShareAlways();
     AddGround(world);
     for (int i = 0; i < 15; ++i) {
         for (int j = 0; j < 20; ++j) {
@@ -241,11 +253,12 @@ long CountWarmAllocations(int substeps, int workers) {
 /// The same of disks and boxes that bounce about between walls: they meet, part, leave their neighbourhoods and hit
 /// static fixtures, some of them as bullets. Before that all lay in a heap, which has more contacts than they will
 /// have.
-long CountBouncingAllocations(int substeps, int workers) {
+long CountBouncingAllocations(int substeps, Workers workers) {
     WorldDef def;
     def.gravity = {0.0f, -60.0f};
-    def.workerCount = workers;
+    def.workerCount = workers.count;
     World world(def);
+    if (workers.shareAlways) world.GetState().pool->ShareAlways();
     EdgeShape wall;
     Body* walls = AddBody(world, staticBody, {0.0f, 0.0f});
     const Vec2 corners[4] = {{-12.0f, -12.0f}, {12.0f, -12.0f}, {12.0f, 12.0f}, {-12.0f, 12.0f}};
@@ -285,7 +298,7 @@ long CountBouncingAllocations(int substeps, int workers) {
 }
 
 TEST(Step, AWarmStepOfMovingBodiesAllocatesNothing) {
-    for (const int workers : {1, 2}) {
+    for (const Workers& workers : anyWorkers) {
         EXPECT_EQ(CountBouncingAllocations(0, workers), 0) << "sequential impulses, workers " << workers;
         EXPECT_EQ(CountBouncingAllocations(4, workers), 0) << "soft step, workers " << workers;
         EXPECT_EQ(CountBouncingAllocations(withTolerance, workers), 0) << "with a tolerance, workers " << workers;
@@ -293,7 +306,7 @@ TEST(Step, AWarmStepOfMovingBodiesAllocatesNothing) {
 }
 
 TEST(Step, AWarmStepAllocatesNothing) {
-    for (const int workers : {1, 2}) {
+    for (const Workers& workers : anyWorkers) {
         EXPECT_EQ(CountWarmAllocations(0, workers), 0) << "sequential impulses, workers " << workers;
         EXPECT_EQ(CountWarmAllocations(4, workers), 0) << "soft step, workers " << workers;
         EXPECT_EQ(CountWarmAllocations(withTolerance, workers), 0) << "with a tolerance, workers " << workers;

@@ -18,15 +18,10 @@ namespace {
 constexpr int chunksPerWorker = 4;
 
 #if defined(SCREE_HAS_THREADS)
-/// Waits until done() holds: spins for some microseconds, then gives the core away in between.
+/// Waits until done() holds.
 template <typename Done>
 void Await(Done&& done) {
-    constexpr int spins = 2000;
-    for (int i = 0; i < spins; ++i) {
-        if (done()) return;
-        PauseSpinning();
-    }
-    while (!done()) std::this_thread::yield();
+    for (int turns = 0; !done(); ++turns) TaskPool::GiveWay(turns);
 }
 #endif
 
@@ -34,12 +29,21 @@ void Await(Done&& done) {
 
 TaskPool::~TaskPool() { Stop(); }
 
+/// Spins for some microseconds, then gives the core away.
+void TaskPool::GiveWay(int turns) {
+    constexpr int spins = 2000;
+#if defined(SCREE_HAS_THREADS)
+    if (turns >= spins) return std::this_thread::yield();
+#endif
+    PauseSpinning();
+}
+
 /// Threads take chunk after chunk; a task has one of its own, whatever thread runs it.
 TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
     : m_workerCount(workerCount),
       m_rowCount(callbacks.enqueue == nullptr ? workerCount : workerCount * callbacks.tasksPerWorker),
       m_callbacks(callbacks),
-      m_shares(std::make_unique<Share[]>(static_cast<size_t>(workerCount))) {
+      m_shares(workerCount > 1 ? std::make_unique<Share[]>(static_cast<size_t>(workerCount)) : nullptr) {
     MakeThreads();
 }
 

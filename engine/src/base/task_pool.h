@@ -45,6 +45,10 @@ public:
     [[nodiscard]] bool SharesAlways() const { return m_sharesAlways; }
     /// Between Begin and End, with more than one worker.
     [[nodiscard]] bool IsOpen() const { return m_inStep; }
+    /// The same, and the workers are threads of the pool: some of them may be at work at once.
+    [[nodiscard]] bool RunsThreads() const { return m_inStep && m_callbacks.enqueue == nullptr; }
+    /// What a worker does while it waits for another; `turns`: how often it has.
+    static void GiveWay(int turns);
     void Begin();
     void End();
 

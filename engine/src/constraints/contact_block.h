@@ -116,6 +116,7 @@ struct KernelTask {
     ContactBlock* blocks;
     const BlockRange* ranges;
     int32_t rangeCount;
+    const class BlockChains* chains;  ///< how threads share the blocks; null: colour by colour
     float* velocity;
     float* delta;
     SoftConstants soft;
@@ -123,8 +124,6 @@ struct KernelTask {
     bool friction;             ///< false: no contact has friction, and all tangent impulses are 0
     float leastBounce = 0.0f;  ///< of bounce: contacts whose restitution is no larger take no part
     float largestPush = 0.2f;  ///< of pushApart in one pass: maxLinearCorrection, m
-
-    [[nodiscard]] int32_t GetBlockCount() const { return rangeCount > 0 ? ranges[rangeCount - 1].end : 0; }
 };
 
 /// What filling has found among the contacts of a block.

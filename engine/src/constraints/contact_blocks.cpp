@@ -78,12 +78,14 @@ void PlaceLanes(const BodyTable& bodies, const ContactBlock& block, FillLanes& l
 /// the same bodies in all colours, and what it knows of these stays in its cache. No result depends on that order.
 class BodyStrips {
 public:
+    static constexpr size_t most = 32;
+
     /// `groups`: counts that are kept of each strip.
     BodyStrips(const BlockInput& input, size_t groups) {
-        constexpr size_t mostCounts = 1 << 14, mostStrips = 32;
+        constexpr size_t mostCounts = 1 << 14;
         const std::span<const BodyIndex> bodies = input.bodies.Listed();
         if (!input.pool.IsOpen() || bodies.empty()) return;
-        m_count = std::clamp(mostCounts / groups, size_t{1}, mostStrips);
+        m_count = std::clamp(mostCounts / groups, size_t{1}, most);
         m_first = ToInt(bodies.front());  // lists are more or less in order
         const int last = ToInt(bodies.back());
         while ((last - m_first) >> m_shift >= static_cast<int>(m_count)) ++m_shift;
@@ -147,7 +149,23 @@ void ContactBlocks::Sort(const BlockInput& input) {
     GatherParts<int, 2>(input.pool, static_cast<int>(count), leastContactsToShare, {&m_movers, &m_fixed}, sort);
 }
 
-void ContactBlocks::ColourMovers(ColoursTaken& taken) {
+/// Deals the contacts to slices, and finds those between two.
+void ContactBlocks::Slice(const BlockInput& input) {
+    const auto sliceOf = [&](BodyIndex body) { return m_slices.Of(input.bodies, body); };
+    const auto slice = [&](int begin, int end, const std::array<int*, 1>& places) {
+        int* cut = places[0];
+        for (int i = begin; i < end; ++i) {
+            SidedContact& contact = m_sided[ToSize(i)];
+            contact.slice = sliceOf(contact.b);
+            *cut = i;
+            cut += !contact.isFixedA && sliceOf(contact.a) != contact.slice ? 1 : 0;
+        }
+        return std::array{static_cast<size_t>(cut - places[0])};
+    };
+    GatherParts<int, 1>(input.pool, static_cast<int>(m_sided.size()), leastContactsToShare, {&m_cut}, slice);
+}
+
+void ContactBlocks::ColourMovers(Column<BodyIndex, uint64_t>& taken) {
     int base = 0;
     while (!m_movers.empty()) {
         for (const int i : m_movers) {
@@ -177,7 +195,7 @@ void ContactBlocks::ColourMovers(ColoursTaken& taken) {
     m_colourCount = m_moverColourCount = base;
 }
 
-void ContactBlocks::ColourFixed(ColoursTaken& taken) {
+void ContactBlocks::ColourFixed(Column<BodyIndex, uint64_t>& taken) {
     // The k-th contact of a body with the unmovable has the k-th colour.
     for (const int i : m_fixed) taken[At(i).b] = 0;
     int most = 0;
@@ -189,36 +207,68 @@ void ContactBlocks::ColourFixed(ColoursTaken& taken) {
     m_colourCount += most;
 }
 
-void ContactBlocks::MakeRanges(const BlockInput& input) {
-    // Counting sort by (colour, points, strip) into blocks, a count for each part of the list.
+void ContactBlocks::MakeRanges(const BlockInput& input, int chains, Column<BodyIndex, uint8_t>& isAtBorder) {
+    // Counting sort by (colour, points, strip) into blocks, a count for each part of the list. Of each chain there are
+    // two strips: its border and the rest.
     const Parts parts(input.pool, static_cast<int>(m_sided.size()), leastContactsToShare);
     const size_t groupCount = ToSize(m_colourCount * kindCount);
     const BodyStrips strips(input, groupCount * ToSize(parts.Count()));
-    const auto startOf = [&](int part, size_t i) -> int& {
-        const size_t group = ToSize(m_colours[i] * kindCount + (m_sided[i].hasTwoPoints ? 1 : 0));
-        return m_start[(ToSize(part) * groupCount + group) * strips.Count() + strips.Of(m_sided[i].b)];
+    constexpr int leastBlocks = 16, leastOfTests = 1;  // of a chain in a colour: else threads would mostly wait
+    const int least = input.pool.SharesAlways() ? leastOfTests : leastBlocks;
+    const bool hasChains =
+        chains > 1 && static_cast<int>(m_sided.size()) >= blockLanes * least * chains * m_colourCount;
+    const size_t stripCount = hasChains ? 2 * ToSize(chains) : strips.Count();
+    const auto isBorder = [&](const SidedContact& contact) {
+        return isAtBorder[contact.b] != 0 || (!contact.isFixedA && isAtBorder[contact.a] != 0);
     };
-    m_start.assign(groupCount * strips.Count() * ToSize(parts.Count()), 0);
+    const auto startOf = [&](int part, size_t i) -> int& {
+        const SidedContact& contact = m_sided[i];
+        const size_t group = ToSize(m_colours[i] * kindCount + (contact.hasTwoPoints ? 1 : 0));
+        const size_t strip = hasChains ? 2 * size_t{contact.slice} + (isBorder(contact) ? 0 : 1) : strips.Of(contact.b);
+        return m_start[(ToSize(part) * groupCount + group) * stripCount + strip];
+    };
+    m_start.assign(groupCount * stripCount * ToSize(parts.Count()), 0);
     parts.For(input.pool, [&](int part, int begin, int end) {
         for (size_t i = ToSize(begin); i < ToSize(end); ++i) ++startOf(part, i);
     });
     m_ranges.clear();
+    m_chains.Clear();
+    m_sections.clear();
+    std::array<int, BodySlices::most> sizes{};
+    const auto blocksOf = [](int lanes) { return (lanes + blockLanes - 1) / blockLanes; };
     int block = 0;
+    m_blockCount = 0;
     for (size_t g = 0; g < groupCount; ++g) {
-        int lanes = 0;
-        for (size_t strip = 0; strip < strips.Count(); ++strip) {
+        const int first = block;
+        int lanes = 0, count = 0;  // lanes from `block` on; contacts
+        for (size_t strip = 0; strip < stripCount; ++strip) {
+            const bool endsChain = hasChains && strip % 2 == 1;
+            const int border = blocksOf(lanes);
             for (int part = 0; part < parts.Count(); ++part) {
-                int& start = m_start[(ToSize(part) * groupCount + g) * strips.Count() + strip];
+                int& start = m_start[(ToSize(part) * groupCount + g) * stripCount + strip];
+                count += start;
+                if (hasChains) sizes[strip / 2] += start;
                 lanes += std::exchange(start, block * blockLanes + lanes);
             }
+            if (!endsChain) continue;
+            m_sections.push_back({block, block + border, block + blocksOf(lanes)});
+            block += blocksOf(std::exchange(lanes, 0));
         }
-        const int blocks = (lanes + blockLanes - 1) / blockLanes;
+        block += blocksOf(lanes);
+        m_blockCount += blocksOf(count);
         const bool fixedA = static_cast<int>(g / kindCount) >= m_moverColourCount;
-        if (blocks > 0) {
+        if (count > 0) {
             const auto colour = static_cast<int32_t>(g / kindCount);
-            m_ranges.push_back({block, block + blocks, {fixedA, g % kindCount == 1}, colour});
+            m_ranges.push_back({first, block, {fixedA, g % kindCount == 1}, colour});
+        } else if (hasChains) {
+            m_sections.resize(m_sections.size() - ToSize(chains));
         }
-        block += blocks;
+    }
+    if (hasChains) {
+        m_chains.Build(chains, m_sections, m_ranges);
+        int atBorder = 0;
+        for (const BlockChains::Section& section : m_sections) atBorder += section.border - section.begin;
+        m_slices.Note(std::span(sizes).first(ToSize(chains)), blockLanes * atBorder);
     }
     Renew(m_blocks, ToSize(block));
     const size_t lanes = (m_blocks.size() + blocksAhead) * blockLanes;
@@ -330,39 +380,65 @@ FillFindings ContactBlocks::FillRange(const BlockInput& input, size_t begin, siz
 void ContactBlocks::Fill(const BlockInput& input) {
     constexpr int leastBlocksToFill = 16;
     FillFindings found[maxWorkers];
-    input.pool.For(static_cast<int>(m_blocks.size()), leastBlocksToFill, [&](int begin, int end, int worker) {
-        found[worker] |= FillRange(input, ToSize(begin), ToSize(end));
-    });
+    For(input.pool, leastBlocksToFill,
+        [&](int begin, int end, int worker) { found[worker] |= FillRange(input, ToSize(begin), ToSize(end)); });
     m_findings = {};
     for (const FillFindings& one : found) m_findings |= one;
 }
 
 bool ContactBlocks::IsLaidOut(const BlockInput& input) const {
-    return m_grouping == input.contacts.grouping &&
+    return m_grouping == input.contacts.grouping && (m_slices.Count() == 1 || m_slices.Count() == m_sliceCount) &&
            std::equal(m_sided.begin(), m_sided.end(), input.list.begin(), input.list.end(),
                       [](const SidedContact& was, ContactIndex contact) { return was.contact == contact; });
 }
 
-void ContactBlocks::LayOut(const BlockInput& input, ColoursTaken& taken) {
-    taken.resize(ToSize(input.bodies.slots.Size()));
+/// Steps that threads share follow on steps that one thread does alone, and are not to allocate for that.
+void ContactBlocks::ReserveForThreads(size_t chains) {
+    const size_t groups = ToSize(m_colourCount * kindCount), count = m_sided.size();
+    const size_t blocks = count / blockLanes + groups * (chains + 1) + blocksAhead;
+    ReserveRows(groups * std::max(2 * chains, BodyStrips::most), m_start);
+    ReserveRows(groups * chains, m_sections);
+    ReserveRows(groups, m_ranges);
+    ReserveRows(count, m_cut);
+    ReserveRows(blocks * blockLanes, m_order, m_contact);
+    m_chains.Reserve(chains, groups);
+    if (m_blocks.capacity() < blocks) {
+        m_blocks.clear();
+        m_blocks.reserve(blocks + blocks / 16);
+    }
+}
+
+void ContactBlocks::LayOut(const BlockInput& input, BodyMarks& marks) {
+    const size_t rows = ToSize(input.bodies.slots.Size());
+    marks.coloursTaken.resize(rows);
+    const bool mayShare = input.pool.GetWorkerCount() > 1;
+    if (mayShare) EnsureRows(marks.isAtBorder, rows);
+    const int chains = m_sliceCount = m_slices.Count();
     Sort(input);
-    ColourMovers(taken);
-    ColourFixed(taken);
-    MakeRanges(input);
+    ColourMovers(marks.coloursTaken);
+    ColourFixed(marks.coloursTaken);
+    m_cut.clear();
+    if (chains > 1) Slice(input);
+    const auto mark = [&](uint8_t isAtBorder) {
+        for (const int i : m_cut) marks.isAtBorder[At(i).a] = marks.isAtBorder[At(i).b] = isAtBorder;
+    };
+    mark(1);
+    if (mayShare) ReserveForThreads(ToSize(std::min(input.pool.GetWorkerCount(), BodySlices::most)));
+    MakeRanges(input, chains, marks.isAtBorder);
+    mark(0);
     m_grouping = input.contacts.grouping;
 }
 
-void ContactBlocks::Build(const BlockInput& input, ColoursTaken& taken) {
+void ContactBlocks::Build(const BlockInput& input, BodyMarks& marks) {
     m_isFresh = !IsLaidOut(input);
-    if (m_isFresh) LayOut(input, taken);
+    if (m_isFresh) LayOut(input, marks);
     Fill(input);
 }
 
 void ContactBlocks::Store(float scale, TaskPool& pool, Column<ContactIndex, Manifold>& manifold) const {
     constexpr int leastBlocksToStore = 64;
-    pool.ForIfWide(static_cast<int>(m_blocks.size()), leastBlocksToStore, [&](int begin, int end, int /*worker*/) {
-        StoreRange(ToSize(begin), ToSize(end), scale, manifold);
-    });
+    ForIfWide(pool, leastBlocksToStore,
+              [&](int begin, int end, int /*worker*/) { StoreRange(ToSize(begin), ToSize(end), scale, manifold); });
 }
 
 void ContactBlocks::StoreRange(size_t begin, size_t end, float scale, Column<ContactIndex, Manifold>& manifold) const {
@@ -437,6 +513,7 @@ KernelTask ContactBlocks::Task(Column<BodyIndex, Velocity>& velocity, Column<Bod
     return {.blocks = m_blocks.data(),
             .ranges = m_ranges.data(),
             .rangeCount = static_cast<int32_t>(m_ranges.size()),
+            .chains = m_chains.IsEmpty() ? nullptr : &m_chains,
             .velocity = &velocity.data()->v.x,
             .delta = &delta.data()->v.x,
             .soft = {},

@@ -13,6 +13,8 @@
 #include "base/bytes.h"
 #include "base/leave_raw.h"
 #include "base/task_pool.h"
+#include "constraints/block_chains.h"
+#include "constraints/body_slices.h"
 #include "constraints/contact_block.h"
 #include "scree/collision.h"
 #include "scree/settings.h"
@@ -42,16 +44,23 @@ struct BlockInput {
     const ContactKernels& kernels = GetContactKernels();
 };
 
-/// Scratch of colouring: per body of the world the colours taken in a round. Blocks that are built at once need their
-/// own; each of many need not, which would be as many rows as bodies times blocks.
-using ColoursTaken = Column<BodyIndex, uint64_t>;
+/// Scratch of colouring, by body of the world. Blocks that are built at once need their own; each of many need not,
+/// which would be as many rows as bodies times blocks.
+struct BodyMarks {
+    Column<BodyIndex, uint64_t> coloursTaken;  ///< in a round
+    Column<BodyIndex, uint8_t> isAtBorder;     ///< contacts of several chains push it; 0 between layouts
+
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(coloursTaken, isAtBorder); }
+};
 
 /// Blocks, kept between steps.
 class ContactBlocks {
 public:
+    /// How threads share the blocks; of the step, before Build.
+    [[nodiscard]] BodySlices& GetSlices() { return m_slices; }
     /// Colours and fills; colours are kept while the list and its grouping are the same. O(contacts); with more than 64
     /// contacts on one body in rounds of 64 colours.
-    void Build(const BlockInput& input, ColoursTaken& taken);
+    void Build(const BlockInput& input, BodyMarks& marks);
     /// Writes the impulses into the manifolds, times `scale`.
     void Store(float scale, TaskPool& pool, Column<ContactIndex, Manifold>& manifold) const;
     /// Impulses summed over the step (soft step) or accumulated, by position in the list; for reports.
@@ -68,6 +77,8 @@ public:
 
     [[nodiscard]] KernelTask Task(Column<BodyIndex, Velocity>& velocity, Column<BodyIndex, Velocity>& delta);
     [[nodiscard]] bool IsEmpty() const { return m_ranges.empty(); }
+    /// How many blocks one thread alone would have; several may have some more.
+    [[nodiscard]] int GetBlockCount() const { return m_blockCount; }
     [[nodiscard]] bool Bounces() const { return m_findings.bounces; }
     /// Contacts with initial overlap (SteadyContact).
     [[nodiscard]] int GetInitialOverlapCount() const { return m_findings.initialOverlaps; }
@@ -82,7 +93,8 @@ public:
     [[nodiscard]] size_t GetRoom() const { return m_sided.capacity(); }
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(m_blocks, m_ranges, m_sided, m_colours, m_movers, m_fixed, m_next, m_start, m_lane, m_order,
-                       m_contact);
+                       m_contact, m_cut, m_sections) +
+               m_chains.GetMemoryBytes();
     }
 
 private:
@@ -96,17 +108,20 @@ private:
         bool isCircles : 1, hasTwoPoints : 1;
         bool isFixedA : 1;   ///< side A cannot be pushed
         bool isSwapped : 1;  ///< side A is the contact's B
+        uint8_t slice = 0;   ///< that of side B
     };
     static_assert(sizeof(SidedContact) == 24, "worlds have a hundred thousand of them, read three times a step");
 
     static SidedContact SortSides(const BlockInput& input, ContactIndex contact);
 
     [[nodiscard]] bool IsLaidOut(const BlockInput& input) const;
-    void LayOut(const BlockInput& input, ColoursTaken& taken);
+    void LayOut(const BlockInput& input, BodyMarks& marks);
     void Sort(const BlockInput& input);
-    void ColourMovers(ColoursTaken& taken);
-    void ColourFixed(ColoursTaken& taken);
-    void MakeRanges(const BlockInput& input);
+    void Slice(const BlockInput& input);
+    void ColourMovers(Column<BodyIndex, uint64_t>& taken);
+    void ColourFixed(Column<BodyIndex, uint64_t>& taken);
+    void MakeRanges(const BlockInput& input, int chains, Column<BodyIndex, uint8_t>& isAtBorder);
+    void ReserveForThreads(size_t chains);
     void Fill(const BlockInput& input);
     [[nodiscard]] bool AreKept(const BlockInput& input, size_t block) const;
     void NameContacts(size_t block, FillLanes& lanes) const;
@@ -118,12 +133,28 @@ private:
     template <typename Visit>
     void ForEachLane(TaskPool& pool, Visit&& visit) const {
         constexpr int least = 64;  // blocks that are worth sharing
-        pool.ForIfWide(static_cast<int>(m_blocks.size()), least, [&](int begin, int end, int /*worker*/) {
+        ForIfWide(pool, least, [&](int begin, int end, int /*worker*/) {
             for (size_t k = ToSize(begin); k < ToSize(end); ++k) {
                 for (size_t l = 0; l < blockLanes && m_blocks[k].slot[l] >= 0; ++l)
                     visit(m_contact[k * blockLanes + l], k, l);
             }
         });
+    }
+    /// Calls body(begin, end, worker) for all blocks, those of a chain on its thread.
+    template <typename Body>
+    void For(TaskPool& pool, int least, Body&& body) const {
+        if (m_chains.IsEmpty() || !pool.IsOpen()) return pool.For(static_cast<int>(m_blocks.size()), least, body);
+        const std::span<const BlockChains::Section> sections = m_chains.GetSections();
+        pool.For(static_cast<int>(sections.size()), 2, [&](int begin, int end, int worker) {
+            for (const BlockChains::Section& section : sections.subspan(ToSize(begin), ToSize(end - begin)))
+                body(section.begin, section.end, worker);
+        });
+    }
+    /// The same for what takes so little that two threads gain nothing without chains.
+    template <typename Body>
+    void ForIfWide(TaskPool& pool, int least, Body&& body) const {
+        if (!m_chains.IsEmpty()) return For(pool, least, body);
+        pool.ForIfWide(static_cast<int>(m_blocks.size()), least, body);
     }
     /// By position in the list.
     [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }
@@ -134,13 +165,19 @@ private:
     std::vector<int> m_colours;           ///< per contact of the list
     std::vector<int> m_movers, m_fixed;   ///< positions in the list; movers that have no colour yet
     std::vector<int> m_next;              ///< the same for the next round
+    std::vector<int> m_cut;               ///< positions in the list of contacts between slices
     std::vector<int> m_start;             ///< per part of the list, group and strip: first lane
     std::vector<int> m_lane;              ///< per contact of the list: block · 8 + lane
     std::vector<int> m_order;             ///< per lane, and some more: position in the list, −1 to spare
     std::vector<ContactIndex> m_contact;  ///< the same: contact, 0 to spare
     uint64_t m_grouping = 0;              ///< that of the table (ContactTable::grouping) when it was laid out
     bool m_isFresh = true;                ///< laid out in this call of Build
-    int m_moverColourCount = 0;           ///< colours below it have two movers a contact, the others one
+    BodySlices m_slices;
+    BlockChains m_chains;                          ///< none where threads do not share the blocks
+    std::vector<BlockChains::Section> m_sections;  ///< by group and chain
+    int m_sliceCount = 1;                          ///< when it was laid out
+    int m_blockCount = 0;
+    int m_moverColourCount = 0;  ///< colours below it have two movers a contact, the others one
     int m_colourCount = 0;
     FillFindings m_findings;
 };

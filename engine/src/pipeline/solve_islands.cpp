@@ -130,14 +130,23 @@ public:
           m_kernels(GetContactKernels()) {}
 
     void Prepare(const FixtureTable& fixtures) {
+        BodySlices& slices = m_blocks.GetSlices();
+        slices.Update(Pool(), m_bodies, m_tables.contacts, m_contacts);
+        m_own = slices.Sort(m_bodies, m_own, m_s.sliced);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             ForEachOf(Pool(), m_own.size(),
                       [&](size_t i) { IntegrateVelocity<forces>(m_settings, m_bodies, m_own[i]); });
         });
         m_s.locked.Gather(m_settings.kernels, m_own, m_bodies);
-        m_blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_contacts, m_settings.impulseScale,
-                        m_settings.kernels.restitution, m_settings.lengthScale},
-                       m_s.coloursTaken);
+        m_blocks.Build({.pool = Pool(),
+                        .bodies = m_bodies,
+                        .fixtures = fixtures,
+                        .contacts = m_tables.contacts,
+                        .list = m_contacts,
+                        .impulseScale = m_settings.impulseScale,
+                        .restitution = m_settings.kernels.restitution,
+                        .lengthScale = m_settings.lengthScale},
+                       m_s.marks);
         m_task = m_blocks.Task(m_bodies.velocity, m_delta);
         m_task.friction = m_settings.kernels.friction;
         m_task.largestPush = maxLinearCorrection * m_settings.lengthScale;
@@ -151,9 +160,12 @@ public:
     }
 
     void SolveVelocities() {
-        for (int i = 0; i < m_settings.velocityIterations; ++i) {
+        // Where nothing comes between the passes over contacts, they are one.
+        const bool isBare = !HasJoints() && m_s.rolling.IsEmpty() && m_s.locked.IsEmpty();
+        const int passes = isBare ? m_settings.velocityIterations : 1;
+        for (int i = 0; i < m_settings.velocityIterations; i += passes) {
             if (HasJoints()) SolveJointVelocities(JointWork());
-            RunKernel(Pool(), m_task, m_kernels.solveRigid);
+            RunKernel(Pool(), m_task, m_kernels.solveRigid, passes);
             m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_blocks.GetPressure(at); });
             m_s.locked.Stop(m_bodies.velocity);
         }

@@ -177,6 +177,7 @@ public:
         m_s.delta.resize(ToSize(m_bodies.slots.Size()));
         m_s.jointed.clear();
         if (HasJoints()) m_s.startVelocities.Reserve(m_bodies.velocity.size());
+        m_s.blocks.GetSlices().Update(Pool(), m_bodies, m_tables.contacts, m_islands.contacts);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
         const bool isLoaded = HasJoints() && IsLoaded();
@@ -188,7 +189,7 @@ public:
         m_s.blocks.Build(
             {Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
              m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true},
-            m_s.coloursTaken);
+            m_s.marks);
         PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
@@ -266,10 +267,11 @@ private:
 
     template <bool forces>
     void PrepareBodies() {
-        m_s.soft.resize(m_islands.bodies.size());
+        const std::span<const BodyIndex> list = m_s.blocks.GetSlices().Sort(m_bodies, m_islands.bodies, m_s.sliced);
+        m_s.soft.resize(list.size());
         ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) {
-            m_bodies.NoteStart(m_islands.bodies[i]);
-            m_s.soft[i] = MakeSoftBody<forces>(m_settings, m_bodies, m_islands.bodies[i]);
+            m_bodies.NoteStart(list[i]);
+            m_s.soft[i] = MakeSoftBody<forces>(m_settings, m_bodies, list[i]);
         });
         if (!HasJoints()) return;
         for (size_t i = 0; i < m_s.soft.size(); ++i) {
@@ -285,7 +287,7 @@ private:
     [[nodiscard]] int CountPasses() const {
         constexpr int leastPasses = 2, leastInCrowd = 8, mostPasses = 128;
         constexpr int visitsToStep = 1 << 14;  // of blocks
-        const int blocks = m_task.GetBlockCount();
+        const int blocks = m_s.blocks.GetBlockCount();
         const float share = static_cast<float>(m_s.blocks.GetInitialOverlapCount()) / static_cast<float>(blocks);
         const int wanted = static_cast<int>(4.0f * share * share);
         return std::clamp(wanted, leastPasses, std::clamp(visitsToStep / blocks, leastInCrowd, mostPasses));
@@ -298,7 +300,7 @@ private:
     }
     [[nodiscard]] int CountStiffenedPasses() const {
         constexpr int leastPasses = 8, mostPasses = 512, visits = 1 << 19;
-        return std::clamp(visits / m_task.GetBlockCount(), leastPasses, mostPasses);
+        return std::clamp(visits / m_s.blocks.GetBlockCount(), leastPasses, mostPasses);
     }
     /// Overlap in which bodies were made is not the doing of any speed, and pushing it apart is to leave none. So only
     /// positions move, before the first sub-step, and springs do not see it. A squeezed pile rises without being
@@ -330,7 +332,7 @@ private:
                   [&](const KernelTask& part, int) { m_kernels.endParting(part, parting, done * m_settings.Slop()); });
         m_s.blocks.StoreInitialOverlaps(Pool(), m_tables.contacts.steady);
         // In a crowd bodies are pushed into others that they had no contact with.
-        const bool isCrowd = 2 * m_s.blocks.GetInitialOverlapCount() > blockLanes * m_task.GetBlockCount();
+        const bool isCrowd = 2 * m_s.blocks.GetInitialOverlapCount() > blockLanes * m_s.blocks.GetBlockCount();
         m_tables.contacts.addsFresh = m_tables.contacts.addsFresh || isCrowd;
         // What still parts does not sleep.
         const float way = SleepSpeed(m_settings) * m_settings.dt;

@@ -32,6 +32,7 @@ public:
             if (IsLockedBy(bodies, body, BodyFlag::lockY)) m_y.push_back(body);
         }
     }
+    [[nodiscard]] bool IsEmpty() const { return m_x.empty() && m_y.empty(); }
     /// In a column of velocities, or of motions since the start of the step.
     void Stop(Column<BodyIndex, Velocity>& column) const {
         for (const BodyIndex body : m_x) column[body].v.x = 0.0f;

@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// One pass of a contact kernel over all blocks, on the workers: colour by colour, since the blocks of one colour push
-// different bodies. Colours with few blocks stay on the caller.
+// Passes of a contact kernel over all blocks, on the workers: in chains (constraints/block_chains.h), or colour by
+// colour, since the blocks of one colour push different bodies. Colours with few blocks stay on the caller.
 
 #pragma once
 
+#include <atomic>
+#include <limits>
+
 #include "base/task_pool.h"
+#include "constraints/block_chains.h"
 #include "constraints/contact_block.h"
 #include "scree/math.h"
 
@@ -42,9 +46,9 @@ void RunBlocks(const KernelTask& task, int begin, int end, int worker, Pass&& pa
     }
 }
 
-/// Calls pass(task, worker) with tasks that cover all ranges in order.
+/// One pass, colour by colour.
 template <typename Pass>
-void RunKernel(TaskPool& pool, const KernelTask& task, Pass&& pass) {
+void RunPass(TaskPool& pool, const KernelTask& task, Pass&& pass) {
     if (!pool.IsOpen()) return pass(task, 0);
     const auto run = [&](int begin, int end) {  // ranges
         KernelTask part = task;
@@ -69,8 +73,88 @@ void RunKernel(TaskPool& pool, const KernelTask& task, Pass&& pass) {
     }
     if (small < task.rangeCount) pass(run(small, task.rangeCount), 0);
 }
-inline void RunKernel(TaskPool& pool, const KernelTask& task, void (*kernel)(const KernelTask&)) {
-    RunKernel(pool, task, [kernel](const KernelTask& part, int) { kernel(part); });
+
+/// Passes in chains. A step is done by whoever claims it: mostly the thread of its chain, but a thread that waits for
+/// one that has not come yet does its steps, too.
+template <typename Pass>
+class ChainRun {
+public:
+    ChainRun(const KernelTask& task, int passes, Pass& pass)
+        : m_task(task), m_chains(*task.chains), m_passes(passes), m_pass(pass) {}
+
+    /// Until all steps of a chain are done.
+    void Follow(int chain, int worker) {
+        for (int turns = 0; !IsDone(chain); ++turns) {
+            if (TryStep(chain, worker) || (turns >= patience && HelpOut(chain, worker))) turns = -1;
+            if (turns >= 0) TaskPool::GiveWay(turns);
+        }
+    }
+
+private:
+    static constexpr int patience = 16;
+
+    /// 2 · steps done, + 1 while the next one is at work.
+    struct alignas(64) Place {
+        std::atomic<int32_t> at{0};
+    };
+    [[nodiscard]] int StepsOf(int chain) const { return static_cast<int>(m_chains.GetSteps(chain).size()); }
+    [[nodiscard]] int StepsDone(int chain) const { return m_places[chain].at.load(std::memory_order_acquire) / 2; }
+    [[nodiscard]] bool IsDone(int chain) const { return StepsDone(chain) == m_passes * StepsOf(chain); }
+
+    [[nodiscard]] bool MayBegin(const BlockChains::Step& step, int pass) const {
+        if (step.needs < 0) return true;
+        int chain = 0;
+        for (const int32_t needed : m_chains.GetNeeds(step.needs)) {
+            if (needed != BlockChains::nothing && StepsDone(chain) < pass * StepsOf(chain) + needed) return false;
+            ++chain;
+        }
+        return true;
+    }
+    bool TryStep(int chain, int worker) {
+        std::atomic<int32_t>& place = m_places[chain].at;
+        int32_t at = place.load(std::memory_order_acquire);
+        const std::span<const BlockChains::Step> steps = m_chains.GetSteps(chain);
+        const int count = static_cast<int>(steps.size()), done = at / 2;
+        if (at % 2 != 0 || done == m_passes * count) return false;
+        const BlockChains::Step& step = steps[ToSize(done % count)];
+        if (!MayBegin(step, done / count)) return false;
+        if (!place.compare_exchange_strong(at, at + 1, std::memory_order_acquire)) return false;
+        KernelTask part = m_task;
+        part.ranges = &m_chains.GetRange(step.firstRange);
+        part.rangeCount = step.endRange - step.firstRange;
+        m_pass(part, worker);
+        place.store(at + 2, std::memory_order_release);
+        return true;
+    }
+    bool HelpOut(int chain, int worker) {
+        for (int other = 0; other < m_chains.Count(); ++other) {
+            if (other != chain && TryStep(other, worker)) return true;
+        }
+        return false;
+    }
+
+    const KernelTask& m_task;
+    const BlockChains& m_chains;
+    const int m_passes;
+    Pass& m_pass;
+    Place m_places[BlockChains::most];
+};
+
+/// Calls pass(task, worker) with tasks that cover all ranges in order, as often as told.
+template <typename Pass>
+void RunKernel(TaskPool& pool, const KernelTask& task, Pass&& pass, int passes = 1) {
+    if (task.chains != nullptr && pool.RunsThreads()) {
+        ChainRun run(task, passes, pass);
+        pool.For(task.chains->Count(), 2, [&](int begin, int end, int worker) {
+            for (int chain = begin; chain < end; ++chain) run.Follow(chain, worker);
+        });
+        return;
+    }
+    for (int i = 0; i < passes; ++i) RunPass(pool, task, pass);
+}
+inline void RunKernel(TaskPool& pool, const KernelTask& task, void (*kernel)(const KernelTask&), int passes = 1) {
+    RunKernel(
+        pool, task, [kernel](const KernelTask& part, int) { kernel(part); }, passes);
 }
 
 /// The smallest separation of a pass of pushApart.

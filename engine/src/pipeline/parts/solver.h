@@ -106,12 +106,13 @@ struct IslandRows {
     RollingRows rolling;
     LockedBodies locked;
     JointConstraints joints;
-    ColoursTaken coloursTaken;
-    ContactBlocks blocks;  ///< of islands whose blocks are not kept
+    BodyMarks marks;
+    std::vector<BodyIndex> sliced;  ///< bodies of the island, by slice
+    ContactBlocks blocks;           ///< of islands whose blocks are not kept
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(contacts.velocity, contacts.position, coloursTaken) + rolling.GetMemoryBytes() +
-               locked.GetMemoryBytes() + joints.GetMemoryBytes() + blocks.GetMemoryBytes();
+        return BytesOf(contacts.velocity, contacts.position, sliced) + marks.GetMemoryBytes() +
+               rolling.GetMemoryBytes() + locked.GetMemoryBytes() + joints.GetMemoryBytes() + blocks.GetMemoryBytes();
     }
 };
 
@@ -136,12 +137,13 @@ struct SolverScratch {
     JointTree tree;
     JointTree restTree;    ///< of `rest`; each keeps its order while its joints stay the same
     ContactBlocks blocks;  ///< of the soft step, as the rows that follow
-    ColoursTaken coloursTaken;
+    BodyMarks marks;
     RollingRows rolling;
     LoadedBodies loaded;
     LockedBodies locked;
     JointConstraints joints;
     Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
+    std::vector<BodyIndex> sliced;      ///< bodies of islands, by slice
     std::vector<SoftBody> soft;
     StartVelocities startVelocities;
     std::vector<int> jointed;  ///< rows of `soft`
@@ -160,7 +162,7 @@ struct SolverScratch {
         size_t ofIslands = BytesOf(islandRows, wide, jobs, lone, colours);
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
-        return ofIslands + BytesOf(coloursTaken, delta, soft, jointed, netted, before, impulses) +
+        return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, before, impulses) +
                rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
                restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() +
                rolling.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
@@ -168,12 +170,13 @@ struct SolverScratch {
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
         blocks = {};
-        coloursTaken = {};
+        marks = {};
         rolling = {};
         loaded = {};
         locked = {};
         joints = {};
         delta = {};
+        sliced = {};
         soft = {};
         startVelocities = {};
         jointed = {};

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Space in slices, one for each thread, with about as many contacts in each. What a thread does with the bodies and
+// contacts of its slice stays in its caches from loop to loop and from step to step.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/task_pool.h"
+#include "state/bodies.h"
+#include "state/contacts.h"
+
+namespace scree {
+
+class BodySlices {
+public:
+    static constexpr int most = 16;
+
+    /// For the coming step. Slices stay where they are until they have become uneven, or other threads are to share.
+    void Update(const TaskPool& pool, const BodyTable& bodies, const ContactTable& contacts,
+                std::span<const ContactIndex> list);
+    /// How many contacts are in each slice, and how many of all push bodies that those of other slices push, too.
+    void Note(std::span<const int> sizes, int atBorder);
+
+    /// 1 where threads do not share the contacts, or too many contacts would be between slices.
+    [[nodiscard]] int Count() const { return m_count; }
+    [[nodiscard]] uint8_t Of(const BodyTable& bodies, BodyIndex body) const {
+        return static_cast<uint8_t>(SliceOf(Place(bodies, body, m_order), m_cuts, m_count));
+    }
+    /// The bodies of a list slice by slice: in `sliced`, or the list itself where there is one slice.
+    [[nodiscard]] std::span<const BodyIndex> Sort(const BodyTable& bodies, std::span<const BodyIndex> list,
+                                                  std::vector<BodyIndex>& sliced) const;
+
+private:
+    /// Along which bodies are cut. By number, what other loops of a step do with them stays in the same caches, too.
+    enum class Order : uint8_t { byNumber, byX, byY };
+
+    static float Place(const BodyTable& bodies, BodyIndex body, Order order) {
+        if (order == Order::byNumber) return static_cast<float>(ToInt(body));
+        const Vec2 centre = bodies.position[body].c;
+        return order == Order::byX ? centre.x : centre.y;
+    }
+    static int SliceOf(float place, const std::array<float, most>& cuts, int count) {
+        int slice = 0;
+        for (int i = 0; i + 1 < count; ++i) slice += place >= cuts[ToSize(i)] ? 1 : 0;
+        return slice;
+    }
+    bool Cut(const BodyTable& bodies, const ContactTable& contacts, std::span<const ContactIndex> list, int count);
+
+    int m_count = 1;
+    int m_wanted = 1;       ///< when they were cut
+    int m_age = 0;          ///< steps since they could not be cut
+    int m_longBorders = 0;  ///< how often the border was long
+    bool m_isUneven = false;
+    bool m_mayShare = false;
+    Order m_order = Order::byNumber;
+    std::array<float, most> m_cuts{};  ///< between slices
+};
+
+}  // namespace scree
