@@ -178,11 +178,8 @@ void ListByBodyShared(const ContactTable& contacts, const BodyTable& bodies, Tas
     });
 }
 
-/// Contacts of each mover that has some; these movers become `touched`, the others `untouched`. Returns the number of
-/// contacts.
-size_t BuildAdjacency(const ContactTable& contacts, TaskPool& pool, BodyTable& bodies, IslandScratch& s) {
-    GatherSolved(contacts, pool, s.rows, [](ContactIndex) { return true; });
-    ListMoversOf(s.rows, contacts, bodies);
+/// Contacts of each mover that has some of `rows`; these movers become `touched`, the others `untouched`.
+void BuildAdjacency(const ContactTable& contacts, TaskPool& pool, const BodyTable& bodies, IslandScratch& s) {
     ClearForListed(bodies, s.end);
     ClearForListed(bodies, s.progress);
     EnsureRows(s.first, s.end.size());
@@ -192,7 +189,6 @@ size_t BuildAdjacency(const ContactTable& contacts, TaskPool& pool, BodyTable& b
     } else {
         ListByBody(contacts, bodies, s);
     }
-    return s.rows.size();
 }
 
 class IslandSearch {
@@ -307,8 +303,12 @@ private:
 
 void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& pool, BodyTable& bodies,
                  IslandScratch& scratch, IslandTable& islands, IsolatedPath path) {
+    GatherSolved(contacts, pool, scratch.rows, [](ContactIndex) { return true; });
+    ListMoversOf(scratch.rows, contacts, bodies);
+    if (scratch.memo.IsAnswered({contacts, joints, bodies, scratch.rows, path == IsolatedPath::apart}, islands)) return;
     islands.Clear();
-    islands.contacts.reserve(BuildAdjacency(contacts, pool, bodies, scratch));
+    islands.contacts.reserve(scratch.rows.size());
+    BuildAdjacency(contacts, pool, bodies, scratch);
     scratch.jointSeen.assign(joints.info.size(), 0);
 
     const bool anyJoints = IsSome(joints.listHead);
@@ -333,6 +333,7 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& poo
     for (const BodyIndex seed : scratch.seeds) {
         if (scratch.progress[seed] < IslandScratch::seen) search.Grow(seed);
     }
+    scratch.memo.Stamp(islands);
 }
 
 bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/task_pool.h"
+#include "pipeline/parts/island_memo.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
 #include "state/islands.h"
@@ -35,12 +36,13 @@ struct IslandScratch {
     Column<JointIndex, uint8_t> jointSeen;
     std::vector<BodyIndex> seeds;  ///< awake bodies that are not isolated
     std::vector<BodyIndex> stack;
+    IslandMemo memo;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return (rows.capacity() + first.capacity() + end.capacity() + seeds.capacity() + stack.capacity() +
                 roused.capacity()) *
                    sizeof(int) +
-               entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity();
+               entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity() + memo.GetMemoryBytes();
     }
 };
 
@@ -52,7 +54,7 @@ enum class IsolatedPath : uint8_t {
 
 /// Depth-first search from every awake body (as Box2D does it: static bodies do not connect islands; sleeping bodies
 /// that are reached wake up, their sleep timers keep running). O(contacts +
-/// joints + movers).
+/// joints + movers); where nothing that matters has changed since the last search, its islands stay.
 void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& pool, BodyTable& bodies,
                  IslandScratch& scratch, IslandTable& islands, IsolatedPath path = IsolatedPath::apart);
 

@@ -78,10 +78,11 @@ void GatherLists(const SolverSettings& settings, TaskPool& pool, ContactTable& c
         return;
     }
     const Tolerance* tolerance = settings.tolerance;
-    lists.islands.Clear();
     if (tolerance != nullptr || NeedsIslands(contacts, joints, pool, bodies, settings.dt)) {
         FindIslands(contacts, joints, pool, bodies, scratch, lists.islands, path);
         RouseContacts(bodies, contacts);
+    } else {
+        lists.islands.Clear();
     }
     GatherActive(contacts, joints, pool, bodies, scratch, lists.active, path);
     if (tolerance == nullptr) return;

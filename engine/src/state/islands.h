@@ -26,8 +26,10 @@ struct IslandTable {
     std::vector<ContactIndex> contacts;  ///< contacts in the order of discovery
     std::vector<JointIndex> joints;
     std::vector<BodyIndex> isolated;  ///< awake bodies without contacts and joints
+    uint64_t search = 0;              ///< what they answer (IslandMemo); 0: nothing that is known
 
     void Clear() {
+        search = 0;
         islands.clear();
         bodies.clear(), contacts.clear(), joints.clear(), isolated.clear();
     }

@@ -150,6 +150,8 @@ struct JointTable {
 
     /// Whether `a` stands before `b` in the list.
     [[nodiscard]] bool IsNewer(JointIndex a, JointIndex b) const { return m_births[a] > m_births[b]; }
+    /// How many joints there have been.
+    [[nodiscard]] int64_t GetBirths() const { return m_nextBirth; }
     [[nodiscard]] BodyJoints OfBody(BodyIndex body) const { return {info, m_first.Has(body) ? m_first[body] : -1}; }
     /// The joint after `joint` in the list of one of its bodies; −1 at the end.
     [[nodiscard]] JointIndex NextOfBody(JointIndex joint, BodyIndex body) const;
