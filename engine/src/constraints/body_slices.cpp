@@ -6,6 +6,7 @@
 #include "constraints/body_slices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "base/slots.h"
@@ -15,16 +16,18 @@ namespace scree {
 void BodySlices::Update(const TaskPool& pool, const BodyTable& bodies, const ContactTable& contacts,
                         std::span<const ContactIndex> list) {
     constexpr int leastContacts = 256, leastOfTests = 16;  // of a slice
-    constexpr int longest = 256;                           // steps without slices before they are tried again
     const int least = pool.SharesAlways() ? leastOfTests : leastContacts;
     const int possible = std::min({static_cast<int>(list.size()) / least, pool.GetWorkerCount(), most});
     const int wanted = pool.RunsThreads() ? std::max(possible, 1) : 1;
     m_mayShare = pool.GetWorkerCount() > 1;
-    const bool isTried = m_count == wanted || ++m_age < longest;
-    if (wanted == m_wanted && isTried && !m_isUneven) return;
+    ++m_age;
+    const bool isGood = m_count == wanted && !m_isUneven;
+    if (wanted == m_wanted && (isGood || m_age < m_wait)) return;
+    m_wait = wanted == m_wanted ? std::min(2 * m_wait, longWait) : shortWait;
     m_wanted = wanted;
     m_age = 0;
     m_isUneven = false;
+    ++m_edition;
     m_count = wanted > 1 && Cut(bodies, contacts, list, wanted) ? wanted : 1;
 }
 
@@ -36,13 +39,17 @@ bool BodySlices::Cut(const BodyTable& bodies, const ContactTable& contacts, std:
     const size_t samples = std::min(mostSamples, list.size());
     const size_t clearly = samples / 16, many = samples / 4;
     size_t least = many;
+    const auto placeOf = [&](BodyIndex body, Order order) {
+        const float place = Place(bodies, body, order);
+        return std::isfinite(place) ? place : 0.0f;
+    };
     for (const Order order : {Order::byNumber, Order::byX, Order::byY}) {
         std::array<std::array<float, 2>, mostSamples> places{};  // of both bodies, or twice that of the only one
         for (size_t i = 0; i < samples; ++i) {
             const ContactPair& pair = contacts.pair[list[i * list.size() / samples]];
             const bool movesA = bodies.type[pair.bodyA] == dynamicBody, movesB = bodies.type[pair.bodyB] == dynamicBody;
-            places[i] = {Place(bodies, movesA ? pair.bodyA : pair.bodyB, order),
-                         Place(bodies, movesB ? pair.bodyB : pair.bodyA, order)};
+            places[i] = {placeOf(movesA ? pair.bodyA : pair.bodyB, order),
+                         placeOf(movesB ? pair.bodyB : pair.bodyA, order)};
         }
         const auto end = places.begin() + static_cast<ptrdiff_t>(samples);
         std::array<float, most> cuts{};
@@ -71,11 +78,11 @@ bool BodySlices::Cut(const BodyTable& bodies, const ContactTable& contacts, std:
 
 void BodySlices::Note(std::span<const int> sizes, int atBorder) {
     constexpr int64_t percent = 100, mostOfEven = 115, mostAtBorder = 25;
-    constexpr int shortest = 16;  // steps before a border that is long already is cut anew
     const int64_t all = std::accumulate(sizes.begin(), sizes.end(), int64_t{0});
     const int64_t largest = *std::max_element(sizes.begin(), sizes.end());
-    const bool isLong = atBorder * percent > all * mostAtBorder && ++m_longBorders % shortest == 1;
-    m_isUneven = largest * static_cast<int64_t>(sizes.size()) * percent > all * mostOfEven || isLong;
+    m_isUneven = largest * static_cast<int64_t>(sizes.size()) * percent > all * mostOfEven ||
+                 atBorder * percent > all * mostAtBorder;
+    if (!m_isUneven) m_wait = shortWait;
 }
 
 std::span<const BodyIndex> BodySlices::Sort(const BodyTable& bodies, std::span<const BodyIndex> list,

@@ -27,6 +27,8 @@ public:
     /// How many contacts are in each slice, and how many of all push bodies that those of other slices push, too.
     void Note(std::span<const int> sizes, int atBorder);
 
+    /// Which slices they are: what was laid out by others is to be laid out anew.
+    [[nodiscard]] int GetEdition() const { return m_edition; }
     /// 1 where threads do not share the contacts, or too many contacts would be between slices.
     [[nodiscard]] int Count() const { return m_count; }
     [[nodiscard]] uint8_t Of(const BodyTable& bodies, BodyIndex body) const {
@@ -52,11 +54,14 @@ private:
     }
     bool Cut(const BodyTable& bodies, const ContactTable& contacts, std::span<const ContactIndex> list, int count);
 
+    static constexpr int shortWait = 4, longWait = 256;  ///< steps
+
     int m_count = 1;
-    int m_wanted = 1;       ///< when they were cut
-    int m_age = 0;          ///< steps since they could not be cut
-    int m_longBorders = 0;  ///< how often the border was long
-    bool m_isUneven = false;
+    int m_edition = 0;
+    int m_wanted = 1;         ///< when they were cut
+    int m_age = 0;            ///< steps since then
+    int m_wait = shortWait;   ///< steps before they may be cut anew; longer while that does not help
+    bool m_isUneven = false;  ///< or has long borders
     bool m_mayShare = false;
     Order m_order = Order::byNumber;
     std::array<float, most> m_cuts{};  ///< between slices

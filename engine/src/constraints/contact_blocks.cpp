@@ -387,7 +387,7 @@ void ContactBlocks::Fill(const BlockInput& input) {
 }
 
 bool ContactBlocks::IsLaidOut(const BlockInput& input) const {
-    return m_grouping == input.contacts.grouping && (m_slices.Count() == 1 || m_slices.Count() == m_sliceCount) &&
+    return m_grouping == input.contacts.grouping && (m_slices.Count() == 1 || m_slices.GetEdition() == m_edition) &&
            std::equal(m_sided.begin(), m_sided.end(), input.list.begin(), input.list.end(),
                       [](const SidedContact& was, ContactIndex contact) { return was.contact == contact; });
 }
@@ -413,7 +413,7 @@ void ContactBlocks::LayOut(const BlockInput& input, BodyMarks& marks) {
     marks.coloursTaken.resize(rows);
     const bool mayShare = input.pool.GetWorkerCount() > 1;
     if (mayShare) EnsureRows(marks.isAtBorder, rows);
-    const int chains = m_sliceCount = m_slices.Count();
+    const int chains = m_slices.Count();
     Sort(input);
     ColourMovers(marks.coloursTaken);
     ColourFixed(marks.coloursTaken);
@@ -427,6 +427,7 @@ void ContactBlocks::LayOut(const BlockInput& input, BodyMarks& marks) {
     MakeRanges(input, chains, marks.isAtBorder);
     mark(0);
     m_grouping = input.contacts.grouping;
+    m_edition = m_slices.GetEdition();
 }
 
 void ContactBlocks::Build(const BlockInput& input, BodyMarks& marks) {

@@ -175,7 +175,7 @@ private:
     BodySlices m_slices;
     BlockChains m_chains;                          ///< none where threads do not share the blocks
     std::vector<BlockChains::Section> m_sections;  ///< by group and chain
-    int m_sliceCount = 1;                          ///< when it was laid out
+    int m_edition = 0;                             ///< of the slices when it was laid out
     int m_blockCount = 0;
     int m_moverColourCount = 0;  ///< colours below it have two movers a contact, the others one
     int m_colourCount = 0;
