@@ -34,12 +34,7 @@ public:
         return ms;
     }
 
-private:
-    using Clock = std::chrono::steady_clock;
-    friend class PoolRegion;
-
-    /// Another core's count may lag behind.
-    static float TicksBetween(uint64_t from, uint64_t to) { return to > from ? static_cast<float>(to - from) : 0.0f; }
+    /// Of any length, for comparisons.
     static uint64_t ReadTicks() {
 #ifdef SCREE_HAS_TICKS
         return CountTicks();
@@ -47,6 +42,11 @@ private:
         return static_cast<uint64_t>(Clock::now().time_since_epoch().count());
 #endif
     }
+    /// Another core's count may lag behind.
+    static float TicksBetween(uint64_t from, uint64_t to) { return to > from ? static_cast<float>(to - from) : 0.0f; }
+
+private:
+    using Clock = std::chrono::steady_clock;
 
     Clock::time_point m_start = Clock::now();
     uint64_t m_firstTick = ReadTicks(), m_lap = m_firstTick;

@@ -93,6 +93,7 @@ void TaskPool::Stop() {
 void TaskPool::Begin() {
     m_inStep = m_workerCount > 1;
     if (m_threads.empty()) return;
+    if (m_stalledSteps > 0) --m_stalledSteps;
     m_awake.fetch_add(1);
     m_awake.notify_all();
 }

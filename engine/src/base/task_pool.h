@@ -47,6 +47,10 @@ public:
     [[nodiscard]] bool IsOpen() const { return m_inStep; }
     /// The same, and the workers are threads of the pool: some of them may be at work at once.
     [[nodiscard]] bool RunsThreads() const { return m_inStep && m_callbacks.enqueue == nullptr; }
+    /// The same, and none of these threads has been seen without its core for some time: they may wait for each other.
+    [[nodiscard]] bool KeepsPace() const { return RunsThreads() && (m_stalledSteps == 0 || m_sharesAlways); }
+    /// From a worker: another one, for which it waits, seems to have lost its core to another process.
+    void NoteStall() { m_stalledSteps.store(stallSteps, std::memory_order_relaxed); }
     /// What a worker does while it waits for another; `turns`: how often it has.
     static void GiveWay(int turns);
     void Begin();
@@ -82,6 +86,7 @@ public:
 private:
     friend class PoolRegion;
     static constexpr int leastWide = 4;
+    static constexpr int stallSteps = 120;  ///< until workers may wait for each other again
 
     void Run(int count, TaskFunction function, void* context);
     void RunWithCallbacks();
@@ -99,6 +104,7 @@ private:
     const TaskCallbacks m_callbacks;
     SharingGauge m_gauge;
     bool m_sharesAlways = false;
+    std::atomic<int> m_stalledSteps{0};
 #if defined(SCREE_HAS_THREADS)
     std::vector<std::thread> m_threads;
 #endif

@@ -18,7 +18,7 @@ void BodySlices::Update(const TaskPool& pool, const BodyTable& bodies, const Con
     constexpr int leastContacts = 256, leastOfTests = 16;  // of a slice
     const int least = pool.SharesAlways() ? leastOfTests : leastContacts;
     const int possible = std::min({static_cast<int>(list.size()) / least, pool.GetWorkerCount(), most});
-    const int wanted = pool.RunsThreads() ? std::max(possible, 1) : 1;
+    const int wanted = pool.KeepsPace() ? std::max(possible, 1) : 1;
     m_mayShare = pool.GetWorkerCount() > 1;
     ++m_age;
     const bool isGood = m_count == wanted && !m_isUneven;

@@ -9,6 +9,7 @@
 #include <atomic>
 #include <limits>
 
+#include "base/clock.h"
 #include "base/task_pool.h"
 #include "constraints/block_chains.h"
 #include "constraints/contact_block.h"
@@ -79,19 +80,30 @@ void RunPass(TaskPool& pool, const KernelTask& task, Pass&& pass) {
 template <typename Pass>
 class ChainRun {
 public:
-    ChainRun(const KernelTask& task, int passes, Pass& pass)
-        : m_task(task), m_chains(*task.chains), m_passes(passes), m_pass(pass) {}
+    ChainRun(TaskPool& pool, const KernelTask& task, int passes, Pass& pass)
+        : m_pool(pool), m_task(task), m_chains(*task.chains), m_passes(passes), m_pass(pass) {}
 
-    /// Until all steps of a chain are done.
+    /// Until all steps of a chain are done; of the first one, which is the caller's, until all of all are.
     void Follow(int chain, int worker) {
-        for (int turns = 0; !IsDone(chain); ++turns) {
-            if (TryStep(chain, worker) || (turns >= patience && HelpOut(chain, worker))) turns = -1;
-            if (turns >= 0) TaskPool::GiveWay(turns);
+        const uint64_t start = Stopwatch::ReadTicks();
+        uint64_t waiting = start;  // since then
+        for (int turns = 0; !(chain == 0 ? AreAllDone() : IsDone(chain)); ++turns) {
+            if (TryStep(chain, worker) || (turns >= patience && HelpOut(chain, worker))) {
+                turns = -1;
+                continue;
+            }
+            TaskPool::GiveWay(turns);
+            if (turns == patience) waiting = Stopwatch::ReadTicks();
+            // Waits far longer than there was anything to do are not for a longer chain.
+            const bool isLong = turns >= longWait && turns % patience == 0;
+            if (isLong &&
+                Stopwatch::TicksBetween(waiting, Stopwatch::ReadTicks()) > Stopwatch::TicksBetween(start, waiting))
+                m_pool.NoteStall();
         }
     }
 
 private:
-    static constexpr int patience = 16;
+    static constexpr int patience = 16, longWait = 1024;  ///< turns; the latter take some 50 µs
 
     /// 2 · steps done, + 1 while the next one is at work.
     struct alignas(64) Place {
@@ -101,6 +113,12 @@ private:
     [[nodiscard]] int StepsDone(int chain) const { return m_places[chain].at.load(std::memory_order_acquire) / 2; }
     [[nodiscard]] bool IsDone(int chain) const { return StepsDone(chain) == m_passes * StepsOf(chain); }
 
+    [[nodiscard]] bool AreAllDone() const {
+        for (int chain = 0; chain < m_chains.Count(); ++chain) {
+            if (!IsDone(chain)) return false;
+        }
+        return true;
+    }
     [[nodiscard]] bool MayBegin(const BlockChains::Step& step, int pass) const {
         if (step.needs < 0) return true;
         int chain = 0;
@@ -133,6 +151,7 @@ private:
         return false;
     }
 
+    TaskPool& m_pool;
     const KernelTask& m_task;
     const BlockChains& m_chains;
     const int m_passes;
@@ -143,8 +162,8 @@ private:
 /// Calls pass(task, worker) with tasks that cover all ranges in order, as often as told.
 template <typename Pass>
 void RunKernel(TaskPool& pool, const KernelTask& task, Pass&& pass, int passes = 1) {
-    if (task.chains != nullptr && pool.RunsThreads()) {
-        ChainRun run(task, passes, pass);
+    if (task.chains != nullptr && pool.KeepsPace()) {
+        ChainRun run(pool, task, passes, pass);
         pool.For(task.chains->Count(), 2, [&](int begin, int end, int worker) {
             for (int chain = begin; chain < end; ++chain) run.Follow(chain, worker);
         });
