@@ -288,7 +288,7 @@ def test_snapshots(browser):
 
 def main():
     try:
-        with Browser(FOLDER / 'profile') as browser:
+        with Browser() as browser:
             test_sample(browser)
             test_snapshots(browser)
     except Missing as missing:

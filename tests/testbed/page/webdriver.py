@@ -8,9 +8,11 @@ import base64
 import json
 import shutil
 import subprocess
+import tempfile
 import urllib.error
 import urllib.request
 
+ANSWER = 300  # seconds that an answer of the browser may take
 ELEMENT = 'element-6066-11e4-a52e-4f735466cecf'  # the key by which the protocol marks an element
 KEYS = {'up': '\ue013', 'down': '\ue015', 'left': '\ue012', 'right': '\ue014', 'enter': '\ue007', 'space': ' ', 'tab': '\ue004'}
 
@@ -20,21 +22,18 @@ class Missing(Exception):
 
 
 class Browser:
-    """Headless Chromium; use with `with`."""
+    """Headless Chromium with a new profile; use with `with`."""
 
-    def __init__(self, profile, width=1440, height=1000):
+    def __init__(self, width=1440, height=1000):
         for program, package in (('chromium', 'chromium'), ('chromedriver', 'chromium-driver')):
             if shutil.which(program) is None:
                 raise Missing(f'{program} is not installed; install it with: apt-get install {package}')
-        self._driver = subprocess.Popen(['chromedriver', '--port=0'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        self._profiles = []
         self._session = None
+        self._driver = subprocess.Popen(['chromedriver', '--port=0'], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         try:
             self._port = self._read_port()
-            arguments = ['--headless=new', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--hide-scrollbars',
-                         '--disable-background-networking', f'--window-size={width},{height}', f'--user-data-dir={profile}']
-            options = {'browserName': 'chrome', 'goog:loggingPrefs': {'browser': 'ALL', 'performance': 'ALL'},
-                       'goog:chromeOptions': {'args': arguments, 'binary': shutil.which('chromium')}}
-            self._session = self._start_session({'capabilities': {'alwaysMatch': options}})
+            self._session = self._start_session(width, height)
         except BaseException:
             self.close()
             raise
@@ -47,12 +46,21 @@ class Browser:
                 return int(line.rsplit('port', 1)[1].strip().rstrip('.'))
         raise Missing('chromedriver did not start: ' + ''.join(said))
 
-    def _start_session(self, wish):
+    def _start_session(self, width, height):
         """Twice, because Chromium now and then fails to come up on a busy machine; that is not what is tested."""
         try:
-            return self._send('POST', '/session', wish)['sessionId']
+            return self._send('POST', '/session', self._wish(width, height))['sessionId']
         except RuntimeError:
-            return self._send('POST', '/session', wish)['sessionId']
+            return self._send('POST', '/session', self._wish(width, height))['sessionId']
+
+    def _wish(self, width, height):
+        # A profile of its own: one that failed to come up may hold the lock of the last.
+        self._profiles.append(tempfile.mkdtemp(prefix='profile-'))
+        arguments = ['--headless=new', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage', '--hide-scrollbars',
+                     '--disable-background-networking', f'--window-size={width},{height}', f'--user-data-dir={self._profiles[-1]}']
+        wish = {'browserName': 'chrome', 'goog:loggingPrefs': {'browser': 'ALL', 'performance': 'ALL'}, 'timeouts': {'script': 1000 * (ANSWER - 30)},
+                'goog:chromeOptions': {'args': arguments, 'binary': shutil.which('chromium')}}
+        return {'capabilities': {'alwaysMatch': wish}}
 
     def _send(self, method, path, body=None):
         data = None if body is None else json.dumps(body).encode()
@@ -60,7 +68,7 @@ class Browser:
         # No proxy of the environment may stand between this and the driver beside it.
         opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         try:
-            with opener.open(request, timeout=300) as answer:
+            with opener.open(request, timeout=ANSWER) as answer:
                 return json.load(answer)['value']
         except urllib.error.HTTPError as error:
             raise RuntimeError(f'{method} {path}: ' + json.load(error)['value']['message']) from None
@@ -69,12 +77,17 @@ class Browser:
         return self._send(method, f'/session/{self._session}{path}', body)
 
     def close(self):
-        if self._session:
-            self._ask('DELETE', '')
+        try:
+            if self._session:
+                self._ask('DELETE', '')
+        finally:
             self._session = None
-        self._driver.terminate()
-        self._driver.wait()
-        self._driver.stdout.close()
+            self._driver.terminate()
+            self._driver.wait()
+            self._driver.stdout.close()
+            for profile in self._profiles:
+                # Processes of Chromium may outlive the session and still write there.
+                shutil.rmtree(profile, ignore_errors=True)
 
     def __enter__(self):
         return self
@@ -98,15 +111,20 @@ class Browser:
         return self._ask('POST', '/execute/sync', {'script': f'const [a, b, c] = arguments; return ({script});', 'args': list(arguments)})
 
     def wait(self, condition, *arguments):
-        """Returns when the JavaScript expression becomes true; the browser looks at every frame, for at most 20 s."""
+        """
+        Returns when the JavaScript expression becomes true; the browser looks at every frame, for 20 s and 600 frames.
+
+        Both, because a machine that sleeps or is busy lets time pass in which the page could do nothing.
+        """
         script = '''const [a, b, c] = arguments, done = arguments[arguments.length - 1], start = performance.now();
+            let frames = 0;
             (function look() {
                 if (CONDITION) done(true);
-                else if (performance.now() - start > 20000) done(false);
+                else if (++frames > 600 && performance.now() - start > 20000) done(false);
                 else requestAnimationFrame(look);
             })();'''.replace('CONDITION', condition)
         if not self._ask('POST', '/execute/async', {'script': script, 'args': list(arguments)}):
-            raise AssertionError(f'never came true: {condition}')
+            raise AssertionError(f'never came true: {condition}; the page is at {self.run("location.hash + document.title")!r}')
 
     def find(self, selector):
         return self._ask('POST', '/element', {'using': 'css selector', 'value': selector})

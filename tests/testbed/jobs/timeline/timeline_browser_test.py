@@ -5,7 +5,6 @@
 
 import os
 import sys
-import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), '..', '..', 'page'))
 import webdriver
@@ -229,7 +228,7 @@ def moments(browser, page):
 
 
 def main(test, page):
-    with tempfile.TemporaryDirectory() as profile, webdriver.Browser(profile) as browser:
+    with webdriver.Browser() as browser:
         {'reads': reads, 'places': places, 'engines': engines, 'crowded': crowded, 'alike': alike, 'plays': plays, 'moments': moments}[test](browser, page)
         log = [entry for entry in browser.log('browser') if entry.get('level') == 'SEVERE']
         if log:
