@@ -20,21 +20,64 @@ constexpr int tasksPerCore = 4;
 
 }  // namespace
 
-double LoopTimes::GetWork() const { return std::accumulate(tasks.begin(), tasks.end(), 0.0); }
+std::span<const double> LoopTimes::TasksOf(int loop) const {
+    const int begin = loop == 0 ? 0 : ends[static_cast<std::size_t>(loop) - 1];
+    return std::span(tasks).subspan(static_cast<std::size_t>(begin),
+                                    static_cast<std::size_t>(ends[static_cast<std::size_t>(loop)] - begin));
+}
+
+std::span<const PartTime> LoopTimes::PartsOf(int loop) const {
+    const int begin = loop == 0 ? 0 : partEnds[static_cast<std::size_t>(loop) - 1];
+    return std::span(parts).subspan(static_cast<std::size_t>(begin),
+                                    static_cast<std::size_t>(partEnds[static_cast<std::size_t>(loop)] - begin));
+}
+
+double LoopTimes::GetElapsed() const { return std::accumulate(tasks.begin(), tasks.end(), 0.0); }
+
+double LoopTimes::GetWork() const {
+    double work = 0.0;
+    for (int loop = 0; loop < CountLoops(); ++loop) {
+        for (const PartTime& part : PartsOf(loop)) work += part.ms;
+        if (!PartsOf(loop).empty()) continue;
+        for (const double task : TasksOf(loop)) work += task;
+    }
+    return work;
+}
 
 double LoopTimes::GetSpan(int cores) const {
     double span = 0.0;
-    std::size_t begin = 0;
-    for (const int end : ends) {
-        span += DealToCores(std::span(tasks).subspan(begin, static_cast<std::size_t>(end) - begin), cores);
-        begin = static_cast<std::size_t>(end);
-    }
+    for (int loop = 0; loop < CountLoops(); ++loop)
+        span += PartsOf(loop).empty() ? DealToCores(TasksOf(loop), cores) : FollowChains(PartsOf(loop), cores);
     return span;
 }
 
 void LoopTimes::TakeLeast(const LoopTimes& other) {
-    if (ends != other.ends) throw std::logic_error("a repeated step has other loops");
+    const auto isSame = [](const PartTime& a, const PartTime& b) { return a.chain == b.chain && a.after == b.after; };
+    if (ends != other.ends || partEnds != other.partEnds || !std::ranges::equal(parts, other.parts, isSame))
+        throw std::logic_error("a repeated step has other loops");
     std::ranges::transform(tasks, other.tasks, tasks.begin(), [](double a, double b) { return std::min(a, b); });
+    for (std::size_t i = 0; i < parts.size(); ++i) parts[i].ms = std::min(parts[i].ms, other.parts[i].ms);
+}
+
+double FollowChains(std::span<const PartTime> parts, int cores) {
+    std::vector<std::vector<double>> ended;  // by chain and part
+    std::vector<double> freeAt(static_cast<std::size_t>(cores));
+    double last = 0.0;
+    for (const PartTime& part : parts) {
+        const auto chain = static_cast<std::size_t>(part.chain);
+        ended.resize(std::max(ended.size(), part.after.size()));
+        double& free = freeAt[chain % freeAt.size()];
+        double start = free;
+        for (std::size_t other = 0; other < part.after.size(); ++other) {
+            const int count = part.after[other];
+            if (count == 0 || other % freeAt.size() == chain % freeAt.size()) continue;
+            start = std::max(start, ended[other].at(static_cast<std::size_t>(count) - 1) + handoverMs);
+        }
+        free = start + part.ms;
+        ended[chain].push_back(free);
+        last = std::max(last, free);
+    }
+    return last;
 }
 
 double DealToCores(std::span<const double> tasks, int cores) {
@@ -57,7 +100,9 @@ scree::TaskCallbacks LoopMeter::GetCallbacks() {
             },
             .finish = [](void* /*handle*/, void* meter) { static_cast<LoopMeter*>(meter)->EndLoop(); },
             .context = this,
-            .tasksPerWorker = tasksPerCore};
+            .tasksPerWorker = tasksPerCore,
+            .part = [](const scree::TaskPart& part, bool isDone,
+                       void* meter) { static_cast<LoopMeter*>(meter)->NotePart(part, isDone); }};
 }
 
 void LoopMeter::Run(void (*task)(void*), void* taskContext) {
@@ -81,6 +126,16 @@ void LoopMeter::EndLoop() {
     if (IsBetweenLoops()) return;  // it waits for the other tasks of the same loop
     EndTask();
     m_times.ends.push_back(static_cast<int>(m_times.tasks.size()));
+    m_times.partEnds.push_back(static_cast<int>(m_times.parts.size()));
+}
+
+void LoopMeter::NotePart(const scree::TaskPart& part, bool isDone) {
+    if (!isDone) {
+        m_times.parts.push_back({part.chain, 0.0, std::vector<int>(part.after, part.after + part.chainCount)});
+        m_partBegan = Clock::now();
+        return;
+    }
+    m_times.parts.back().ms = std::chrono::duration<double, std::milli>(Clock::now() - m_partBegan).count();
 }
 
 }  // namespace testbed

@@ -191,25 +191,28 @@ TEST(TaskPool, ATaskSystemGetsSoManyTasksForEachWorkerButNoEmptyOnes) {
     pool.End();
 }
 
-TEST(TaskPool, DoesNotLetThreadsWaitForEachOtherForSomeStepsAfterAStall) {
-    TaskPool pool(2, {});
-    EXPECT_FALSE(pool.KeepsPace()) << "outside of a step";
-    const auto keepsPace = [&pool] {
-        pool.Begin();
-        const bool keeps = pool.KeepsPace();
-        pool.End();
-        return keeps;
-    };
-    EXPECT_TRUE(keepsPace());
-    pool.NoteStall();
-    int steps = 0;
-    while (steps < 1000 && !keepsPace()) ++steps;
-    EXPECT_GT(steps, 10);
-    EXPECT_LT(steps, 1000);
-    EXPECT_TRUE(keepsPace());
-    pool.NoteStall();
-    pool.ShareAlways();
-    EXPECT_TRUE(keepsPace()) << "tests see what threads do";
+TEST(TaskPool, DoesNotLetWorkersWaitForEachOtherForSomeStepsAfterAStall) {
+    Calls calls;
+    for (const bool hasCallbacks : {false, true}) {
+        TaskPool pool(2, hasCallbacks ? RunAtOnce(calls) : TaskCallbacks{});
+        EXPECT_FALSE(pool.KeepsPace()) << "outside of a step";
+        const auto keepsPace = [&pool] {
+            pool.Begin();
+            const bool keeps = pool.KeepsPace();
+            pool.End();
+            return keeps;
+        };
+        EXPECT_TRUE(keepsPace());
+        pool.NoteStall();
+        int steps = 0;
+        while (steps < 1000 && !keepsPace()) ++steps;
+        EXPECT_GT(steps, 10);
+        EXPECT_LT(steps, 1000);
+        EXPECT_TRUE(keepsPace());
+        pool.NoteStall();
+        pool.ShareAlways();
+        EXPECT_TRUE(keepsPace()) << "tests see what threads do";
+    }
 }
 
 }  // namespace

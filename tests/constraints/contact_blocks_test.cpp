@@ -11,8 +11,10 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <mutex>
 #include <random>
 #include <set>
+#include <thread>
 
 #include "pipeline/parts/run_kernel.h"
 #include "scree/inspect.h"
@@ -202,8 +204,65 @@ std::map<int, Pushers> PushersOf(const KernelTask& task) {
     return pushers;
 }
 
+/// What a program is told of the parts of tasks, by chain: how many have begun and ended.
+struct ToldParts {
+    std::mutex mutex{};
+    std::vector<int> begun{}, ended{};
+    int waiting = 0;  ///< parts that had to wait for other chains
+
+    void Note(const TaskPart& part, bool isDone) {
+        const std::lock_guard lock(mutex);
+        begun.resize(ToSize(part.chainCount)), ended.resize(ToSize(part.chainCount));
+        int& count = (isDone ? ended : begun)[ToSize(part.chain)];
+        EXPECT_EQ(part.after[part.chain], count) << "parts of a chain follow each other";
+        EXPECT_EQ(begun[ToSize(part.chain)], ended[ToSize(part.chain)] + (isDone ? 1 : 0));
+        ++count;
+        bool waits = false;
+        for (int other = 0; other < part.chainCount; ++other) {
+            EXPECT_GE(ended[ToSize(other)], part.after[other]);
+            waits = waits || (other != part.chain && part.after[other] > 0);
+        }
+        waiting += waits && isDone ? 1 : 0;
+    }
+};
+
+/// A program's tasks: on threads of their own, or at once.
+TaskCallbacks MakeTasks(ToldParts& told, bool atOnce) {
+    TaskCallbacks tasks;
+    tasks.enqueue = [](void (*task)(void*), void* taskContext, void*) -> void* {
+        return new std::thread(task, taskContext);
+    };
+    if (atOnce) {
+        tasks.enqueue = [](void (*task)(void*), void* taskContext, void*) -> void* {
+            task(taskContext);
+            return nullptr;
+        };
+    }
+    tasks.finish = [](void* handle, void*) {
+        auto* thread = static_cast<std::thread*>(handle);
+        thread->join();
+        delete thread;
+    };
+    tasks.part = [](const TaskPart& part, bool isDone, void* context) {
+        static_cast<ToldParts*>(context)->Note(part, isDone);
+    };
+    tasks.context = &told;
+    return tasks;
+}
+
 TEST(ContactBlocks, ChainsGiveTheBitsOfOneThread) {
-    for (const int workers : {2, 3, 8}) {
+    enum class Way : uint8_t { ownThreads, tasksOnThreads, tasksAtOnce };
+    struct Case {
+        int workers;
+        Way way;
+    };
+    for (const auto [workers, way] : {Case{2, Way::ownThreads},
+                                      {3, Way::ownThreads},
+                                      {8, Way::ownThreads},
+                                      {2, Way::tasksOnThreads},
+                                      {5, Way::tasksOnThreads},
+                                      {2, Way::tasksAtOnce},
+                                      {7, Way::tasksAtOnce}}) {
         std::mt19937 random(static_cast<unsigned>(10 + workers));
         World world({0.0f, -10.0f});
         MakeHeap(world, 1800 + static_cast<int>(random() % 300), 20.0f);
@@ -217,7 +276,8 @@ TEST(ContactBlocks, ChainsGiveTheBitsOfOneThread) {
         const KernelTask task = alone.Task(velocity, delta);
         EXPECT_EQ(task.chains, nullptr);
 
-        TaskPool pool(workers, {});
+        ToldParts told;
+        TaskPool pool(workers, way == Way::ownThreads ? TaskCallbacks{} : MakeTasks(told, way == Way::tasksAtOnce));
         pool.ShareAlways();
         pool.Begin();
         shared.GetSlices().Update(pool, s.bodies, s.contacts, list);
@@ -242,8 +302,17 @@ TEST(ContactBlocks, ChainsGiveTheBitsOfOneThread) {
         const ContactKernels& kernels = GetContactKernels();
         constexpr int passes = 5;
         RunKernel(*s.pool, task, kernels.solveRigid, passes), RunKernel(pool, sharedTask, kernels.solveRigid, passes);
+        if (way != Way::ownThreads) {
+            ASSERT_EQ(told.ended.size(), ToSize(workers));
+            for (int chain = 0; chain < workers; ++chain) {
+                const size_t steps = sharedTask.chains->GetSteps(chain).size();
+                EXPECT_EQ(ToSize(told.ended[ToSize(chain)]), passes * steps);
+            }
+            EXPECT_GT(told.waiting, passes);
+        }
         EXPECT_EQ(std::memcmp(velocity.data(), ofShared.data(), velocity.size() * sizeof(Velocity)), 0);
         for (int i = 0; i < passes; ++i) {
+            told.begun.clear(), told.ended.clear();  // each pass is a loop
             EXPECT_EQ(RunPushApart(pool, sharedTask, kernels, 0.2f), RunPushApart(*s.pool, task, kernels, 0.2f));
         }
         EXPECT_EQ(std::memcmp(delta.data(), deltaOfShared.data(), delta.size() * sizeof(Velocity)), 0);

@@ -13,8 +13,16 @@ inline constexpr int maxWorkers = 64;
 /// One range [begin, end) of a loop.
 using TaskFunction = void (*)(void* context, int begin, int end, int worker);
 
-/// How a world gives work to a task system. The tasks of a loop are independent of each other. They may run in any
-/// order, on any threads, also one after the other; they never wait for each other. Results do not depend on that.
+/// A part of a task, for who measures. Contacts of a large island are solved in chains of such parts.
+struct TaskPart {
+    int chain = 0;               ///< 0…chainCount − 1; parts of a chain follow each other
+    int chainCount = 0;          ///< of this loop
+    const int* after = nullptr;  ///< by chain: how many of its parts had to be done before this one could begin
+};
+
+/// How a world gives work to a task system. The tasks of a loop may run in any order, on any threads, also one after
+/// the other. A task may wait for what another one is in the midst of, never for one that has not begun: it does that
+/// one's work itself. Results do not depend on that.
 struct TaskCallbacks {
     /// Starts task(taskContext) and returns a handle for `finish`, or runs the task at once and returns null.
     void* (*enqueue)(void (*task)(void* taskContext), void* taskContext, void* userContext) = nullptr;
@@ -24,6 +32,9 @@ struct TaskCallbacks {
     /// Into how many tasks a loop is cut for each worker, 1…maxWorkers / workers. With more of them tasks are shorter,
     /// and a worker that is done early takes some of another's; with fewer there are fewer to start.
     int tasksPerWorker = 1;
+    /// Told when a task that consists of parts begins (isDone = false) and ends one of them, on the thread that does
+    /// it. Parts of one loop may run at the same time. Null: nobody is told.
+    void (*part)(const TaskPart& part, bool isDone, void* userContext) = nullptr;
 };
 
 }  // namespace scree

@@ -92,8 +92,8 @@ void TaskPool::Stop() {
 
 void TaskPool::Begin() {
     m_inStep = m_workerCount > 1;
-    if (m_threads.empty()) return;
     if (m_stalledSteps > 0) --m_stalledSteps;
+    if (m_threads.empty()) return;
     m_awake.fetch_add(1);
     m_awake.notify_all();
 }
@@ -162,7 +162,10 @@ void TaskPool::Work(int worker) {
 
 void TaskPool::MakeThreads() {}
 void TaskPool::Stop() {}
-void TaskPool::Begin() { m_inStep = m_workerCount > 1 && m_callbacks.enqueue != nullptr; }
+void TaskPool::Begin() {
+    m_inStep = m_workerCount > 1 && m_callbacks.enqueue != nullptr;
+    if (m_stalledSteps > 0) --m_stalledSteps;
+}
 void TaskPool::End() { m_inStep = false; }
 
 void TaskPool::Run(int count, TaskFunction function, void* context) {

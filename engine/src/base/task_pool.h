@@ -45,14 +45,15 @@ public:
     [[nodiscard]] bool SharesAlways() const { return m_sharesAlways; }
     /// Between Begin and End, with more than one worker.
     [[nodiscard]] bool IsOpen() const { return m_inStep; }
-    /// The same, and the workers are threads of the pool: some of them may be at work at once.
-    [[nodiscard]] bool RunsThreads() const { return m_inStep && m_callbacks.enqueue == nullptr; }
-    /// The same, and none of these threads has been seen without its core for some time: they may wait for each other.
-    [[nodiscard]] bool KeepsPace() const { return RunsThreads() && (m_stalledSteps == 0 || m_sharesAlways); }
+    /// The same, and no worker has been seen without its core for some time: they may wait for each other.
+    [[nodiscard]] bool KeepsPace() const { return m_inStep && (m_stalledSteps == 0 || m_sharesAlways); }
     /// From a worker: another one, for which it waits, seems to have lost its core to another process.
     void NoteStall() { m_stalledSteps.store(stallSteps, std::memory_order_relaxed); }
     /// What a worker does while it waits for another; `turns`: how often it has.
     static void GiveWay(int turns);
+    /// Whether the program asks for the parts of tasks that wait for each other, and the way to tell it of one.
+    [[nodiscard]] bool TellsOfParts() const { return m_callbacks.part != nullptr; }
+    void TellOfPart(const TaskPart& part, bool isDone) const { m_callbacks.part(part, isDone, m_callbacks.context); }
     void Begin();
     void End();
 

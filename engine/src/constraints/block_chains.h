@@ -4,8 +4,8 @@
 // Passes over coloured blocks by several threads, without a stop at the end of each colour. Space is cut into slices,
 // and each slice has a chain: its blocks, colour by colour. The border of a chain are those blocks whose bodies blocks
 // of other chains push, too. It comes first in each colour, and waits for the borders of the colours before. Other
-// chains did those before the rest of these colours, so that there is seldom anything to wait for. Every
-// body meets its contacts in the order of colours, whoever solves them: results are those of one thread.
+// chains did those before the rest of these colours, so that there is seldom anything to wait for. Every body meets its
+// contacts in the order of colours, whoever solves them: results are those of one thread.
 
 #pragma once
 

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
+#include "base/gather_parts.h"
 #include "base/slots.h"
 
 namespace scree {
@@ -85,15 +87,29 @@ void BodySlices::Note(std::span<const int> sizes, int atBorder) {
     if (!m_isUneven) m_wait = shortWait;
 }
 
-std::span<const BodyIndex> BodySlices::Sort(const BodyTable& bodies, std::span<const BodyIndex> list,
+std::span<const BodyIndex> BodySlices::Sort(TaskPool& pool, const BodyTable& bodies, std::span<const BodyIndex> list,
                                             std::vector<BodyIndex>& sliced) const {
     if (m_mayShare) ReserveRows(list.size(), sliced);  // a later step is not to allocate because it is shared
     if (m_count == 1) return list;
-    std::array<size_t, most + 1> begin{};
-    for (const BodyIndex body : list) ++begin[size_t{Of(bodies, body)} + 1];
-    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    // Counting sort, a count for each part of the list.
+    constexpr int leastBodies = 1024;
+    const Parts parts(pool, static_cast<int>(list.size()), leastBodies);
+    std::array<std::array<size_t, most>, Parts::most> next;  // by part and slice
+    parts.For(pool, [&](int part, int begin, int end) {
+        std::array<size_t, most>& counts = next[ToSize(part)];
+        counts = {};
+        for (int i = begin; i < end; ++i) ++counts[Of(bodies, list[ToSize(i)])];
+    });
+    size_t begin = 0;
+    for (int slice = 0; slice < m_count; ++slice) {
+        for (int part = 0; part < parts.Count(); ++part)
+            begin += std::exchange(next[ToSize(part)][ToSize(slice)], begin);
+    }
     sliced.resize(list.size());
-    for (const BodyIndex body : list) sliced[begin[Of(bodies, body)]++] = body;
+    parts.For(pool, [&](int part, int first, int end) {
+        std::array<size_t, most>& places = next[ToSize(part)];
+        for (int i = first; i < end; ++i) sliced[places[Of(bodies, list[ToSize(i)])]++] = list[ToSize(i)];
+    });
     return sliced;
 }
 

@@ -26,6 +26,8 @@ public:
                 std::span<const ContactIndex> list);
     /// How many contacts are in each slice, and how many of all push bodies that those of other slices push, too.
     void Note(std::span<const int> sizes, int atBorder);
+    /// There were too few contacts for chains: until they are cut anew, slices would only cost.
+    void NoteUnused() { m_count = 1; }
 
     /// Which slices they are: what was laid out by others is to be laid out anew.
     [[nodiscard]] int GetEdition() const { return m_edition; }
@@ -35,7 +37,8 @@ public:
         return static_cast<uint8_t>(SliceOf(Place(bodies, body, m_order), m_cuts, m_count));
     }
     /// The bodies of a list slice by slice: in `sliced`, or the list itself where there is one slice.
-    [[nodiscard]] std::span<const BodyIndex> Sort(const BodyTable& bodies, std::span<const BodyIndex> list,
+    [[nodiscard]] std::span<const BodyIndex> Sort(TaskPool& pool, const BodyTable& bodies,
+                                                  std::span<const BodyIndex> list,
                                                   std::vector<BodyIndex>& sliced) const;
 
 private:

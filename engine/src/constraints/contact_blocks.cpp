@@ -269,6 +269,8 @@ void ContactBlocks::MakeRanges(const BlockInput& input, int chains, Column<BodyI
         int atBorder = 0;
         for (const BlockChains::Section& section : m_sections) atBorder += section.border - section.begin;
         m_slices.Note(std::span(sizes).first(ToSize(chains)), blockLanes * atBorder);
+    } else if (chains > 1) {
+        m_slices.NoteUnused();
     }
     Renew(m_blocks, ToSize(block));
     const size_t lanes = (m_blocks.size() + blocksAhead) * blockLanes;

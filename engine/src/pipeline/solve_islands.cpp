@@ -132,7 +132,7 @@ public:
     void Prepare(const FixtureTable& fixtures) {
         BodySlices& slices = m_blocks.GetSlices();
         slices.Update(Pool(), m_bodies, m_tables.contacts, m_contacts);
-        m_own = slices.Sort(m_bodies, m_own, m_s.sliced);
+        m_own = slices.Sort(Pool(), m_bodies, m_own, m_s.sliced);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             ForEachOf(Pool(), m_own.size(),
                       [&](size_t i) { IntegrateVelocity<forces>(m_settings, m_bodies, m_own[i]); });

@@ -267,7 +267,8 @@ private:
 
     template <bool forces>
     void PrepareBodies() {
-        const std::span<const BodyIndex> list = m_s.blocks.GetSlices().Sort(m_bodies, m_islands.bodies, m_s.sliced);
+        const std::span<const BodyIndex> list =
+            m_s.blocks.GetSlices().Sort(Pool(), m_bodies, m_islands.bodies, m_s.sliced);
         m_s.soft.resize(list.size());
         ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) {
             m_bodies.NoteStart(list[i]);

@@ -14,9 +14,6 @@
 
 namespace testbed {
 
-/// What the end of a loop costs on several cores, ms: its caller waits for the others.
-inline constexpr double barrierMs = 1e-3;
-
 /// Where the time of a step went.
 struct CountedStep {
     double apart = 0.0;  ///< in no loop, ms

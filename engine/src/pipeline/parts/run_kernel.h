@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Passes of a contact kernel over all blocks, on the workers: in chains (constraints/block_chains.h), or colour by
-// colour, since the blocks of one colour push different bodies. Colours with few blocks stay on the caller.
+// Passes of a contact kernel over all blocks, on the workers: in chains (chain_run.h), or colour by colour,
+// since the blocks of one colour push different bodies. Colours with few blocks stay on the caller.
 
 #pragma once
 
-#include <atomic>
-#include <limits>
-
-#include "base/clock.h"
 #include "base/task_pool.h"
-#include "constraints/block_chains.h"
 #include "constraints/contact_block.h"
+#include "pipeline/parts/chain_run.h"
 #include "scree/math.h"
 
 namespace scree {
@@ -74,90 +70,6 @@ void RunPass(TaskPool& pool, const KernelTask& task, Pass&& pass) {
     }
     if (small < task.rangeCount) pass(run(small, task.rangeCount), 0);
 }
-
-/// Passes in chains. A step is done by whoever claims it: mostly the thread of its chain, but a thread that waits for
-/// one that has not come yet does its steps, too.
-template <typename Pass>
-class ChainRun {
-public:
-    ChainRun(TaskPool& pool, const KernelTask& task, int passes, Pass& pass)
-        : m_pool(pool), m_task(task), m_chains(*task.chains), m_passes(passes), m_pass(pass) {}
-
-    /// Until all steps of a chain are done; of the first one, which is the caller's, until all of all are.
-    void Follow(int chain, int worker) {
-        const uint64_t start = Stopwatch::ReadTicks();
-        uint64_t waiting = start;  // since then
-        for (int turns = 0; !(chain == 0 ? AreAllDone() : IsDone(chain)); ++turns) {
-            if (TryStep(chain, worker) || (turns >= patience && HelpOut(chain, worker))) {
-                turns = -1;
-                continue;
-            }
-            TaskPool::GiveWay(turns);
-            if (turns == patience) waiting = Stopwatch::ReadTicks();
-            // Waits far longer than there was anything to do are not for a longer chain.
-            const bool isLong = turns >= longWait && turns % patience == 0;
-            if (isLong &&
-                Stopwatch::TicksBetween(waiting, Stopwatch::ReadTicks()) > Stopwatch::TicksBetween(start, waiting))
-                m_pool.NoteStall();
-        }
-    }
-
-private:
-    static constexpr int patience = 16, longWait = 1024;  ///< turns; the latter take some 50 µs
-
-    /// 2 · steps done, + 1 while the next one is at work.
-    struct alignas(64) Place {
-        std::atomic<int32_t> at{0};
-    };
-    [[nodiscard]] int StepsOf(int chain) const { return static_cast<int>(m_chains.GetSteps(chain).size()); }
-    [[nodiscard]] int StepsDone(int chain) const { return m_places[chain].at.load(std::memory_order_acquire) / 2; }
-    [[nodiscard]] bool IsDone(int chain) const { return StepsDone(chain) == m_passes * StepsOf(chain); }
-
-    [[nodiscard]] bool AreAllDone() const {
-        for (int chain = 0; chain < m_chains.Count(); ++chain) {
-            if (!IsDone(chain)) return false;
-        }
-        return true;
-    }
-    [[nodiscard]] bool MayBegin(const BlockChains::Step& step, int pass) const {
-        if (step.needs < 0) return true;
-        int chain = 0;
-        for (const int32_t needed : m_chains.GetNeeds(step.needs)) {
-            if (needed != BlockChains::nothing && StepsDone(chain) < pass * StepsOf(chain) + needed) return false;
-            ++chain;
-        }
-        return true;
-    }
-    bool TryStep(int chain, int worker) {
-        std::atomic<int32_t>& place = m_places[chain].at;
-        int32_t at = place.load(std::memory_order_acquire);
-        const std::span<const BlockChains::Step> steps = m_chains.GetSteps(chain);
-        const int count = static_cast<int>(steps.size()), done = at / 2;
-        if (at % 2 != 0 || done == m_passes * count) return false;
-        const BlockChains::Step& step = steps[ToSize(done % count)];
-        if (!MayBegin(step, done / count)) return false;
-        if (!place.compare_exchange_strong(at, at + 1, std::memory_order_acquire)) return false;
-        KernelTask part = m_task;
-        part.ranges = &m_chains.GetRange(step.firstRange);
-        part.rangeCount = step.endRange - step.firstRange;
-        m_pass(part, worker);
-        place.store(at + 2, std::memory_order_release);
-        return true;
-    }
-    bool HelpOut(int chain, int worker) {
-        for (int other = 0; other < m_chains.Count(); ++other) {
-            if (other != chain && TryStep(other, worker)) return true;
-        }
-        return false;
-    }
-
-    TaskPool& m_pool;
-    const KernelTask& m_task;
-    const BlockChains& m_chains;
-    const int m_passes;
-    Pass& m_pass;
-    Place m_places[BlockChains::most];
-};
 
 /// Calls pass(task, worker) with tasks that cover all ranges in order, as often as told.
 template <typename Pass>

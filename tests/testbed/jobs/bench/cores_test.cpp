@@ -28,19 +28,44 @@ TEST(Cores, ALoopIsDealtToTheCoreThatIsFreeFirst) {
 
 TEST(Cores, AStepLastsItsSerialPartItsLoopsAndTheBarriers) {
     EXPECT_DOUBLE_EQ(PredictStep(SplitStep(10.0, {}), 8), 10.0) << "nothing is shared";
-    const LoopTimes loops{.tasks = {1.0, 2.0, 2.0, 3.0}, .ends = {2, 3, 4}};
+    const LoopTimes loops{.tasks = {1.0, 2.0, 2.0, 3.0}, .ends = {2, 3, 4}, .partEnds = {0, 0, 0}};
     const CountedStep step = SplitStep(10.0, loops);
     EXPECT_DOUBLE_EQ(step.apart, 2.0);
     EXPECT_DOUBLE_EQ(PredictStep(step, 1), 10.0 + 3 * barrierMs);
     EXPECT_DOUBLE_EQ(PredictStep(step, 2), 2.0 + (2.0 + 2.0 + 3.0) + 3 * barrierMs);
 }
 
+TEST(Cores, ChainsWaitForTheBordersOfOthers) {
+    // Chains 0 and 1 have two parts each. The second part of each follows on the first of the other.
+    const std::vector<PartTime> parts{
+        {0, 1.0, {0, 0}}, {1, 3.0, {0, 0}}, {1, 1.0, {1, 1}}, {0, 1.0, {1, 1}}, {0, 2.0, {2, 0}}};
+    EXPECT_DOUBLE_EQ(FollowChains(parts, 1), 8.0) << "one core does it all";
+    EXPECT_DOUBLE_EQ(FollowChains(parts, 2), 3.0 + handoverMs + 1.0 + 2.0);
+    EXPECT_DOUBLE_EQ(FollowChains(parts, 16), FollowChains(parts, 2));
+    EXPECT_DOUBLE_EQ(FollowChains({}, 2), 0.0);
+
+    // What a thread does that has all chains to follow belongs to no part.
+    const LoopTimes loops{.tasks = {4.0, 4.5, 1.0, 2.0}, .ends = {2, 4}, .parts = parts, .partEnds = {5, 5}};
+    EXPECT_DOUBLE_EQ(loops.GetElapsed(), 11.5);
+    EXPECT_DOUBLE_EQ(loops.GetWork(), 8.0 + 3.0);
+    EXPECT_DOUBLE_EQ(loops.GetSpan(2), 6.0 + handoverMs + 2.0);
+    EXPECT_DOUBLE_EQ(SplitStep(12.0, loops).apart, 0.5);
+    LoopTimes least = loops, other = loops;
+    other.parts[1].ms = 2.0, other.parts[2].ms = 5.0;
+    least.TakeLeast(other);
+    EXPECT_DOUBLE_EQ(least.parts[1].ms, 2.0);
+    EXPECT_DOUBLE_EQ(least.parts[2].ms, 1.0);
+    other.parts[3].after[1] = 0;
+    EXPECT_THROW(least.TakeLeast(other), std::logic_error);
+}
+
 TEST(Cores, RepeatsKeepTheLeastTimeOfEachPart) {
-    CountedStep step{.apart = 2.0, .loops = {.tasks = {1.0, 5.0}, .ends = {2}}};
-    step.TakeLeast({.apart = 3.0, .loops = {.tasks = {2.0, 4.0}, .ends = {2}}});
+    CountedStep step{.apart = 2.0, .loops = {.tasks = {1.0, 5.0}, .ends = {2}, .partEnds = {0}}};
+    step.TakeLeast({.apart = 3.0, .loops = {.tasks = {2.0, 4.0}, .ends = {2}, .partEnds = {0}}});
     EXPECT_DOUBLE_EQ(step.apart, 2.0);
     EXPECT_EQ(step.loops.tasks, (std::vector<double>{1.0, 4.0}));
-    EXPECT_THROW(step.TakeLeast({.apart = 1.0, .loops = {.tasks = {1.0}, .ends = {1}}}), std::logic_error);
+    EXPECT_THROW(step.TakeLeast({.apart = 1.0, .loops = {.tasks = {1.0}, .ends = {1}, .partEnds = {0}}}),
+                 std::logic_error);
 }
 
 /// A task that keeps the thread busy, so that it has a time.
@@ -76,8 +101,9 @@ TEST(Cores, TheMeterRunsEveryTaskAtOnceAndCountsLoops) {
 }
 
 TEST(Cores, CountingLeavesTheStatesAsTheyAre) {
-    const scenes::Scene scene = scenes::Build("falling-squares", 60);  // enough bodies for loops to be shared
-    const auto hashOf = [&](int threads, LoopMeter* meter) {
+    // Enough bodies for loops to be shared; the pyramid has enough contacts for chains, too.
+    const scenes::Scene squares = scenes::Build("falling-squares", 60), pyramid = scenes::Build("pyramid", 60);
+    const auto hashOf = [&](const scenes::Scene& scene, int threads, LoopMeter* meter) {
         RunSpec spec = MakeSpec("scree");
         spec.threads = threads;
         const auto run = MakeRun(scene, spec, {.loops = meter});
@@ -86,11 +112,17 @@ TEST(Cores, CountingLeavesTheStatesAsTheyAre) {
         run->Capture(snapshot);
         return snapshot.stateHash;
     };
-    const auto alone = hashOf(1, nullptr);
-    for (const int threads : {2, 8, 16}) {
-        LoopMeter meter;
-        EXPECT_EQ(hashOf(threads, &meter), alone) << threads << " tasks a loop";
-        EXPECT_GT(meter.GetTimes().CountLoops(), 0);
+    for (const scenes::Scene* scene : {&squares, &pyramid}) {
+        const auto alone = hashOf(*scene, 1, nullptr);
+        for (const int threads : {2, 8, 16}) {
+            LoopMeter meter;
+            EXPECT_EQ(hashOf(*scene, threads, &meter), alone) << threads << " tasks a loop";
+            const LoopTimes& times = meter.GetTimes();
+            EXPECT_GT(times.CountLoops(), 0);
+            EXPECT_EQ(times.partEnds.size(), times.ends.size());
+            if (scene == &pyramid && threads == 2) EXPECT_GT(times.parts.size(), 100u);
+            EXPECT_LE(times.GetSpan(threads), times.GetElapsed());
+        }
     }
 }
 
