@@ -78,6 +78,15 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
                           ErrorCode::ok);
             }
             if (random.Below(15) == 0) AddSomething(mover, random);
+            if (random.Below(15) == 0 && mover->GetFixtureList()->GetNext() != nullptr) {
+                ASSERT_EQ(mover->DestroyFixture(mover->GetFixtureList()), ErrorCode::ok);
+            }
+            if (random.Below(15) == 0) {
+                MassData mass;
+                mover->GetMassData(&mass);
+                mass.mass += 1.0f, mass.I += 4.0f, mass.center = random.InSquare(0.5f);
+                ASSERT_EQ(mover->SetMassData(&mass), ErrorCode::ok);
+            }
             if (Body* body = statics[static_cast<size_t>(random.Below(25))]; random.Below(10) == 0) {
                 // Static ones come and go in every way.
                 const BodyType type = body->GetType() == staticBody ? dynamicBody : staticBody;
@@ -106,6 +115,10 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
                 s.continuousScratch.nearStatics.Find(m, {s.bodies, s.fixtures, *s.broadPhase, s.def.lengthScale});
             if (!near) continue;
             ++known;
+            float reach = 0.0f;
+            for (const Fixture* f = mover->GetFixtureList(); f != nullptr; f = f->GetNext())
+                reach = std::max(reach, Reach(*f->GetShape(), s.bodies.mass[m].localCenter));
+            EXPECT_EQ(s.continuousScratch.nearStatics.GetReach(m), reach);
             empty += near->empty() ? 1 : 0;
             EXPECT_TRUE(std::is_sorted(near->begin(), near->end()));
             for (const Fixture* f = mover->GetFixtureList(); f != nullptr; f = f->GetNext()) {
@@ -133,6 +146,36 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
     EXPECT_GT(met, 300);
     EXPECT_GT(empty, 100);
     EXPECT_GT(left, 1000);
+}
+
+/// What flies through empty space asks ever more seldom, and at once where something comes near.
+TEST(NearStatics, AskSeldomInEmptySpace) {
+    for (uint32_t seed = 0; seed < 20; ++seed) {
+        Source random(seed);
+        World world({0.0f, 0.0f});
+        AddBox(AddBody(world, staticBody, {1000.0f, 0.0f}), 1.0f, 100.0f);
+        Body* mover = AddBody(world, dynamicBody, {0.0f, 0.0f});
+        AddCircle(mover, random.Between(0.05f, 0.5f));
+        WorldState& s = world.GetState();
+        NearStatics& near = s.continuousScratch.nearStatics;
+        const BodyIndex m = IndexOf(*mover);
+        const Vec2 way{random.Between(0.5f, 2.0f), random.Between(-0.01f, 0.01f)};
+        int asked = 0, steps = 0;
+        bool isMet = false;
+        for (; s.bodies.position[m].c.x < 1003.0f; ++steps) {
+            s.bodies.startPosition[m] = s.bodies.position[m];
+            s.bodies.position[m].c += way;
+            asked += near.Get(m, s.bodies) ? 0 : 1;
+            const auto found = near.Find(m, {s.bodies, s.fixtures, *s.broadPhase, s.def.lengthScale});
+            ASSERT_TRUE(found);
+            isMet = isMet || !found->empty();
+            if (s.bodies.position[m].c.x > 998.9f && s.bodies.startPosition[m].c.x < 1001.1f) {
+                EXPECT_EQ(found->size(), 1u) << "seed " << seed << " step " << steps;
+            }
+        }
+        EXPECT_TRUE(isMet);
+        EXPECT_LT(asked, steps / 10) << "seed " << seed;
+    }
 }
 
 /// Among the short segments of a chain a body keeps more of them, and gives the room back when it leaves.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The ball is centred a step ahead and some steps wide. A static fixture belongs to it unless it is farther from its
-// centre than its radius and the body's reach together.
+// The ball is centred one or some steps ahead and about as wide. A static fixture belongs to it unless it is farther
+// from its centre than its radius and the body's reach together.
 
 #include "pipeline/parts/near_statics.h"
 
@@ -43,13 +43,24 @@ void NearStatics::Empty(Ball& ball) {
     ball = Ball();
 }
 
+/// Of what flies through empty space the ball is large, so that it seldom needs a new one.
 void NearStatics::MakeBall(BodyIndex body, const Tables& t, Ball& ball) {
+    constexpr float fewSteps = 1.0f, manySteps = 7.0f;
+    const bool wasFree = ball.radius >= 0.0f && ball.count == 0;
+    if (ball.reach < 0.0f) ball.reach = ReachOfBody(body, t);
+    if (wasFree) Fill(manySteps, body, t, ball);
+    if (!wasFree || ball.count > 0) Fill(fewSteps, body, t, ball);
+}
+
+/// The ball is centred so many steps ahead.
+void NearStatics::Fill(float steps, BodyIndex body, const Tables& t, Ball& ball) {
+    const float reach = ball.reach;
     Empty(ball);
+    ball.reach = reach;
     const Vec2 to = t.bodies.position[body].c;
     const Vec2 way = to - t.bodies.startPosition[body].c;
-    const float reach = ReachOfBody(body, t);
-    ball.centre = to + way;
-    ball.radius = 2.0f * way.Length() + 0.5f * reach;
+    ball.centre = to + steps * way;
+    ball.radius = (1.0f + steps) * way.Length() + 0.5f * reach;
     // A meeting is noticed within a slop of the surfaces; coordinates are rounded to their size.
     const float size = Abs(ball.centre.x) + Abs(ball.centre.y) + reach + ball.radius;
     const float far = reach + ball.radius + 2.0f * linearSlop * t.lengthScale + 1.0e-5f * size;

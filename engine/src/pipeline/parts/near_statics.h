@@ -51,6 +51,13 @@ public:
     /// The same without asking the broad phase: nothing where Find would have to. Safe for several threads.
     [[nodiscard]] std::optional<std::span<const FixtureIndex>> Get(BodyIndex body, const BodyTable& bodies) const;
 
+    /// The farthest that a fixture of the body, if it is no sensor, reaches from the centre of mass, m. Negative: that
+    /// is not known. Safe for several threads.
+    [[nodiscard]] float GetReach(BodyIndex body) const {
+        const Row row = RowOf(body);
+        return m_enabled && IsSome(row) ? m_balls[row].reach : -1.0f;
+    }
+
     /// To be called before NoteCalm and StaysCalm. What was noted with other answers of `atOutlines` is forgotten.
     void PrepareCalm(bool atOutlines);
     /// Notes that the body, where it is at the end of the step, was shown to meet no static fixture while none of its
@@ -78,6 +85,7 @@ private:
     struct Ball {
         Vec2 centre = vec2Zero;
         float radius = -1.0f;  ///< m; negative: there is no ball yet
+        float reach = -1.0f;   ///< of the body, m; negative: not known
         int count = 0;         ///< of fixtures; more than mostInCrowd: too many to keep
         int crowd = -1;        ///< where they are if they are more than mostFixtures
         FixtureIndex fixtures[mostFixtures];
@@ -96,6 +104,7 @@ private:
     /// The row of the body, made if there is none.
     Row NeedRow(BodyIndex body, const BodyTable& bodies);
     void MakeBall(BodyIndex body, const Tables& tables, Ball& ball);
+    void Fill(float steps, BodyIndex body, const Tables& tables, Ball& ball);
     /// There is no ball any more.
     void Empty(Ball& ball);
     [[nodiscard]] static bool IsInside(const Ball& ball, BodyIndex body, const BodyTable& bodies);

@@ -356,7 +356,7 @@ ToiPairs::PassedBox ToiPairs::PassedBoxOf(BodyIndex body, FixtureIndex fixture) 
     const Shape& shape = *m_t.fixtures.shape[fixture];
     PassedBox passed;
     shape.ComputeAABB(&passed.atEnd, m_bodies.transform[body]);
-    passed.reach = Reach(shape, m_bodies.mass[body].localCenter);
+    passed.reach = ReachOf(body, fixture);
     // What is nearer than the slop counts as met even without a skin.
     passed.skin = 2.0f * linearSlop * m_lengthScale;
     const Vec2 way = m_bodies.position[body].c - m_bodies.startPosition[body].c;
@@ -365,6 +365,13 @@ ToiPairs::PassedBox ToiPairs::PassedBoxOf(BodyIndex body, FixtureIndex fixture) 
     passed.onWay = {passed.atEnd.lowerBound - wider - Max(way, vec2Zero),
                     passed.atEnd.upperBound + wider - Min(way, vec2Zero)};
     return passed;
+}
+
+/// Of the fixture, which is no sensor, from the body's centre of mass, m.
+float ToiPairs::ReachOf(BodyIndex body, FixtureIndex fixture) const {
+    // Shapes are all over memory.
+    const float known = m_bodies.info[body].fixtureCount == 1 ? m_s.nearStatics.GetReach(body) : -1.0f;
+    return known >= 0.0f ? known : Reach(*m_t.fixtures.shape[fixture], m_bodies.mass[body].localCenter);
 }
 
 /// Covers the fixture on its whole way.
@@ -530,7 +537,7 @@ bool ToiPairs::PassesBy(const ToiPair& pair) const {
 /// apart, as where the boxes of slanted slabs overlap.
 bool ToiPairs::IsClear(FixtureIndex fixture, FixtureIndex other, float overlap) const {
     const BodyIndex body = m_t.fixtures.body[fixture], otherBody = m_t.fixtures.body[other];
-    const float reach = Reach(*m_t.fixtures.shape[fixture], m_bodies.mass[body].localCenter);
+    const float reach = ReachOf(body, fixture);
     const Vec2 frame = FrameOf(m_bodies, body, otherBody);
     return WayIsClear(*m_t.fixtures.shape[other], TransformIn(frame, m_bodies, otherBody),
                       StartIn(frame, m_bodies, body), CentreIn(frame, m_bodies, body), reach - overlap);

@@ -201,6 +201,7 @@ private:
         float skin, reach;  ///< m: within which things meet; of the fixture from the body's centre
     };
     [[nodiscard]] PassedBox PassedBoxOf(BodyIndex body, FixtureIndex fixture) const;
+    [[nodiscard]] float ReachOf(BodyIndex body, FixtureIndex fixture) const;
     [[nodiscard]] AABB SweptBox(BodyIndex body, FixtureIndex fixture) const;
     void CollectFirst(BodyIndex body, const NearStatics::Tables& tables);
     void Collect(BodyIndex body, bool withDynamic);
