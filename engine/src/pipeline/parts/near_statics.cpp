@@ -43,13 +43,14 @@ void NearStatics::Empty(Ball& ball) {
     ball = Ball();
 }
 
-/// Of what flies through empty space the ball is large, so that it seldom needs a new one.
+/// Balls of what flies through empty space grow, so that it seldom needs a new one.
 void NearStatics::MakeBall(BodyIndex body, const Tables& t, Ball& ball) {
-    constexpr float fewSteps = 1.0f, manySteps = 7.0f;
+    constexpr float fewest = 1.0f, most = 7.0f;
     const bool wasFree = ball.radius >= 0.0f && ball.count == 0;
     if (ball.reach < 0.0f) ball.reach = ReachOfBody(body, t);
-    if (wasFree) Fill(manySteps, body, t, ball);
-    if (!wasFree || ball.count > 0) Fill(fewSteps, body, t, ball);
+    const float steps = wasFree ? Min(2.0f * ball.steps + 1.0f, most) : fewest;
+    Fill(steps, body, t, ball);
+    if (steps > fewest && ball.count > 0) Fill(fewest, body, t, ball);
 }
 
 /// The ball is centred so many steps ahead.
@@ -57,6 +58,7 @@ void NearStatics::Fill(float steps, BodyIndex body, const Tables& t, Ball& ball)
     const float reach = ball.reach;
     Empty(ball);
     ball.reach = reach;
+    ball.steps = steps;
     const Vec2 to = t.bodies.position[body].c;
     const Vec2 way = to - t.bodies.startPosition[body].c;
     ball.centre = to + steps * way;

@@ -86,6 +86,7 @@ private:
         Vec2 centre = vec2Zero;
         float radius = -1.0f;  ///< m; negative: there is no ball yet
         float reach = -1.0f;   ///< of the body, m; negative: not known
+        float steps = 0.0f;    ///< how many ahead its centre was
         int count = 0;         ///< of fixtures; more than mostInCrowd: too many to keep
         int crowd = -1;        ///< where they are if they are more than mostFixtures
         FixtureIndex fixtures[mostFixtures];
