@@ -65,5 +65,24 @@ TEST(GatherParts, KeepWhatOneThreadWould) {
     }
 }
 
+TEST(AllOf, FindsTheOneThatDoesNotHold) {
+    std::mt19937 random(8);
+    for (const int workers : {1, 2, 4, 8}) {
+        TaskPool pool(workers, {});
+        pool.Begin();
+        for (int round = 0; round < 60; ++round) {
+            const int count = std::uniform_int_distribution(0, 3000)(random);
+            std::vector<uint8_t> holds(ToSize(count), 1);
+            const int wrong = std::min(count, std::uniform_int_distribution(0, 2)(random));
+            for (int i = 0; i < wrong; ++i) holds[random() % ToSize(count)] = 0;
+            const auto all = [&](int begin, int end) {
+                return std::ranges::count(holds.begin() + begin, holds.begin() + end, 0) == 0;
+            };
+            EXPECT_EQ(AllOf(pool, count, 100, all), wrong == 0) << workers << " workers, " << count << " items";
+        }
+        pool.End();
+    }
+}
+
 }  // namespace
 }  // namespace scree

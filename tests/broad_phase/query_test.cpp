@@ -170,26 +170,32 @@ TEST_P(Queries, RaysMeetNearBoxesFirst) {
             broadPhase->Insert(i, i, motion, {centre - Vec2{0.5f, 0.5f}, centre + Vec2{0.5f, 0.5f}});
         }
         broadPhase->PrepareQueries();
-        const auto first = *rc::gen::inRange(0u, count);
         const float length = 2.0f * static_cast<float>(count + 1);
-        const Vec2 start = (2.0f * static_cast<float>(first) + 1.0f) * direction;
-        uint32_t visits = 0, hit = count;
-        const uint64_t boxTests =
-            broadPhase->RayCast({start, start + length * direction, 1.0f}, [&](const RayCastInput& now, uint32_t i) {
-                ++visits;
-                const float entry = EntryFraction(now, broadPhase->GetBox(i));
-                if (entry <= 0.0f) return -1.0f;
-                hit = i;
-                return entry;
-            });
-        RC_ASSERT(hit == first);
         const auto leaf = static_cast<uint32_t>(broadPhase->GetLeafSize());
-        if (leaf == 0) return;  // a scan has no order
         const auto depth = static_cast<uint32_t>(std::bit_width(count));
-        // Nodes of the tree that is never rebuilt overlap.
+        // Nodes of the tree that is never rebuilt overlap: for one ray nothing bounds what it meets besides.
         const bool isRebuilt = GetParam() != BroadPhaseKind::fatTree;
-        RC_ASSERT(visits <= 2 * leaf + (isRebuilt ? 0 : depth));
-        RC_ASSERT(!isRebuilt || boxTests <= 2 * leaf + 8 * depth);
+        constexpr uint32_t rays = 16;
+        uint32_t allVisits = 0;
+        for (uint32_t ray = 0; ray < rays; ++ray) {
+            const auto first = *rc::gen::inRange(0u, count);
+            const Vec2 start = (2.0f * static_cast<float>(first) + 1.0f) * direction;
+            uint32_t visits = 0, hit = count;
+            const uint64_t boxTests = broadPhase->RayCast(
+                {start, start + length * direction, 1.0f}, [&](const RayCastInput& now, uint32_t i) {
+                    ++visits;
+                    const float entry = EntryFraction(now, broadPhase->GetBox(i));
+                    if (entry <= 0.0f) return -1.0f;
+                    hit = i;
+                    return entry;
+                });
+            RC_ASSERT(hit == first);
+            if (leaf == 0) continue;  // a scan has no order
+            RC_ASSERT(!isRebuilt || visits <= 2 * leaf);
+            RC_ASSERT(!isRebuilt || boxTests <= 2 * leaf + 8 * depth);
+            allVisits += visits;
+        }
+        RC_ASSERT(allVisits <= rays * std::max(2 * leaf, depth));
     }));
 }
 

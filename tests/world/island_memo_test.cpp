@@ -179,7 +179,9 @@ TEST(IslandMemo, AsksForAllThatASearchReads) {
     IslandMemo memo;
     IslandTable islands;
     bool isApart = true;
-    const auto isAnswered = [&] { return memo.IsAnswered({s.contacts, s.joints, s.bodies, rows, isApart}, islands); };
+    const auto isAnswered = [&] {
+        return memo.IsAnswered({*s.pool, s.contacts, s.joints, s.bodies, rows, isApart}, islands);
+    };
     const auto ask = [&] {
         for (int i = 0; i < 2; ++i) {  // contacts that were the same once are kept in mind
             EXPECT_FALSE(isAnswered());

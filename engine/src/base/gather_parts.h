@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -41,6 +42,17 @@ private:
     int m_count;
     int m_parts = 1;
 };
+
+/// Whether holds(begin, end) of all parts of [0, count); on several threads if the pool is wide and count is no less
+/// than `least`.
+template <typename Holds>
+bool AllOf(TaskPool& pool, int count, int least, Holds&& holds) {
+    std::atomic<bool> all{true};
+    pool.ForIfWide(count, least, [&](int begin, int end, int /*worker*/) {
+        if (all.load(std::memory_order_relaxed) && !holds(begin, end)) all.store(false, std::memory_order_relaxed);
+    });
+    return all.load(std::memory_order_relaxed);
+}
 
 /// Writes to the lists what part(begin, end, places) → counts keeps of parts of [0, count), in the order of the parts.
 /// A part writes up to end − begin items of each list to its place, and then all move together. Returns how many items

@@ -17,6 +17,8 @@ namespace {
 constexpr uint32_t hitBlock = 2048;
 /// Parts of a shared walk per worker, about: more are better balanced, and each copies its candidates once more.
 constexpr uint32_t partsPerWorker = 4;
+/// From so many pairs on the parts' lists are put together by all workers.
+constexpr size_t leastPairsToCopy = 1024;
 /// A store of four lanes writes beyond the last hit.
 constexpr uint32_t hitSlack = 4;
 
@@ -337,13 +339,23 @@ uint64_t KeysDetector::ShareParts(TaskPool& pool, PairSink& sink, Walk&& walk) {
         }
     });
     uint64_t boxTests = 0;
-    for (const KeysCut::Part& part : m_cut.parts) {
-        const std::vector<Pair>& found = m_buffers[static_cast<size_t>(part.worker)].pairs;
-        std::copy_n(found.begin() + static_cast<ptrdiff_t>(part.firstPair), part.pairCount,
-                    sink.Reserve(part.pairCount));
-        sink.Commit(part.pairCount);
+    size_t pairCount = 0;
+    for (KeysCut::Part& part : m_cut.parts) {
+        part.place = pairCount;
+        pairCount += part.pairCount;
         boxTests += part.boxTests;
     }
+    Pair* const pairs = sink.Reserve(pairCount);
+    const auto copy = [&](int begin, int end, int /*worker*/) {
+        for (int i = begin; i < end; ++i) {
+            const KeysCut::Part& part = m_cut.parts[static_cast<size_t>(i)];
+            const std::vector<Pair>& found = m_buffers[static_cast<size_t>(part.worker)].pairs;
+            std::copy_n(found.begin() + static_cast<ptrdiff_t>(part.firstPair), part.pairCount, pairs + part.place);
+        }
+    };
+    const auto parts = static_cast<int>(m_cut.parts.size());
+    pairCount >= leastPairsToCopy ? pool.ForIfWide(parts, 2, copy) : copy(0, parts, 0);
+    sink.Commit(pairCount);
     return boxTests;
 }
 

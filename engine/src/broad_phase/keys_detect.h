@@ -41,6 +41,7 @@ struct KeysCut {
         uint32_t candidateCount;
         int worker = 0;
         size_t firstPair = 0, pairCount = 0;
+        size_t place = 0;  ///< of its pairs among those of all parts
         uint64_t boxTests = 0;
     };
     uint32_t largest = 0;  ///< boxes of a subtree that is a part

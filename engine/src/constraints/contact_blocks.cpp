@@ -389,9 +389,14 @@ void ContactBlocks::Fill(const BlockInput& input) {
 }
 
 bool ContactBlocks::IsLaidOut(const BlockInput& input) const {
-    return m_grouping == input.contacts.grouping && (m_slices.Count() == 1 || m_slices.GetEdition() == m_edition) &&
-           std::equal(m_sided.begin(), m_sided.end(), input.list.begin(), input.list.end(),
-                      [](const SidedContact& was, ContactIndex contact) { return was.contact == contact; });
+    if (m_grouping != input.contacts.grouping || m_sided.size() != input.list.size()) return false;
+    if (m_slices.Count() > 1 && m_slices.GetEdition() != m_edition) return false;
+    return AllOf(input.pool, static_cast<int>(m_sided.size()), leastContactsToShare, [&](int begin, int end) {
+        for (int i = begin; i < end; ++i) {
+            if (At(i).contact != input.list[ToSize(i)]) return false;
+        }
+        return true;
+    });
 }
 
 /// Steps that threads share follow on steps that one thread does alone, and are not to allocate for that.

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/gather_parts.h"
+
 namespace scree {
 
 namespace {
@@ -33,11 +35,14 @@ bool IslandMemo::IsSame(const Question& q) const {
     for (const BodyIndex body : q.bodies.flags.Rows()) {
         if (FlagsOf(q.bodies, body) != m_flags[ToSize(body)]) return false;
     }
-    for (size_t i = 0; i < q.rows.size(); ++i) {
-        const ContactPair& pair = q.contacts.pair[q.rows[i]];
-        if (m_ends[i] != Ends{pair.bodyA, pair.bodyB}) return false;
-    }
-    return true;
+    constexpr int leastRowsToShare = 2048;
+    return AllOf(q.pool, static_cast<int>(q.rows.size()), leastRowsToShare, [&](int begin, int end) {
+        for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
+            const ContactPair& pair = q.contacts.pair[q.rows[i]];
+            if (m_ends[i] != Ends{pair.bodyA, pair.bodyB}) return false;
+        }
+        return true;
+    });
 }
 
 void IslandMemo::Keep(const Question& q) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/task_pool.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
 #include "state/islands.h"
@@ -24,6 +25,7 @@ class IslandMemo {
 public:
     /// All that a search reads.
     struct Question {
+        TaskPool& pool;
         const ContactTable& contacts;
         const JointTable& joints;
         const BodyTable& bodies;
