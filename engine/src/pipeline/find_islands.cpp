@@ -305,7 +305,8 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& poo
                  IslandScratch& scratch, IslandTable& islands, IsolatedPath path) {
     GatherSolved(contacts, pool, scratch.rows, [](ContactIndex) { return true; });
     ListMoversOf(scratch.rows, contacts, bodies);
-    if (scratch.memo.IsAnswered({pool, contacts, joints, bodies, scratch.rows, path == IsolatedPath::apart}, islands)) return;
+    if (scratch.memo.IsAnswered({pool, contacts, joints, bodies, scratch.rows, path == IsolatedPath::apart}, islands))
+        return;
     islands.Clear();
     islands.contacts.reserve(scratch.rows.size());
     BuildAdjacency(contacts, pool, bodies, scratch);
