@@ -15,9 +15,10 @@ using TaskFunction = void (*)(void* context, int begin, int end, int worker);
 
 /// A part of a task, for who measures. Contacts of a large island are solved in chains of such parts.
 struct TaskPart {
-    int chain = 0;               ///< 0…chainCount − 1; parts of a chain follow each other
-    int chainCount = 0;          ///< of this loop
-    const int* after = nullptr;  ///< by chain: how many of its parts had to be done before this one could begin
+    int chain = 0;       ///< 0…chainCount − 1; parts of a chain follow each other
+    int chainCount = 0;  ///< of this loop
+    /// By chain: how many of its parts had to be done before this one could begin. Only valid during the call.
+    const int* after = nullptr;
 };
 
 /// How a world gives work to a task system. The tasks of a loop may run in any order, on any threads, also one after
@@ -32,8 +33,8 @@ struct TaskCallbacks {
     /// Into how many tasks a loop is cut for each worker, 1…maxWorkers / workers. With more of them tasks are shorter,
     /// and a worker that is done early takes some of another's; with fewer there are fewer to start.
     int tasksPerWorker = 1;
-    /// Told when a task that consists of parts begins (isDone = false) and ends one of them, on the thread that does
-    /// it. Parts of one loop may run at the same time. Null: nobody is told.
+    /// Told of each part before (isDone = false) and after it is done, on the thread that does it. Parts of one loop may
+    /// be done at the same time, on several threads. It must not call the world. Null: nobody is told.
     void (*part)(const TaskPart& part, bool isDone, void* userContext) = nullptr;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Passes of a contact kernel over all blocks, on the workers: in chains (chain_run.h), or colour by colour,
-// since the blocks of one colour push different bodies. Colours with few blocks stay on the caller.
+// Passes of a contact kernel over all blocks, on the workers: in chains (chain_run.h), or colour by colour, since the
+// blocks of one colour push different bodies. Colours with few blocks stay on the caller.
 
 #pragma once
 
