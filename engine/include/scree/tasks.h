@@ -33,8 +33,8 @@ struct TaskCallbacks {
     /// Into how many tasks a loop is cut for each worker, 1…maxWorkers / workers. With more of them tasks are shorter,
     /// and a worker that is done early takes some of another's; with fewer there are fewer to start.
     int tasksPerWorker = 1;
-    /// Told of each part before (isDone = false) and after it is done, on the thread that does it. Parts of one loop may
-    /// be done at the same time, on several threads. It must not call the world. Null: nobody is told.
+    /// Told of each part before (isDone = false) and after it is done, on the thread that does it. Parts of one loop
+    /// may be done at the same time, on several threads. It must not call the world. Null: nobody is told.
     void (*part)(const TaskPart& part, bool isDone, void* userContext) = nullptr;
 };
 
