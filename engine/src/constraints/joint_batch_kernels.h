@@ -27,11 +27,16 @@ struct PointBatch {
     LaneRow armChild[2], armParent[2];              ///< in world coordinates
     LaneRow inverse[3];                             ///< of the joint's inverse mass: xx, xy, yy
     LaneRow response[2][3];                         ///< of the parent's velocity, to impulses along x and y
-    LaneRow right[2];                               ///< right side
-    LaneRow give;                                   ///< compliance beside that of the task
-    LaneRow total[2], recent[2], aim[2];            ///< impulses on the child: of the step, since bodies last moved,
-                                                    ///< and of the last solve before a move
+    LaneRow total[2], recent[2];                    ///< impulses on the child: of the step, since bodies last moved
     int32_t child[jointLanes], parent[jointLanes];  ///< rows of the bodies
+};
+
+/// What solves of `count` rows note of four joints; nothing of it stays but `give`.
+template <int count>
+struct SolveNotes {
+    LaneRow right[count];  ///< right side
+    LaneRow aim[count];    ///< impulses of the last solve before a move
+    LaneRow give;          ///< compliance beside that of the task
 };
 
 inline constexpr int rowLimit = 3;
@@ -41,9 +46,7 @@ struct RowBatch {
     LaneRow rowChild[rowLimit][3], rowParent[rowLimit][3];  ///< Jacobians
     LaneRow inverse[rowLimit][rowLimit];
     LaneRow response[rowLimit][3];
-    LaneRow right[rowLimit];
-    LaneRow give;  ///< compliance beside that of the task
-    LaneRow total[rowLimit], recent[rowLimit], aim[rowLimit];
+    LaneRow total[rowLimit], recent[rowLimit];
     int32_t child[jointLanes], parent[jointLanes];
     int32_t count;  ///< of rows
     // Of joints that hold B's anchor on a line fixed in A.
@@ -56,22 +59,26 @@ struct RowBatch {
 
 struct JointBatchTask {
     int32_t bodyCount;  ///< a multiple of four; row 0 is nothing, for lanes without a joint
+    // What stays from one kernel to the next.
     BodyRow* pose;      ///< x, y of the centre of mass, cos, sin
-    BodyRow* aimed;     ///< velocity to be
-    BodyRow* next;      ///< `pose` where that leads
-    BodyRow* angle;     ///< angle, that of `next`, turn since the start of the step, –
-    BodyRow* start;     ///< cos and sin at the start of the step
+    BodyRow* course;    ///< angle, turn since the start of the step, cos and sin at that start
     BodyRow* velocity;  ///< x, y, turning
     BodyRow* mass;      ///< 1/mass, 1/inertia, the same as the solve takes it, what factorize leaves of the spin
     double* stiffness;  ///< sub-step times what recent pulls turn a body back with; reach adds to it
-    LaneRow* left;      ///< the most that the turns of the last aim may leave of an error, in shares of an arm
-    BodyRow* mobility;  ///< two rows a body: xx, xy, xt, – and yy, yt, tt, –
-    BodyRow* shift;     ///< velocity as joints so far want it
-    BodyRow* impulse;   ///< on the body
     PointBatch* points;
     int32_t pointCount;
     RowBatch* rows;
     int32_t rowCount;
+    // What only one solve needs.
+    BodyRow* aimed;      ///< velocity to be
+    BodyRow* next;       ///< `pose` where that leads
+    LaneRow* nextAngle;  ///< and the angles there
+    LaneRow* left;       ///< the most that the turns of the last aim may leave of an error, in shares of an arm
+    BodyRow* mobility;   ///< two rows a body: xx, xy, xt, – and yy, yt, tt, –
+    BodyRow* shift;      ///< velocity as joints so far want it
+    BodyRow* impulse;    ///< on the body
+    SolveNotes<2>* pointNotes;
+    SolveNotes<rowLimit>* rowNotes;
     const int32_t* order;  ///< of elimination: batches of points, or ~ those of rows
     int32_t batchCount;
     const int32_t* roots;  ///< bodies that are eliminated with no joint
@@ -84,7 +91,7 @@ struct JointBatchTask {
 };
 
 struct JointBatchKernels {
-    /// `start` and turns → `pose`.
+    /// Courses → cos and sin of `pose`.
     void (*turn)(const JointBatchTask& task);
     /// Arms of points, and what their recent pulls make of the bodies' inertia; forgets these pulls.
     void (*reach)(const JointBatchTask& task);

@@ -122,15 +122,8 @@ private:
 }  // namespace
 
 size_t JointBatches::GetMemoryBytes() const {
-    size_t bytes = m_bodies.capacity() * sizeof(int) + m_places.capacity() * sizeof(Place) +
-                   m_points.capacity() * sizeof(PointBatch) + m_rows.capacity() * sizeof(RowBatch) +
-                   (m_order.capacity() + m_roots.capacity()) * sizeof(int32_t) + m_others.capacity() * sizeof(Other) +
-                   (m_stiffness.capacity() + m_left.capacity()) * sizeof(LaneRow) + m_tree.capacity() * sizeof(int);
-    for (const auto* rows :
-         {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_mobility, &m_shift, &m_impulse}) {
-        bytes += rows->capacity() * sizeof(BodyRow);
-    }
-    return bytes;
+    return BytesOf(m_bodies, m_places, m_points, m_rows, m_order, m_roots, m_others, m_pose, m_course, m_velocity,
+                   m_mass, m_stiffness, m_tree);
 }
 
 int JointBatches::AddRow(BodyIndex body) {
@@ -166,12 +159,8 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
     while (m_bodies.size() % ToSize(jointLanes) != 0) AddRow(BodyIndex::none);
     PutIntoLanes();
     ListRootsAndOthers();
-    for (auto* rows : {&m_pose, &m_next, &m_angle, &m_start, &m_velocity, &m_aimed, &m_mass, &m_shift, &m_impulse}) {
-        rows->assign(m_bodies.size(), BodyRow{});
-    }
+    for (auto* rows : {&m_pose, &m_course, &m_velocity, &m_mass}) rows->assign(m_bodies.size(), BodyRow{});
     m_stiffness.assign(m_bodies.size() / ToSize(jointLanes), LaneRow{});
-    m_left.assign(m_stiffness.size(), LaneRow{});
-    m_mobility.assign(2 * m_bodies.size(), BodyRow{});
 }
 
 void JointBatches::ListRootsAndOthers() {
@@ -262,7 +251,7 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
         m_mass[row] = {{invMass, invI, invI, 1.0}};
         m_velocity[row].v[2] = 0.0;
         const Rot& q = bodies.transform[body].q;
-        m_start[row] = {{double{q.c}, double{q.s}, 0.0, 0.0}};
+        m_course[row] = {{0.0, 0.0, double{q.c}, double{q.s}}};
     }
     m_shapes = shapes;
     for (const Place& place : m_places) {
@@ -274,7 +263,6 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
             for (int i = 0; i < count; ++i) {
                 batch.total[i].v[lane] = 0.0;
                 batch.recent[i].v[lane] = sign * recent[i];
-                batch.aim[i].v[lane] = 0.5 * sign * recent[i];
             }
         };
         if (!place.isPoint) {
@@ -292,29 +280,38 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
     }
 }
 
-JointBatchTask JointBatches::Task() {
+JointBatchTask JointBatches::Task(JointBatchScratch& scratch) {
     const auto turnFar = [](double cos, double sin, double angle, double* cosSin) {
         TreePose pose;
         Turn(cos, sin, angle, pose);
         cosSin[0] = pose.cos, cosSin[1] = pose.sin;
     };
-    return {.bodyCount = static_cast<int32_t>(m_bodies.size()),
+    const size_t bodies = m_bodies.size();
+    for (auto* rows : {&scratch.aimed, &scratch.next, &scratch.shift, &scratch.impulse}) EnsureRows(*rows, bodies);
+    EnsureRows(scratch.mobility, 2 * bodies);
+    EnsureRows(scratch.nextAngle, m_stiffness.size());
+    EnsureRows(scratch.left, m_stiffness.size());
+    EnsureRows(scratch.points, m_points.size());
+    EnsureRows(scratch.rows, m_rows.size());
+    return {.bodyCount = static_cast<int32_t>(bodies),
             .pose = m_pose.data(),
-            .aimed = m_aimed.data(),
-            .next = m_next.data(),
-            .angle = m_angle.data(),
-            .start = m_start.data(),
+            .course = m_course.data(),
             .velocity = m_velocity.data(),
             .mass = m_mass.data(),
             .stiffness = &m_stiffness.data()->v[0],
-            .left = m_left.data(),
-            .mobility = m_mobility.data(),
-            .shift = m_shift.data(),
-            .impulse = m_impulse.data(),
             .points = m_points.data(),
             .pointCount = static_cast<int32_t>(m_points.size()),
             .rows = m_rows.data(),
             .rowCount = static_cast<int32_t>(m_rows.size()),
+            .aimed = scratch.aimed.data(),
+            .next = scratch.next.data(),
+            .nextAngle = scratch.nextAngle.data(),
+            .left = scratch.left.data(),
+            .mobility = scratch.mobility.data(),
+            .shift = scratch.shift.data(),
+            .impulse = scratch.impulse.data(),
+            .pointNotes = scratch.points.data(),
+            .rowNotes = scratch.rows.data(),
             .order = m_order.data(),
             .batchCount = static_cast<int32_t>(m_order.size()),
             .roots = m_roots.data(),
@@ -325,16 +322,28 @@ JointBatchTask JointBatches::Task() {
             .turnFar = turnFar};
 }
 
-TreePose JointBatches::PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const {
-    const double(&p)[4] = poses[ToSize(row)].v;
-    return {p[0], p[1], m_angle[ToSize(row)].v[angle], p[2], p[3]};
+namespace {
+
+/// A body's pose of a row (x, y, cos, sin) and its angle.
+TreePose PoseOf(const BodyRow& row, double angle) {
+    const double(&p)[4] = row.v;
+    return {p[0], p[1], angle, p[2], p[3]};
 }
+
+/// Joints of a grove that do not stand firm do so again in the end.
+void StandFirm(const JointBatchTask& task) {
+    for (int i = 0; i < task.pointCount; ++i) task.pointNotes[i].give = {};
+    for (int i = 0; i < task.rowCount; ++i) task.rowNotes[i].give = {};
+}
+
+}  // namespace
 
 /// Jacobians of joints that are neither points nor on lines.
 void JointBatches::MakeJacobians() {
     for (Other& other : m_others) {
         const Place& place = m_places[ToSize(other.place)];
-        const TreePose child = PoseOf(place.child, m_pose, 0), parent = PoseOf(place.parent, m_pose, 0);
+        const auto pose = [&](int row) { return PoseOf(m_pose[ToSize(row)], m_course[ToSize(row)].v[0]); };
+        const TreePose child = pose(place.child), parent = pose(place.parent);
         MakeRows<true>(m_shapes[ToSize(place.shape)], place.childIsB ? parent : child, place.childIsB ? child : parent,
                        other.rows);
         RowBatch& batch = m_rows[ToSize(place.batch)];
@@ -359,15 +368,18 @@ void JointBatches::MakeJacobians() {
     }
 }
 
-void JointBatches::MeasureRows() {
+void JointBatches::MeasureRows(const JointBatchTask& task) const {
+    const auto pose = [&](int row) {
+        return PoseOf(task.next[row], task.nextAngle[row / jointLanes].v[row % jointLanes]);
+    };
     for (const Other& other : m_others) {
         const Place& place = m_places[ToSize(other.place)];
-        const TreePose child = PoseOf(place.child, m_next, 1), parent = PoseOf(place.parent, m_next, 1);
+        const TreePose child = pose(place.child), parent = pose(place.parent);
         TreeRows rows;
         MakeRows<false>(m_shapes[ToSize(place.shape)], place.childIsB ? parent : child, place.childIsB ? child : parent,
                         rows);
-        RowBatch& batch = m_rows[ToSize(place.batch)];
-        for (int i = 0; i < batch.count; ++i) batch.right[i].v[place.lane] = -rows.error[i] / m_h;
+        SolveNotes<rowLimit>& notes = task.rowNotes[place.batch];
+        for (int i = 0; i < RowCount(place.kind); ++i) notes.right[i].v[place.lane] = -rows.error[i] / m_h;
     }
 }
 
@@ -380,17 +392,17 @@ bool JointBatches::IsSteadied() const {
     return false;
 }
 
-void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
-                             bool isLoaded) {
+void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h, bool isLoaded,
+                             JointBatchScratch& scratch) {
     m_h = h;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         if (IsNone(m_bodies[row])) continue;
         const TreeStart from = StartOf(bodies, delta, m_bodies[row]);
         m_pose[row].v[0] = from.x, m_pose[row].v[1] = from.y;
-        m_angle[row].v[0] = from.angle, m_angle[row].v[2] = from.turn;
+        m_course[row].v[0] = from.angle, m_course[row].v[1] = from.turn;
     }
     const JointBatchKernels& kernels = GetJointBatchKernels();
-    JointBatchTask task = Task();
+    JointBatchTask task = Task(scratch);
     kernels.turn(task);
     std::fill(m_stiffness.begin(), m_stiffness.end(), LaneRow{});
     kernels.reach(task);
@@ -430,7 +442,7 @@ void JointBatches::StoreVelocities(Column<BodyIndex, Velocity>& velocity) const 
     }
 }
 
-double JointBatches::AimAll(const JointBatchTask& task) {
+double JointBatches::AimAll(const JointBatchTask& task) const {
     // The Jacobians of the present pose stand for those of the next one. What that leaves of an error, in shares of an
     // arm, is the turn of a body times what the solve changes of it. Each iteration gains two orders in h. A chain
     // under a strong pull swings itself up where they begin at the impulses of the last time. It does so too where they
@@ -443,7 +455,7 @@ double JointBatches::AimAll(const JointBatchTask& task) {
     for (int iteration = 0; iteration < mostIterations; ++iteration) {
         kernels.lead(task);
         kernels.measure(task);
-        MeasureRows();
+        MeasureRows(task);
         left = kernels.aim(task);
         if (!(left > enough)) break;
     }
@@ -451,11 +463,11 @@ double JointBatches::AimAll(const JointBatchTask& task) {
 }
 
 /// Where the velocities of `aimed` lead, per row that stands for a tree.
-std::vector<TreeCourse> JointBatches::MeasureTrees(const JointBatchTask& task) {
+std::vector<TreeCourse> JointBatches::MeasureTrees(const JointBatchTask& task) const {
     const JointBatchKernels& kernels = GetJointBatchKernels();
     kernels.lead(task);
     kernels.measure(task);
-    MeasureRows();
+    MeasureRows(task);
     std::vector<TreeCourse> trees(m_bodies.size());
     for (const Place& place : m_places) {
         double& largest = trees[ToSize(m_tree[ToSize(place.child)])].error;
@@ -463,48 +475,43 @@ std::vector<TreeCourse> JointBatches::MeasureTrees(const JointBatchTask& task) {
             largest = std::max(largest, std::abs(right.v[place.lane]) * task.h);
         };
         if (place.isPoint) {
-            for (const LaneRow& right : m_points[ToSize(place.batch)].right) note(right);
+            for (const LaneRow& right : task.pointNotes[place.batch].right) note(right);
         } else {
-            const RowBatch& batch = m_rows[ToSize(place.batch)];
-            for (int i = 0; i < batch.count; ++i) note(batch.right[i]);
+            for (int i = 0; i < m_rows[ToSize(place.batch)].count; ++i) note(task.rowNotes[place.batch].right[i]);
         }
     }
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         const double(&mass)[4] = m_mass[row].v;
-        trees[ToSize(m_tree[row])].energy += EnergyOf(m_aimed[row].v, mass[0], mass[2]);
+        trees[ToSize(m_tree[row])].energy += EnergyOf(task.aimed[row].v, mass[0], mass[2]);
     }
     return trees;
 }
 
 /// In trees whose aim misleads. False if there are none.
-bool JointBatches::GiveWay(const JointBatchTask& task, double compliance) {
+bool JointBatches::GiveWay(const JointBatchTask& task, double compliance) const {
     const std::vector<TreeCourse> aimed = MeasureTrees(task);
-    const std::vector<BodyRow> velocities = m_aimed;
+    const std::vector<BodyRow> velocities(task.aimed, task.aimed + task.bodyCount);
     GetJointBatchKernels().coast(task);
     const std::vector<TreeCourse> coasted = MeasureTrees(task);
-    m_aimed.assign(velocities.begin(), velocities.end());
+    std::ranges::copy(velocities, task.aimed);
     std::vector<uint8_t> gives(m_bodies.size(), 0);
     bool doAny = false;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         const size_t tree = ToSize(m_tree[row]);
-        const double left = m_left[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)];
+        const double left = task.left[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)];
         if (Misleads(left, aimed[tree], coasted[tree])) gives[tree] = 1, doAny = true;
     }
     for (const Place& place : m_places) {
         if (gives[ToSize(m_tree[ToSize(place.child)])] == 0) continue;
-        LaneRow& give = place.isPoint ? m_points[ToSize(place.batch)].give : m_rows[ToSize(place.batch)].give;
+        LaneRow& give = place.isPoint ? task.pointNotes[place.batch].give : task.rowNotes[place.batch].give;
         give.v[place.lane] = compliance;
     }
     return doAny;
 }
-void JointBatches::StandFirm() {
-    for (PointBatch& batch : m_points) batch.give = {};
-    for (RowBatch& batch : m_rows) batch.give = {};
-}
 
-void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
+void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity, JointBatchScratch& scratch) {
     const JointBatchKernels& kernels = GetJointBatchKernels();
-    const JointBatchTask task = Task();
+    const JointBatchTask task = Task(scratch);
     if (m_isForVelocities) kernels.factorize(task);
     // The spin that the body has is that of its own inertia: what is added must not bring energy with it.
     LoadVelocities(velocity, [](double spin, double, const double(&mass)[4]) {
@@ -517,19 +524,19 @@ void JointBatches::SolveBeforeMove(Column<BodyIndex, Velocity>& velocity) {
             kernels.factorize(task);
             left = AimAll(task);
         }
-        StandFirm();
+        StandFirm(task);
     }
     kernels.keep(task);
     StoreVelocities(velocity);
 }
 
-void JointBatches::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
+void JointBatches::SolveAfterMove(Column<BodyIndex, Velocity>& velocity, JointBatchScratch& scratch) {
     LoadVelocities(velocity, [](double spin, double last, double(&mass)[4]) {
         const double taken = TakeSpin(spin, last, mass[3], mass[1], mass[2]);
         mass[3] = 1.0;
         return taken;
     });
-    GetJointBatchKernels().stop(Task());
+    GetJointBatchKernels().stop(Task(scratch));
     StoreVelocities(velocity);
 }
 

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
 #include "constraints/joint_batch_kernels.h"
 #include "constraints/joint_tree_rows.h"
 
@@ -30,6 +31,19 @@ struct TreeEdge {
 
 struct TreeCourse;
 
+/// What a solve of some batches needs besides them. Of one solve nothing is left for the next, so a worker has one of
+/// these for all that it solves, and it stays in the cache.
+struct JointBatchScratch {
+    std::vector<BodyRow> aimed, next, mobility, shift, impulse;
+    std::vector<LaneRow> nextAngle, left;
+    std::vector<SolveNotes<2>> points;
+    std::vector<SolveNotes<rowLimit>> rows;
+
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(aimed, next, mobility, shift, impulse, nextAngle, left, points, rows);
+    }
+};
+
 class JointBatches {
 public:
     /// Takes over the links whose bodies form trees, and puts them into an order that stays until the next call.
@@ -42,9 +56,10 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
     // As of JointTree.
-    void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h, bool isLoaded);
-    void SolveBeforeMove(Column<BodyIndex, Velocity>& velocity);
-    void SolveAfterMove(Column<BodyIndex, Velocity>& velocity);
+    void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h, bool isLoaded,
+                   JointBatchScratch& scratch);
+    void SolveBeforeMove(Column<BodyIndex, Velocity>& velocity, JointBatchScratch& scratch);
+    void SolveAfterMove(Column<BodyIndex, Velocity>& velocity, JointBatchScratch& scratch);
 
     /// Calls visit(const TreeResult&) for each joint.
     template <typename Visit>
@@ -96,19 +111,18 @@ private:
     void PutIntoLanes();
     void ListRootsAndOthers();
     static void SetLine(const Place& place, const TreeShape& s, RowBatch& batch);
-    [[nodiscard]] JointBatchTask Task();
-    [[nodiscard]] TreePose PoseOf(int row, const std::vector<BodyRow>& poses, int angle) const;
+    /// With room in the scratch.
+    [[nodiscard]] JointBatchTask Task(JointBatchScratch& scratch);
     template <typename SpinOf>
     void LoadVelocities(const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf);
     void StoreVelocities(Column<BodyIndex, Velocity>& velocity) const;
     void MakeJacobians();
     [[nodiscard]] bool IsSteadied() const;
-    void MeasureRows();
+    void MeasureRows(const JointBatchTask& task) const;
     /// The most that the solve leaves, as `left` of the task.
-    double AimAll(const JointBatchTask& task);
-    [[nodiscard]] std::vector<TreeCourse> MeasureTrees(const JointBatchTask& task);
-    bool GiveWay(const JointBatchTask& task, double compliance);
-    void StandFirm();
+    [[nodiscard]] double AimAll(const JointBatchTask& task) const;
+    [[nodiscard]] std::vector<TreeCourse> MeasureTrees(const JointBatchTask& task) const;
+    [[nodiscard]] bool GiveWay(const JointBatchTask& task, double compliance) const;
 
     std::vector<BodyIndex> m_bodies;  ///< per row: the body, −1: none; statics have a row for each joint
     std::vector<Place> m_places;
@@ -117,9 +131,9 @@ private:
     std::vector<PointBatch> m_points;
     std::vector<RowBatch> m_rows;
     std::vector<int32_t> m_order, m_roots;
-    std::vector<BodyRow> m_pose, m_next, m_angle, m_start, m_velocity, m_aimed, m_mass, m_mobility, m_shift, m_impulse;
-    std::vector<LaneRow> m_stiffness, m_left;  ///< per row of bodies
-    std::vector<int> m_tree;                   ///< per row: the tree that it belongs to, by a row of that
+    std::vector<BodyRow> m_pose, m_course, m_velocity, m_mass;  ///< per row, as those of the task
+    std::vector<LaneRow> m_stiffness;
+    std::vector<int> m_tree;  ///< per row: the tree that it belongs to, by a row of that
     double m_h = 1.0, m_compliance = 0.0;
     bool m_isForVelocities = false;  ///< factors are not for aiming
 };

@@ -72,7 +72,7 @@ void JointGroves::Plan(std::span<TreeEdge> links) {
 
 void JointGroves::Refresh(TaskPool& pool, const BodyTable& bodies, const JointTable& joints,
                           std::span<const TreeShape> shapes, double recentScale, double compliance) {
-    ForEach(pool, [&](JointBatches& grove) { grove.Refresh(bodies, joints, shapes, recentScale, compliance); });
+    ForEach(pool, [&](JointBatches& grove, auto&) { grove.Refresh(bodies, joints, shapes, recentScale, compliance); });
 }
 
 bool JointGroves::IsEmpty() const { return std::ranges::all_of(Groves(), &JointBatches::IsEmpty); }
@@ -80,20 +80,31 @@ bool JointGroves::IsEmpty() const { return std::ranges::all_of(Groves(), &JointB
 size_t JointGroves::GetMemoryBytes() const {
     size_t bytes = m_groves.capacity() * sizeof(JointBatches);
     for (const JointBatches& grove : m_groves) bytes += grove.GetMemoryBytes();
+    for (const JointBatchScratch& scratch : m_scratch) bytes += sizeof scratch + scratch.GetMemoryBytes();
     return bytes;
 }
 
 void JointGroves::Factorize(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
                             bool isLoaded) {
-    ForEach(pool, [&](JointBatches& grove) { grove.Factorize(bodies, delta, h, isLoaded); });
+    ForEach(pool, [&](JointBatches& grove, JointBatchScratch& scratch) {
+        grove.Factorize(bodies, delta, h, isLoaded, scratch);
+    });
 }
 
 void JointGroves::SolveBeforeMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity) {
-    ForEach(pool, [&](JointBatches& grove) { grove.SolveBeforeMove(velocity); });
+    ForEach(pool, [&](JointBatches& grove, JointBatchScratch& scratch) { grove.SolveBeforeMove(velocity, scratch); });
 }
 
 void JointGroves::SolveAfterMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity) {
-    ForEach(pool, [&](JointBatches& grove) { grove.SolveAfterMove(velocity); });
+    ForEach(pool, [&](JointBatches& grove, JointBatchScratch& scratch) { grove.SolveAfterMove(velocity, scratch); });
+}
+
+void JointGroves::FactorizeAndStop(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
+                                   double h, bool isLoaded, Column<BodyIndex, Velocity>& velocity) {
+    ForEach(pool, [&](JointBatches& grove, JointBatchScratch& scratch) {
+        grove.Factorize(bodies, delta, h, isLoaded, scratch);
+        grove.SolveAfterMove(velocity, scratch);
+    });
 }
 
 }  // namespace scree

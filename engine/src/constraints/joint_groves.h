@@ -30,6 +30,8 @@ public:
                    bool isLoaded);
     void SolveBeforeMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity);
     void SolveAfterMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity);
+    void FactorizeAndStop(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
+                          bool isLoaded, Column<BodyIndex, Velocity>& velocity);
 
     /// Calls visit(const TreeResult&) for each joint.
     template <typename Visit>
@@ -48,13 +50,15 @@ private:
     [[nodiscard]] std::span<const JointBatches> Groves() const { return std::span(m_groves).first(m_count); }
     template <typename Visit>
     void ForEach(TaskPool& pool, Visit&& visit) {
-        pool.For(static_cast<int>(m_count), 2, [&](int begin, int end, int) {
-            for (int i = begin; i < end; ++i) visit(m_groves[ToSize(i)]);
+        EnsureRows(m_scratch, ToSize(pool.GetRowCount()));
+        pool.For(static_cast<int>(m_count), 2, [&](int begin, int end, int worker) {
+            for (int i = begin; i < end; ++i) visit(m_groves[ToSize(i)], m_scratch[ToSize(worker)]);
         });
     }
 
     std::vector<JointBatches> m_groves;  ///< some spare ones at the end keep their memory
     size_t m_count = 0;
+    std::vector<JointBatchScratch> m_scratch;  ///< of each worker
 };
 
 }  // namespace scree

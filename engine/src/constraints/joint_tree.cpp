@@ -81,6 +81,10 @@ void FactorizeFor(JointForest& forest, double h, double compliance) {
 
 void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
     m->trees.Factorize(*m->pool, poses.bodies, poses.delta, double{h}, isLoaded);
+    FactorizeLoops(poses, h, isLoaded);
+}
+
+void JointTree::FactorizeLoops(const Poses& poses, float h, bool isLoaded) {
     if (m->joints.empty()) return;
     for (TreeBody& b : m->bodies) {
         const TreeStart start = StartOf(poses.bodies, poses.delta, b.body);
@@ -203,6 +207,16 @@ void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocit
 
 void JointTree::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
     m->trees.SolveAfterMove(*m->pool, velocity);
+    StopLoops(velocity);
+}
+
+void JointTree::FactorizeAndStop(const Poses& poses, float h, bool isLoaded, Column<BodyIndex, Velocity>& velocity) {
+    m->trees.FactorizeAndStop(*m->pool, poses.bodies, poses.delta, double{h}, isLoaded, velocity);
+    FactorizeLoops(poses, h, isLoaded);
+    StopLoops(velocity);
+}
+
+void JointTree::StopLoops(Column<BodyIndex, Velocity>& velocity) {
     if (m->joints.empty()) return;
     LoadVelocities(m->bodies, velocity, [](TreeBody& b, double spin) {
         const double taken = TakeSpin(spin, b.v[2], b.spinLeft, b.invI, b.steadyInvI);

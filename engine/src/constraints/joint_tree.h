@@ -64,6 +64,8 @@ public:
     void SolveBeforeMove(const Poses& poses, float h, Column<BodyIndex, Velocity>& velocity);
     /// Removes all speed along the joints; after Factorize at the new poses.
     void SolveAfterMove(Column<BodyIndex, Velocity>& velocity);
+    /// Factorize and SolveAfterMove: what is read for the one is still in the cache for the other.
+    void FactorizeAndStop(const Poses& poses, float h, bool isLoaded, Column<BodyIndex, Velocity>& velocity);
     /// Joints that are so much coupled that they are solved in turn; of them only Build and Store are here.
     [[nodiscard]] JointNet& GetNets();
     /// Writes the impulses of the last two solves, times `scale`, into the joints.
@@ -75,6 +77,9 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
+    void FactorizeLoops(const Poses& poses, float h, bool isLoaded);
+    void StopLoops(Column<BodyIndex, Velocity>& velocity);
+
     std::unique_ptr<JointForest> m;
 };
 

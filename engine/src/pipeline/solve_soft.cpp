@@ -463,8 +463,10 @@ private:
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
+        const bool isSeen = m_plan.hasContacts || m_rowsAct;
+        if (isFirst && isSeen) return m_tree.FactorizeAndStop(Poses(), m_h, m_plan.isLoaded, m_bodies.velocity);
         if (isFirst) m_tree.Factorize(Poses(), m_h, m_plan.isLoaded);
-        if (m_plan.hasContacts || m_rowsAct) m_tree.SolveAfterMove(m_bodies.velocity);
+        if (isSeen) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
         if (m_rowsAct) SolveJointVelocities(JointWork(1.0f));
@@ -516,8 +518,7 @@ private:
     /// No speed is left along the trees' joints.
     void StopTrees() {
         if (!m_plan.hasTrees) return;
-        m_tree.Factorize(Poses(), m_h, m_plan.isLoaded);
-        m_tree.SolveAfterMove(m_bodies.velocity);
+        m_tree.FactorizeAndStop(Poses(), m_h, m_plan.isLoaded, m_bodies.velocity);
     }
     void StopRows() {
         if (m_plan.hasNets) {
