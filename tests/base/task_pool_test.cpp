@@ -10,9 +10,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <future>
+#include <memory>
 #include <numeric>
 #include <thread>
+#include <vector>
 
 namespace scree {
 
@@ -143,34 +144,134 @@ TaskCallbacks RunAtOnce(Calls& calls) {
             [](void*, void* user) { ++static_cast<Calls*>(user)->finished; }, &calls};
 }
 
-TEST(TaskPool, ATaskSystemMayRunTasksAtOnceOrOnItsThreads) {
+TEST(TaskPool, LoopsAreCutForATaskSystemThatRunsTasksAtOnce) {
     Calls calls;
-    const TaskCallbacks atOnce = RunAtOnce(calls);
-    const TaskCallbacks threads{[](void (*task)(void*), void* taskContext, void* user) -> void* {
-                                    ++static_cast<Calls*>(user)->enqueued;
-                                    return new std::future<void>(std::async(std::launch::async, task, taskContext));
-                                },
-                                [](void* handle, void* user) {
-                                    auto* future = static_cast<std::future<void>*>(handle);
-                                    future->wait();
-                                    delete future;
-                                    ++static_cast<Calls*>(user)->finished;
-                                },
-                                &calls};
-    {
-        TaskPool pool(3, atOnce);
+    TaskPool pool(3, RunAtOnce(calls));
+    for (int step = 1; step <= 3; ++step) {
         pool.Begin();
-        ExpectEachOnce(Owners(pool, 300, 1), 3);
+        for (int loop = 0; loop < 4; ++loop) {
+            const std::vector<int> owners = Owners(pool, 300, 1);
+            for (int worker = 0; worker < 3; ++worker) EXPECT_EQ(std::ranges::count(owners, worker), 100);
+        }
         pool.End();
-        EXPECT_EQ(calls.enqueued, 2);
-        EXPECT_EQ(calls.finished, 0);
+        EXPECT_EQ(calls.enqueued, step * (2 + 4 * 2)) << "one each to see how it runs them";
     }
-    TaskPool pool(3, threads);
+    EXPECT_EQ(calls.finished, 0);
+}
+
+/// A program's threads: one for each task.
+struct TaskThreads {
+    int enqueued = 0, finished = 0;
+    std::atomic<int> ended{0};
+
+    [[nodiscard]] TaskCallbacks GetCallbacks() {
+        return {[](void (*task)(void*), void* taskContext, void* user) -> void* {
+                    auto& own = *static_cast<TaskThreads*>(user);
+                    ++own.enqueued;
+                    return new std::thread([task, taskContext, &own] {
+                        task(taskContext);
+                        ++own.ended;
+                    });
+                },
+                [](void* handle, void* user) {
+                    auto* thread = static_cast<std::thread*>(handle);
+                    thread->join();
+                    delete thread;
+                    ++static_cast<TaskThreads*>(user)->finished;
+                },
+                this};
+    }
+    /// Waits until so many tasks have ended; false if that takes too long.
+    [[nodiscard]] bool AwaitEnd(int tasks) const {
+        const auto give = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        while (ended < tasks && std::chrono::steady_clock::now() < give) std::this_thread::yield();
+        return ended == tasks;
+    }
+};
+
+TEST(TaskPool, AStepHasOneTaskForEachFurtherWorker) {
+    constexpr int steps = 20, loops = 100;
+    TaskThreads threads;
+    TaskPool pool(3, threads.GetCallbacks());
+    const auto start = std::chrono::steady_clock::now();
+    int enqueued = 0;
+    for (int step = 0; step < steps; ++step) {
+        pool.Begin();
+        for (int loop = 0; loop < loops; ++loop) ExpectEachOnce(Owners(pool, 300, 1), 3);
+        EXPECT_LE(threads.finished, threads.enqueued - 2) << "as long as the step lasts";
+        pool.End();
+        EXPECT_EQ(threads.finished, threads.enqueued);
+        EXPECT_GE(threads.enqueued, enqueued + 2);
+        enqueued = threads.enqueued;
+        pool.Begin();
+        pool.End();
+        EXPECT_EQ(threads.enqueued, enqueued) << "a step without loops has no tasks";
+    }
+    // A task leaves, and is started anew, only where its thread gets no loop for a millisecond.
+    const std::chrono::duration<double, std::milli> elapsed = std::chrono::steady_clock::now() - start;
+    EXPECT_LE(enqueued, 2 * steps + static_cast<int>(2.0 * elapsed.count()));
+}
+
+TEST(TaskPool, AStepsTaskThatHasNothingToDoLeavesAndIsStartedAgainWhenThereIs) {
+    TaskThreads threads;
+    TaskPool pool(3, threads.GetCallbacks());
     pool.Begin();
-    for (int loop = 0; loop < 10; ++loop) ExpectEachOnce(Owners(pool, 300, 1), 3);
+    for (int times = 1; times <= 3; ++times) {
+        ExpectEachOnce(Owners(pool, 300, 1), 3);
+        EXPECT_EQ(threads.enqueued, 2 * times);
+        ASSERT_TRUE(threads.AwaitEnd(2 * times));
+    }
+    EXPECT_EQ(threads.finished, 4);
     pool.End();
-    EXPECT_EQ(calls.enqueued, 22);
-    EXPECT_EQ(calls.finished, 20);
+    EXPECT_EQ(threads.finished, 6);
+}
+
+/// Tasks that wait until their `finish`, or for whoever runs one.
+struct LateTasks {
+    struct Task {
+        void (*run)(void*);
+        void* context;
+        LateTasks* all;
+    };
+    std::vector<Task*> waiting;
+
+    void RunOne() {
+        if (waiting.empty()) return;
+        const Task* const task = waiting.back();
+        waiting.pop_back();
+        task->run(task->context);
+    }
+    [[nodiscard]] TaskCallbacks GetCallbacks() {
+        return {[](void (*task)(void*), void* taskContext, void* user) -> void* {
+                    auto& all = *static_cast<LateTasks*>(user);
+                    return all.waiting.emplace_back(new Task{task, taskContext, &all});
+                },
+                [](void* handle, void*) {
+                    const std::unique_ptr<Task> task(static_cast<Task*>(handle));
+                    if (std::erase(task->all->waiting, task.get()) > 0) task->run(task->context);
+                },
+                this};
+    }
+};
+
+TEST(TaskPool, AStepsTasksMayRunLateOrOnTheThreadThatSteps) {
+    for (const bool helps : {false, true}) {
+        LateTasks tasks;
+        TaskPool pool(4, tasks.GetCallbacks());
+        for (int step = 0; step < 3; ++step) {
+            pool.Begin();
+            for (int loop = 0; loop < 10; ++loop) {
+                std::vector<int> owners(300, -1);
+                pool.For(300, 1, [&](int begin, int end, int worker) {
+                    for (int i = begin; i < end; ++i) owners[static_cast<size_t>(i)] = worker;
+                    if (helps) tasks.RunOne();  // as a program may that waits for another of its tasks
+                });
+                EXPECT_EQ(owners, std::vector<int>(300, 0));
+            }
+            pool.End();
+            EXPECT_TRUE(tasks.waiting.empty());
+        }
+    }
 }
 
 TEST(TaskPool, ATaskSystemGetsSoManyTasksForEachWorkerButNoEmptyOnes) {

@@ -198,7 +198,7 @@ TEST(BadWorldDef, MakesNoWorld) {
     expectNone("WorldDef::broadPhase", [](WorldDef& d) { d.broadPhase = static_cast<BroadPhaseKind>(77); });
     expectNone("WorldDef::workerCount", [](WorldDef& d) { d.workerCount = 0; });
     expectNone("WorldDef::tasks", [](WorldDef& d) { d.tasks.finish = [](void*, void*) {}; });
-    for (const int tasks : {-1, 0, maxWorkers / 3 + 1}) {
+    for (const int tasks : {-1, maxWorkers / 3 + 1}) {
         expectNone("WorldDef::tasks.tasksPerWorker", [tasks](WorldDef& d) {
             d.workerCount = 3;
             d.tasks.tasksPerWorker = tasks;

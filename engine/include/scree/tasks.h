@@ -21,18 +21,20 @@ struct TaskPart {
     const int* after = nullptr;
 };
 
-/// How a world gives work to a task system. The tasks of a loop may run in any order, on any threads, also one after
-/// the other. A task may wait for what another one is in the midst of, never for one that has not begun: it does that
-/// one's work itself. Results do not depend on that.
+/// How a world gives work to a task system. Tasks may run in any order, on any threads, also one after the other, late,
+/// or not before `finish`. A task may wait for what another one is in the midst of, never for one that has not begun:
+/// it does that one's work itself. Results do not depend on that.
 struct TaskCallbacks {
     /// Starts task(taskContext) and returns a handle for `finish`, or runs the task at once and returns null.
     void* (*enqueue)(void (*task)(void* taskContext), void* taskContext, void* userContext) = nullptr;
     /// Waits until the task is done.
     void (*finish)(void* handle, void* userContext) = nullptr;
     void* context = nullptr;  ///< passed on as userContext
-    /// Into how many tasks a loop is cut for each worker, 1…maxWorkers / workers. With more of them tasks are shorter,
-    /// and a worker that is done early takes some of another's; with fewer there are fewer to start.
-    int tasksPerWorker = 1;
+    /// 0: a step has one task for each further worker. It takes part in all loops of the step, and waits by spinning in
+    /// between. It leaves when there has been no loop for about a millisecond; another one is started when there is.
+    /// 1…maxWorkers / workers: each loop is cut into so many tasks for each worker, and no task waits for loops. That
+    /// is so with 0, too, in steps whose tasks were all run at once.
+    int tasksPerWorker = 0;
     /// Told of each part before (isDone = false) and after it is done, on the thread that does it. Parts of one loop
     /// may be done at the same time, on several threads. It must not call the world. Null: nobody is told.
     void (*part)(const TaskPart& part, bool isDone, void* userContext) = nullptr;

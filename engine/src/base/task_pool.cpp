@@ -6,6 +6,8 @@
 #include "base/task_pool.h"
 
 #include <algorithm>
+#include <chrono>
+#include <utility>
 
 #include "base/float_mode.h"
 #include "base/undo.h"
@@ -16,6 +18,8 @@ namespace {
 
 /// More: better balance; fewer: less taking turns.
 constexpr int chunksPerWorker = 4;
+/// Some microseconds.
+constexpr int spinsInWait = 2000;
 
 #if defined(SCREE_HAS_THREADS)
 /// Waits until done() holds.
@@ -31,17 +35,16 @@ TaskPool::~TaskPool() { Stop(); }
 
 /// Spins for some microseconds, then gives the core away.
 void TaskPool::GiveWay(int turns) {
-    constexpr int spins = 2000;
 #if defined(SCREE_HAS_THREADS)
-    if (turns >= spins) return std::this_thread::yield();
+    if (turns >= spinsInWait) return std::this_thread::yield();
 #endif
     PauseSpinning();
 }
 
-/// Threads take chunk after chunk; a task has one of its own, whatever thread runs it.
+/// Who takes chunk after chunk is a worker; of loops that are cut into tasks each task is one, whatever thread runs it.
 TaskPool::TaskPool(int workerCount, const TaskCallbacks& callbacks)
     : m_workerCount(workerCount),
-      m_rowCount(callbacks.enqueue == nullptr ? workerCount : workerCount * callbacks.tasksPerWorker),
+      m_rowCount(callbacks.enqueue == nullptr ? workerCount : workerCount * std::max(callbacks.tasksPerWorker, 1)),
       m_callbacks(callbacks),
       m_shares(workerCount > 1 ? std::make_unique<Share[]>(static_cast<size_t>(workerCount)) : nullptr) {
     MakeThreads();
@@ -76,7 +79,14 @@ void TaskPool::RunWithCallbacks() {
 #if defined(SCREE_HAS_THREADS)
 
 void TaskPool::MakeThreads() {
-    if (m_callbacks.enqueue != nullptr) return;
+    if (m_callbacks.enqueue != nullptr) {
+        m_recruits = std::make_unique<Recruited[]>(static_cast<size_t>(m_workerCount));
+        for (int worker = 1; worker < m_workerCount; ++worker) {
+            m_recruits[static_cast<size_t>(worker)].pool = this;
+            m_recruits[static_cast<size_t>(worker)].worker = worker;
+        }
+        return;
+    }
     Undo undo([this] { Stop(); });  // those that could be made
     m_threads.reserve(static_cast<size_t>(m_workerCount - 1));
     for (int worker = 1; worker < m_workerCount; ++worker) m_threads.emplace_back([this, worker] { Work(worker); });
@@ -93,23 +103,61 @@ void TaskPool::Stop() {
 void TaskPool::Begin() {
     m_inStep = m_workerCount > 1;
     if (m_stalledSteps > 0) --m_stalledSteps;
-    if (m_threads.empty()) return;
+    m_cutsLoops = m_callbacks.enqueue != nullptr && m_callbacks.tasksPerWorker > 0;
+    m_caller = std::this_thread::get_id();
     m_awake.fetch_add(1);
-    m_awake.notify_all();
+    if (!m_threads.empty()) m_awake.notify_all();
 }
 
 void TaskPool::End() {
     m_inStep = false;
-    if (!m_threads.empty()) m_awake.fetch_add(1);
+    m_awake.fetch_add(1);
+    if (m_recruits != nullptr) Dismiss();
+}
+
+/// Hands a task to the program for each worker that has none, or whose task has left.
+void TaskPool::Recruit() {
+    bool areAllRefused = true;
+    for (int worker = 1; worker < m_workerCount; ++worker) {
+        Recruited& task = m_recruits[static_cast<size_t>(worker)];
+        if (!task.isRefused && !task.isIn.load(std::memory_order_acquire)) {
+            if (task.handle != nullptr) m_callbacks.finish(std::exchange(task.handle, nullptr), m_callbacks.context);
+            task.isIn.store(true, std::memory_order_relaxed);
+            task.handle = m_callbacks.enqueue(
+                [](void* context) {
+                    auto& own = *static_cast<Recruited*>(context);
+                    // The thread that steps may run it, too, while it waits for something else.
+                    if (std::this_thread::get_id() != own.pool->m_caller) {
+                        const StandardFloats floats;
+                        uint32_t turn = 0;
+                        own.pool->WorkInStep(own.worker, turn, true);
+                    }
+                    own.isIn.store(false, std::memory_order_release);
+                },
+                &task, m_callbacks.context);
+            task.isRefused = task.handle == nullptr;
+        }
+        areAllRefused = areAllRefused && task.isRefused;
+    }
+    m_cutsLoops = areAllRefused;
+}
+
+void TaskPool::Dismiss() {
+    for (int worker = 1; worker < m_workerCount; ++worker) {
+        Recruited& task = m_recruits[static_cast<size_t>(worker)];
+        if (task.handle != nullptr) m_callbacks.finish(std::exchange(task.handle, nullptr), m_callbacks.context);
+        task.isRefused = false;
+        task.isIn.store(false, std::memory_order_relaxed);
+    }
 }
 
 void TaskPool::Run(int count, TaskFunction function, void* context) {
     m_loop.count = count;
     m_loop.function = function;
     m_loop.context = context;
-    if (m_callbacks.enqueue != nullptr) {
-        RunWithCallbacks();
-        return;
+    if (m_recruits != nullptr) {
+        if (!m_cutsLoops) Recruit();
+        if (m_cutsLoops) return RunWithCallbacks();
     }
     m_loop.turn.store(++m_turn, std::memory_order_release);
     const auto chunks = static_cast<uint32_t>(m_workerCount * chunksPerWorker);
@@ -148,8 +196,25 @@ void TaskPool::Work(int worker) {
         // Between steps: sleep.
         for (uint32_t awake = m_awake.load(); awake % 2 == 0 && !m_quit; awake = m_awake.load()) m_awake.wait(awake);
         if (m_quit) return;
-        const auto current = [&] { return m_loop.turn.load(std::memory_order_acquire); };
-        Await([&] { return current() != turn || m_awake.load() % 2 == 0 || m_quit; });
+        WorkInStep(worker, turn, false);
+    }
+}
+
+/// Takes part in loops until the step is over; who may leave does so when there has been no loop for some time. `turn`:
+/// the last one.
+void TaskPool::WorkInStep(int worker, uint32_t& turn, bool mayLeave) {
+    using Clock = std::chrono::steady_clock;
+    constexpr std::chrono::milliseconds patience(1);
+    const auto current = [&] { return m_loop.turn.load(std::memory_order_acquire); };
+    for (;;) {
+        Clock::time_point idleSince;
+        for (int turns = 0; current() == turn; ++turns) {
+            if (m_awake.load() % 2 == 0 || m_quit) return;
+            GiveWay(turns);
+            if (!mayLeave || turns < spinsInWait) continue;
+            if (turns == spinsInWait) idleSince = Clock::now();
+            if (Clock::now() - idleSince > patience) return;
+        }
         turn = current();
         for (int i = 0; i < m_workerCount; ++i) {
             const uint32_t done = RunShare(turn, (worker + i) % m_workerCount, worker);

@@ -8,6 +8,10 @@
 //
 // Workers sleep between steps: Begin wakes them once, End lets them sleep, and PoolRegion does both for a step, if
 // sharing pays. Between the loops of a step they wait by spinning for a while and then yielding.
+//
+// A program's own tasks do the same: one for each worker lasts for a step, and takes chunks of its loops. Such a task
+// leaves when there has been nothing to do for some time, so that what else the program waits for gets its thread.
+// Where a task system runs tasks at once, or is asked for more of them, every loop is cut into tasks.
 
 #pragma once
 
@@ -30,7 +34,7 @@ namespace scree {
 
 class TaskPool {
 public:
-    /// `workerCount` ≥ 1, the calling thread included. With callbacks no threads are made: every loop goes to them.
+    /// `workerCount` ≥ 1, the calling thread included. With callbacks no threads are made: their tasks are the workers.
     /// Without threads (base/compiler.h) and callbacks the caller runs every loop alone.
     TaskPool(int workerCount, const TaskCallbacks& callbacks);
     ~TaskPool();
@@ -92,7 +96,10 @@ private:
     void Run(int count, TaskFunction function, void* context);
     void RunWithCallbacks();
     void Work(int worker);
+    void WorkInStep(int worker, uint32_t& turn, bool mayLeave);
     void MakeThreads();
+    void Recruit();
+    void Dismiss();
     void Stop();
     uint32_t RunShare(uint32_t turn, int share, int worker);
     void RunRange(int index, int parts, int worker) {
@@ -108,6 +115,18 @@ private:
     std::atomic<int> m_stalledSteps{0};
 #if defined(SCREE_HAS_THREADS)
     std::vector<std::thread> m_threads;
+
+    /// A task that is a worker while a step lasts.
+    struct alignas(64) Recruited {
+        TaskPool* pool = nullptr;
+        int worker = 0;
+        void* handle = nullptr;
+        bool isRefused = false;         ///< was run at once, and is not tried again in this step
+        std::atomic<bool> isIn{false};  ///< from when it was handed over until it leaves
+    };
+    std::unique_ptr<Recruited[]> m_recruits;  ///< by worker
+    bool m_cutsLoops = true;                  ///< into tasks, in this step
+    std::thread::id m_caller;                 ///< of this step
 #endif
 
     bool m_inStep = false;  ///< and with more than one worker

@@ -211,8 +211,8 @@ Finding Check(const WorldDef& def) {
         return {ErrorCode::outOfRange, "WorldDef::workerCount", "give 1 to maxWorkers"};
     if ((def.tasks.enqueue == nullptr) != (def.tasks.finish == nullptr))
         return {ErrorCode::nullArgument, "WorldDef::tasks", "give both enqueue and finish, or neither"};
-    if (def.tasks.tasksPerWorker < 1 || def.tasks.tasksPerWorker > maxWorkers / def.workerCount)
-        return {ErrorCode::outOfRange, "WorldDef::tasks.tasksPerWorker", "give 1 to maxWorkers / workerCount"};
+    if (def.tasks.tasksPerWorker < 0 || def.tasks.tasksPerWorker > maxWorkers / def.workerCount)
+        return {ErrorCode::outOfRange, "WorldDef::tasks.tasksPerWorker", "give 0 to maxWorkers / workerCount"};
     if (def.featureMode > FeatureMode::fixed)
         return {ErrorCode::outOfRange, "WorldDef::featureMode", "give one of FeatureMode"};
     const Features missing = FeaturesOf(def) - AllowedFeatures(def);
