@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: MIT
 //
 // A world that runs for ever. Bodies, fixtures and joints come and go in every step, and sensors and listeners' events
-// are read. Memory must stay what it is after the first tenth. Argument: how many steps (1,000,000). Exit code 1 if the
+// are read. Memory must stay what it is after the first tenth. Argument: how many steps (a million). Exit code 1 if the
 // tables of the world or the heap have grown by more than a tenth since then, or if any number is not finite.
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
+#include <cstring>
 #include <deque>
+#include <system_error>
 
 #include "scenes/build.h"
 #include "scree/inspect.h"
@@ -112,7 +114,18 @@ private:
 }  // namespace
 
 int main(int argc, char** argv) {
-    const int steps = std::max(1000, argc > 1 ? std::atoi(argv[1]) : 1000000);
+    constexpr int leastSteps = 1000;
+    int steps = 1000000;
+    bool isGood = argc <= 2;
+    if (argc == 2) {
+        const char* const end = argv[1] + std::strlen(argv[1]);
+        const auto [parsed, error] = std::from_chars(argv[1], end, steps);
+        isGood = error == std::errc() && parsed == end && steps >= leastSteps;
+    }
+    if (!isGood) {
+        std::fprintf(stderr, "usage: scree_soak [STEPS], a number from %d on; a million without it\n", leastSteps);
+        return 2;
+    }
     Churn churn;
     size_t tables = 0, heap = 0, mostTables = 0, mostHeap = 0;
     for (int step = 0; step < steps; ++step) {
