@@ -313,5 +313,38 @@ TEST(Step, AWarmStepAllocatesNothing) {
     }
 }
 
+/// The same of chains of 5 to 94 links that swing: groves of unlike size, which any worker may get.
+long CountSwingingAllocations(int substeps, Workers workers) {
+    WorldDef def;
+    def.gravity = {0.0f, -10.0f};
+    def.allowSleep = false;
+    def.workerCount = workers.count;
+    World world(def);
+    if (workers.shareAlways) world.GetState().pool->ShareAlways();
+    Body* const ceiling = AddBody(world, staticBody, {0.0f, 0.0f});
+    for (int chain = 0; chain < 40; ++chain) {
+        const float x = 200.0f * static_cast<float>(chain);
+        Body* last = ceiling;
+        const int links = 5 + chain * 37 % 90;
+        for (int link = 0; link < links; ++link) {
+            const float at = x + static_cast<float>(link);
+            Body* body = AddBody(world, dynamicBody, {at + 0.5f, 0.0f});
+            AddBox(body, 0.5f, 0.1f);
+            RevoluteJointDef joint;
+            joint.Initialize(last, body, {at, 0.0f});
+            world.CreateJoint(&joint);
+            last = body;
+        }
+    }
+    return CountAllocations(world, substeps, 10);
+}
+
+TEST(Step, AWarmStepOfJointsAllocatesNothing) {
+    for (const Workers& workers : anyWorkers) {
+        EXPECT_EQ(CountSwingingAllocations(0, workers), 0) << "sequential impulses, workers " << workers;
+        EXPECT_EQ(CountSwingingAllocations(4, workers), 0) << "soft step, workers " << workers;
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

@@ -121,6 +121,14 @@ private:
 
 }  // namespace
 
+void JointBatchScratch::Ensure(size_t bodyCount, size_t pointCount, size_t rowCount) {
+    for (auto* ofBodies : {&aimed, &next, &shift, &impulse}) EnsureRows(*ofBodies, bodyCount);
+    EnsureRows(mobility, 2 * bodyCount);
+    for (auto* lanes : {&nextAngle, &left}) EnsureRows(*lanes, bodyCount / ToSize(jointLanes));
+    EnsureRows(points, pointCount);
+    EnsureRows(rows, rowCount);
+}
+
 size_t JointBatches::GetMemoryBytes() const {
     return BytesOf(m_bodies, m_places, m_points, m_rows, m_order, m_roots, m_others, m_pose, m_course, m_velocity,
                    m_mass, m_stiffness, m_tree);
@@ -286,14 +294,7 @@ JointBatchTask JointBatches::Task(JointBatchScratch& scratch) {
         Turn(cos, sin, angle, pose);
         cosSin[0] = pose.cos, cosSin[1] = pose.sin;
     };
-    const size_t bodies = m_bodies.size();
-    for (auto* rows : {&scratch.aimed, &scratch.next, &scratch.shift, &scratch.impulse}) EnsureRows(*rows, bodies);
-    EnsureRows(scratch.mobility, 2 * bodies);
-    EnsureRows(scratch.nextAngle, m_stiffness.size());
-    EnsureRows(scratch.left, m_stiffness.size());
-    EnsureRows(scratch.points, m_points.size());
-    EnsureRows(scratch.rows, m_rows.size());
-    return {.bodyCount = static_cast<int32_t>(bodies),
+    return {.bodyCount = static_cast<int32_t>(m_bodies.size()),
             .pose = m_pose.data(),
             .course = m_course.data(),
             .velocity = m_velocity.data(),

@@ -39,6 +39,7 @@ struct JointBatchScratch {
     std::vector<SolveNotes<2>> points;
     std::vector<SolveNotes<rowLimit>> rows;
 
+    void Ensure(size_t bodyCount, size_t pointCount, size_t rowCount);
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(aimed, next, mobility, shift, impulse, nextAngle, left, points, rows);
     }
@@ -53,9 +54,13 @@ public:
     void Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
                  double recentScale, double compliance);
     [[nodiscard]] bool IsEmpty() const { return m_order.empty(); }
+    /// Makes room in a scratch: later steps are not to allocate because another worker has these batches.
+    void EnsureRoom(JointBatchScratch& scratch) const {
+        scratch.Ensure(m_bodies.size(), m_points.size(), m_rows.size());
+    }
     [[nodiscard]] size_t GetMemoryBytes() const;
 
-    // As of JointTree.
+    // As of JointTree; the scratch has room.
     void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h, bool isLoaded,
                    JointBatchScratch& scratch);
     void SolveBeforeMove(Column<BodyIndex, Velocity>& velocity, JointBatchScratch& scratch);
@@ -111,7 +116,6 @@ private:
     void PutIntoLanes();
     void ListRootsAndOthers();
     static void SetLine(const Place& place, const TreeShape& s, RowBatch& batch);
-    /// With room in the scratch.
     [[nodiscard]] JointBatchTask Task(JointBatchScratch& scratch);
     template <typename SpinOf>
     void LoadVelocities(const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf);

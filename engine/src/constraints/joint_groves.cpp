@@ -72,6 +72,10 @@ void JointGroves::Plan(std::span<TreeEdge> links) {
 
 void JointGroves::Refresh(TaskPool& pool, const BodyTable& bodies, const JointTable& joints,
                           std::span<const TreeShape> shapes, double recentScale, double compliance) {
+    EnsureRows(m_scratch, ToSize(pool.GetRowCount()));
+    for (JointBatchScratch& scratch : m_scratch) {
+        for (const JointBatches& grove : Groves()) grove.EnsureRoom(scratch);
+    }
     ForEach(pool, [&](JointBatches& grove, auto&) { grove.Refresh(bodies, joints, shapes, recentScale, compliance); });
 }
 

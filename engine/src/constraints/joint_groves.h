@@ -50,7 +50,6 @@ private:
     [[nodiscard]] std::span<const JointBatches> Groves() const { return std::span(m_groves).first(m_count); }
     template <typename Visit>
     void ForEach(TaskPool& pool, Visit&& visit) {
-        EnsureRows(m_scratch, ToSize(pool.GetRowCount()));
         pool.For(static_cast<int>(m_count), 2, [&](int begin, int end, int worker) {
             for (int i = begin; i < end; ++i) visit(m_groves[ToSize(i)], m_scratch[ToSize(worker)]);
         });
