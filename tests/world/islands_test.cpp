@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <memory>
 #include <numeric>
 #include <random>
 
@@ -228,14 +229,21 @@ struct Workers {
 };
 constexpr Workers anyWorkers[] = {{1, false}, {2, false}, {2, true}, {3, true}};
 
-/// Allocations of 60 steps of settled stacks beside isolated bodies, after 240 steps.
-long CountWarmAllocations(int substeps, Workers workers) {
+/// In which nothing sleeps.
+std::unique_ptr<World> MakeAwakeWorld(Workers workers) {
     WorldDef def;
     def.gravity = {0.0f, -10.0f};
     def.allowSleep = false;
     def.workerCount = workers.count;
-    World world(def);
-    if (workers.shareAlways) world.GetState().pool->ShareAlways();
+    auto world = std::make_unique<World>(def);
+    if (workers.shareAlways) world->GetState().pool->ShareAlways();
+    return world;
+}
+
+/// Allocations of 60 steps of settled stacks beside isolated bodies, after 240 steps.
+long CountWarmAllocations(int substeps, Workers workers) {
+    const std::unique_ptr<World> made = MakeAwakeWorld(workers);
+    World& world = *made;
     AddGround(world);
     for (int i = 0; i < 15; ++i) {
         for (int j = 0; j < 20; ++j) {
@@ -315,12 +323,8 @@ TEST(Step, AWarmStepAllocatesNothing) {
 
 /// The same of chains of 5 to 94 links that swing: groves of unlike size, which any worker may get.
 long CountSwingingAllocations(int substeps, Workers workers) {
-    WorldDef def;
-    def.gravity = {0.0f, -10.0f};
-    def.allowSleep = false;
-    def.workerCount = workers.count;
-    World world(def);
-    if (workers.shareAlways) world.GetState().pool->ShareAlways();
+    const std::unique_ptr<World> made = MakeAwakeWorld(workers);
+    World& world = *made;
     Body* const ceiling = AddBody(world, staticBody, {0.0f, 0.0f});
     for (int chain = 0; chain < 40; ++chain) {
         const float x = 200.0f * static_cast<float>(chain);

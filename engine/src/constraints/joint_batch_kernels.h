@@ -31,7 +31,7 @@ struct PointBatch {
     int32_t child[jointLanes], parent[jointLanes];  ///< rows of the bodies
 };
 
-/// What solves of `count` rows note of four joints; nothing of it stays but `give`.
+/// What a solve of `count` rows notes of four joints. Between solves nothing of it counts, and `give` is 0.
 template <int count>
 struct SolveNotes {
     LaneRow right[count];  ///< right side

@@ -331,7 +331,7 @@ TreePose PoseOf(const BodyRow& row, double angle) {
     return {p[0], p[1], angle, p[2], p[3]};
 }
 
-/// Joints of a grove that do not stand firm do so again in the end.
+/// The next solve finds no joint that gives way.
 void StandFirm(const JointBatchTask& task) {
     for (int i = 0; i < task.pointCount; ++i) task.pointNotes[i].give = {};
     for (int i = 0; i < task.rowCount; ++i) task.rowNotes[i].give = {};
