@@ -67,6 +67,9 @@ void BlockChains::Build(int chains, std::span<const Section> sections, std::span
         }
     }
     m_firstStep[chains] = static_cast<int32_t>(m_steps.size());
+    for (int chain = 0; chain < chains; ++chain)
+        m_bordersEnd[chain] =
+            groups.empty() ? 0 : m_bordersDone[(m_colours.size() - 1) * ToSize(chains) + ToSize(chain)];
     for (const auto& [step, colour] : m_waiting) {
         m_steps[ToSize(step)].needs = static_cast<int32_t>(m_needs.size() / ToSize(chains));
         for (int other = 0; other < chains; ++other) {

@@ -6,6 +6,8 @@
 // of other chains push, too. It comes first in each colour, and waits for the borders of the colours before. Other
 // chains did those before the rest of these colours, so that there is seldom anything to wait for. Every body meets its
 // contacts in the order of colours, whoever solves them: results are those of one thread.
+//
+// A pass may end with a step for the bodies of each slice. It waits for the borders of the others alone.
 
 #pragma once
 
@@ -54,6 +56,24 @@ public:
     [[nodiscard]] std::span<const int32_t> GetNeeds(int row) const {
         return std::span(m_needs).subspan(ToSize(row) * ToSize(m_count), ToSize(m_count));
     }
+    /// Steps of a chain in a pass; `withBodies` there is one more, for the bodies of its slice, which comes last.
+    [[nodiscard]] int CountSteps(int chain, bool withBodies) const {
+        return static_cast<int>(GetSteps(chain).size()) + (withBodies ? 1 : 0);
+    }
+    /// How many steps of all passes another chain must have done before this one does the step that follows on `done`.
+    [[nodiscard]] int CountNeeded(int chain, int done, int other, bool withBodies) const {
+        if (other == chain) return 0;
+        const int count = CountSteps(chain, withBodies), passes = done / count;
+        const size_t at = ToSize(done % count);
+        const int before = passes * CountSteps(other, withBodies);
+        if (at == GetSteps(chain).size()) return m_bordersEnd[other] > 0 ? before + m_bordersEnd[other] : 0;
+        const Step& step = GetSteps(chain)[at];
+        if (step.needs < 0) return 0;
+        const int32_t needed = GetNeeds(step.needs)[ToSize(other)];
+        // The bodies of all slices come after the borders of the pass before.
+        if (withBodies) return before + (needed > 0 ? needed : 0);
+        return needed != nothing && before + needed > 0 ? before + needed : 0;
+    }
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(m_sections, m_steps, m_ranges, m_needs, m_colours, m_bordersDone, m_waiting);
     }
@@ -73,6 +93,7 @@ private:
     std::vector<Section> m_sections;
     std::vector<Step> m_steps;  ///< by chain
     int32_t m_firstStep[most + 1] = {};
+    int32_t m_bordersEnd[most] = {};  ///< by chain: steps done with all borders; 0: it has none
     std::vector<BlockRange> m_ranges;
     std::vector<int32_t> m_needs;
     // Scratch of Build.

@@ -88,7 +88,7 @@ void BodySlices::Note(std::span<const int> sizes, int atBorder) {
 }
 
 std::span<const BodyIndex> BodySlices::Sort(TaskPool& pool, const BodyTable& bodies, std::span<const BodyIndex> list,
-                                            std::vector<BodyIndex>& sliced) const {
+                                            std::vector<BodyIndex>& sliced) {
     if (m_mayShare) ReserveRows(list.size(), sliced);  // a later step is not to allocate because it is shared
     if (m_count == 1) return list;
     // Counting sort, a count for each part of the list.
@@ -102,9 +102,11 @@ std::span<const BodyIndex> BodySlices::Sort(TaskPool& pool, const BodyTable& bod
     });
     size_t begin = 0;
     for (int slice = 0; slice < m_count; ++slice) {
+        m_begins[ToSize(slice)] = begin;
         for (int part = 0; part < parts.Count(); ++part)
             begin += std::exchange(next[ToSize(part)][ToSize(slice)], begin);
     }
+    m_begins[ToSize(m_count)] = begin;
     sliced.resize(list.size());
     parts.For(pool, [&](int part, int first, int end) {
         std::array<size_t, most>& places = next[ToSize(part)];

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/task_pool.h"
@@ -36,10 +37,15 @@ public:
     [[nodiscard]] uint8_t Of(const BodyTable& bodies, BodyIndex body) const {
         return static_cast<uint8_t>(SliceOf(Place(bodies, body, m_order), m_cuts, m_count));
     }
+    /// Whether bodies stay in their slices wherever they go.
+    [[nodiscard]] bool AreByNumber() const { return m_order == Order::byNumber; }
     /// The bodies of a list slice by slice: in `sliced`, or the list itself where there is one slice.
     [[nodiscard]] std::span<const BodyIndex> Sort(TaskPool& pool, const BodyTable& bodies,
-                                                  std::span<const BodyIndex> list,
-                                                  std::vector<BodyIndex>& sliced) const;
+                                                  std::span<const BodyIndex> list, std::vector<BodyIndex>& sliced);
+    /// Where a slice begins and ends in what was sorted last, if there were several.
+    [[nodiscard]] std::pair<size_t, size_t> GetRange(int slice) const {
+        return {m_begins[ToSize(slice)], m_begins[ToSize(slice) + 1]};
+    }
 
 private:
     /// Along which bodies are cut. By number, what other loops of a step do with them stays in the same caches, too.
@@ -68,6 +74,7 @@ private:
     bool m_mayShare = false;
     Order m_order = Order::byNumber;
     std::array<float, most> m_cuts{};  ///< between slices
+    std::array<size_t, most + 1> m_begins{};
 };
 
 }  // namespace scree

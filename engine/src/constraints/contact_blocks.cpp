@@ -213,8 +213,10 @@ void ContactBlocks::MakeRanges(const BlockInput& input, int chains, Column<BodyI
     const Parts parts(input.pool, static_cast<int>(m_sided.size()), leastContactsToShare);
     const size_t groupCount = ToSize(m_colourCount * kindCount);
     const BodyStrips strips(input, groupCount * ToSize(parts.Count()));
-    constexpr int leastBlocks = 16, leastOfTests = 1;  // of a chain in a colour: else threads would mostly wait
-    const int least = input.pool.SharesAlways() ? leastOfTests : leastBlocks;
+    // Of a chain in a colour: else threads would mostly wait.
+    constexpr int leastBlocks = 16, leastWithBodies = 8, leastOfTests = 1;
+    const int leastThere = input.bodiesFollow ? leastWithBodies : leastBlocks;
+    const int least = input.pool.SharesAlways() ? leastOfTests : leastThere;
     const bool hasChains =
         chains > 1 && static_cast<int>(m_sided.size()) >= blockLanes * least * chains * m_colourCount;
     const size_t stripCount = hasChains ? 2 * ToSize(chains) : strips.Count();

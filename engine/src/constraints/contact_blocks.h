@@ -41,6 +41,9 @@ struct BlockInput {
     /// Friction with the unmovable acts on the mover's own surface, so that disks roll by their radius, instead of
     /// halfway between both surfaces.
     bool onMoverSurface = false;
+    /// Passes end with the bodies of each slice (BlockChains). So chains spare more ends of loops, and shorter ones
+    /// pay.
+    bool bodiesFollow = false;
     const ContactKernels& kernels = GetContactKernels();
 };
 
@@ -77,6 +80,11 @@ public:
 
     [[nodiscard]] KernelTask Task(Column<BodyIndex, Velocity>& velocity, Column<BodyIndex, Velocity>& delta);
     [[nodiscard]] bool IsEmpty() const { return m_ranges.empty(); }
+    /// Whether each chain is what pushes the bodies of a slice, as those were sorted in this step, but for the borders
+    /// of other chains.
+    [[nodiscard]] bool FollowSlices() const {
+        return !m_chains.IsEmpty() && m_chains.Count() == m_slices.Count() && (m_isFresh || m_slices.AreByNumber());
+    }
     /// How many blocks one thread alone would have; several may have some more.
     [[nodiscard]] int GetBlockCount() const { return m_blockCount; }
     [[nodiscard]] bool Bounces() const { return m_findings.bounces; }
@@ -171,7 +179,7 @@ private:
     std::vector<int> m_order;             ///< per lane, and some more: position in the list, −1 to spare
     std::vector<ContactIndex> m_contact;  ///< the same: contact, 0 to spare
     uint64_t m_grouping = 0;              ///< that of the table (ContactTable::grouping) when it was laid out
-    bool m_isFresh = true;                ///< laid out in this call of Build
+    bool m_isFresh = true;                ///< laid out in the last call of Build
     BodySlices m_slices;
     BlockChains m_chains;                          ///< none where threads do not share the blocks
     std::vector<BlockChains::Section> m_sections;  ///< by group and chain

@@ -16,105 +16,25 @@
 // impulses.
 //
 // A contact bounces in the sub-step in which it is met, before anything else.
+//
+// Where contacts alone hold the bodies, threads go through all sub-steps in one loop: the bodies of a slice follow on
+// the blocks that push them (constraints/block_chains.h).
 
 #include "pipeline/solve_soft.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 
-#include "base/two_sum.h"
 #include "pipeline/parts/ballistic_path.h"
-#include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/pose_finisher.h"
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/run_kernel.h"
+#include "pipeline/parts/soft_bodies.h"
 
 namespace scree {
 
 namespace {
-
-/// Without `forces` as in solve_islands.cpp.
-template <bool forces>
-SoftBody MakeSoftBody(const SolverSettings& settings, const BodyTable& bodies, BodyIndex body) {
-    const float h = settings.dt / static_cast<float>(settings.substeps);
-    SoftBody soft{};
-    soft.body = body;
-    soft.linearDamp = soft.angularDamp = 1.0f;
-    if (bodies.type[body] != dynamicBody) return soft;
-    const MassRow& mass = bodies.mass[body];
-    const MotionRow& motion = bodies.motion[body];
-    if constexpr (!forces) {
-        soft.kick.v = (0.5f * h * mass.invMass) * (motion.mass * settings.gravity + vec2Zero);
-        return soft;
-    }
-    const ForceRow& force = bodies.force[body];
-    soft.kick.v = (0.5f * h * mass.invMass) * ((motion.gravityScale * motion.mass) * settings.gravity + force.force);
-    soft.kick.w = 0.5f * h * mass.invI * force.torque;
-    // Implicit damping over half a sub-step, dv/dt = −c·v: stable at any c and h.
-    soft.linearDamp = 1.0f / (1.0f + 0.5f * h * motion.linearDamping);
-    soft.angularDamp = 1.0f / (1.0f + 0.5f * h * motion.angularDamping);
-    return soft;
-}
-
-/// Half a sub-step of forces, damping, and of what contacts did in the last sub-step.
-template <bool forces>
-inline void Kick(SoftBody& soft, Velocity& v) {
-    if constexpr (forces) {
-        soft.unaided = {soft.linearDamp * (v.v + soft.kick.v), soft.angularDamp * (v.w + soft.kick.w)};
-    } else {
-        soft.unaided = {v.v + soft.kick.v, v.w + 0.0f};
-    }
-    v.v = soft.unaided.v + 0.5f * soft.byContacts.v;
-    v.w = soft.unaided.w + 0.5f * soft.byContacts.w;
-}
-
-/// The kicks of both halves at once. Contacts are to see what the whole sub-step brings, or they would hold half of a
-/// load before the move and drop it after it. What the body moves by is still the velocity between the halves.
-template <bool forces>
-inline void KickWhole(SoftBody& soft, Velocity& v) {
-    Twist first;
-    if constexpr (forces) {
-        first = {soft.linearDamp * (v.v + soft.kick.v), soft.angularDamp * (v.w + soft.kick.w)};
-        soft.unaided = {soft.linearDamp * (first.v + soft.kick.v), soft.angularDamp * (first.w + soft.kick.w)};
-    } else {
-        first = {v.v + soft.kick.v, v.w + 0.0f};
-        soft.unaided = {first.v + soft.kick.v, first.w + 0.0f};
-    }
-    soft.gained = {first.v + 0.5f * soft.byContacts.v, first.w + 0.5f * soft.byContacts.w};
-    v.v = soft.unaided.v + soft.byContacts.v;
-    v.w = soft.unaided.w + soft.byContacts.w;
-}
-
-inline void Drift(const Velocity& v, float h, Velocity& delta) {
-    delta.v += h * v.v;
-    delta.w += h * v.w;
-}
-/// After KickWhole and what constraints did.
-inline void DriftWhole(const SoftBody& soft, const Velocity& v, float h, Velocity& delta) {
-    delta.v += h * (soft.gained.v + (v.v - (soft.unaided.v + soft.byContacts.v)));
-    delta.w += h * (soft.gained.w + (v.w - (soft.unaided.w + soft.byContacts.w)));
-}
-
-/// The end pose from the start pose and the motion, under the caps. Returns true if a cap acted.
-template <bool limit>
-bool MoveBody(const SolverSettings& settings, BodyTable& bodies, BodyIndex b, Velocity& delta) {
-    bool capped = false;
-    if constexpr (limit) {
-        const CapFactors cap = CapMotion(settings, delta.v, delta.w);
-        capped = cap.Acts();
-        if (capped) {
-            delta.v *= cap.linear, delta.w *= cap.angular;
-            bodies.velocity[b].v *= cap.linear, bodies.velocity[b].w *= cap.angular;
-        }
-    }
-    const Position& start = bodies.startPosition[b];
-    bodies.SetMotion(b, delta.v);
-    // The rounding error of the sum is kept: a wheel that has turned a hundred times is not to lose its phase.
-    const RoundedSum angle = TwoSum(start.a, delta.w + start.aRest);
-    bodies.position[b].a = angle.sum;
-    bodies.position[b].aRest = angle.rest;
-    return capped;
-}
 
 template <bool forces, bool limit>
 SolverCounts SolveIsolated(const SolverSettings& settings, const IslandTable& active, TaskPool& pool,
@@ -186,10 +106,10 @@ public:
         m_tree.Build({Pool(), m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), JointCompliance(),
                       m_settings.directJoints});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
-        m_s.blocks.Build(
-            {Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
-             m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true},
-            m_s.marks);
+        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
+                          m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true,
+                          AreHeldByContacts()},
+                         m_s.marks);
         PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
         m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
@@ -209,6 +129,19 @@ public:
                   .isLoaded = isLoaded};
         if (m_plan.hasNets) GatherNetted();
         PlanBounds(JointWork(1.0f), m_tree.GetBounded());
+    }
+
+    void RunSubsteps() {
+        const bool mayChain = MayChain();
+        for (int begin = 0, end = 0; begin < m_settings.substeps; begin = end) {
+            end = begin + 1;
+            while (end < m_settings.substeps && !RenewsExpected(end)) ++end;
+            if (mayChain && Pool().KeepsPace()) {
+                RunChained(begin, end);
+            } else {
+                for (int i = begin; i < end; ++i) Substep(i);
+            }
+        }
     }
 
     void Substep(int index) {
@@ -265,16 +198,64 @@ private:
 
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
 
+    /// By nothing else, and no contact knows of a body that moves by itself: any chain might read of it.
+    [[nodiscard]] bool AreHeldByContacts() const {
+        return !HasJoints() && m_s.locked.IsEmpty() && !m_hasKinematic.load(std::memory_order_relaxed);
+    }
+    [[nodiscard]] bool MayChain() const {
+        return AreHeldByContacts() && m_plan.hasContacts && m_plan.warmStarts && !m_plan.bounces &&
+               m_s.rolling.IsEmpty() && m_s.blocks.FollowSlices();
+    }
+
+    /// The sub-steps [begin, end) as passes. The first one needs accumulated impulses: what these do comes first. Then
+    /// come contacts, moves, contacts without push, and the kicks of the next sub-step.
+    struct Chained {
+        static constexpr bool hasBodies = true;
+        SoftSolver& solver;
+        int begin, end;
+
+        [[nodiscard]] int CountPasses() const { return 1 + 2 * (end - begin); }
+        void RunBlocks(const KernelTask& part, int pass, int /*worker*/) const {
+            const ContactKernels& kernels = solver.m_kernels;
+            (pass == 0 ? kernels.warmStart : pass % 2 == 1 ? kernels.solveSoft : kernels.relax)(part);
+        }
+        void RunBodies(int chain, int pass) const {
+            WithBodyKernel(solver.m_settings.kernels, [&](auto forces, auto) {
+                if (pass == 0) return ForEach(chain, [&](SoftBody& soft) { solver.Expect<forces>(soft); });
+                if (pass % 2 == 1) return ForEach(chain, [&](SoftBody& soft) { solver.DriftBody<forces>(soft); });
+                if (pass + 1 == CountPasses()) return;
+                ForEach(chain, [&](SoftBody& soft) {
+                    solver.EndContacts(soft);
+                    solver.KickBody<forces>(soft);
+                });
+            });
+        }
+        template <typename Visit>
+        void ForEach(int chain, Visit&& visit) const {
+            const auto [first, last] = solver.m_s.blocks.GetSlices().GetRange(chain);
+            for (size_t i = first; i < last; ++i) visit(solver.m_s.soft[i]);
+        }
+    };
+    void RunChained(int begin, int end) {
+        NoteVelocities(begin);
+        const Chained work{*this, begin, end};
+        RunChains(Pool(), m_task, work.CountPasses(), work);
+    }
+
     template <bool forces>
     void PrepareBodies() {
         const std::span<const BodyIndex> list =
             m_s.blocks.GetSlices().Sort(Pool(), m_bodies, m_islands.bodies, m_s.sliced);
         m_s.soft.resize(list.size());
+        const bool hasJoints = HasJoints();
         ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) {
-            m_bodies.NoteStart(list[i]);
-            m_s.soft[i] = MakeSoftBody<forces>(m_settings, m_bodies, list[i]);
+            const BodyIndex body = list[i];
+            m_bodies.NoteStart(body);
+            m_s.soft[i] = MakeSoftBody<forces>(m_settings, m_bodies, body);
+            if (!hasJoints) m_s.soft[i].gained = {m_bodies.velocity[body].v, m_bodies.velocity[body].w};
+            if (m_bodies.type[body] != dynamicBody) m_hasKinematic.store(true, std::memory_order_relaxed);
         });
-        if (!HasJoints()) return;
+        if (!hasJoints) return;
         for (size_t i = 0; i < m_s.soft.size(); ++i) {
             SoftBody& soft = m_s.soft[i];
             if (m_bodies.info[soft.body].jointCount == 0) continue;
@@ -451,7 +432,7 @@ private:
         StopLocked();
     }
     template <bool forces>
-    void KickBody(SoftBody& soft) {
+    SCREE_INLINE void KickBody(SoftBody& soft) {
         soft.jointed ? Kick<forces>(soft, VelocityOf(soft)) : KickWhole<forces>(soft, VelocityOf(soft));
     }
     /// Joints are solved twice in a sub-step, with half of its forces each time.
@@ -495,17 +476,18 @@ private:
         StopLocked();
     }
     void DriftAll() {
-        WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
-            ForEachSoft([&](SoftBody& soft) {
-                Velocity& v = VelocityOf(soft);
-                Velocity& delta = m_s.delta[soft.body];
-                if (!soft.jointed) return DriftWhole(soft, v, m_h, delta);
-                Drift(v, m_h, delta);
-                Kick<forces>(soft, v);
-            });
-        });
+        WithBodyKernel(m_settings.kernels,
+                       [&](auto forces, auto) { ForEachSoft([&](SoftBody& soft) { DriftBody<forces>(soft); }); });
         StopLocked();
         m_s.locked.Stop(m_s.delta);
+    }
+    template <bool forces>
+    SCREE_INLINE void DriftBody(SoftBody& soft) {
+        Velocity& v = VelocityOf(soft);
+        Velocity& delta = m_s.delta[soft.body];
+        if (!soft.jointed) return DriftWhole(soft, v, m_h, delta);
+        Drift(v, m_h, delta);
+        Kick<forces>(soft, v);
     }
     void CorrectRows() {
         if (!m_plan.hasRows) return;
@@ -563,18 +545,29 @@ private:
     void ExpectContacts(int substep) {
         const bool isNeeded = substep == 0 ? m_plan.warmStarts : RenewsExpected(substep);
         if (!isNeeded) return;
+        NoteVelocities(substep);
+        RunKernel(Pool(), m_task, m_kernels.warmStart);
+        m_s.rolling.WarmStart(m_bodies.velocity);
+        WithBodyKernel(m_settings.kernels,
+                       [&](auto forces, auto) { ForEachSoft([&](SoftBody& soft) { Expect<forces>(soft); }); });
+        m_isKicked = true;
+    }
+    /// Those before warm starting. When the step begins most worlds know them.
+    void NoteVelocities(int substep) {
+        if (substep == 0 && !m_plan.bounces && !HasJoints()) return;
         ForEachSoft([&](SoftBody& soft) {
             const Velocity& v = VelocityOf(soft);
             soft.gained = {v.v, v.w};
         });
-        RunKernel(Pool(), m_task, m_kernels.warmStart);
-        m_s.rolling.WarmStart(m_bodies.velocity);
-        ForEachSoft([&](SoftBody& soft) {
-            Velocity& v = VelocityOf(soft);
-            soft.byContacts = {v.v - soft.gained.v, v.w - soft.gained.w};
-            v.v = soft.gained.v, v.w = soft.gained.w;
-            soft.gained = {};
-        });
+    }
+    /// After warm starting: takes back what it did, and kicks.
+    template <bool forces>
+    SCREE_INLINE void Expect(SoftBody& soft) {
+        Velocity& v = VelocityOf(soft);
+        soft.byContacts = {v.v - soft.gained.v, v.w - soft.gained.w};
+        v.v = soft.gained.v, v.w = soft.gained.w;
+        soft.gained = {};
+        KickBody<forces>(soft);
     }
 
     // Bodies of nets get all forces of a sub-step before their joints are solved, and move by what comes of it. With
@@ -632,7 +625,7 @@ private:
             soft.gained.w += v.w - m_s.before[i].w;
         });
     }
-    void EndContacts(SoftBody& soft) {
+    SCREE_INLINE void EndContacts(SoftBody& soft) {
         if (soft.jointed) {
             soft.byContacts.v += soft.gained.v, soft.byContacts.w += soft.gained.w;
             soft.gained = {};
@@ -673,6 +666,7 @@ private:
     Plan m_plan;
     bool m_rowsAct = false;   ///< in this sub-step some joint is solved row by row
     bool m_isKicked = false;  ///< bodies have had the first kick of the next sub-step
+    std::atomic<bool> m_hasKinematic{false};
 };
 
 }  // namespace
@@ -685,7 +679,7 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
     if (active.bodies.empty()) return counts;
     SoftSolver solver(settings, active, tables, scratch);
     solver.Prepare(fixtures, events.listener != nullptr);
-    for (int i = 0; i < settings.substeps; ++i) solver.Substep(i);
+    solver.RunSubsteps();
     counts += solver.Finish();
     if (tables.noteDemand) scratch.tree.NotePullRates(settings.dt, tables.bodies.demand);
     ReportBlockImpulses({scratch.blocks, true, active.contacts}, events, tables.contacts, scratch.impulses);

@@ -71,16 +71,19 @@ void RunPass(TaskPool& pool, const KernelTask& task, Pass&& pass) {
     if (small < task.rangeCount) pass(run(small, task.rangeCount), 0);
 }
 
+/// Passes that are over with the blocks.
+template <typename Pass>
+struct BlocksAlone {
+    static constexpr bool hasBodies = false;
+    Pass& pass;
+    void RunBlocks(const KernelTask& part, int /*pass*/, int worker) const { pass(part, worker); }
+    void RunBodies(int /*chain*/, int /*pass*/) const {}
+};
+
 /// Calls pass(task, worker) with tasks that cover all ranges in order, as often as told.
 template <typename Pass>
 void RunKernel(TaskPool& pool, const KernelTask& task, Pass&& pass, int passes = 1) {
-    if (task.chains != nullptr && pool.KeepsPace()) {
-        ChainRun run(pool, task, passes, pass);
-        pool.For(task.chains->Count(), 2, [&](int begin, int end, int worker) {
-            for (int chain = begin; chain < end; ++chain) run.Follow(chain, worker);
-        });
-        return;
-    }
+    if (task.chains != nullptr && pool.KeepsPace()) return RunChains(pool, task, passes, BlocksAlone<Pass>{pass});
     for (int i = 0; i < passes; ++i) RunPass(pool, task, pass);
 }
 inline void RunKernel(TaskPool& pool, const KernelTask& task, void (*kernel)(const KernelTask&), int passes = 1) {

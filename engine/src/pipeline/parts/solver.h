@@ -59,8 +59,8 @@ struct alignas(64) SoftBody {
     Twist kick;                     ///< by gravity and forces in half a sub-step
     Twist unaided;                  ///< velocity after the last kick, before constraints, without what contacts do
     Twist byContacts;               ///< change by contacts in the last sub-step
-    /// Of jointed bodies: change by contacts in this sub-step so far. Of others: velocity between the halves of the
-    /// sub-step, before constraints.
+    /// During warm starting: velocity before it. Then, of jointed bodies: change by contacts in this sub-step so far.
+    /// Of others: velocity between the halves of the sub-step, before constraints.
     Twist gained;
 };
 static_assert(sizeof(SoftBody) == 64);
