@@ -7,7 +7,8 @@
 // chains did those before the rest of these colours, so that there is seldom anything to wait for. Every body meets its
 // contacts in the order of colours, whoever solves them: results are those of one thread.
 //
-// A pass may end with a step for the bodies of each slice. It waits for the borders of the others alone.
+// A pass may end with a step for the bodies of each slice. It waits for the borders of the others alone. To these
+// belong blocks that read of a body of another slice which moves by itself.
 
 #pragma once
 

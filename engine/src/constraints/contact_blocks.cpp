@@ -158,7 +158,12 @@ void ContactBlocks::Slice(const BlockInput& input) {
             SidedContact& contact = m_sided[ToSize(i)];
             contact.slice = sliceOf(contact.b);
             *cut = i;
-            cut += !contact.isFixedA && sliceOf(contact.a) != contact.slice ? 1 : 0;
+            if (contact.isFixedA) {
+                const bool moves = input.bodiesFollow && input.bodies.type[contact.a] == kinematicBody;
+                contact.meetsMotion = moves && sliceOf(contact.a) != contact.slice;
+                continue;
+            }
+            cut += sliceOf(contact.a) != contact.slice ? 1 : 0;
         }
         return std::array{static_cast<size_t>(cut - places[0])};
     };
@@ -221,7 +226,8 @@ void ContactBlocks::MakeRanges(const BlockInput& input, int chains, Column<BodyI
         chains > 1 && static_cast<int>(m_sided.size()) >= blockLanes * least * chains * m_colourCount;
     const size_t stripCount = hasChains ? 2 * ToSize(chains) : strips.Count();
     const auto isBorder = [&](const SidedContact& contact) {
-        return isAtBorder[contact.b] != 0 || (!contact.isFixedA && isAtBorder[contact.a] != 0);
+        const bool isPushedThere = isAtBorder[contact.b] != 0 || (!contact.isFixedA && isAtBorder[contact.a] != 0);
+        return isPushedThere || contact.meetsMotion;
     };
     const auto startOf = [&](int part, size_t i) -> int& {
         const SidedContact& contact = m_sided[i];

@@ -114,9 +114,10 @@ private:
         float radiusA, radiusB;  ///< of their shapes, m
         bool isReferenceB : 1;   ///< the manifold's face is B's
         bool isCircles : 1, hasTwoPoints : 1;
-        bool isFixedA : 1;   ///< side A cannot be pushed
-        bool isSwapped : 1;  ///< side A is the contact's B
-        uint8_t slice = 0;   ///< that of side B
+        bool isFixedA : 1;             ///< side A cannot be pushed
+        bool isSwapped : 1;            ///< side A is the contact's B
+        bool meetsMotion : 1 = false;  ///< where bodies follow: side A moves by itself, in another slice
+        uint8_t slice = 0;             ///< that of side B
     };
     static_assert(sizeof(SidedContact) == 24, "worlds have a hundred thousand of them, read three times a step");
 

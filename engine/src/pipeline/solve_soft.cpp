@@ -24,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 
 #include "pipeline/parts/ballistic_path.h"
 #include "pipeline/parts/pose_finisher.h"
@@ -198,10 +197,7 @@ private:
 
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
 
-    /// By nothing else, and no contact knows of a body that moves by itself: any chain might read of it.
-    [[nodiscard]] bool AreHeldByContacts() const {
-        return !HasJoints() && m_s.locked.IsEmpty() && !m_hasKinematic.load(std::memory_order_relaxed);
-    }
+    [[nodiscard]] bool AreHeldByContacts() const { return !HasJoints() && m_s.locked.IsEmpty(); }
     [[nodiscard]] bool MayChain() const {
         return AreHeldByContacts() && m_plan.hasContacts && m_plan.warmStarts && !m_plan.bounces &&
                m_s.rolling.IsEmpty() && m_s.blocks.FollowSlices();
@@ -253,7 +249,6 @@ private:
             m_bodies.NoteStart(body);
             m_s.soft[i] = MakeSoftBody<forces>(m_settings, m_bodies, body);
             if (!hasJoints) m_s.soft[i].gained = {m_bodies.velocity[body].v, m_bodies.velocity[body].w};
-            if (m_bodies.type[body] != dynamicBody) m_hasKinematic.store(true, std::memory_order_relaxed);
         });
         if (!hasJoints) return;
         for (size_t i = 0; i < m_s.soft.size(); ++i) {
@@ -666,7 +661,6 @@ private:
     Plan m_plan;
     bool m_rowsAct = false;   ///< in this sub-step some joint is solved row by row
     bool m_isKicked = false;  ///< bodies have had the first kick of the next sub-step
-    std::atomic<bool> m_hasKinematic{false};
 };
 
 }  // namespace
