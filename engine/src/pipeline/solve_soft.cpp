@@ -143,23 +143,6 @@ public:
         }
     }
 
-    void Substep(int index) {
-        const bool isFirst = index == 0;
-        Bounce();
-        ExpectContacts(index);
-        KickAll();
-        PrepareRows(isFirst);
-        ProjectTrees(isFirst);
-        SolveRows();
-        SolveContacts(isFirst);
-        AimTrees();
-        DriftAll();
-        CorrectRows();
-        StopTrees();
-        StopRows();
-        Relax(index);
-    }
-
     SolverCounts Finish() {
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
         m_s.blocks.Store(static_cast<float>(m_settings.substeps), Pool(), m_tables.contacts.manifold);
@@ -406,6 +389,23 @@ private:
             {0.5f * m_h, 1.0f / m_h, impulseScale, m_settings.Slop()}, m_bodies, m_tables.joints, m_s.joints, Pool()};
     }
     [[nodiscard]] JointTree::Poses Poses() const { return {m_bodies, m_s.delta}; }
+
+    void Substep(int index) {
+        const bool isFirst = index == 0;
+        Bounce();
+        ExpectContacts(index);
+        KickAll();
+        PrepareRows(isFirst);
+        ProjectTrees(isFirst);
+        SolveRows();
+        SolveContacts(isFirst);
+        AimTrees();
+        DriftAll();
+        CorrectRows();
+        StopTrees();
+        StopRows();
+        Relax(index);
+    }
 
     // The phases of a sub-step, in order.
 
