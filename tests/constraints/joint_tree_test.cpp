@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -335,6 +336,92 @@ TEST(JointTree, ManyTreesAreSolvedAsEachAloneByAnyNumberOfWorkers) {
                     }
                 }
             }
+        }
+    }
+}
+
+/// A list that changes from step to step: trees come and go, lists and bodies change, as when islands fall asleep.
+TEST(JointTree, ChangedListsGiveTheBitsOfANewTree) {
+    constexpr float h = 1.0f / 960.0f;
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        SCOPED_TRACE(seed);
+        std::mt19937 random(seed);
+        const auto below = [&](size_t count) { return random() % count; };
+        Forest forest(seed, 900);
+        WorldState& s = forest.world.GetState();
+        std::vector<Body*> bodies;
+        for (Body* body = forest.world.GetBodyList(); body != nullptr; body = body->GetNext()) bodies.push_back(body);
+        s.bodies.startPosition = s.bodies.position;
+        const Column<BodyIndex, Velocity> before = s.bodies.velocity;
+        const Column<BodyIndex, Velocity> delta(before.size());
+        TaskPool several(3, TaskCallbacks{});
+        JointTree kept;
+        const auto solve = [&](JointTree& tree, TaskPool& pool, const std::vector<JointIndex>& list, bool direct) {
+            Column<BodyIndex, Velocity> velocity = before;
+            tree.Build({pool, s.bodies, s.joints, list, 1.0f, jointCompliance, direct});
+            const JointTree::Poses poses{s.bodies, delta};
+            tree.FactorizeAndStop(poses, h, false, velocity);
+            tree.SolveBeforeMove(poses, h, velocity);
+            return velocity;
+        };
+        std::vector<std::vector<JointIndex>> trees = SplitTrees(s, forest.joints);
+        std::vector<uint8_t> isIn(trees.size(), 1);
+        for (int round = 0; round < 60; ++round) {
+            SCOPED_TRACE(round);
+            const size_t tree = below(trees.size());
+            switch (round % 6) {
+                case 0:
+                case 1:
+                    isIn[tree] ^= 1;
+                    break;
+                case 2:
+                    std::ranges::shuffle(trees[tree], random);
+                    break;
+                case 3: {
+                    Body* body = bodies[below(bodies.size())];
+                    body->SetType(body->GetType() == dynamicBody ? staticBody : dynamicBody);
+                    break;
+                }
+                case 4: {  // a loop, or two trees become one
+                    RevoluteJointDef def;
+                    Body* other = bodies[below(bodies.size())];
+                    Body* body = bodies[below(bodies.size())];
+                    if (body == other) break;
+                    def.Initialize(body, other, body->GetWorldCenter());
+                    trees[tree].push_back(IndexOf(*forest.world.CreateJoint(&def)));
+                    break;
+                }
+                default: {  // another type or another body at the same number
+                    const JointIndex joint = trees[tree].front();
+                    WeldJointDef def;
+                    Body* a = &s.bodies.handles[s.joints.info[joint].bodyA];
+                    Body* b = &s.bodies.handles[s.joints.info[joint].bodyB];
+                    forest.world.DestroyJoint(s.joints.handles[joint]);
+                    if (round % 12 == 5) {
+                        def.Initialize(a, b, b->GetWorldCenter());
+                        ASSERT_EQ(IndexOf(*forest.world.CreateJoint(&def)), joint);
+                        break;
+                    }
+                    RevoluteJointDef hinge;
+                    hinge.Initialize(a, a == bodies[0] ? bodies[1] : bodies[0], a->GetWorldCenter());
+                    ASSERT_EQ(IndexOf(*forest.world.CreateJoint(&hinge)), joint);
+                }
+            }
+            std::vector<JointIndex> list;
+            for (size_t i = 0; i < trees.size(); ++i) {
+                if (isIn[i] != 0) list.insert(list.end(), trees[i].begin(), trees[i].end());
+            }
+            const bool direct = round % 20 != 19;
+            JointTree fresh;
+            const bool isShared = round % 2 == 0;
+            if (isShared) several.Begin();
+            const Column<BodyIndex, Velocity> one = solve(kept, isShared ? several : Alone(), list, direct);
+            if (isShared) several.End();
+            const Column<BodyIndex, Velocity> other = solve(fresh, Alone(), list, direct);
+            ASSERT_EQ(std::memcmp(one.data(), other.data(), one.size() * sizeof(Velocity)), 0);
+            ASSERT_TRUE(std::ranges::equal(kept.GetOthers(), fresh.GetOthers()));
+            ASSERT_TRUE(std::ranges::equal(kept.GetBounded(), fresh.GetBounded()));
+            kept.Store(1.0f, s.joints);  // both begin with these impulses the next time
         }
     }
 }

@@ -68,7 +68,7 @@ struct Pile {
 
 bool HasChains(World& world) {
     WorldState& s = world.GetState();
-    return s.solverScratch.blocks.Task(s.bodies.velocity, s.solverScratch.delta).chains != nullptr;
+    return s.solverScratch.constraints.blocks.Task(s.bodies.velocity, s.solverScratch.delta).chains != nullptr;
 }
 
 class ChainedSubsteps : public testing::TestWithParam<Guest> {};
@@ -130,7 +130,7 @@ TEST(SlicesOfSubsteps, BodiesMayLeaveTheirSlices) {
     for (int step = 0; step < 200; ++step) {
         StepWith(one, 4), StepWith(several, 4);
         ASSERT_EQ(inspect::GetStateHash(several), inspect::GetStateHash(one)) << "step " << step;
-        apart += HasChains(several) && !several.GetState().solverScratch.blocks.FollowSlices() ? 1 : 0;
+        apart += HasChains(several) && !several.GetState().solverScratch.constraints.blocks.FollowSlices() ? 1 : 0;
     }
     EXPECT_GT(apart, 20);
 }

@@ -121,7 +121,9 @@ struct Cars {
         def.stiffness = 1000.0f, def.damping = 50.0f;
         world.CreateJoint(&def);
     }
-    [[nodiscard]] bool AreInLanes() const { return !world.GetState().solverScratch.joints.wheels.IsEmpty(); }
+    [[nodiscard]] bool AreInLanes() const {
+        return !world.GetState().solverScratch.constraints.joints.wheels.IsEmpty();
+    }
 
     World world;
     std::vector<Car> all;
@@ -174,7 +176,9 @@ struct Figures {
         def.enableMotor = true;
         world.CreateJoint(&def);
     }
-    [[nodiscard]] bool AreInLanes() const { return !world.GetState().solverScratch.joints.hinges.IsEmpty(); }
+    [[nodiscard]] bool AreInLanes() const {
+        return !world.GetState().solverScratch.constraints.joints.hinges.IsEmpty();
+    }
 
     World world;
     std::vector<Figure> all;

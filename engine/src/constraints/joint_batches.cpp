@@ -96,27 +96,27 @@ public:
     [[nodiscard]] size_t Size() const { return m_ready.size() - m_next; }
     /// Up to four with different parents, in their order.
     template <typename ParentOf>
-    std::vector<int> TakeFour(ParentOf&& parentOf) {
+    std::span<const int> TakeFour(ParentOf&& parentOf) {
         constexpr size_t window = 64;  // of links that are looked at
-        std::vector<int> taken;
         const size_t end = std::min(m_ready.size(), m_next + window);
-        size_t kept = m_next;
-        std::vector<int> left;
-        for (size_t i = m_next; i < end; ++i) {
-            const int place = m_ready[i];
-            const bool isFree =
-                std::none_of(taken.begin(), taken.end(), [&](int other) { return parentOf(other) == parentOf(place); });
-            (isFree && taken.size() < ToSize(jointLanes) ? taken : left).push_back(place);
+        size_t taken = 0, left = 0, next = m_next;
+        int passed[window];
+        for (; next < end && taken < ToSize(jointLanes); ++next) {
+            const int place = m_ready[next];
+            const auto hasItsParent = [&](int other) { return parentOf(other) == parentOf(place); };
+            const bool isFree = std::none_of(m_taken, m_taken + taken, hasItsParent);
+            (isFree ? m_taken[taken++] : passed[left++]) = place;
         }
-        kept = end - left.size();
-        std::copy(left.begin(), left.end(), m_ready.begin() + static_cast<std::ptrdiff_t>(kept));
-        m_next = kept;
-        return taken;
+        // Those that were passed over come first the next time.
+        m_next = next - left;
+        std::copy(passed, passed + left, m_ready.begin() + static_cast<std::ptrdiff_t>(m_next));
+        return {m_taken, taken};
     }
 
 private:
     std::vector<int> m_ready;
     size_t m_next = 0;
+    int m_taken[jointLanes] = {};
 };
 
 }  // namespace
@@ -171,6 +171,13 @@ void JointBatches::Plan(std::span<TreeEdge> links) {
     m_stiffness.assign(m_bodies.size() / ToSize(jointLanes), LaneRow{});
 }
 
+void JointBatches::Renumber(std::span<const TreeEdge> links) {
+    auto place = m_places.begin();
+    for (const TreeEdge& link : links) {
+        if (link.isTree) (place++)->shape = link.shape;
+    }
+}
+
 void JointBatches::ListRootsAndOthers() {
     m_roots.clear(), m_others.clear();
     std::vector<uint8_t> isChild(m_bodies.size(), 0);
@@ -214,7 +221,7 @@ void JointBatches::PutIntoLanes() {
     }
     for (LinkQueue* queue = longest(); queue->Size() > 0; queue = longest()) {
         const bool isPoint = queue == &queues[static_cast<size_t>(TreeKind::point)];
-        const std::vector<int> taken = queue->TakeFour([&](int place) { return m_places[ToSize(place)].parent; });
+        const std::span<const int> taken = queue->TakeFour([&](int place) { return m_places[ToSize(place)].parent; });
         const auto fill = [&](auto& batches) {
             auto& batch = batches.emplace_back();
             batch = {};

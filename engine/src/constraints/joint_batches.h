@@ -27,6 +27,12 @@ struct TreeEdge {
     TreeKind kind;
     int shape;            ///< index of its shape in Refresh
     bool isTree = false;  ///< it was
+
+    /// Gives the same plan.
+    [[nodiscard]] bool IsLike(const TreeEdge& other) const {
+        return joint == other.joint && bodyA == other.bodyA && bodyB == other.bodyB && movesA == other.movesA &&
+               movesB == other.movesB && kind == other.kind;
+    }
 };
 
 struct TreeCourse;
@@ -49,6 +55,8 @@ class JointBatches {
 public:
     /// Takes over the links whose bodies form trees, and puts them into an order that stays until the next call.
     void Plan(std::span<TreeEdge> links);
+    /// For links like those that were planned, whose shapes have other indices.
+    void Renumber(std::span<const TreeEdge> links);
     /// What may change from step to step. `shapes` are read until the next call; `recentScale` makes impulses
     /// of a sub-step of the stored ones.
     void Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,

@@ -43,6 +43,7 @@ struct JointConstraints {
     JointLanes<RevoluteRow> hinges;
     std::vector<JointRun> wheelBounds;
     JointLanes<WheelRow> wheels;
+    std::vector<JointIndex> ofBounds, ofWheelBounds;  ///< of the step: joints of which these runs are made
     OfJointTypes<ConstraintTables> byType;
 
     /// Some joint is solved row by row at present.
@@ -58,7 +59,8 @@ struct JointConstraints {
     }
     [[nodiscard]] size_t GetMemoryBytes() const {
         size_t bytes = (runs.capacity() + bounds.capacity() + wheelBounds.capacity()) * sizeof(JointRun) +
-                       wholeHinges.GetMemoryBytes() + hinges.GetMemoryBytes() + wheels.GetMemoryBytes();
+                       BytesOf(ofBounds, ofWheelBounds) + wholeHinges.GetMemoryBytes() + hinges.GetMemoryBytes() +
+                       wheels.GetMemoryBytes();
         std::apply([&](const auto&... c) { ((bytes += c.capacity() * sizeof(c[0])), ...); }, byType);
         return bytes;
     }

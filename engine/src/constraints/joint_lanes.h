@@ -47,15 +47,16 @@ public:
     /// Takes the joints of the type from this list, or none where that does not pay. To be called in every step.
     void Plan(std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table, TaskPool& pool) {
         m_acts = false;
-        const std::span<const JointIndex> order = m_levels.Sort(Row::type, joints, bodies, table);
-        m_batches.resize(order.size() / jointBatchSize);
-        ForAll(pool, [&](std::span<Batch> part, int begin, int /*worker*/) {
-            for (size_t k = 0; k < part.size(); ++k) {
-                FillBatch(order.subspan((ToSize(begin) + k) * jointBatchSize, jointBatchSize), bodies, table, part[k]);
-            }
-        });
+        if (Refill(joints, bodies, table, pool)) return;
+        m_planned.clear();
+        m_batches.resize(m_levels.Sort(Row::type, joints, bodies, table).size() / jointBatchSize);
+        if (m_batches.empty()) return;
+        Fill(bodies, table, pool);
+        m_planned.assign(joints.begin(), joints.end());
     }
     [[nodiscard]] bool IsEmpty() const { return m_batches.empty(); }
+    /// Of the last plan, if it took some.
+    [[nodiscard]] size_t CountJoints() const { return m_levels.CountTaken(); }
     /// Some joint acted when they were prepared.
     [[nodiscard]] bool Act() const { return m_acts; }
 
@@ -103,21 +104,50 @@ public:
         });
     }
 
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches) + m_levels.GetMemoryBytes(); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches, m_planned) + m_levels.GetMemoryBytes(); }
 
 private:
     /// Fewer batches are not worth sharing; one takes some 50 to 100 ns.
     static int Least(const TaskPool& pool) { return pool.SharesAlways() ? 2 : 32; }
 
-    static void FillBatch(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table,
+    /// False unless the joints have the places already that they would get.
+    bool Refill(std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table, TaskPool& pool) {
+        if (m_batches.empty() || bodies.IsFar() || !std::ranges::equal(joints, m_planned)) return false;
+        const size_t taken = m_levels.CountTaken();
+        const auto isOfType = [&](JointIndex joint) { return table.info[joint].type == Row::type; };
+        if (taken != joints.size() && static_cast<size_t>(std::ranges::count_if(joints, isOfType)) != taken)
+            return false;
+        return Fill(bodies, table, pool);
+    }
+    /// By the order of the levels. True if that was for what the batches were filled with before.
+    bool Fill(const BodyTable& bodies, const JointTable& table, TaskPool& pool) {
+        const std::span<const JointIndex> order = m_levels.GetOrder();
+        bool isOther[maxWorkers] = {};
+        ForAll(pool, [&](std::span<Batch> part, int begin, int worker) {
+            for (size_t k = 0; k < part.size(); ++k) {
+                const auto own = order.subspan((ToSize(begin) + k) * jointBatchSize, jointBatchSize);
+                isOther[worker] = !FillBatch(own, bodies, table, part[k]) || isOther[worker];
+            }
+        });
+        return std::ranges::none_of(isOther, std::identity());
+    }
+    /// True if its joints would be where they are.
+    static bool FillBatch(std::span<const JointIndex> order, const BodyTable& bodies, const JointTable& table,
                           Batch& batch) {
+        bool stays = true;
         for (size_t lane = 0; lane < jointBatchSize; ++lane) {
             const bool isSpare = IsNone(order[lane]);
             const JointInfo& info = table.info[isSpare ? order[0] : order[lane]];
+            if (info.type != Row::type) return false;
             const MassRow &massA = bodies.mass[info.bodyA], &massB = bodies.mass[info.bodyB];
+            stays = stays && batch.bodyA[lane] == ToInt(info.bodyA) && batch.bodyB[lane] == ToInt(info.bodyB) &&
+                    (batch.invMassA[lane] > 0.0f) == JointLevels::IsPushed(info.bodyA, bodies) &&
+                    (batch.invMassB[lane] > 0.0f) == JointLevels::IsPushed(info.bodyB, bodies) &&
+                    JointLevels::CanTurn(info, bodies);
             PutBodies({info, massA, massB, isSpare}, lane, batch);
             Traits::Fill(table.Store<Row>().rows[info.row], massA, massB, lane, batch);
         }
+        return stays;
     }
     /// Calls visit(batches, number of the first, worker) for parts of all batches, in any order.
     template <typename Visit>
@@ -157,6 +187,7 @@ private:
 
     std::vector<Batch> m_batches;
     JointLevels m_levels;
+    std::vector<JointIndex> m_planned;  ///< the list for which these are
     bool m_acts = false;
 };
 

@@ -17,17 +17,19 @@ constexpr size_t jointsOfBatch = 3;  // a batch takes as long as so many one by 
 
 }  // namespace
 
+bool JointLevels::CanTurn(const JointInfo& joint, const BodyTable& bodies) {
+    constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
+    return !(Abs(bodies.position[joint.bodyA].a) > mostAngle || Abs(bodies.position[joint.bodyB].a) > mostAngle);
+}
+
 void JointLevels::Take(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
                        const JointTable& table) {
-    constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
     m_taken.clear();
     if (bodies.IsFar()) return;
     for (const JointIndex joint : joints) {
         const JointInfo& info = table.info[joint];
         if (info.type != type) continue;
-        if (Abs(bodies.position[info.bodyA].a) > mostAngle || Abs(bodies.position[info.bodyB].a) > mostAngle) {
-            return m_taken.clear();
-        }
+        if (!CanTurn(info, bodies)) return m_taken.clear();
         m_taken.push_back(joint);
     }
 }
@@ -45,7 +47,7 @@ bool JointLevels::FindLevels(const BodyTable& bodies, const JointTable& table) {
         int level = 0;
         bool pushesBoth = true;
         for (const BodyIndex body : {info.bodyA, info.bodyB}) {
-            const bool isPushed = bodies.mass[body].invMass > 0.0f;
+            const bool isPushed = IsPushed(body, bodies);
             if (isPushed) level = std::max(level, m_next[body]);
             pushesBoth = pushesBoth && isPushed;
         }

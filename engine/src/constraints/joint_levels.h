@@ -28,6 +28,14 @@ public:
     /// joints where that does not pay, or where the kernels cannot turn the bodies. Valid until the next call.
     std::span<const JointIndex> Sort(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
                                      const JointTable& table);
+    /// What the last call returned, if it returned joints, and how many of the list are of the type.
+    [[nodiscard]] std::span<const JointIndex> GetOrder() const { return m_order; }
+    [[nodiscard]] size_t CountTaken() const { return m_taken.size(); }
+    /// The kernels can turn the bodies of the joint.
+    [[nodiscard]] static bool CanTurn(const JointInfo& joint, const BodyTable& bodies);
+    [[nodiscard]] static bool IsPushed(BodyIndex body, const BodyTable& bodies) {
+        return bodies.mass[body].invMass > 0.0f;
+    }
     /// Of the batches, in their order.
     [[nodiscard]] std::span<const JointLevel> GetLevels() const { return m_ends; }
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_taken, m_levels, m_next, m_order, m_start, m_ends); }

@@ -30,29 +30,37 @@ const PhaseTable& GetPhases() {
 }  // namespace
 
 void PlanBounds(const JointTask& task, std::span<const JointIndex> bounded) {
-    task.scratch.hinges.Plan(bounded, task.bodies, task.joints, task.pool);
-    task.scratch.wheels.Plan(bounded, task.bodies, task.joints, task.pool);
-}
-
-void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints,
-                        std::span<const JointIndex> bounded) {
-    task.scratch.Clear();
-    const PhaseTable& phases = GetPhases();
-    auto& hinges = task.scratch.hinges;
-    auto& wheels = task.scratch.wheels;
-    for (const JointIndex joint : joints) phases[task.joints.info[joint].type]->prepare(task, joint);
+    JointConstraints& s = task.scratch;
+    s.hinges.Plan(bounded, task.bodies, task.joints, task.pool);
+    s.wheels.Plan(bounded, task.bodies, task.joints, task.pool);
+    s.ofBounds.clear(), s.ofWheelBounds.clear();
+    const bool leavesHinges = s.hinges.IsEmpty(), leavesWheels = s.wheels.IsEmpty();
+    if (!leavesHinges && s.hinges.CountJoints() == bounded.size()) return;
+    const auto typeOf = [&](JointIndex joint) { return task.joints.info[joint].type; };
     for (const JointIndex joint : bounded) {
-        const JointType type = task.joints.info[joint].type;
-        const bool isInLanes =
-            (type == e_revoluteJoint && !hinges.IsEmpty()) || (type == e_wheelJoint && !wheels.IsEmpty());
-        if (!isInLanes) phases[type]->prepareBounds(task, joint);
+        if (typeOf(joint) != e_revoluteJoint && typeOf(joint) != e_wheelJoint) s.ofBounds.push_back(joint);
     }
-    if (!hinges.IsEmpty()) hinges.Store(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows, task.pool);
-    if (!wheels.IsEmpty()) wheels.Store(task.step, task.bodies, task.joints.Store<WheelRow>().rows, task.pool);
+    for (const JointIndex joint : bounded) {
+        if (leavesHinges && typeOf(joint) == e_revoluteJoint) s.ofBounds.push_back(joint);
+        if (leavesWheels && typeOf(joint) == e_wheelJoint) s.ofWheelBounds.push_back(joint);
+    }
 }
 
-void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded) {
-    task.scratch.Clear();
+void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints) {
+    JointConstraints& s = task.scratch;
+    s.Clear();
+    const PhaseTable& phases = GetPhases();
+    const auto typeOf = [&](JointIndex joint) { return task.joints.info[joint].type; };
+    for (const JointIndex joint : joints) phases[typeOf(joint)]->prepare(task, joint);
+    for (const JointIndex joint : s.ofBounds) phases[typeOf(joint)]->prepareBounds(task, joint);
+    for (const JointIndex joint : s.ofWheelBounds) phases[typeOf(joint)]->prepareBounds(task, joint);
+    if (!s.hinges.IsEmpty()) s.hinges.Store(task.step, task.bodies, task.joints.Store<RevoluteRow>().rows, task.pool);
+    if (!s.wheels.IsEmpty()) s.wheels.Store(task.step, task.bodies, task.joints.Store<WheelRow>().rows, task.pool);
+}
+
+void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints) {
+    JointConstraints& s = task.scratch;
+    s.Clear();
     const PhaseTable& phases = GetPhases();
     const auto add = [&](JointIndex joint, std::vector<JointRun>& runs, auto phase) {
         const JointType type = task.joints.info[joint].type;
@@ -60,21 +68,18 @@ void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, st
         if (runs.empty() || runs.back().type != type) runs.push_back({type, number, number});
         runs.back().end = number + 1;
     };
-    for (const JointIndex joint : joints) add(joint, task.scratch.runs, &JointPhases::prepare);
-    const auto addBounds = [&](std::vector<JointRun>& runs, auto&& isWanted) {
+    for (const JointIndex joint : joints) add(joint, s.runs, &JointPhases::prepare);
+    const auto addBounds = [&](std::span<const JointIndex> bounded, std::vector<JointRun>& runs) {
         for (const JointIndex joint : bounded) {
-            const JointType type = task.joints.info[joint].type;
-            if (!isWanted(type) || phases[type]->isIdle(task, joint)) continue;
+            if (phases[task.joints.info[joint].type]->isIdle(task, joint)) continue;
             ForgetExactImpulse(joint, task.joints);
             add(joint, runs, &JointPhases::prepareBounds);
         }
     };
-    const auto isHinge = [](JointType type) { return type == e_revoluteJoint; };
-    const auto isWheel = [](JointType type) { return type == e_wheelJoint; };
-    JointConstraints& s = task.scratch;
-    addBounds(s.bounds, [&](JointType type) { return !isHinge(type) && !isWheel(type); });
-    s.hinges.IsEmpty() ? addBounds(s.bounds, isHinge) : s.hinges.Prepare(task.step, task.bodies, task.pool);
-    s.wheels.IsEmpty() ? addBounds(s.wheelBounds, isWheel) : s.wheels.Prepare(task.step, task.bodies, task.pool);
+    addBounds(s.ofBounds, s.bounds);
+    addBounds(s.ofWheelBounds, s.wheelBounds);
+    if (!s.hinges.IsEmpty()) s.hinges.Prepare(task.step, task.bodies, task.pool);
+    if (!s.wheels.IsEmpty()) s.wheels.Prepare(task.step, task.bodies, task.pool);
     WarmStartJoints(task);
 }
 

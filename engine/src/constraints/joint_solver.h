@@ -13,9 +13,9 @@ namespace scree {
 
 /// To be called once in a step before the others, if there are joints that a direct solve holds.
 void PlanBounds(const JointTask& task, std::span<const JointIndex> bounded);
-/// Makes the constraints of these joints, in this order, and warm-starts them. Of `bounded`, which a direct solve
-/// holds, only limits, motors and springs, and those that are idle are left out.
-void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints, std::span<const JointIndex> bounded = {});
+/// Makes the constraints of these joints, in this order, and warm-starts them. Then come limits, motors and springs of
+/// those that PlanBounds had; those that are idle are left out.
+void PrepareJoints(const JointTask& task, std::span<const JointIndex> joints);
 /// The same for joints of an island that are all solved in turn: side by side where that gives the same bits.
 /// StoreJointImpulses must follow the iterations on velocities.
 void PrepareIslandJoints(const JointTask& task, std::span<const JointIndex> joints);
@@ -23,9 +23,8 @@ void StoreJointImpulses(const JointTask& task);
 /// Applies the impulses that the joints have at present once more.
 void WarmStartJoints(const JointTask& task);
 /// Multiplies the impulses that these joints keep for warm starting by task.step.impulseScale, without pushing
-/// anything; of `bounded` those of limits, motors and springs.
-void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints,
-                        std::span<const JointIndex> bounded = {});
+/// anything; of those that PlanBounds had the impulses of limits, motors and springs.
+void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joints);
 /// One iteration each.
 void SolveJointVelocities(const JointTask& task);
 /// True if every joint is within tolerance.

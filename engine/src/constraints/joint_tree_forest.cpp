@@ -9,8 +9,11 @@
 #include "constraints/joint_tree_forest.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
+
+#include "base/gather_parts.h"
 
 namespace scree {
 
@@ -21,6 +24,8 @@ namespace {
 constexpr size_t mostWork = 12;
 /// A body with more joints in loops would couple all of them with each other: a net.
 constexpr size_t mostJointsOfBody = 24;
+/// Fewer joints are not worth sharing.
+constexpr int leastJointsToShare = 256;
 
 }  // namespace
 
@@ -29,7 +34,8 @@ size_t JointForest::GetMemoryBytes() const {
                    joints.capacity() * sizeof(TreeJoint) + before.capacity() * sizeof(TreeSums) +
                    links.capacity() * sizeof(TreeLink) + m_candidates.capacity() * sizeof(Candidate) +
                    m_shapes.capacity() * sizeof(TreeShape) + m_links.capacity() * sizeof(TreeEdge) +
-                   m_rowOf.capacity() * sizeof(int) + (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
+                   m_isBounded.capacity() + m_rowOf.capacity() * sizeof(int) +
+                   (m_keys.capacity() + m_oldKeys.capacity()) * sizeof(Key);
     bytes += nets.GetMemoryBytes() + m_parts.capacity() * sizeof(Part) + m_netOrder.capacity() * sizeof(int) +
              m_members.capacity() * sizeof(JointNet::Member) + m_memberShapes.capacity() * sizeof(TreeShape);
     for (const auto* lists : {&m_near, &m_ofBody, &m_waiting}) {
@@ -56,51 +62,50 @@ int JointForest::RowOf(const BodyTable& table, BodyIndex body) {
 bool JointForest::Moves(int row) const { return bodies[ToSize(row)].invMass > 0.0 || bodies[ToSize(row)].invI > 0.0; }
 
 void JointForest::Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list) {
-    m_candidates.clear(), m_shapes.clear();
-    m_keys.clear();
+    m_keys.resize(list.size());
+    m_shapes.resize(list.size());
+    m_isBounded.resize(list.size());
     const auto moves = [&](BodyIndex body) {
         const MassRow& mass = bodyTable.mass[body];
         return bodyTable.type[body] == dynamicBody && (mass.invMass > 0.0f || mass.invI > 0.0f);
     };
-    for (const JointIndex joint : list) {
-        TreeShape shape;
-        bool isBounded = false;
-        if (!MakeTreeShape(bodyTable, jointTable, joint, shape, isBounded)) continue;
-        const JointInfo& info = jointTable.info[joint];
-        const bool movesA = moves(info.bodyA), movesB = moves(info.bodyB);
-        if (!movesA && !movesB) continue;
-        m_candidates.push_back({joint, -1, -1, isBounded, -1, -1});
-        m_shapes.push_back(shape);
-        m_keys.push_back({joint, info.bodyA, info.bodyB, shape.kind, movesA, movesB});
-    }
+    pool->For(static_cast<int>(list.size()), leastJointsToShare, [&](int begin, int end, int /*worker*/) {
+        for (auto i = ToSize(begin); i < ToSize(end); ++i) {
+            bool isBounded = false;
+            const bool isExact = MakeTreeShape(bodyTable, jointTable, list[i], m_shapes[i], isBounded);
+            m_isBounded[i] = isBounded ? 1 : 0;
+            m_keys[i] = {.joint = list[i]};
+            if (!isExact) continue;
+            const JointInfo& info = jointTable.info[list[i]];
+            const bool movesA = moves(info.bodyA), movesB = moves(info.bodyB);
+            if (movesA || movesB) m_keys[i] = {list[i], info.bodyA, info.bodyB, m_shapes[i].kind, movesA, movesB, true};
+        }
+    });
 }
 
-/// True if the joints are those of the order that is there.
-bool JointForest::IsKnown(bool direct) {
-    if (m_keys == m_oldKeys && m_direct == direct) return true;
-    m_oldKeys = m_keys;
-    m_direct = direct;
-    return false;
-}
-
+/// What is no tree becomes a candidate.
 void JointForest::PlanTrees() {
-    m_links.clear();
-    for (const Key& key : m_keys) {
-        const auto shape = static_cast<int>(m_links.size());
-        m_links.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, key.kind, shape});
+    m_links.clear(), m_candidates.clear();
+    for (size_t i = 0; i < m_keys.size(); ++i) {
+        const Key& key = m_keys[i];
+        const auto shape = static_cast<int>(i);
+        if (key.isHeld) m_links.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, key.kind, shape});
     }
-    trees.Plan(m_direct ? std::span<TreeEdge>(m_links) : std::span<TreeEdge>());
+    trees.Plan(*pool, m_direct ? std::span<TreeEdge>(m_links) : std::span<TreeEdge>());
+    for (const TreeEdge& link : m_links) {
+        if (!link.isTree) m_candidates.push_back({.key = link.shape, .a = -1, .b = -1});
+    }
 }
 
-/// Rows of the bodies of joints that belong to no tree.
+/// Rows of the bodies of joints that belong to no tree, and to no net that is known.
 void JointForest::CollectBodies(const BodyTable& bodyTable) {
     for (const TreeBody& b : bodies) m_rowOf[b.body] = -1;
     m_rowOf.resize(ToSize(bodyTable.slots.Size()), -1);
     bodies.clear();
-    for (size_t i = 0; i < m_candidates.size(); ++i) {
-        if (m_links[i].isTree || m_isNet[i] != 0) continue;
-        m_candidates[i].a = RowOf(bodyTable, m_keys[i].bodyA);
-        m_candidates[i].b = RowOf(bodyTable, m_keys[i].bodyB);
+    for (Candidate& c : m_candidates) {
+        if (c.isNet) continue;
+        c.a = RowOf(bodyTable, KeyOf(c).bodyA);
+        c.b = RowOf(bodyTable, KeyOf(c).bodyB);
     }
 }
 
@@ -116,20 +121,17 @@ int JointForest::FindPart(int row) {
 void JointForest::FindParts() {
     m_parts.clear();
     for (size_t row = 0; row < bodies.size(); ++row) m_parts.push_back({.parent = static_cast<int>(row)});
-    for (size_t i = 0; i < m_candidates.size(); ++i) {
-        const Candidate& c = m_candidates[i];
-        if (!m_links[i].isTree && Moves(c.a) && Moves(c.b)) m_parts[ToSize(FindPart(c.a))].parent = FindPart(c.b);
+    for (const Candidate& c : m_candidates) {
+        if (Moves(c.a) && Moves(c.b)) m_parts[ToSize(FindPart(c.a))].parent = FindPart(c.b);
     }
-    for (size_t i = 0; i < m_candidates.size(); ++i) {
-        Candidate& c = m_candidates[i];
-        if (m_links[i].isTree) continue;
+    for (Candidate& c : m_candidates) {
         c.part = FindPart(Moves(c.a) ? c.a : c.b);
         ++m_parts[ToSize(c.part)].candidates;
         m_parts[ToSize(c.part)].isNet = !m_direct;
     }
 }
 
-/// With which others each candidate that belongs to no tree is coupled.
+/// With which others each candidate is coupled.
 void JointForest::Couple() {
     for (std::vector<int>& list : m_ofBody) list.clear();
     if (m_ofBody.size() < bodies.size()) m_ofBody.resize(bodies.size());
@@ -137,7 +139,6 @@ void JointForest::Couple() {
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         Candidate& c = m_candidates[i];
         m_near[i].clear();
-        if (m_links[i].isTree) continue;
         for (const int row : {c.a, c.b}) {
             if (Moves(row) && m_ofBody[ToSize(row)].size() >= mostJointsOfBody) m_parts[ToSize(c.part)].isNet = true;
         }
@@ -201,9 +202,7 @@ void JointForest::Eliminate(int candidate) {
 void JointForest::Order() {
     m_order.clear();
     for (std::vector<int>& list : m_waiting) list.clear();
-    for (size_t i = m_candidates.size(); i-- > 0;) {
-        if (!m_links[i].isTree) Enqueue(static_cast<int>(i));
-    }
+    for (size_t i = m_candidates.size(); i-- > 0;) Enqueue(static_cast<int>(i));
     for (int next = TakeLeast(); next >= 0; next = TakeLeast()) Eliminate(next);
 }
 
@@ -216,7 +215,7 @@ void JointForest::LeaveOutNets() {
     m_netOrder.clear();
     for (size_t i = 0; i < m_candidates.size(); ++i) {
         if (!IsNet(m_candidates[i])) continue;
-        m_isNet[i] = 1;
+        m_candidates[i].isNet = true;
         m_netOrder.push_back(static_cast<int>(i));
     }
     ColourNets();
@@ -241,7 +240,7 @@ void JointForest::ColourNets() {
                      [&](int a, int b) { return colours[ToSize(a)] < colours[ToSize(b)]; });
     m_members.clear();
     for (const int candidate : m_netOrder) {
-        const Key& key = m_keys[ToSize(candidate)];
+        const Key& key = KeyOf(m_candidates[ToSize(candidate)]);
         m_members.push_back({key.joint, key.bodyA, key.bodyB, key.movesA, key.movesB, colours[ToSize(candidate)]});
     }
 }
@@ -254,28 +253,57 @@ void JointForest::MakeLinks() {
         for (int& other : near) other = m_candidates[ToSize(other)].place;
         std::sort(near.begin(), near.end());
         TreeJoint& joint = joints.emplace_back();
-        joint.joint = c.joint;
+        joint.joint = KeyOf(c).joint;
         joint.a = c.a, joint.b = c.b;
         joint.part = c.part;
-        joint.rows.count = RowCount(m_keys[ToSize(candidate)].kind);
+        joint.rows.count = RowCount(KeyOf(c).kind);
         joint.linkBegin = static_cast<int>(links.size());
         for (const int later : near) links.push_back({later, {}});
         joint.linkEnd = static_cast<int>(links.size());
     }
 }
 
+void JointForest::PlanAll(const BodyTable& bodyTable) {
+    m_isPlanned = false;
+    PlanTrees();
+    CollectBodies(bodyTable);
+    FindParts();
+    Couple();
+    Order();
+    LeaveOutNets();
+    CollectBodies(bodyTable);
+    MakeLinks();
+    m_oldKeys = m_keys;
+    m_isPlanned = true;
+}
+
 /// What may change from step to step under the same order.
 void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale) {
     trees.Refresh(*pool, bodyTable, jointTable, m_shapes, recentScale, compliance);
+    const auto shapeOf = [this](int candidate) { return m_shapes[ToSize(m_candidates[ToSize(candidate)].key)]; };
     m_memberShapes.clear();
-    for (const int candidate : m_netOrder) m_memberShapes.push_back(m_shapes[ToSize(candidate)]);
+    for (const int candidate : m_netOrder) m_memberShapes.push_back(shapeOf(candidate));
     nets.Take(bodyTable, jointTable, m_members, m_memberShapes, recentScale);
     for (size_t i = 0; i < joints.size(); ++i) {
         TreeJoint& joint = joints[i];
-        joint.shape = m_shapes[ToSize(m_order[i])];
+        joint.shape = shapeOf(m_order[i]);
         for (double& t : joint.total) t = 0.0;
         LoadImpulse(joint.joint, jointTable, recentScale, joint.recent);
     }
+}
+
+void JointForest::ListOthers() {
+    GatherParts<JointIndex, 2>(
+        *pool, static_cast<int>(m_keys.size()), leastJointsToShare, {&others, &bounded},
+        [&](int begin, int end, const std::array<JointIndex*, 2>& places) {
+            JointIndex *other = places[0], *some = places[1];
+            for (auto i = ToSize(begin); i < ToSize(end); ++i) {
+                const Key& key = m_keys[i];
+                if (!key.isHeld) *other++ = key.joint;
+                if (key.isHeld && m_isBounded[i] != 0) *some++ = key.joint;
+            }
+            return std::array{static_cast<size_t>(other - places[0]), static_cast<size_t>(some - places[1])};
+        });
 }
 
 void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list,
@@ -283,29 +311,14 @@ void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable
     pool = &how.pool;
     compliance = how.compliance;
     Collect(bodyTable, jointTable, list);
-    const bool isKnown = IsKnown(how.direct);
-    if (!isKnown) {
-        PlanTrees();
-        m_isNet.assign(m_candidates.size(), 0);
-    }
-    CollectBodies(bodyTable);
-    if (!isKnown) {
-        FindParts();
-        Couple();
-        Order();
-        LeaveOutNets();
+    if (m_isPlanned && m_keys == m_oldKeys && m_direct == how.direct) {
         CollectBodies(bodyTable);
-        MakeLinks();
+    } else {
+        m_direct = how.direct;
+        PlanAll(bodyTable);
     }
     Refresh(bodyTable, jointTable, how.recentScale);
-    others.clear(), bounded.clear();
-    size_t next = 0;
-    for (const JointIndex joint : list) {
-        const bool isCandidate = next < m_candidates.size() && m_candidates[next].joint == joint;
-        if (!isCandidate) others.push_back(joint);
-        if (isCandidate && m_candidates[next].bounded) bounded.push_back(joint);
-        next += isCandidate ? 1 : 0;
-    }
+    ListOthers();
 }
 
 }  // namespace scree

@@ -104,12 +104,13 @@ private:
             visit(TreeResult{joint.joint, joint.shape, joint.rows, joint.total, side(joint.a), side(joint.b)});
     }
 
+    /// A joint to hold that belongs to no tree.
     struct Candidate {
-        JointIndex joint;
-        int a, b;  ///< rows of its bodies; not of trees
-        bool bounded;
-        int place;  ///< in the order of elimination
-        int part;   ///< what it is connected with, by a row of it; not of trees
+        int key;         ///< its place in the list of joints
+        int a, b;        ///< rows of its bodies
+        int place = -1;  ///< in the order of elimination
+        int part = -1;   ///< what it is connected with, by a row of it
+        bool isNet = false;
     };
     /// Bodies that joints connect, statics not counted. One per row; those count that stand for the others.
     struct Part {
@@ -121,16 +122,17 @@ private:
     /// What an order depends on.
     struct Key {
         JointIndex joint;
-        BodyIndex bodyA, bodyB;
-        TreeKind kind;
-        bool movesA, movesB;
+        BodyIndex bodyA = BodyIndex::none, bodyB = BodyIndex::none;
+        TreeKind kind = {};
+        bool movesA = false, movesB = false;
+        bool isHeld = false;  ///< a joint to hold; of others nothing else is told
         bool operator==(const Key&) const = default;
     };
 
     int RowOf(const BodyTable& table, BodyIndex body);
     [[nodiscard]] bool Moves(int row) const;
     void Collect(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list);
-    bool IsKnown(bool direct);
+    void PlanAll(const BodyTable& bodyTable);
     void PlanTrees();
     void CollectBodies(const BodyTable& bodyTable);
     int FindPart(int row);
@@ -140,23 +142,27 @@ private:
     void Order();
     void LeaveOutNets();
     void ColourNets();
+    void ListOthers();
     void Enqueue(int candidate);
     int TakeLeast();
     void Eliminate(int candidate);
     void MakeLinks();
     void Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale);
 
+    [[nodiscard]] const Key& KeyOf(const Candidate& c) const { return m_keys[ToSize(c.key)]; }
+
+    std::vector<Key> m_keys;           ///< of the list
+    std::vector<TreeShape> m_shapes;   ///< of the list
+    std::vector<uint8_t> m_isBounded;  ///< of the list: it has limits, motors or springs besides
+    std::vector<Key> m_oldKeys;        ///< of the order that is there
+    bool m_direct = true, m_isPlanned = true;
     std::vector<Candidate> m_candidates;
-    std::vector<TreeShape> m_shapes;  ///< of these
-    std::vector<TreeEdge> m_links;    ///< of these
-    std::vector<Key> m_keys, m_oldKeys;
-    bool m_direct = true;
+    std::vector<TreeEdge> m_links;            ///< of joints to hold
     Column<BodyIndex, int> m_rowOf;           ///< per body of the world, −1: none
     std::vector<std::vector<int>> m_near;     ///< per candidate: those it is coupled with, rising
     std::vector<std::vector<int>> m_ofBody;   ///< per row: its candidates
     std::vector<std::vector<int>> m_waiting;  ///< candidates by how many they are coupled with; some out of date
     std::vector<Part> m_parts;                ///< per row
-    std::vector<uint8_t> m_isNet;             ///< per candidate
     std::vector<int> m_netOrder;              ///< candidates that are, by colour
     std::vector<JointNet::Member> m_members;  ///< these
     std::vector<TreeShape> m_memberShapes;    ///< of these

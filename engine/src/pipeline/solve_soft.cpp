@@ -25,6 +25,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/gather_parts.h"
 #include "pipeline/parts/ballistic_path.h"
 #include "pipeline/parts/pose_finisher.h"
 #include "pipeline/parts/report_impulses.h"
@@ -82,21 +83,24 @@ constexpr std::array<float, 32> leastBounces = MakeLeastBounces();
 /// All islands together; the methods are the phases in order.
 class SoftSolver {
 public:
-    SoftSolver(const SolverSettings& settings, const IslandTable& islands, SolverTables tables, SolverScratch& scratch)
+    SoftSolver(const SolverSettings& settings, const IslandTable& islands, SolverTables tables, SolverScratch& scratch,
+               SoftConstraints& constraints)
         : m_settings(settings),
           m_h(settings.dt / static_cast<float>(settings.substeps)),
           m_islands(islands),
           m_bodies(tables.bodies),
           m_tables(tables),
           m_s(scratch),
-          m_tree(tables.isRest ? scratch.restTree : scratch.tree),
+          m_tree(constraints.tree),
+          m_blocks(constraints.blocks),
+          m_joints(constraints.joints),
           m_kernels(GetContactKernels()) {}
 
     void Prepare(const FixtureTable& fixtures, bool report) {
         m_s.delta.resize(ToSize(m_bodies.slots.Size()));
         m_s.jointed.clear();
         if (HasJoints()) m_s.startVelocities.Reserve(m_bodies.velocity.size());
-        m_s.blocks.GetSlices().Update(Pool(), m_bodies, m_tables.contacts, m_islands.contacts);
+        m_blocks.GetSlices().Update(Pool(), m_bodies, m_tables.contacts, m_islands.contacts);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
         const bool isLoaded = HasJoints() && IsLoaded();
@@ -105,23 +109,23 @@ public:
         m_tree.Build({Pool(), m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), JointCompliance(),
                       m_settings.directJoints});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
-        m_s.blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
-                          m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true,
-                          AreHeldByContacts()},
-                         m_s.marks);
+        m_blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
+                        m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true,
+                        AreHeldByContacts()},
+                       m_s.marks);
         PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
-        m_task = m_s.blocks.Task(m_bodies.velocity, m_s.delta);
+        m_task = m_blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
-        m_task.sumImpulses = report || m_s.blocks.Bounces() || !m_s.loaded.IsEmpty();
-        if (m_s.blocks.GetInitialOverlapCount() > 0) {
-            if (HasJoints()) m_s.blocks.LeaveJointed(m_bodies, Pool(), m_tables.contacts.steady);
+        m_task.sumImpulses = report || m_blocks.Bounces() || !m_s.loaded.IsEmpty();
+        if (m_blocks.GetInitialOverlapCount() > 0) {
+            if (HasJoints()) m_blocks.LeaveJointed(m_bodies, Pool(), m_tables.contacts.steady);
             if (!m_tables.isRest) PushInitialApart();
         }
         const bool hasRows = !m_tree.GetOthers().empty() || !m_tree.GetBounded().empty();
         m_plan = {.warmStarts = m_settings.impulseScale > 0.0f,
-                  .hasContacts = !m_s.blocks.IsEmpty(),
-                  .bounces = m_s.blocks.Bounces(),
+                  .hasContacts = !m_blocks.IsEmpty(),
+                  .bounces = m_blocks.Bounces(),
                   .hasRows = hasRows,
                   .hasTrees = !m_tree.IsEmpty(),
                   .hasNets = !m_tree.GetNets().IsEmpty(),
@@ -145,11 +149,10 @@ public:
 
     SolverCounts Finish() {
         // A manifold's impulses are those of a whole step, whatever its sub-steps.
-        m_s.blocks.Store(static_cast<float>(m_settings.substeps), Pool(), m_tables.contacts.manifold);
+        m_blocks.Store(static_cast<float>(m_settings.substeps), Pool(), m_tables.contacts.manifold);
         m_s.rolling.Store(static_cast<float>(m_settings.substeps), m_tables.contacts.rolling);
         if (m_plan.hasRows) {
-            ScaleJointImpulses(JointWork(2.0f * static_cast<float>(m_settings.substeps)), m_tree.GetOthers(),
-                               m_tree.GetBounded());
+            ScaleJointImpulses(JointWork(2.0f * static_cast<float>(m_settings.substeps)), m_tree.GetOthers());
         }
         m_tree.Store(1.0f, m_tables.joints);
         LowerLoaded();
@@ -183,7 +186,7 @@ private:
     [[nodiscard]] bool AreHeldByContacts() const { return !HasJoints() && m_s.locked.IsEmpty(); }
     [[nodiscard]] bool MayChain() const {
         return AreHeldByContacts() && m_plan.hasContacts && m_plan.warmStarts && !m_plan.bounces &&
-               m_s.rolling.IsEmpty() && m_s.blocks.FollowSlices();
+               m_s.rolling.IsEmpty() && m_blocks.FollowSlices();
     }
 
     /// The sub-steps [begin, end) as passes. The first one needs accumulated impulses: what these do comes first. Then
@@ -211,7 +214,7 @@ private:
         }
         template <typename Visit>
         void ForEach(int chain, Visit&& visit) const {
-            const auto [first, last] = solver.m_s.blocks.GetSlices().GetRange(chain);
+            const auto [first, last] = solver.m_blocks.GetSlices().GetRange(chain);
             for (size_t i = first; i < last; ++i) visit(solver.m_s.soft[i]);
         }
     };
@@ -224,7 +227,7 @@ private:
     template <bool forces>
     void PrepareBodies() {
         const std::span<const BodyIndex> list =
-            m_s.blocks.GetSlices().Sort(Pool(), m_bodies, m_islands.bodies, m_s.sliced);
+            m_blocks.GetSlices().Sort(Pool(), m_bodies, m_islands.bodies, m_s.sliced);
         m_s.soft.resize(list.size());
         const bool hasJoints = HasJoints();
         ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) {
@@ -233,22 +236,29 @@ private:
             m_s.soft[i] = MakeSoftBody<forces>(m_settings, m_bodies, body);
             if (!hasJoints) m_s.soft[i].gained = {m_bodies.velocity[body].v, m_bodies.velocity[body].w};
         });
-        if (!hasJoints) return;
-        for (size_t i = 0; i < m_s.soft.size(); ++i) {
-            SoftBody& soft = m_s.soft[i];
-            if (m_bodies.info[soft.body].jointCount == 0) continue;
-            soft.jointed = true;
-            m_s.startVelocities.Note(soft.body, m_bodies.velocity[soft.body]);
-            m_s.jointed.push_back(static_cast<int>(i));
-        }
+        if (hasJoints) ListJointed();
+    }
+    void ListJointed() {
+        GatherParts<int, 1>(Pool(), static_cast<int>(m_s.soft.size()), leastBodies, {&m_s.jointed},
+                            [&](int begin, int end, const std::array<int*, 1>& places) {
+                                int* place = places[0];
+                                for (int i = begin; i < end; ++i) {
+                                    SoftBody& soft = m_s.soft[ToSize(i)];
+                                    if (m_bodies.info[soft.body].jointCount == 0) continue;
+                                    soft.jointed = true;
+                                    m_s.startVelocities.Note(soft.body, m_bodies.velocity[soft.body]);
+                                    *place++ = i;
+                                }
+                                return std::array{static_cast<size_t>(place - places[0])};
+                            });
     }
 
     /// As many as a pile needs to rise as a whole where most contacts are such; few for the sake of few contacts.
     [[nodiscard]] int CountPasses() const {
         constexpr int leastPasses = 2, leastInCrowd = 8, mostPasses = 128;
         constexpr int visitsToStep = 1 << 14;  // of blocks
-        const int blocks = m_s.blocks.GetBlockCount();
-        const float share = static_cast<float>(m_s.blocks.GetInitialOverlapCount()) / static_cast<float>(blocks);
+        const int blocks = m_blocks.GetBlockCount();
+        const float share = static_cast<float>(m_blocks.GetInitialOverlapCount()) / static_cast<float>(blocks);
         const int wanted = static_cast<int>(4.0f * share * share);
         return std::clamp(wanted, leastPasses, std::clamp(visitsToStep / blocks, leastInCrowd, mostPasses));
     }
@@ -260,7 +270,7 @@ private:
     }
     [[nodiscard]] int CountStiffenedPasses() const {
         constexpr int leastPasses = 8, mostPasses = 512, visits = 1 << 19;
-        return std::clamp(visits / m_s.blocks.GetBlockCount(), leastPasses, mostPasses);
+        return std::clamp(visits / m_blocks.GetBlockCount(), leastPasses, mostPasses);
     }
     /// Overlap in which bodies were made is not the doing of any speed, and pushing it apart is to leave none. So only
     /// positions move, before the first sub-step, and springs do not see it. A squeezed pile rises without being
@@ -290,9 +300,9 @@ private:
         m_s.locked.Stop(m_s.delta);
         RunKernel(Pool(), m_task,
                   [&](const KernelTask& part, int) { m_kernels.endParting(part, parting, done * m_settings.Slop()); });
-        m_s.blocks.StoreInitialOverlaps(Pool(), m_tables.contacts.steady);
+        m_blocks.StoreInitialOverlaps(Pool(), m_tables.contacts.steady);
         // In a crowd bodies are pushed into others that they had no contact with.
-        const bool isCrowd = 2 * m_s.blocks.GetInitialOverlapCount() > blockLanes * m_s.blocks.GetBlockCount();
+        const bool isCrowd = 2 * m_blocks.GetInitialOverlapCount() > blockLanes * m_blocks.GetBlockCount();
         m_tables.contacts.addsFresh = m_tables.contacts.addsFresh || isCrowd;
         // What still parts does not sleep.
         const float way = SleepSpeed(m_settings) * m_settings.dt;
@@ -366,27 +376,31 @@ private:
     }
     void LowerLoaded() {
         if (m_s.loaded.IsEmpty()) return;
-        m_s.blocks.GetImpulses(true, m_s.impulses);
+        m_blocks.GetImpulses(true, m_s.impulses);
         m_s.loaded.Lower(m_bodies, m_s.impulses);
     }
     [[nodiscard]] bool IsLoaded() const {
         constexpr float heavy = 10.0f;  // masses of the body that bears it
+        constexpr int leastToShare = 1024;
         if (!FollowsLoads()) return false;
         const auto bears = [&](BodyIndex body, BodyIndex load) {
             const float invMass = m_bodies.mass[load].invMass;
             return m_bodies.info[body].jointCount > 0 && invMass > 0.0f &&
                    heavy * invMass < m_bodies.mass[body].invMass;
         };
-        return std::any_of(m_islands.contacts.begin(), m_islands.contacts.end(), [&](ContactIndex contact) {
+        const auto isNoLoad = [&](ContactIndex contact) {
             const ContactPair& pair = m_tables.contacts.pair[contact];
-            return bears(pair.bodyA, pair.bodyB) || bears(pair.bodyB, pair.bodyA);
+            return !bears(pair.bodyA, pair.bodyB) && !bears(pair.bodyB, pair.bodyA);
+        };
+        const std::span<const ContactIndex> contacts = m_islands.contacts;
+        return !AllOf(Pool(), static_cast<int>(contacts.size()), leastToShare, [&](int begin, int end) {
+            return std::ranges::all_of(contacts.subspan(ToSize(begin), ToSize(end - begin)), isNoLoad);
         });
     }
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
     /// Impulses of half a sub-step; what may still close, may do so in a whole one.
     [[nodiscard]] JointTask JointWork(float impulseScale) {
-        return {
-            {0.5f * m_h, 1.0f / m_h, impulseScale, m_settings.Slop()}, m_bodies, m_tables.joints, m_s.joints, Pool()};
+        return {{0.5f * m_h, 1.0f / m_h, impulseScale, m_settings.Slop()}, m_bodies, m_tables.joints, m_joints, Pool()};
     }
     [[nodiscard]] JointTree::Poses Poses() const { return {m_bodies, m_s.delta}; }
 
@@ -433,8 +447,8 @@ private:
     /// Joints are solved twice in a sub-step, with half of its forces each time.
     void PrepareRows(bool isFirst) {
         if (!m_plan.hasRows) return;
-        PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers(), m_tree.GetBounded());
-        m_rowsAct = m_s.joints.Act();
+        PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers());
+        m_rowsAct = m_joints.Act();
     }
     /// Rows and contacts of a tree must see what its joints make of the forces.
     void ProjectTrees(bool isFirst) {
@@ -600,7 +614,7 @@ private:
 
     void StopLocked() { m_s.locked.Stop(m_bodies.velocity); }
     void SolveRolling() {
-        m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_s.blocks.GetPressure(at); });
+        m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_blocks.GetPressure(at); });
     }
 
     /// Runs a pass over the contacts and notes what it did to jointed bodies: joints are warm-started by themselves, so
@@ -656,6 +670,8 @@ private:
     SolverTables m_tables;
     SolverScratch& m_s;
     JointTree& m_tree;
+    ContactBlocks& m_blocks;
+    JointConstraints& m_joints;
     const ContactKernels& m_kernels;
     KernelTask m_task{};
     Plan m_plan;
@@ -671,12 +687,13 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
         return SolveIsolated<forces, limit>(settings, active, tables.pool, tables.bodies);
     });
     if (active.bodies.empty()) return counts;
-    SoftSolver solver(settings, active, tables, scratch);
+    SoftConstraints& constraints = tables.isRest ? scratch.constraintsOfRest : scratch.constraints;
+    SoftSolver solver(settings, active, tables, scratch, constraints);
     solver.Prepare(fixtures, events.listener != nullptr);
     solver.RunSubsteps();
     counts += solver.Finish();
-    if (tables.noteDemand) scratch.tree.NotePullRates(settings.dt, tables.bodies.demand);
-    ReportBlockImpulses({scratch.blocks, true, active.contacts}, events, tables.contacts, scratch.impulses);
+    if (tables.noteDemand) constraints.tree.NotePullRates(settings.dt, tables.bodies.demand);
+    ReportBlockImpulses({constraints.blocks, true, active.contacts}, events, tables.contacts, scratch.impulses);
     return counts;
 }
 

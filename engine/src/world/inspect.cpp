@@ -38,7 +38,7 @@ void GetContactColours(const World& world, std::vector<int>& colours) {
     // The soft step solves all active contacts, or group by group; sequential impulses those of wide islands.
     const std::span<const SubstepGroup> groups = s.substepGroups.Get();
     const std::vector<ContactIndex>& active = groups.empty() ? s.active.contacts : groups.back().lists.contacts;
-    if (!s.active.contacts.empty()) return note(active, s.solverScratch.blocks.GetColours());
+    if (!s.active.contacts.empty()) return note(active, s.solverScratch.constraints.blocks.GetColours());
     const std::span<const int> found(s.solverScratch.colours);
     if (found.size() != s.islands.contacts.size()) return;
     for (const Island& island : s.islands.islands) {

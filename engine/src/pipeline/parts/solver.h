@@ -131,17 +131,29 @@ struct SolverJob {
     int size;   ///< how long it takes, in contacts that are solved one by one
 };
 
+/// Constraints of a soft step. Their order stays until the next one while joints and contacts do.
+struct SoftConstraints {
+    JointTree tree;
+    JointConstraints joints;
+    ContactBlocks blocks;
+
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return tree.GetMemoryBytes() + joints.GetMemoryBytes() + blocks.GetMemoryBytes();
+    }
+    void Trim() {
+        joints = {};
+        blocks = {};
+    }
+};
+
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
     bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
-    JointTree tree;
-    JointTree restTree;    ///< of `rest`; each keeps its order while its joints stay the same
-    ContactBlocks blocks;  ///< of the soft step, as the rows that follow
-    BodyMarks marks;
+    SoftConstraints constraints, constraintsOfRest;
+    BodyMarks marks;  ///< of the soft step, as the rows that follow
     RollingRows rolling;
     LoadedBodies loaded;
     LockedBodies locked;
-    JointConstraints joints;
     Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
     std::vector<BodyIndex> sliced;      ///< bodies of islands, by slice
     std::vector<SoftBody> soft;
@@ -163,18 +175,17 @@ struct SolverScratch {
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
         return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, before, impulses) +
-               rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + tree.GetMemoryBytes() +
-               restTree.GetMemoryBytes() + blocks.GetMemoryBytes() + joints.GetMemoryBytes() +
-               rolling.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
+               rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + constraints.GetMemoryBytes() +
+               constraintsOfRest.GetMemoryBytes() + rolling.GetMemoryBytes() + loaded.GetMemoryBytes() +
+               locked.GetMemoryBytes() + lanes.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
-        blocks = {};
+        constraints.Trim(), constraintsOfRest.Trim();
         marks = {};
         rolling = {};
         loaded = {};
         locked = {};
-        joints = {};
         delta = {};
         sliced = {};
         soft = {};

@@ -5,7 +5,8 @@
 
 #pragma once
 
-#include <vector>
+#include <algorithm>
+#include <cstdint>
 
 #include "state/bodies.h"
 
@@ -15,27 +16,27 @@ class StartVelocities {
 public:
     /// Before a step: of no body anything is known.
     void Forget() {
-        for (const BodyIndex body : m_known) m_isKnown[body] = 0;
-        m_known.clear();
+        if (++m_step != 0) return;
+        std::ranges::fill(m_noted, 0);
+        m_step = 1;
     }
     /// Makes room for the bodies that Note may name.
-    void Reserve(size_t bodies) { EnsureRows(m_velocity, bodies), EnsureRows(m_isKnown, bodies); }
+    void Reserve(size_t bodies) { EnsureRows(m_velocity, bodies), EnsureRows(m_noted, bodies); }
+    /// Several threads may note different bodies.
     void Note(BodyIndex body, const Velocity& velocity) {
         m_velocity[body] = velocity;
-        if (m_isKnown[body] != 0) return;
-        m_isKnown[body] = 1;
-        m_known.push_back(body);
+        m_noted[body] = m_step;
     }
     /// Null for a body that the step did not move.
     [[nodiscard]] const Velocity* Find(BodyIndex body) const {
-        return m_isKnown.Has(body) && m_isKnown[body] != 0 ? &m_velocity[body] : nullptr;
+        return m_noted.Has(body) && m_noted[body] == m_step ? &m_velocity[body] : nullptr;
     }
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_velocity, m_isKnown, m_known); }
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_velocity, m_noted); }
 
 private:
     Column<BodyIndex, Velocity> m_velocity;
-    Column<BodyIndex, uint8_t> m_isKnown;
-    std::vector<BodyIndex> m_known;
+    Column<BodyIndex, uint32_t> m_noted;  ///< in which step, 0: in none
+    uint32_t m_step = 1;
 };
 
 }  // namespace scree
