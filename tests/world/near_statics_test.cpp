@@ -59,7 +59,7 @@ bool Meets(const WorldState& s, BodyIndex m, FixtureIndex fixture, FixtureIndex 
 }
 
 TEST(NearStatics, MissNothingThatABodyMeets) {
-    int known = 0, met = 0, empty = 0, left = 0;
+    int known = 0, met = 0, empty = 0, left = 0, foundApart = 0;
     for (uint32_t seed = 0; seed < 40; ++seed) {
         Source random(seed);
         World world({0.0f, 0.0f});
@@ -111,8 +111,16 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
             s.bodies.position[m].c += random.InSquare(size);
             s.bodies.position[m].a += random.Between(-2.0f, 2.0f);
             s.bodies.UpdateTransform(m);
-            const auto near =
-                s.continuousScratch.nearStatics.Find(m, {s.bodies, s.fixtures, *s.broadPhase, s.def.lengthScale});
+            const NearStatics::Tables tables{s.bodies, s.fixtures, *s.broadPhase, s.def.lengthScale};
+            NearStatics& kept = s.continuousScratch.nearStatics;
+            NearStatics copy = kept;
+            if (random.Below(2) == 0) s.broadPhase->PrepareStatic();
+            const auto apart = copy.FindApart(m, tables);
+            const auto near = kept.Find(m, tables);
+            if (apart) {
+                ASSERT_TRUE(near.has_value() && std::ranges::equal(*apart, *near));
+                ++foundApart;
+            }
             if (!near) continue;
             ++known;
             float reach = 0.0f;
@@ -143,6 +151,7 @@ TEST(NearStatics, MissNothingThatABodyMeets) {
         }
     }
     EXPECT_GT(known, 1000);
+    EXPECT_GT(foundApart, 1000);
     EXPECT_GT(met, 300);
     EXPECT_GT(empty, 100);
     EXPECT_GT(left, 1000);

@@ -116,9 +116,10 @@ public:
     virtual uint64_t CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const = 0;
     /// The same of a point.
     uint64_t RayCast(const RayCastInput& input, RayVisitor visit) const { return CastBox(input, vec2Zero, visit); }
-    /// Query for static fixtures, of which it may rebuild a tree: visits all of them, and any movers too if that is
-    /// cheaper than to leave them out.
-    virtual void QueryStatic(const AABB& box, Visitor visit) { Query(box, visit); }
+    /// Rebuilds what QueryStatic needs and edits have made stale. Without it that scans what is stale.
+    virtual void PrepareStatic() {}
+    /// Query for static fixtures: visits all of them, and any movers too if that is cheaper than to leave them out.
+    virtual uint64_t QueryStatic(const AABB& box, Visitor visit) const { return Query(box, visit); }
 
     /// Query for what rests, likewise: visits all movers that rest, and anything else too if that is cheaper than to
     /// leave it out.

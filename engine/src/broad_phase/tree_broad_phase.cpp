@@ -169,15 +169,25 @@ uint64_t TreeBroadPhase::CastBox(const RayCastInput& path, Vec2 halfSize, RayVis
     return boxTests;
 }
 
-void TreeBroadPhase::QueryStatic(const AABB& box, Visitor visit) {
+void TreeBroadPhase::PrepareStatic() {
     if (m_trees.IsRestingApart()) {
         if (m_trees.IsRestingStale()) BuildResting();
-        m_trees.QueryResting(box, m_stats.boxTests, visit);
         return;
     }
     if (m_isStaticIndexStale) Build(m_store.Statics(), m_staticIndex);
     m_isStaticIndexStale = false;
-    m_staticIndex.Query(box, m_stats.boxTests, [&](ItemId id) { return visit(id.fixture); });
+}
+
+uint64_t TreeBroadPhase::QueryStatic(const AABB& box, Visitor visit) const {
+    uint64_t boxTests = 0;
+    if (m_trees.IsRestingApart()) {
+        m_trees.QueryResting(box, boxTests, visit);
+    } else if (m_isStaticIndexStale) {
+        return Query(box, visit);
+    } else {
+        m_staticIndex.Query(box, boxTests, [&](ItemId id) { return visit(id.fixture); });
+    }
+    return boxTests;
 }
 
 void TreeBroadPhase::QueryResting(const AABB& box, Visitor visit) {

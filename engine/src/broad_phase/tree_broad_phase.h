@@ -40,7 +40,8 @@ public:
     void PrepareQueries() override;
     uint64_t Query(const AABB& box, Visitor visit) const override;
     uint64_t CastBox(const RayCastInput& path, Vec2 halfSize, RayVisitor visit) const override;
-    void QueryStatic(const AABB& box, Visitor visit) override;
+    void PrepareStatic() override;
+    uint64_t QueryStatic(const AABB& box, Visitor visit) const override;
     void QueryResting(const AABB& box, Visitor visit) override;
 
     [[nodiscard]] AABB GetBox(uint32_t fixture) const override { return m_store.Box(m_store.Find(fixture)); }

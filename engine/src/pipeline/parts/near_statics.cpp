@@ -44,30 +44,28 @@ void NearStatics::Empty(Ball& ball) {
 }
 
 /// Balls of what flies through empty space grow, so that it seldom needs a new one.
-void NearStatics::MakeBall(BodyIndex body, const Tables& t, Ball& ball) {
+NearStatics::Ball NearStatics::MakeBall(BodyIndex body, const Tables& t, const Ball& old, Crowd& found) {
     constexpr float fewest = 1.0f, most = 7.0f;
-    const bool wasFree = ball.radius >= 0.0f && ball.count == 0;
-    if (ball.reach < 0.0f) ball.reach = ReachOfBody(body, t);
-    const float steps = wasFree ? Min(2.0f * ball.steps + 1.0f, most) : fewest;
-    Fill(steps, body, t, ball);
-    if (steps > fewest && ball.count > 0) Fill(fewest, body, t, ball);
+    const bool wasFree = old.radius >= 0.0f && old.count == 0;
+    const float reach = old.reach < 0.0f ? ReachOfBody(body, t) : old.reach;
+    const float steps = wasFree ? Min(2.0f * old.steps + 1.0f, most) : fewest;
+    const Ball ball = MakeBall(body, t, reach, steps, found);
+    return steps > fewest && ball.count > 0 ? MakeBall(body, t, reach, fewest, found) : ball;
 }
 
 /// The ball is centred so many steps ahead.
-void NearStatics::Fill(float steps, BodyIndex body, const Tables& t, Ball& ball) {
-    const float reach = ball.reach;
-    Empty(ball);
-    ball.reach = reach;
-    ball.steps = steps;
+NearStatics::Ball NearStatics::MakeBall(BodyIndex body, const Tables& t, float reach, float steps, Crowd& found) {
     const Vec2 to = t.bodies.position[body].c;
     const Vec2 way = to - t.bodies.startPosition[body].c;
+    Ball ball;
+    ball.reach = reach;
+    ball.steps = steps;
     ball.centre = to + steps * way;
     ball.radius = (1.0f + steps) * way.Length() + 0.5f * reach;
     // A meeting is noticed within a slop of the surfaces; coordinates are rounded to their size.
     const float size = Abs(ball.centre.x) + Abs(ball.centre.y) + reach + ball.radius;
     const float far = reach + ball.radius + 2.0f * linearSlop * t.lengthScale + 1.0e-5f * size;
     const Vec2 extents{far, far};
-    Crowd found;
     t.broadPhase.QueryStatic({ball.centre - extents, ball.centre + extents}, [&](uint32_t proxy) {
         const FixtureIndex fixture = FixtureOf(proxy);
         const BodyIndex other = t.fixtures.body[fixture];
@@ -76,19 +74,10 @@ void NearStatics::Fill(float steps, BodyIndex body, const Tables& t, Ball& ball)
         if (ball.count < mostInCrowd) found.fixtures[ball.count] = fixture;
         return ++ball.count <= mostInCrowd;
     });
-    if (ball.count > mostInCrowd) return;
+    if (ball.count > mostInCrowd) return ball;
     std::sort(found.fixtures, found.fixtures + ball.count);
-    if (ball.count <= mostFixtures) {
-        std::copy_n(found.fixtures, ball.count, ball.fixtures);
-        return;
-    }
-    if (m_freeCrowds.empty()) {
-        m_freeCrowds.push_back(static_cast<int>(m_crowds.size()));
-        m_crowds.emplace_back();
-    }
-    ball.crowd = m_freeCrowds.back();
-    m_freeCrowds.pop_back();
-    std::copy_n(found.fixtures, ball.count, m_crowds[ToSize(ball.crowd)].fixtures);
+    std::copy_n(found.fixtures, std::min(ball.count, mostFixtures), ball.fixtures);
+    return ball;
 }
 
 bool NearStatics::IsInside(const Ball& ball, BodyIndex body, const BodyTable& bodies) {
@@ -113,7 +102,33 @@ std::optional<std::span<const FixtureIndex>> NearStatics::Get(BodyIndex body, co
 std::optional<std::span<const FixtureIndex>> NearStatics::Find(BodyIndex body, const Tables& tables) {
     if (!m_enabled || tables.bodies.IsFar()) return std::nullopt;
     Ball& ball = m_balls[NeedRow(body, tables.bodies)];
-    if (!IsInside(ball, body, tables.bodies)) MakeBall(body, tables, ball);
+    if (IsInside(ball, body, tables.bodies)) return Read(ball);
+    Crowd found;
+    const Ball made = MakeBall(body, tables, ball, found);
+    Empty(ball);
+    ball = made;
+    if (NeedsCrowd(ball)) {
+        if (m_freeCrowds.empty()) {
+            m_freeCrowds.push_back(static_cast<int>(m_crowds.size()));
+            m_crowds.emplace_back();
+        }
+        ball.crowd = m_freeCrowds.back();
+        m_freeCrowds.pop_back();
+        std::copy_n(found.fixtures, ball.count, m_crowds[ToSize(ball.crowd)].fixtures);
+    }
+    return Read(ball);
+}
+
+std::optional<std::span<const FixtureIndex>> NearStatics::FindApart(BodyIndex body, const Tables& tables) {
+    const Row row = RowOf(body);
+    if (!m_enabled || tables.bodies.IsFar() || IsNone(row)) return std::nullopt;
+    Ball& ball = m_balls[row];
+    if (IsInside(ball, body, tables.bodies)) return Read(ball);
+    if (ball.crowd >= 0) return std::nullopt;
+    Crowd found;
+    const Ball made = MakeBall(body, tables, ball, found);
+    if (NeedsCrowd(made)) return std::nullopt;
+    ball = made;
     return Read(ball);
 }
 

@@ -26,8 +26,8 @@ public:
     struct Tables {
         const BodyTable& bodies;
         const FixtureTable& fixtures;
-        BroadPhase& broadPhase;
-        float lengthScale;  ///< factor on the tolerances
+        const BroadPhase& broadPhase;  ///< PrepareStatic was called
+        float lengthScale;             ///< factor on the tolerances
     };
 
     /// To be called when a static fixture comes, moves or changes. O(1).
@@ -48,6 +48,8 @@ public:
     /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid
     /// until the next call.
     std::optional<std::span<const FixtureIndex>> Find(BodyIndex body, const Tables& tables);
+    /// The same for several threads, each with other bodies: nothing too where rows are missing.
+    std::optional<std::span<const FixtureIndex>> FindApart(BodyIndex body, const Tables& tables);
     /// The same without asking the broad phase: nothing where Find would have to. Safe for several threads.
     [[nodiscard]] std::optional<std::span<const FixtureIndex>> Get(BodyIndex body, const BodyTable& bodies) const;
 
@@ -104,8 +106,12 @@ private:
     [[nodiscard]] Row RowOf(BodyIndex body) const { return m_rows.Has(body) ? m_rows[body] : Row::none; }
     /// The row of the body, made if there is none.
     Row NeedRow(BodyIndex body, const BodyTable& bodies);
-    void MakeBall(BodyIndex body, const Tables& tables, Ball& ball);
-    void Fill(float steps, BodyIndex body, const Tables& tables, Ball& ball);
+    /// A ball in place of `old`, whose fixtures are in `found`.
+    [[nodiscard]] static Ball MakeBall(BodyIndex body, const Tables& tables, const Ball& old, Crowd& found);
+    [[nodiscard]] static Ball MakeBall(BodyIndex body, const Tables& tables, float reach, float steps, Crowd& found);
+    [[nodiscard]] static bool NeedsCrowd(const Ball& ball) {
+        return ball.count > mostFixtures && ball.count <= mostInCrowd;
+    }
     /// There is no ball any more.
     void Empty(Ball& ball);
     [[nodiscard]] static bool IsInside(const Ball& ball, BodyIndex body, const BodyTable& bodies);

@@ -82,7 +82,6 @@ void ToiPairs::FindAll() {
         SweepBoxes();
     }
     Screen();
-    const NearStatics::Tables nearby{m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale};
     m_timesFollow = true;
     size_t hitter = 0;
     for (size_t i = 0; i < m_s.lookers.size(); ++i) {
@@ -98,7 +97,7 @@ void ToiPairs::FindAll() {
         } else if (IsHitter(body)) {
             Collect(body, true);  // even at rest: what hits it looks only for static fixtures
         } else {
-            CollectFirst(body, nearby);
+            CollectFirst(body);
         }
     }
     m_timesFollow = false;
@@ -134,8 +133,9 @@ void ToiPairs::AddRestingTargets() {
 }
 
 /// Looks over all bodies, on all workers: who needs no pairs, and which candidates the others have where the static
-/// fixtures near them are known. Asks nobody outside and changes only what is kept for the body or the worker.
+/// fixtures near them are known. Changes only what is kept for the body or the worker.
 void ToiPairs::Screen() {
+    m_t.broadPhase.PrepareStatic();
     m_s.nearStatics.PrepareCalm(m_atOutlines);
     const std::vector<BodyIndex>& lookers = m_s.lookers;
     m_s.screened.resize(lookers.size());
@@ -155,41 +155,48 @@ ScreenFind ToiPairs::ScreenBody(BodyIndex body, int worker) {
     if (!m_bodies.IsActive(body)) return {ScreenedBody::passes};
     if (IsBullet(body)) return {ScreenedBody::isToCollect};
     if (!Moves(body)) return {ScreenedBody::passes};
-    ScreenFind find{LookAround(body)};
-    if (find.says == ScreenedBody::hasCandidates) find = FindKnown(body, worker);
+    if (m_bodies.IsFar()) return {ScreenedBody::isToCollect};
+    ScreenFind find{ScreenedBody::passes};
+    if (!m_s.nearStatics.StaysCalm(body, m_bodies)) {
+        const auto near = m_s.nearStatics.FindApart(body, Nearby());
+        if (!near) return {ScreenedBody::isToCollect};
+        if (!PassesAll(body, *near)) find = FindKnown(body, *near, worker);
+    }
     if (find.says == ScreenedBody::passes) m_s.isPassedOver[body] = 1;
     return find;
 }
 
 /// Collects for a body whose near static fixtures are known.
-ScreenFind ToiPairs::FindKnown(BodyIndex body, int worker) {
+ScreenFind ToiPairs::FindKnown(BodyIndex body, std::span<const FixtureIndex> near, int worker) {
     std::vector<ToiCandidate>& candidates = m_s.screenedCandidates[worker];
     const size_t begin = candidates.size();
-    const auto near = m_s.nearStatics.Get(body, m_bodies);
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
         if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
-        FindCandidates(body, f, *near, candidates);
+        FindCandidates(body, f, near, candidates);
     }
     if (BoundWays(std::span(candidates).subspan(begin))) {
         candidates.resize(begin);
         return {ScreenedBody::passes};
     }
+    size_t kept = begin;
+    for (size_t i = begin; i < candidates.size(); ++i) {
+        if (IsClear(candidates[i].fixture, candidates[i].other, 0.0f)) continue;
+        candidates[kept] = candidates[i];
+        candidates[kept++].isScreened = true;
+    }
+    candidates.resize(kept);
     return {ScreenedBody::hasCandidates, static_cast<uint8_t>(worker), static_cast<int>(begin),
             static_cast<int>(candidates.size())};
 }
 
-/// Passes if the body surely meets no static fixture of those that are known to be near it.
-ScreenedBody ToiPairs::LookAround(BodyIndex body) {
-    if (m_bodies.IsFar()) return ScreenedBody::isToCollect;
-    if (m_s.nearStatics.StaysCalm(body, m_bodies)) return ScreenedBody::passes;
-    const auto near = m_s.nearStatics.Get(body, m_bodies);
-    if (!near) return ScreenedBody::isToCollect;
+/// True if the body surely meets none of the static fixtures near it.
+bool ToiPairs::PassesAll(BodyIndex body, std::span<const FixtureIndex> near) {
     float slack = std::numeric_limits<float>::max(), reach = 0.0f;
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
-        if (near->empty()) break;
+        if (near.empty()) break;
         if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
         const PassedBox passed = PassedBoxOf(body, f);
-        for (const FixtureIndex other : *near) {
+        for (const FixtureIndex other : near) {
             const AABB& box = m_t.broadPhase.GetBox(ProxyOf(other));
             if (!TestOverlap(passed.onWay, box)) {
                 slack = Min(slack, GapOf(passed.atEnd, box) - passed.skin);
@@ -201,11 +208,11 @@ ScreenedBody ToiPairs::LookAround(BodyIndex body) {
             slack = clearance.isSure ? Min(slack, clearance.slack) : -1.0f;
             reach = Max(reach, clearance.reach);
             if (clearance.isSure) continue;
-            if (!PassesBy(pair) && TestOverlap(SweptBox(body, f), box)) return ScreenedBody::hasCandidates;
+            if (!PassesBy(pair) && TestOverlap(SweptBox(body, f), box)) return false;
         }
     }
     if (slack > 0.0f) m_s.nearStatics.NoteCalm(body, m_bodies, reach, slack);
-    return ScreenedBody::passes;
+    return true;
 }
 
 /// Searches in full for what was passed over.
@@ -394,9 +401,9 @@ Sweep ToiPairs::SweepOf(BodyIndex body, Vec2 frame) const {
 }
 
 /// Collect for a dynamic body that has no pairs yet but those of kinematic bodies and bullets with it.
-void ToiPairs::CollectFirst(BodyIndex body, const NearStatics::Tables& tables) {
+void ToiPairs::CollectFirst(BodyIndex body) {
     const bool isBullet = IsBullet(body);
-    const auto known = isBullet ? std::nullopt : m_s.nearStatics.Find(body, tables);
+    const auto known = isBullet ? std::nullopt : m_s.nearStatics.Find(body, Nearby());
     m_s.candidates.clear();
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
         if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
@@ -458,6 +465,7 @@ void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDyn
         m_t.broadPhase.PrepareQueries();  // boxes were swept
         m_t.broadPhase.Query(box, visit);
     } else {
+        m_t.broadPhase.PrepareStatic();
         m_t.broadPhase.QueryStatic(box, visit);
     }
     std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
@@ -494,7 +502,8 @@ void ToiPairs::Add(const ToiCandidate& candidate) {
     const BodyIndex otherBody = m_t.fixtures.body[other];
     if (otherBody == body || m_t.fixtures.isSensor[other] || !MayMeet(body, otherBody)) return;
     if (!m_bodies.IsActive(body) && !m_bodies.IsActive(otherBody)) return;
-    if (m_bodies.type[otherBody] == staticBody && IsClear(fixture, other, 0.0f)) return;
+    const bool isStatic = m_bodies.type[otherBody] == staticBody;
+    if (isStatic && !candidate.isScreened && IsClear(fixture, other, 0.0f)) return;
     if (m_s.knownTo[other] == m_s.round) return;
     if (!MayCollide(fixture, other)) return;
     const int index = static_cast<int>(m_s.pairs.size());

@@ -61,6 +61,7 @@ struct ToiPair {
 struct ToiCandidate {
     FixtureIndex fixture, other;
     Bounded bounded = Bounded::notYet;
+    bool isScreened = false;  ///< is not clear of the static one's way
 };
 
 /// A fixture that dynamic ones may meet: of a kinematic body, or of a bullet that rests.
@@ -180,11 +181,12 @@ private:
                 .nextB = -1,
                 .over = false};
     }
+    [[nodiscard]] NearStatics::Tables Nearby() const { return {m_bodies, m_t.fixtures, m_t.broadPhase, m_lengthScale}; }
     void AddRestingTargets();
     void Screen();
     [[nodiscard]] ScreenFind ScreenBody(BodyIndex body, int worker);
-    [[nodiscard]] ScreenedBody LookAround(BodyIndex body);
-    [[nodiscard]] ScreenFind FindKnown(BodyIndex body, int worker);
+    [[nodiscard]] bool PassesAll(BodyIndex body, std::span<const FixtureIndex> near);
+    [[nodiscard]] ScreenFind FindKnown(BodyIndex body, std::span<const FixtureIndex> near, int worker);
     void AuditBody(BodyIndex body) const;
     void Audit(const ToiPair& pair) const;
     void FindTimes();
@@ -203,7 +205,7 @@ private:
     [[nodiscard]] PassedBox PassedBoxOf(BodyIndex body, FixtureIndex fixture) const;
     [[nodiscard]] float ReachOf(BodyIndex body, FixtureIndex fixture) const;
     [[nodiscard]] AABB SweptBox(BodyIndex body, FixtureIndex fixture) const;
-    void CollectFirst(BodyIndex body, const NearStatics::Tables& tables);
+    void CollectFirst(BodyIndex body);
     void Collect(BodyIndex body, bool withDynamic);
     void FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<const FixtureIndex> known,
                         std::vector<ToiCandidate>& candidates) const;
