@@ -1,17 +1,25 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Islands against union-find, the ballistic path against the island path, and no allocation in a warm step.
+// Islands against union-find, those that may fall asleep against the search, the ballistic path against the island
+// path, and no allocation in a warm step.
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <memory>
 #include <numeric>
 #include <random>
+#include <set>
+#include <vector>
 
+#include "pipeline/find_islands.h"
+#include "pipeline/parts/rouse.h"
+#include "pipeline/parts/sleepy_islands.h"
 #include "pipeline/solve_islands.h"
 #include "pipeline/solve_soft.h"
+#include "scree/snapshot.h"
 #include "tests/world/allocation_counter.h"
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
@@ -348,6 +356,89 @@ TEST(Step, AWarmStepOfJointsAllocatesNothing) {
         EXPECT_EQ(CountSwingingAllocations(0, workers), 0) << "sequential impulses, workers " << workers;
         EXPECT_EQ(CountSwingingAllocations(4, workers), 0) << "soft step, workers " << workers;
     }
+}
+
+/// Bodies of the islands, each in rising order.
+std::set<std::vector<BodyIndex>> SetsOf(const IslandTable& table) {
+    std::set<std::vector<BodyIndex>> sets;
+    for (const Island& island : table.islands) {
+        const auto bodies = Bodies(table, island);
+        std::vector<BodyIndex> set(bodies.begin(), bodies.end());
+        std::ranges::sort(set);
+        sets.insert(set);
+    }
+    return sets;
+}
+
+/// The soft step wakes the bodies that Box2D's search wakes. Of the islands of that search it finds those where nobody
+/// has moved of late.
+TEST(Islands, ThatMayFallAsleepAreThoseOfTheSearch) {
+    int sleepy = 0, woken = 0, awake = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        std::mt19937 random(seed);
+        const auto draw = [&](float low, float high) {
+            return std::uniform_real_distribution<float>(low, high)(random);
+        };
+        const auto oneIn = [&](unsigned count) { return random() % count == 0; };
+        World world({0.0f, -10.0f});
+        AddGround(world, 60.0f);
+        std::vector<Body*> bodies;
+        const int count = 40 + static_cast<int>(random() % 1200);
+        const float width = draw(0.01f, 0.1f) * static_cast<float>(count);
+        for (int i = 0; i < count; ++i) {
+            const BodyType type = oneIn(30) ? kinematicBody : dynamicBody;
+            bodies.push_back(AddBody(world, type, {draw(-width, width), draw(0.5f, 6.0f)}));
+            Fixture* fixture = oneIn(2) ? AddBox(bodies.back(), 0.3f, 0.2f) : AddCircle(bodies.back(), 0.25f);
+            fixture->SetSensor(oneIn(20));
+            if (!oneIn(12) || i == 0) continue;
+            RevoluteJointDef def;
+            def.Initialize(bodies[random() % static_cast<unsigned>(i)], bodies.back(), bodies.back()->GetPosition());
+            world.CreateJoint(&def);
+        }
+        StepFor(world, 2 + static_cast<int>(random() % 40));
+        WorldState& s = world.GetState();
+        const float dt = 1.0f / 60.0f;
+        for (Body* body : bodies) {
+            if (oneIn(4)) body->SetAwake(false);
+            if (oneIn(40)) body->SetEnabled(false);
+        }
+        if (oneIn(2)) world.Step(0.0f, 4);  // what sleeps has left the lists
+        const unsigned few = 1 + random() % 40;
+        for (Body* body : bodies) {
+            if (body->IsAwake())
+                s.bodies.sleepTime[IndexOf(*body)] = oneIn(few) ? draw(0.0f, timeToSleep) : timeToSleep;
+        }
+        const std::unique_ptr<World> other = LoadWorld(SaveWorld(world));
+        ASSERT_NE(other, nullptr);
+        WorldState& o = other->GetState();
+        FindIslands(o.contacts, o.joints, *o.pool, o.bodies, o.islandScratch, o.islands);
+        std::set<std::vector<BodyIndex>> expected = SetsOf(o.islands);
+        std::erase_if(expected, [&](const std::vector<BodyIndex>& island) {
+            return std::ranges::any_of(island,
+                                       [&](BodyIndex body) { return o.bodies.sleepTime[body] + dt < timeToSleep; });
+        });
+
+        TaskPool pool(seed % 2 == 0 ? 4 : 1, {});
+        pool.Begin();
+        SleepyScratch scratch;
+        IslandTable active, found;
+        for (const Body* body : bodies) awake += body->IsAwake() ? 1 : 0;
+        WakeReached(s.contacts, s.joints, pool, s.bodies, scratch);
+        RouseContacts(s.bodies, s.contacts);
+        GatherActive(s.contacts, s.joints, pool, s.bodies, s.islandScratch, active);
+        FindSleepyIslands(active, s.contacts, s.joints, pool, s.bodies, dt, scratch, found);
+        pool.End();
+        for (const Body* body : bodies) {
+            const BodyIndex b = IndexOf(*body);
+            EXPECT_EQ(s.bodies.IsActive(b), o.bodies.IsActive(b)) << seed << ' ' << ToInt(b);
+            woken += body->IsAwake() ? 1 : 0;
+        }
+        EXPECT_EQ(SetsOf(found), expected) << seed;
+        EXPECT_EQ(found.islands.size(), expected.size()) << seed;
+        sleepy += static_cast<int>(expected.size());
+    }
+    EXPECT_GT(sleepy, 300);
+    EXPECT_GT(woken - awake, 500);
 }
 
 }  // namespace

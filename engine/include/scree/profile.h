@@ -36,7 +36,7 @@ struct StepReport {
     int awakeBodyCount = 0;     ///< dynamic and kinematic bodies that were simulated
     int isolatedBodyCount = 0;  ///< of these, bodies without contacts and joints: they took the ballistic path
     int islandCount = 0;        ///< islands of two or more bodies, or with a constraint; a soft step without a
-                                ///< tolerance looks for islands only when something may fall asleep or wake: 0 else
+                                ///< tolerance looks only for those all of whose bodies may fall asleep in it
     int contactCount = 0;
     int touchingCount = 0;         ///< as found by this step's narrow phase
     int64_t pairCount = 0;         ///< pairs of awake bodies that the broad phase reported last

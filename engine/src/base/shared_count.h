@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Counting into plain numbers from several threads: sums, maxima and bits, which are the same in any order. It uses
+// Plain numbers that several threads read and write: sums, maxima and bits, which are the same in any order. It uses
 // std::atomic_ref, or the compiler's own form where the standard library has none yet (libc++ before 19).
 
 #pragma once
@@ -32,6 +32,23 @@ inline void RaiseShared(int& most, int number) {
     while (seen < number &&
            !__atomic_compare_exchange_n(&most, &seen, number, true, __ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
     }
+#endif
+}
+
+inline int LoadShared(int& number) {
+#if defined(__cpp_lib_atomic_ref)
+    return std::atomic_ref(number).load(std::memory_order_relaxed);
+#else
+    return __atomic_load_n(&number, __ATOMIC_RELAXED);
+#endif
+}
+
+/// Makes it another one if it is what is expected; false if not.
+inline bool ReplaceShared(int& number, int expected, int other) {
+#if defined(__cpp_lib_atomic_ref)
+    return std::atomic_ref(number).compare_exchange_strong(expected, other, std::memory_order_relaxed);
+#else
+    return __atomic_compare_exchange_n(&number, &expected, other, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED);
 #endif
 }
 

@@ -8,47 +8,21 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "base/gather_parts.h"
 #include "base/shared_count.h"
+#include "pipeline/parts/solved_rows.h"
 
 namespace scree {
 
 namespace {
 
-constexpr uint8_t solvedFlags = ContactFlag::alive | ContactFlag::touching | ContactFlag::enabled;
-
-/// A contact is solved if it touches, is enabled and has no sensor.
-bool IsSolved(uint8_t flags) { return (flags & (solvedFlags | ContactFlag::sensor)) == solvedFlags; }
-
-/// A joint is solved if both its bodies are enabled.
-bool IsSolved(const JointInfo& joint, const BodyTable& bodies) {
-    return bodies.Has(joint.bodyA, BodyFlag::enabled) && bodies.Has(joint.bodyB, BodyFlag::enabled);
-}
 bool HasSolvedJoint(const JointTable& joints, const BodyTable& bodies, BodyIndex body) {
     if (bodies.info[body].jointCount == 0) return false;
     for (const JointIndex joint : joints.OfBody(body)) {
         if (IsSolved(joints.info[joint], bodies)) return true;
     }
     return false;
-}
-
-/// Makes the column 0 for all listed movers. Other bodies are left aside if they are many: in worlds where most is
-/// static or rests their rows would cost more than the rest.
-template <typename T>
-void ClearForListed(const BodyTable& bodies, Column<BodyIndex, T>& column) {
-    EnsureRows(column, ToSize(bodies.slots.Size()));
-    if (bodies.Listed().size() * 8 >= column.size()) {
-        std::fill(column.begin(), column.end(), T{0});
-        return;
-    }
-    for (const BodyIndex body : bodies.Listed()) column[body] = 0;
-}
-
-/// Whether so few movers are listed that asking them for their joints costs less than to look at all joints.
-bool AreFewListed(const JointTable& joints, const BodyTable& bodies) {
-    return ToSize(joints.slots.Count()) > 8 * bodies.Listed().size();
 }
 
 /// The solved joints with an active body, in the order of the list.
@@ -71,35 +45,6 @@ void GatherActiveJoints(const JointTable& joints, const BodyTable& bodies, std::
         }
     }
     std::ranges::sort(active, [&](JointIndex a, JointIndex b) { return joints.IsNewer(a, b); });
-}
-
-/// Fewer rows than this are not worth sharing.
-constexpr int leastRowsToShare = 1024;
-
-/// The rows of the solved contacts that do not rest, and of which keep(contact) is true.
-template <typename Keep>
-void GatherSolved(const ContactTable& contacts, TaskPool& pool, std::vector<ContactIndex>& rows, Keep&& keep) {
-    // Which are solved is no branch, for it follows no pattern. What is kept of them does.
-    const auto keepOf = [&](ContactIndex* begin, ContactIndex* end) {
-        return static_cast<size_t>(std::remove_if(begin, end, std::not_fn(keep)) - begin);
-    };
-    const auto take = [&](ContactIndex contact, ContactIndex*& place) {
-        *place = contact;
-        place += IsSolved(contacts.flags[contact]) ? 1 : 0;
-    };
-    if (contacts.RestingCount() > 0) {
-        rows.resize(ToSize(contacts.active.Count()));
-        ContactIndex* place = rows.data();
-        contacts.active.ForEach([&](ContactIndex contact) { take(contact, place); });
-        rows.resize(keepOf(rows.data(), place));
-        return;
-    }
-    GatherParts<ContactIndex, 1>(pool, static_cast<int>(contacts.flags.size()), leastRowsToShare, {&rows},
-                                 [&](int begin, int end, const std::array<ContactIndex*, 1>& places) {
-                                     ContactIndex* place = places[0];
-                                     for (int i = begin; i < end; ++i) take(ContactIndex{i}, place);
-                                     return std::array{keepOf(places[0], place)};
-                                 });
 }
 
 /// Lists the movers that have one of the contacts, since the search may reach them.
@@ -335,54 +280,6 @@ void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& poo
         if (scratch.progress[seed] < IslandScratch::seen) search.Grow(seed);
     }
     scratch.memo.Stamp(islands);
-}
-
-bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
-                  float dt) {
-    struct Findings {
-        bool isSleepy = false, isSomeAsleep = false;
-    };
-    Findings findings[maxWorkers];
-    const std::span<const BodyIndex> listed = bodies.Listed();
-    pool.ForIfWide(static_cast<int>(listed.size()), leastRowsToShare, [&](int begin, int end, int worker) {
-        Findings own;
-        for (int i = begin; i < end && !own.isSleepy; ++i) {
-            const BodyIndex body = listed[ToSize(i)];
-            if (!bodies.IsActive(body)) {
-                own.isSomeAsleep = true;
-            } else if (bodies.sleepTime[body] + dt >= timeToSleep) {
-                own.isSleepy = true;
-            }
-        }
-        findings[worker].isSleepy |= own.isSleepy, findings[worker].isSomeAsleep |= own.isSomeAsleep;
-    });
-    if (std::ranges::any_of(findings, &Findings::isSleepy)) return true;
-    if (bodies.AreAllListed() && std::ranges::none_of(findings, &Findings::isSomeAsleep)) return false;
-    const auto wakes = [&](BodyIndex a, BodyIndex b) {
-        const auto isMover = [&](BodyIndex body) { return bodies.type[body] != staticBody; };
-        return isMover(a) && isMover(b) && bodies.IsActive(a) != bodies.IsActive(b);
-    };
-    for (ContactIndex contact = contacts.flags.End(); IsSome(contact = contacts.Before(contact));) {
-        if (IsSolved(contacts.flags[contact]) && wakes(contacts.pair[contact].bodyA, contacts.pair[contact].bodyB))
-            return true;
-    }
-    const auto wakesBy = [&](JointIndex joint) {
-        const JointInfo& info = joints.info[joint];
-        return IsSolved(info, bodies) && wakes(info.bodyA, info.bodyB);
-    };
-    if (AreFewListed(joints, bodies)) {
-        for (const BodyIndex body : listed) {
-            if (bodies.info[body].jointCount == 0) continue;
-            for (const JointIndex joint : joints.OfBody(body)) {
-                if (wakesBy(joint)) return true;
-            }
-        }
-        return false;
-    }
-    for (JointIndex joint = joints.listHead; IsSome(joint); joint = joints.info[joint].listNext) {
-        if (wakesBy(joint)) return true;
-    }
-    return false;
 }
 
 void GatherActive(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,

@@ -11,6 +11,7 @@
 
 #include "base/task_pool.h"
 #include "pipeline/parts/island_memo.h"
+#include "pipeline/parts/sleepy_islands.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
 #include "state/islands.h"
@@ -37,12 +38,14 @@ struct IslandScratch {
     std::vector<BodyIndex> seeds;  ///< awake bodies that are not isolated
     std::vector<BodyIndex> stack;
     IslandMemo memo;
+    SleepyScratch sleepy;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return (rows.capacity() + first.capacity() + end.capacity() + seeds.capacity() + stack.capacity() +
                 roused.capacity()) *
                    sizeof(int) +
-               entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity() + memo.GetMemoryBytes();
+               entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity() + memo.GetMemoryBytes() +
+               sleepy.GetMemoryBytes();
     }
 };
 
@@ -58,10 +61,6 @@ enum class IsolatedPath : uint8_t {
 void FindIslands(const ContactTable& contacts, JointTable& joints, TaskPool& pool, BodyTable& bodies,
                  IslandScratch& scratch, IslandTable& islands, IsolatedPath path = IsolatedPath::apart);
 
-/// True if the islands of this step matter. Either a body may fall asleep within `dt`, or a sleeping one may have to
-/// wake because it is joined to or touches an awake one.
-bool NeedsIslands(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
-                  float dt);
 /// The same lists without the search, and no islands: awake bodies, solved contacts and joints of theirs, by row.
 void GatherActive(const ContactTable& contacts, const JointTable& joints, TaskPool& pool, const BodyTable& bodies,
                   IslandScratch& scratch, IslandTable& active, IsolatedPath path = IsolatedPath::apart);

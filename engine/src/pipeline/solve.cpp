@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Sequential impulses are solved by islands. The soft step solves everything at once; it looks for islands only when
-// something may fall asleep or wake, or when each has its own number of sub-steps.
+// Sequential impulses are solved by islands. The soft step solves everything at once. It needs islands where each has
+// its own number of sub-steps; else it asks who wakes, and who may fall asleep together.
 
 #include "pipeline/solve.h"
 
@@ -27,24 +27,25 @@ void ClearAngleRests(BodyTable& bodies, SolverScratch& scratch) {
     scratch.anglesHaveRests = false;
 }
 
-/// After SolveSoft: the islands of the step, if it has looked for them, may fall asleep.
+/// After SolveSoft: sleep timers go on, and the islands that were listed may fall asleep.
 void SleepIslands(const SolverSettings& settings, TaskPool& pool, const IslandTable& active, const IslandTable& islands,
                   BodyTable& bodies) {
     constexpr size_t leastToShare = 512;
     if (!settings.allowSleep) return;
-    if (islands.islands.empty()) {
-        pool.ForIfWide(static_cast<int>(active.bodies.size()), static_cast<int>(leastToShare),
-                       [&](int begin, int end, int /*worker*/) {
-                           for (const BodyIndex body : Range(active.bodies, begin, end))
-                               UpdateSleepTimer(bodies, body, settings);
-                       });
-        return;
-    }
+    pool.ForIfWide(static_cast<int>(active.bodies.size()), static_cast<int>(leastToShare),
+                   [&](int begin, int end, int /*worker*/) {
+                       for (const BodyIndex body : Range(active.bodies, begin, end))
+                           UpdateSleepTimer(bodies, body, settings);
+                   });
+    const auto isRested = [&](BodyIndex body) { return bodies.sleepTime[body] >= timeToSleep; };
     const auto count = static_cast<int>(islands.islands.size());
     const int least = islands.bodies.size() >= leastToShare ? 2 : count + 1;
     pool.ForIfWide(count, least, [&](int begin, int end, int /*worker*/) {
-        for (int i = begin; i < end; ++i)
-            SleepIsland(bodies, Bodies(islands, islands.islands[ToSize(i)]), settings, true);
+        for (int i = begin; i < end; ++i) {
+            const std::span<const BodyIndex> island = Bodies(islands, islands.islands[ToSize(i)]);
+            if (!std::ranges::all_of(island, isRested)) continue;
+            for (const BodyIndex body : island) bodies.PutToSleep(body);
+        }
     });
 }
 
@@ -78,14 +79,19 @@ void GatherLists(const SolverSettings& settings, TaskPool& pool, ContactTable& c
         return;
     }
     const Tolerance* tolerance = settings.tolerance;
-    if (tolerance != nullptr || NeedsIslands(contacts, joints, pool, bodies, settings.dt)) {
+    if (tolerance != nullptr) {
         FindIslands(contacts, joints, pool, bodies, scratch, lists.islands, path);
-        RouseContacts(bodies, contacts);
     } else {
-        lists.islands.Clear();
+        WakeReached(contacts, joints, pool, bodies, scratch.sleepy);
     }
+    RouseContacts(bodies, contacts);
     GatherActive(contacts, joints, pool, bodies, scratch, lists.active, path);
-    if (tolerance == nullptr) return;
+    if (tolerance == nullptr) {
+        lists.islands.Clear();
+        if (!settings.allowSleep) return;
+        FindSleepyIslands(lists.active, contacts, joints, pool, bodies, settings.dt, scratch.sleepy, lists.islands);
+        return;
+    }
     GroupBySubsteps({lists.islands, lists.active, contacts, joints, *tolerance, settings.Slop(), settings.dt}, bodies,
                     lists.groups);
 }
