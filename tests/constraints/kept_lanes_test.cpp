@@ -98,11 +98,20 @@ private:
         return IndexOf(*world.CreateJoint(&def));
     }
     void Add(bool isWheel) { joints.push_back(Make(isWheel)); }
+    bool IsWheel(JointIndex joint) { return State().joints.info[joint].type == e_wheelJoint; }
+    void Replace(JointIndex joint, bool isWheel) {
+        world.DestroyJoint(State().joints.handles[joint]);
+        ASSERT_EQ(Make(isWheel), joint);
+    }
     void Replace() {
         const JointIndex joint = Any(joints);
-        const bool wasWheel = State().joints.info[joint].type == e_wheelJoint;
-        world.DestroyJoint(State().joints.handles[joint]);
-        ASSERT_EQ(Make(m_draw.OneIn(3) != wasWheel), joint);
+        const bool wasWheel = IsWheel(joint);
+        Replace(joint, m_draw.OneIn(2) != wasWheel);
+        if (IsWheel(joint) == wasWheel || m_draw.OneIn(2)) return;
+        // And as many of each type as before.
+        const auto other =
+            std::ranges::find_if(joints, [&](JointIndex one) { return one != joint && IsWheel(one) != wasWheel; });
+        if (other != joints.end()) Replace(*other, wasWheel);
     }
 
     Draws m_draw;

@@ -211,5 +211,53 @@ void ExpectTheSameBits(int leastAtLimits) {
 TEST(JointLanes, OfWheelsGiveTheBitsOfOneByOne) { ExpectTheSameBits<Cars>(10000); }
 TEST(JointLanes, OfRevoluteJointsGiveTheBitsOfOneByOne) { ExpectTheSameBits<Figures>(5000); }
 
+/// A slider with a motor and limits, and a wheel with a motor, beside nothing and beside many figures.
+TEST(JointLanes, LeaveLimitsAndMotorsOfOtherJointsAsTheyAre) {
+    int inLanes = 0;
+    for (uint32_t seed = 0; seed < 4; ++seed) {
+        World alone(MakeDef(1));
+        alone.SetAllowSleeping(false);
+        AddBallast(alone);
+        Figures beside(seed, false, 1);
+        struct Others {
+            PrismaticJoint* slider;
+            WheelJoint* wheel;
+        };
+        const auto addTo = [&](World& world) {
+            Body* post = AddBody(world, staticBody, {-90.0f, 20.0f});
+            Body* block = AddBody(world, dynamicBody, {-90.0f, 20.0f});
+            AddBox(block, 0.5f, 0.5f);
+            PrismaticJointDef def;
+            def.Initialize(post, block, block->GetPosition(), {1.0f, 0.0f});
+            def.enableLimit = def.enableMotor = true;
+            def.lowerTranslation = -0.5f, def.upperTranslation = 1.0f;
+            def.motorSpeed = 2.0f, def.maxMotorForce = 100.0f;
+            Body* disk = AddBody(world, dynamicBody, {-90.0f, 30.0f});
+            AddCircle(disk, 0.5f);
+            WheelJointDef turning;
+            turning.Initialize(post, disk, disk->GetPosition(), {0.0f, 1.0f});
+            turning.enableLimit = turning.enableMotor = true;
+            turning.lowerTranslation = -0.1f, turning.upperTranslation = 0.1f;
+            turning.motorSpeed = 5.0f, turning.maxMotorTorque = 10.0f;
+            return Others{static_cast<PrismaticJoint*>(world.CreateJoint(&def)),
+                          static_cast<WheelJoint*>(world.CreateJoint(&turning))};
+        };
+        const Others one = addTo(alone), other = addTo(beside.world);
+        for (int step = 0; step < 90; ++step) {
+            alone.Step(frame, 4), beside.world.Step(frame, 4);
+            inLanes += beside.AreInLanes() ? 1 : 0;
+            ASSERT_NEAR(one.slider->GetJointTranslation(), other.slider->GetJointTranslation(), 1e-4f) << step;
+            ASSERT_NEAR(one.wheel->GetJointTranslation(), other.wheel->GetJointTranslation(), 1e-4f) << step;
+            ASSERT_NEAR(one.wheel->GetJointAngularSpeed(), other.wheel->GetJointAngularSpeed(), 1e-3f) << step;
+        }
+        // Motors have driven them as far and as fast as they go, and the limits hold.
+        EXPECT_NEAR(one.slider->GetJointTranslation(), 1.0f, 0.02f);
+        EXPECT_GT(one.slider->GetMotorForce(60.0f), 50.0f);
+        EXPECT_NEAR(one.wheel->GetJointTranslation(), -0.1f, 0.02f);
+        EXPECT_NEAR(one.wheel->GetJointAngularSpeed(), 5.0f, 0.1f);
+    }
+    EXPECT_GT(inLanes, 200);
+}
+
 }  // namespace
 }  // namespace scree
