@@ -85,6 +85,9 @@ private:
     JointIndex Make(bool isWheel) {
         Body *a = Any(bodies), *b = Any(bodies);
         while (a == b || (a->GetType() == staticBody && b->GetType() == staticBody)) a = Any(bodies), b = Any(bodies);
+        return Make(a, b, isWheel);
+    }
+    JointIndex Make(Body* a, Body* b, bool isWheel) {
         const Vec2 anchor = 0.5f * (a->GetWorldCenter() + b->GetWorldCenter());
         if (isWheel) {
             WheelJointDef def;
@@ -100,8 +103,10 @@ private:
     void Add(bool isWheel) { joints.push_back(Make(isWheel)); }
     bool IsWheel(JointIndex joint) { return State().joints.info[joint].type == e_wheelJoint; }
     void Replace(JointIndex joint, bool isWheel) {
-        world.DestroyJoint(State().joints.handles[joint]);
-        ASSERT_EQ(Make(isWheel), joint);
+        Joint* old = State().joints.handles[joint];
+        Body *a = old->GetBodyA(), *b = old->GetBodyB();
+        world.DestroyJoint(old);
+        ASSERT_EQ(m_draw.OneIn(2) ? Make(a, b, isWheel) : Make(isWheel), joint);
     }
     void Replace() {
         const JointIndex joint = Any(joints);
