@@ -404,6 +404,7 @@ TEST(Islands, ThatMayFallAsleepAreThoseOfTheSearch) {
             if (oneIn(40)) body->SetEnabled(false);
         }
         if (haveAllRested) {
+            AddBox(AddBody(world, dynamicBody, {0.0f, 1000.0f}), 1.0f, 1.0f);  // or nothing would be done
             world.Step(dt, 4);
             for (Body* body : bodies) {
                 if (oneIn(30)) body->SetAwake(true);

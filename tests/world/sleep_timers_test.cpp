@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "tests/world/fixtures.h"
 
 namespace scree::test {
@@ -57,6 +59,31 @@ TEST(SleepTimers, AJointToADisabledBodyAsksForNoIslands) {
         const StepReport report = world.Step(1.0f / 60.0f, 4);
         EXPECT_EQ(report.islandCount, 0);
         EXPECT_EQ(report.isolatedBodyCount, 1);
+    }
+}
+
+/// A pile that was about to fall asleep moves in that very step.
+TEST(SleepTimers, WhatMovesInTheStepInWhichItWouldFallAsleepStaysAwake) {
+    for (const int substeps : {0, 4}) {
+        const auto build = [](World& world) {
+            AddGround(world, 20.0f);
+            std::vector<Body*> boxes;
+            for (int i = 0; i < 3; ++i) {
+                boxes.push_back(AddBody(world, dynamicBody, {0.0f, 0.5f + static_cast<float>(i)}));
+                AddBox(boxes.back(), 0.5f, 0.5f);
+            }
+            return boxes;
+        };
+        World before({0.0f, -10.0f});
+        const int steps = StepsToSleep(before, build(before).back(), substeps);
+        ASSERT_GT(steps, 25) << substeps;
+        World world({0.0f, -10.0f});
+        const std::vector<Body*> boxes = build(world);
+        for (int step = 1; step < steps; ++step) StepWith(world, substeps);
+        world.SetGravity({30.0f, -1.0f});
+        StepWith(world, substeps);
+        for (const Body* box : boxes) EXPECT_TRUE(box->IsAwake()) << substeps;
+        EXPECT_GT(boxes.back()->GetLinearVelocity().x, 0.1f);
     }
 }
 
