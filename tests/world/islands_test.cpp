@@ -398,10 +398,11 @@ TEST(Islands, ThatMayFallAsleepAreThoseOfTheSearch) {
         StepFor(world, 2 + static_cast<int>(random() % 40));
         WorldState& s = world.GetState();
         const float dt = 1.0f / 60.0f;
+        const bool areSomeDisabled = oneIn(2);
         const bool haveAllRested = oneIn(2);  // sleepers have left the lists, and a few are woken
         for (Body* body : bodies) {
             if (oneIn(4) || haveAllRested) body->SetAwake(false);
-            if (oneIn(40)) body->SetEnabled(false);
+            if (areSomeDisabled && oneIn(40)) body->SetEnabled(false);
         }
         if (haveAllRested) {
             AddBox(AddBody(world, dynamicBody, {0.0f, 1000.0f}), 1.0f, 1.0f);  // or nothing would be done
