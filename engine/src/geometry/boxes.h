@@ -6,19 +6,20 @@
 
 #pragma once
 
+#include "base/compiler.h"
 #include "geometry/vectors4.h"
 #include "scree/shape.h"
 
 namespace scree {
 
-inline AABB BoxOf(const CircleShape& circle, const Transform& xf) {
+SCREE_INLINE AABB BoxOf(const CircleShape& circle, const Transform& xf) {
     const Vec2 center = xf.p + Mul(xf.q, circle.m_p);
     const Vec2 radius{circle.m_radius, circle.m_radius};
     return {center - radius, center + radius};
 }
 
 /// The first four vertices side by side, the others one by one: nearly all polygons are boxes.
-inline AABB BoxOf(const PolygonShape& polygon, const Transform& xf) {
+SCREE_INLINE AABB BoxOf(const PolygonShape& polygon, const Transform& xf) {
     Vector4 corners = LoadVectors4(&polygon.m_vertices[0].x);
     if (polygon.m_count < 4) corners = FirstLanes4(polygon.m_count, corners, SplatVector4(polygon.m_vertices[0]));
     const Vector4 placed = Mul4(SplatPlacement4(xf), corners);
