@@ -94,8 +94,12 @@ void FindSleepyIslands(const IslandTable& active, const ContactTable& contacts, 
             for (auto i = ToSize(begin); i < ToSize(end); ++i) visit(i);
         });
     };
-    gather(active.bodies, s.sleepy, isSleepy);
-    if (s.sleepy.empty()) return;
+    const std::span<const BodyIndex> awake = active.bodies;
+    const bool isNobody = AllOf(pool, static_cast<int>(awake.size()), leastRowsToShare, [&](int begin, int end) {
+        return std::ranges::none_of(awake.subspan(ToSize(begin), ToSize(end - begin)), isSleepy);
+    });
+    if (isNobody) return;
+    gather(awake, s.sleepy, isSleepy);
     const size_t rows = ToSize(bodies.slots.Size());
     s.sets.Reserve(rows);
     EnsureRows(s.isKept, rows), EnsureRows(s.isSetKept, rows);
