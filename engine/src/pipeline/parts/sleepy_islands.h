@@ -23,10 +23,10 @@ namespace scree {
 struct SleepyScratch {
     std::vector<ContactIndex> rows;  ///< of contacts of an awake and a sleeping body
     std::vector<BodyIndex> woken;
-    std::vector<BodyIndex> sleepy;  ///< may fall asleep in this step
-    JoinedSets<BodyIndex> sets;     ///< of these
-    Column<BodyIndex, uint8_t> isKept,
-        isSetKept;  ///< per sleepy body, per first one of a set: who is not sleepy is in it
+    std::vector<BodyIndex> sleepy;         ///< may fall asleep in this step
+    JoinedSets<BodyIndex> sets;            ///< of these
+    Column<BodyIndex, uint8_t> isKept;     ///< per sleepy body: somebody who is not touches it or is joined to it
+    Column<BodyIndex, uint8_t> isSetKept;  ///< the same of a set, by its first body
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(rows, woken, sleepy, isKept, isSetKept) + sets.GetMemoryBytes();
