@@ -20,7 +20,7 @@ namespace scree {
 
 /// What is solved together. Kept after the step for those who look.
 struct SolveLists {
-    IslandTable& islands;   ///< of sequential impulses; of the soft step when it needs them
+    IslandTable& islands;   ///< of sequential impulses, and with a tolerance; else those that may fall asleep
     IslandTable& active;    ///< of the soft step: everything awake, without islands
     SubstepGroups& groups;  ///< of the soft step with a tolerance: `active` in parts
 };

@@ -48,7 +48,8 @@ public:
     /// others are out of its way. Nothing if that is not known, as in worlds with bodies far from the origin. Valid
     /// until the next call.
     std::optional<std::span<const FixtureIndex>> Find(BodyIndex body, const Tables& tables);
-    /// The same for several threads, each with other bodies: nothing too where rows are missing.
+    /// The same for several threads, each with other bodies: nothing too where the body, or a crowd near it, has no row
+    /// yet. Valid until the next call for the body.
     std::optional<std::span<const FixtureIndex>> FindApart(BodyIndex body, const Tables& tables);
     /// The same without asking the broad phase: nothing where Find would have to. Safe for several threads.
     [[nodiscard]] std::optional<std::span<const FixtureIndex>> Get(BodyIndex body, const BodyTable& bodies) const;
