@@ -170,8 +170,9 @@ private:
     void CheckSettings() const;
     /// Bodies, fixtures and joints of a saved world, in the order of its scene.
     void FindObjects();
-    void AddOutline(ScreeProxy& proxy) const;
     void AddProxy(ScreeProxy proxy);
+    /// Of fixtures that have none yet.
+    void AddOutlines();
 
     Conveyor m_conveyor;
     std::unique_ptr<scree::World> m_world;
@@ -215,9 +216,7 @@ void ScreeRun::FindObjects() {
         int sceneIndex = GetScene().bodies[i].firstFixture;
         for (const auto& group : Writer::FixturesOf(*m_bodies[i])) {
             for (size_t child = 0; child < group.size(); ++child) {
-                ScreeProxy proxy{group[child], sceneIndex, static_cast<int>(child)};
-                AddOutline(proxy);
-                AddProxy(std::move(proxy));
+                AddProxy({group[child], sceneIndex, static_cast<int>(child)});
             }
             ++sceneIndex;
         }
@@ -226,19 +225,11 @@ void ScreeRun::FindObjects() {
     std::ranges::reverse(m_joints);
 }
 
-void ScreeRun::AddOutline(ScreeProxy& proxy) const {
-    const scenes::Shape& shape = GetScene().fixtures[static_cast<size_t>(proxy.sceneIndex)].shape;
-    if (scenes::IsFurtherConvex(shape.type))
-        proxy.outline = scenes::SampleOutline(GetScene(), shape, outlineDirections);
-}
-
 void ScreeRun::CreateBody(const scenes::Body&) {
     m_lists.reset();
     const auto index = static_cast<int>(m_bodies.size());
     m_bodies.push_back(CreateScreeBody(*m_world, GetScene(), index, [&](scree::Fixture* fixture, int scene, int child) {
-        ScreeProxy proxy{fixture, scene, child};
-        AddOutline(proxy);
-        AddProxy(std::move(proxy));
+        AddProxy({fixture, scene, child});
     }));
 }
 
@@ -318,7 +309,16 @@ void ScreeRun::Restore(const RunImage& kept) {
     PutState(image.state);
 }
 
+void ScreeRun::AddOutlines() {
+    for (ScreeProxy& proxy : m_proxies) {
+        const scenes::Shape& shape = GetScene().fixtures[static_cast<size_t>(proxy.sceneIndex)].shape;
+        if (proxy.outline.empty() && scenes::IsFurtherConvex(shape.type))
+            proxy.outline = scenes::SampleOutline(GetScene(), shape, outlineDirections);
+    }
+}
+
 void ScreeRun::CaptureWorld(Snapshot& snapshot, const CaptureParts& parts) {
+    if (parts.fixtures) AddOutlines();  // not when a fixture is made: that is timed, and other engines draw none
     const ScreeListing listing{.scene = &GetScene(),
                                .bodies = m_bodies,
                                .indexOf = BodyIndexOf,

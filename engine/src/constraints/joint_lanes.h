@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Springs, motors and limits of many joints of a type, eight at a time, with the bits of one after the other. Threads
-// share the batches of a level, which push different bodies.
+// share groups of joints that no body connects, and where there are none the batches of a level.
 
 #pragma once
 
@@ -49,7 +49,7 @@ public:
         m_acts = false;
         if (Refill(joints, bodies, table, pool)) return;
         m_planned.clear();
-        m_batches.resize(m_levels.Sort(Row::type, joints, bodies, table).size() / jointBatchSize);
+        m_batches.resize(m_levels.SortByGroup(Row::type, joints, bodies, table).size() / jointBatchSize);
         if (m_batches.empty()) return;
         Fill(bodies, table, pool);
         m_planned.assign(joints.begin(), joints.end());
@@ -69,28 +69,25 @@ public:
         m_acts = std::ranges::any_of(acts, std::identity());
     }
     void WarmStart(const JointStep& step, BodyTable& bodies, TaskPool& pool) {
-        ForLevels(pool, [&](std::span<Batch> part, int) { Traits::Kernels().warmStart(Task(step, bodies, part)); });
+        ForSections(pool, [&](std::span<Batch> part, int) { Traits::Kernels().warmStart(Task(step, bodies, part)); });
     }
     void Solve(const JointStep& step, BodyTable& bodies, TaskPool& pool) {
-        ForLevels(pool, [&](std::span<Batch> part, int) { Traits::Kernels().solve(Task(step, bodies, part)); });
+        ForSections(pool, [&](std::span<Batch> part, int) { Traits::Kernels().solve(Task(step, bodies, part)); });
     }
     /// What is out of its range is looked at joint by joint. True if all is within the slop.
     bool SolvePositions(const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows, TaskPool& pool) {
         bool isOff[maxWorkers] = {};
-        ForLevels(pool, [&](std::span<Batch> part, int worker) {
-            const JointLaneTask<Batch> task = Task(step, bodies, part);
-            for (const Batch& batch : part) {
-                for (uint32_t left = Traits::Kernels().findOutOfRange(task, batch); left != 0; left &= left - 1) {
-                    const auto lane = static_cast<size_t>(std::countr_zero(left));
-                    if (batch.row[lane] < 0) continue;
-                    const BodyIndex a{batch.bodyA[lane]}, b{batch.bodyB[lane]};
-                    const JointPair pair{a, b, bodies.mass[a], bodies.mass[b]};
-                    if (!Traits::Correct(batch, lane, pair, step, bodies, rows[JointRow{batch.row[lane]}]))
-                        isOff[worker] = true;
-                }
-            }
+        ForSections(pool, [&](std::span<Batch> part, int worker) {
+            if (!Correct(part, step, bodies, rows)) isOff[worker] = true;
         });
         return std::ranges::none_of(isOff, std::identity());
+    }
+    void SolvePositionsAndWarmStart(const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows,
+                                    TaskPool& pool) {
+        ForSections(pool, [&](std::span<Batch> part, int) {
+            Correct(part, step, bodies, rows);
+            Traits::Kernels().warmStart(Task(step, bodies, part));
+        });
     }
     /// Writes the impulses times step.impulseScale into the rows.
     void Store(const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows, TaskPool& pool) {
@@ -119,7 +116,7 @@ private:
             return false;
         return Fill(bodies, table, pool);
     }
-    /// By the order of the levels. True if that was for what the batches were filled with before.
+    /// By the order of the plan. True if that was for what the batches were filled with before.
     bool Fill(const BodyTable& bodies, const JointTable& table, TaskPool& pool) {
         const std::span<const JointIndex> order = m_levels.GetOrder();
         bool isOther[maxWorkers] = {};
@@ -149,6 +146,20 @@ private:
         }
         return stays;
     }
+    static bool Correct(std::span<Batch> part, const JointStep& step, BodyTable& bodies, Column<JointRow, Row>& rows) {
+        bool isOff = false;
+        const JointLaneTask<Batch> task = Task(step, bodies, part);
+        for (const Batch& batch : part) {
+            for (uint32_t left = Traits::Kernels().findOutOfRange(task, batch); left != 0; left &= left - 1) {
+                const auto lane = static_cast<size_t>(std::countr_zero(left));
+                if (batch.row[lane] < 0) continue;
+                const BodyIndex a{batch.bodyA[lane]}, b{batch.bodyB[lane]};
+                const JointPair pair{a, b, bodies.mass[a], bodies.mass[b]};
+                isOff = !Traits::Correct(batch, lane, pair, step, bodies, rows[JointRow{batch.row[lane]}]) || isOff;
+            }
+        }
+        return !isOff;
+    }
     /// Calls visit(batches, number of the first, worker) for parts of all batches, in any order.
     template <typename Visit>
     void ForAll(TaskPool& pool, Visit&& visit) {
@@ -156,21 +167,30 @@ private:
             visit(std::span(m_batches).subspan(ToSize(begin), ToSize(end - begin)), begin, worker);
         });
     }
-    /// Calls visit(batches, worker) for parts of the levels, one level after the other.
+    /// Calls visit(batches, worker) for all batches, those that follow on each other in their order.
     template <typename Visit>
-    void ForLevels(TaskPool& pool, Visit&& visit) {
+    void ForSections(TaskPool& pool, Visit&& visit) {
         if (!pool.IsOpen()) return visit(std::span(m_batches), 0);
-        int first = 0;
-        for (const JointLevel& level : m_levels.GetLevels()) {
-            const auto batches = std::span(m_batches).subspan(ToSize(first), ToSize(level.end - first));
-            first = level.end;
-            if (!level.pushesAll) {
-                visit(batches, 0);
-                continue;
+        const std::span<const JointSection> sections = m_levels.GetSections();
+        const auto endOf = [&](size_t i) { return ToSize(sections[i].end); };
+        const auto part = [&](size_t begin, size_t end) { return std::span(m_batches).subspan(begin, end - begin); };
+        for (size_t i = 0, begin = 0; i < sections.size(); begin = endOf(i - 1)) {
+            const size_t first = i;
+            const Sharing sharing = sections[i++].sharing;
+            while (sharing == Sharing::whole && i < sections.size() && sections[i].sharing == sharing) ++i;
+            const size_t count = endOf(i - 1) - begin;
+            if (sharing == Sharing::none || count < ToSize(Least(pool))) {
+                visit(part(begin, endOf(i - 1)), 0);
+            } else if (sharing == Sharing::parted) {
+                pool.For(static_cast<int>(count), 2, [&](int from, int to, int worker) {
+                    visit(part(begin + ToSize(from), begin + ToSize(to)), worker);
+                });
+            } else {
+                pool.For(static_cast<int>(i - first), 2, [&](int from, int to, int worker) {
+                    const size_t at = first + ToSize(from);
+                    visit(part(at == first ? begin : endOf(at - 1), endOf(first + ToSize(to) - 1)), worker);
+                });
             }
-            pool.For(static_cast<int>(batches.size()), Least(pool), [&](int begin, int end, int worker) {
-                visit(batches.subspan(ToSize(begin), ToSize(end - begin)), worker);
-            });
         }
     }
     [[nodiscard]] static JointLaneTask<Batch> Task(const JointStep& step, BodyTable& bodies, std::span<Batch> batches) {

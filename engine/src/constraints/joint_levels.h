@@ -2,24 +2,34 @@
 // SPDX-License-Identifier: MIT
 //
 // Which joints can be solved side by side: joints that push the same body are in different batches, in their order. So
-// solving batch after batch gives the bits of solving joint after joint.
+// solving batch after batch gives the bits of solving joint after joint. Joints that no pushed body connects may be in
+// groups, each with batches of its own, so that a thread solves a group without waiting for others.
 
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/bytes.h"
+#include "base/joined_sets.h"
 #include "constraints/joint_lane_task.h"
 #include "state/bodies.h"
 #include "state/joints.h"
 
 namespace scree {
 
-/// Batches up to `end` that are in no other level before them.
-struct JointLevel {
+/// Who may solve the batches of a section.
+enum class Sharing : uint8_t {
+    whole,   ///< any thread, all of them in turn: such sections push different bodies
+    parted,  ///< several threads, each some of them, once the sections before are done
+    none,    ///< the caller: a body in them cannot be pushed, and all of them write to it
+};
+
+/// Batches up to `end` that are in no section before.
+struct JointSection {
     int end;
-    bool pushesAll;  ///< no body in it is one that cannot be pushed: several threads may write to all of them
+    Sharing sharing;
 };
 
 class JointLevels {
@@ -28,6 +38,9 @@ public:
     /// joints where that does not pay, or where the kernels cannot turn the bodies. Valid until the next call.
     std::span<const JointIndex> Sort(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
                                      const JointTable& table);
+    /// The same in groups, where they are many.
+    std::span<const JointIndex> SortByGroup(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
+                                            const JointTable& table);
     /// What the last call returned, if it returned joints, and how many of the list are of the type.
     [[nodiscard]] std::span<const JointIndex> GetOrder() const { return m_order; }
     [[nodiscard]] size_t CountTaken() const { return m_taken.size(); }
@@ -37,20 +50,46 @@ public:
         return bodies.mass[body].invMass > 0.0f;
     }
     /// Of the batches, in their order.
-    [[nodiscard]] std::span<const JointLevel> GetLevels() const { return m_ends; }
-    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_taken, m_levels, m_next, m_order, m_start, m_ends); }
+    [[nodiscard]] std::span<const JointSection> GetSections() const { return m_sections; }
+    [[nodiscard]] size_t GetMemoryBytes() const {
+        return BytesOf(m_taken, m_places, m_next, m_parts, m_depths, m_levels, m_order, m_sections) +
+               m_connected.GetMemoryBytes();
+    }
 
 private:
+    /// Of a joint.
+    struct Place {
+        int group = 0, level = 0;  ///< level: how many of its group must be solved first
+        bool pushesBoth = false;
+    };
+    /// Joints that pushed bodies connect.
+    struct Part {
+        int count = 0;
+        int group = -1;
+        bool pushesAll = true;
+    };
+    /// The joints of one level of a group.
+    struct Level {
+        int count = 0;
+        int next = 0;  ///< place of its next joint in m_order
+        bool pushesAll = true;
+    };
+
     void Take(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies, const JointTable& table);
     /// False where they are so many that their batches do not pay.
     bool FindLevels(const BodyTable& bodies, const JointTable& table);
+    int FindGroups(const BodyTable& bodies, const JointTable& table);
+    std::span<const JointIndex> Order(int groups);
 
     std::vector<JointIndex> m_taken;
-    std::vector<int> m_levels;      ///< by joint: how many before it must be solved first
+    std::vector<Place> m_places;    ///< by joint
     Column<BodyIndex, int> m_next;  ///< level of the next joint that pushes the body
+    JoinedSets<BodyIndex> m_connected;
+    Column<BodyIndex, Part> m_parts;  ///< of the body that stands for it
+    std::vector<int> m_depths;        ///< by group: how many levels
+    std::vector<Level> m_levels;      ///< group by group
     std::vector<JointIndex> m_order;
-    std::vector<int> m_start;  ///< by level: how many joints; then the next place of m_order
-    std::vector<JointLevel> m_ends;
+    std::vector<JointSection> m_sections;
 };
 
 }  // namespace scree

@@ -132,4 +132,18 @@ bool SolveJointPositions(const JointTask& task) {
     return solved;
 }
 
+void SolveJointPositionsAndWarmStart(const JointTask& task) {
+    JointConstraints& s = task.scratch;
+    if (!s.wholeHinges.IsEmpty() || !s.runs.empty() || !s.bounds.empty() || !s.wheelBounds.empty()) {
+        SolveJointPositions(task);
+        return WarmStartJoints(task);
+    }
+    // The threads share lanes alone: one loop for both.
+    const auto both = [&](auto& lanes, auto& rows) {
+        if (lanes.Act()) lanes.SolvePositionsAndWarmStart(task.step, task.bodies, rows, task.pool);
+    };
+    both(s.hinges, task.joints.Store<RevoluteRow>().rows);
+    both(s.wheels, task.joints.Store<WheelRow>().rows);
+}
+
 }  // namespace scree

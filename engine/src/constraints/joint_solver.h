@@ -29,5 +29,7 @@ void ScaleJointImpulses(const JointTask& task, std::span<const JointIndex> joint
 void SolveJointVelocities(const JointTask& task);
 /// True if every joint is within tolerance.
 bool SolveJointPositions(const JointTask& task);
+/// And WarmStartJoints, for which the poses do not matter.
+void SolveJointPositionsAndWarmStart(const JointTask& task);
 
 }  // namespace scree

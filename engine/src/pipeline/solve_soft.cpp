@@ -105,7 +105,6 @@ public:
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
         const bool isLoaded = HasJoints() && IsLoaded();
         RaiseLoaded(fixtures);
-        m_s.before.resize(m_s.jointed.size());
         m_tree.Build({Pool(), m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), JointCompliance(),
                       m_settings.directJoints});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
@@ -127,6 +126,7 @@ public:
                   .hasContacts = !m_blocks.IsEmpty(),
                   .bounces = m_blocks.Bounces(),
                   .hasRows = hasRows,
+                  .placesInDrift = hasRows && m_s.locked.IsEmpty(),
                   .hasTrees = !m_tree.IsEmpty(),
                   .hasNets = !m_tree.GetNets().IsEmpty(),
                   .isLoaded = isLoaded};
@@ -174,11 +174,12 @@ private:
     struct Plan {
         bool warmStarts = false;  ///< impulses of the last step are known
         bool hasContacts = false;
-        bool bounces = false;   ///< some contact may
-        bool hasRows = false;   ///< joints that are solved row by row
-        bool hasTrees = false;  ///< joints that are solved directly
-        bool hasNets = false;   ///< joints of nets
-        bool isLoaded = false;  ///< a tree may bear a load that is far heavier than its bodies
+        bool bounces = false;        ///< some contact may
+        bool hasRows = false;        ///< joints that are solved row by row
+        bool placesInDrift = false;  ///< bodies with joints are where these see them as soon as they have moved
+        bool hasTrees = false;       ///< joints that are solved directly
+        bool hasNets = false;        ///< joints of nets
+        bool isLoaded = false;       ///< a tree may bear a load that is far heavier than its bodies
     };
 
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
@@ -470,13 +471,14 @@ private:
     void SolveContacts(bool isFirst) {
         constexpr int coldIterations = 32;
         const int iterations = isFirst && !m_plan.warmStarts ? 1 + coldIterations : 1;
-        NoteContacts([&] {
-            for (int i = 0; i < iterations; ++i) {
-                RunKernel(Pool(), m_task, m_kernels.solveSoft);
-                SolveRolling();
-                StopLocked();
-            }
-        });
+        if (!m_plan.hasContacts) return;
+        NoteUnaided();
+        for (int i = 0; i < iterations; ++i) {
+            RunKernel(Pool(), m_task, m_kernels.solveSoft);
+            SolveRolling();
+            StopLocked();
+        }
+        ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) { NoteGained(Jointed(i)); });
     }
     /// Velocities with which the trees' joints are closed after the move.
     void AimTrees() {
@@ -497,14 +499,14 @@ private:
         if (!soft.jointed) return DriftWhole(soft, v, m_h, delta);
         Drift(v, m_h, delta);
         Kick<forces>(soft, v);
+        if (m_plan.placesInDrift) Place(soft);
     }
     void CorrectRows() {
         if (!m_plan.hasRows) return;
-        PlaceJointed();
+        if (!m_plan.placesInDrift) ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) { Place(Jointed(i)); });
         if (!m_rowsAct) return;
         CorrectJoints();
         m_s.locked.Stop(m_s.delta);
-        WarmStartJoints(JointWork(1.0f));
     }
     /// No speed is left along the trees' joints.
     void StopTrees() {
@@ -522,11 +524,11 @@ private:
     }
     /// Contacts once more, without pushing apart.
     void Relax(int substep) {
-        NoteContacts([&] {
+        if (m_plan.hasContacts) {
+            NoteUnaided();
             RunKernel(Pool(), m_task, m_kernels.relax);
             SolveRolling();
-            StopLocked();
-        });
+        }
         StopLocked();
         EndContacts(substep);
     }
@@ -593,12 +595,10 @@ private:
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) {
             for (NettedBody& netted : m_s.netted) {
                 SoftBody& soft = m_s.soft[ToSize(netted.soft)];
-                const Twist unaided = soft.unaided;
                 Velocity& v = VelocityOf(soft);
                 netted.ahead = {-v.v, -v.w};
                 Kick<forces>(soft, v);
                 netted.ahead.v += v.v, netted.ahead.w += v.w;
-                soft.unaided = unaided;
             }
         });
     }
@@ -617,25 +617,24 @@ private:
         m_s.rolling.Solve(m_bodies.velocity, [&](int at) { return m_blocks.GetPressure(at); });
     }
 
-    /// Runs a pass over the contacts and notes what it did to jointed bodies: joints are warm-started by themselves, so
-    /// only what contacts did is to be repeated. For other bodies the velocities before and after tell.
-    template <typename Pass>
-    void NoteContacts(Pass&& pass) {
-        if (!m_plan.hasContacts) return;
-        ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
-            const Velocity& v = VelocityOf(Jointed(i));
-            m_s.before[i] = {v.v, v.w};
-        });
-        pass();
+    // Joints are warm-started by themselves, so of what jointed bodies gain only what contacts did is to be repeated.
+    // For other bodies the velocities before and after a sub-step tell.
+
+    void NoteUnaided() {
         ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
             SoftBody& soft = Jointed(i);
             const Velocity& v = VelocityOf(soft);
-            soft.gained.v += v.v - m_s.before[i].v;
-            soft.gained.w += v.w - m_s.before[i].w;
+            soft.unaided = {v.v, v.w};
         });
+    }
+    SCREE_INLINE void NoteGained(SoftBody& soft) {
+        const Velocity& v = VelocityOf(soft);
+        soft.gained.v += v.v - soft.unaided.v;
+        soft.gained.w += v.w - soft.unaided.w;
     }
     SCREE_INLINE void EndContacts(SoftBody& soft) {
         if (soft.jointed) {
+            NoteGained(soft);
             soft.byContacts.v += soft.gained.v, soft.byContacts.w += soft.gained.w;
             soft.gained = {};
             return;
@@ -646,16 +645,16 @@ private:
     [[nodiscard]] Velocity& VelocityOf(const SoftBody& soft) { return m_bodies.velocity[soft.body]; }
     [[nodiscard]] SoftBody& Jointed(size_t i) { return m_s.soft[ToSize(m_s.jointed[i])]; }
 
-    void PlaceJointed() {
-        ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
-            const BodyIndex b = Jointed(i).body;
-            m_bodies.SetMotion(b, m_s.delta[b].v);
-            m_bodies.position[b].a = m_bodies.startPosition[b].a + m_s.delta[b].w;
-        });
+    /// Where joints that are rows see it.
+    SCREE_INLINE void Place(const SoftBody& soft) {
+        const Velocity& delta = m_s.delta[soft.body];
+        m_bodies.SetMotion(soft.body, delta.v);
+        m_bodies.position[soft.body].a = m_bodies.startPosition[soft.body].a + delta.w;
     }
-    /// Removes the position errors of joints that are rows, and takes the result back as motion.
+    /// Removes the position errors of joints that are rows, takes the result back as motion, and warm-starts the joints
+    /// for what comes after the move.
     void CorrectJoints() {
-        SolveJointPositions(JointWork(1.0f));
+        SolveJointPositionsAndWarmStart(JointWork(1.0f));
         ForEachOf(Pool(), m_s.jointed.size(), [&](size_t i) {
             const BodyIndex b = Jointed(i).body;
             m_s.delta[b].v = m_bodies.GetMotion(b);

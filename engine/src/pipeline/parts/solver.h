@@ -57,8 +57,10 @@ struct alignas(64) SoftBody {
     bool jointed;
     float linearDamp, angularDamp;  ///< factors of half a sub-step
     Twist kick;                     ///< by gravity and forces in half a sub-step
-    Twist unaided;                  ///< velocity after the last kick, before constraints, without what contacts do
-    Twist byContacts;               ///< change by contacts in the last sub-step
+    /// Velocity after the last kick, before constraints, without what contacts do. Of jointed bodies: velocity before
+    /// the last pass over the contacts.
+    Twist unaided;
+    Twist byContacts;  ///< change by contacts in the last sub-step
     /// During warm starting: velocity before it. Then, of jointed bodies: change by contacts in this sub-step so far.
     /// Of others: velocity between the halves of the sub-step, before constraints.
     Twist gained;
@@ -160,8 +162,7 @@ struct SolverScratch {
     StartVelocities startVelocities;
     std::vector<int> jointed;  ///< rows of `soft`
     std::vector<NettedBody> netted;
-    std::vector<Twist> before;  ///< of these: velocity before a pass over the contacts
-    IslandTable rest;           ///< jointed bodies that go on after a time of impact
+    IslandTable rest;  ///< jointed bodies that go on after a time of impact
     LaneScratch lanes;
     std::vector<SolverJob> jobs;
     std::vector<LoneIsland> lone;
@@ -174,7 +175,7 @@ struct SolverScratch {
         size_t ofIslands = BytesOf(islandRows, wide, jobs, lone, colours);
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
-        return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, before, impulses) +
+        return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, impulses) +
                rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + constraints.GetMemoryBytes() +
                constraintsOfRest.GetMemoryBytes() + rolling.GetMemoryBytes() + loaded.GetMemoryBytes() +
                locked.GetMemoryBytes() + lanes.GetMemoryBytes();
@@ -192,7 +193,6 @@ struct SolverScratch {
         startVelocities = {};
         jointed = {};
         netted = {};
-        before = {};
         rest = {};
         lanes = {};
         jobs = {}, lone = {};
