@@ -5,13 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <random>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "scree/convex_shape.h"
 #include "scree/snapshot.h"
 #include "tests/world/fixtures.h"
 
@@ -115,6 +119,79 @@ TEST(SharedShapes, BadOnesAreRefusedAmongEqualGoodOnes) {
     EXPECT_EQ(body->CreateFixture(&good, 1e35f), nullptr);
     EXPECT_EQ(errors, (std::vector<std::string>{"FixtureDef::density", "FixtureDef::density"}));
     EXPECT_EQ(Look(fixture), Look(body->GetFixtureList())) << "the good ones are all one";
+}
+
+/// Capsules, rounded polygons and ellipses at random.
+std::vector<ConvexShape> MakeConvexes(std::mt19937& random) {
+    std::uniform_real_distribution<float> size(0.2f, 1.0f);
+    std::vector<ConvexShape> shapes;
+    for (int i = 0; i < 5; ++i) {
+        const float width = size(random), height = size(random), radius = size(random);
+        const Vec2 corners[] = {{-width, -height}, {width, -height}, {width, height}, {-width, 0.5f * height}};
+        shapes.push_back(MakeCapsule({-width, 0.0f}, {width, height}, radius));
+        shapes.push_back(MakeRoundedPolygon(corners, 4, radius));
+        shapes.push_back(MakePolygon(corners, 3));
+        shapes.push_back(MakeEllipse(width, height, {radius, 0.0f}, radius));
+    }
+    return shapes;
+}
+
+Fixture* AddConvex(World& world, const ConvexShape& shape) {
+    return AddBody(world, dynamicBody, {0.0f, 0.0f})->CreateFixture(&shape, 1.0f);
+}
+
+TEST(SharedShapes, FurtherConvexOnesAreSharedToo) {
+    std::mt19937 random(7);
+    World world({0.0f, 0.0f});
+    const std::vector<ConvexShape> shapes = MakeConvexes(random);
+    for (const ConvexShape& shape : shapes) {
+        const Shape* const first = Look(AddConvex(world, shape));
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(Look(AddConvex(world, ConvexShape(shape))), first);
+        Fixture* const other = AddConvex(world, shape);
+        EXPECT_NE(other->GetShape(), first) << "it may change";
+        static_cast<ConvexShape*>(other->GetShape())->m_radius *= 1.5f;
+        EXPECT_EQ(first->m_radius, shape.m_radius);
+        EXPECT_EQ(Look(AddConvex(world, shape)), first);
+    }
+    std::set<const Shape*> all;
+    for (const ConvexShape& shape : shapes) all.insert(Look(AddConvex(world, shape)));
+    EXPECT_EQ(all.size(), shapes.size());
+}
+
+TEST(SharedShapes, FurtherConvexOnesThatDifferInOneMemberAreNot) {
+    std::mt19937 random(8);
+    World world({0.0f, 0.0f});
+    const auto more = [](float& value) { value += 1e-5f; };
+    const std::vector<std::pair<const char*, std::function<void(ConvexShape&)>>> changes{
+        {"vertex", [&](ConvexShape& s) { more(s.m_vertices[s.m_count - 1].y); }},
+        {"normal", [&](ConvexShape& s) { more(s.m_normals[s.m_count - 1].x); }},
+        {"control", [&](ConvexShape& s) { more(s.m_controls[0].x); }},
+        {"radius", [&](ConvexShape& s) { more(s.m_radius); }},
+        {"solid radius", [&](ConvexShape& s) { s.m_solidRadius *= 0.5f; }},
+        {"error", [&](ConvexShape& s) { more(s.m_error); }},
+        {"mass", [&](ConvexShape& s) { more(s.m_unitMass.mass); }},
+        {"centre", [&](ConvexShape& s) { more(s.m_unitMass.center.y); }},
+        {"inertia", [&](ConvexShape& s) { more(s.m_unitMass.I); }},
+        {"curved sides", [&](ConvexShape& s) { s.m_curvedSides ^= 1u; }},
+        {"count", [&](ConvexShape& s) { s.m_count -= 1; }},
+        {"too many", [&](ConvexShape& s) { s.m_count = maxConvexVertices + 1; }},
+        {"bad field", [&](ConvexShape& s) { s.m_badField = "radius"; }},
+    };
+    std::vector<int> taken(changes.size());
+    for (const ConvexShape& shape : MakeConvexes(random)) {
+        const Shape* const first = Look(AddConvex(world, shape));
+        for (size_t i = 0; i < changes.size(); ++i) {
+            ConvexShape other = shape;
+            changes[i].second(other);
+            if (std::memcmp(&other, &shape, sizeof other) == 0) continue;
+            const Fixture* const fixture = AddConvex(world, other);
+            if (fixture == nullptr) continue;  // refused: it is none
+            ++taken[i];
+            EXPECT_NE(Look(fixture), first) << changes[i].first;
+        }
+    }
+    for (const size_t i : {1u, 4u, 5u, 6u, 7u, 8u}) EXPECT_GT(taken[i], 0) << changes[i].first << ": always refused";
+    EXPECT_EQ(taken[11] + taken[12], 0);
 }
 
 TEST(SharedShapes, TheOnlyUserTakesItsOwnInPlace) {

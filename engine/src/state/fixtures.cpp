@@ -52,6 +52,8 @@ int FixtureTable::FindShape(const Shape& value) const {
             return m_circles.Find(static_cast<const CircleShape&>(value));
         case Shape::e_polygon:
             return m_polygons.Find(static_cast<const PolygonShape&>(value));
+        case Shape::e_convex:
+            return m_convexes.Find(static_cast<const ConvexShape&>(value));
         default:
             return -1;  // shapes of other types are not shared
     }

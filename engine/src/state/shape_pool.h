@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The shapes of one type at stable addresses. Equal circles and polygons are kept once, since worlds repeat few shapes.
-// A shape that many fixtures share stays in the first-level cache, where copies would be fetched from memory in every
-// step.
+// The shapes of one type at stable addresses. Equal ones are kept once, since worlds repeat few shapes; only edges,
+// which repeat none. A shape that many fixtures share stays in the first-level cache, where copies would be fetched
+// from memory in every step.
 
 #pragma once
 
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/slots.h"
+#include "scree/convex_shape.h"
 #include "scree/shape.h"
 
 namespace scree {
@@ -60,6 +61,34 @@ struct ShapeBits<PolygonShape> {
         };
         return AreSameBits(a.m_radius, b.m_radius) && AreSameBits(a.m_centroid, b.m_centroid) &&
                areSame(a.m_vertices, b.m_vertices) && areSame(a.m_normals, b.m_normals);
+    }
+};
+
+template <>
+struct ShapeBits<ConvexShape> {
+    static constexpr bool areShared = true;
+    static bool IsComparable(const ConvexShape& s) {
+        return s.m_count >= 0 && s.m_count <= maxConvexVertices && s.m_badField == nullptr;
+    }
+    /// The rest follows from these, or is told apart by comparing.
+    static uint64_t Hash(const ConvexShape& s) {
+        uint64_t sum = HashPair(0, s.m_radius, static_cast<float>(s.m_count));
+        for (int i = 0; i < s.m_count; ++i) {
+            sum = HashPair(sum, s.m_vertices[i].x, s.m_vertices[i].y);
+            if (s.IsCurved(i)) sum = HashPair(sum, s.m_controls[i].x, s.m_controls[i].y);
+        }
+        return sum;
+    }
+    static bool AreEqual(const ConvexShape& a, const ConvexShape& b) {
+        if (a.m_count != b.m_count || a.m_curvedSides != b.m_curvedSides) return false;
+        const auto areSame = [&](const Vec2* x, const Vec2* y) {
+            return std::memcmp(x, y, ToSize(a.m_count) * sizeof(Vec2)) == 0;
+        };
+        return AreSameBits(a.m_radius, b.m_radius) && AreSameBits(a.m_solidRadius, b.m_solidRadius) &&
+               AreSameBits(a.m_error, b.m_error) && AreSameBits(a.m_unitMass.mass, b.m_unitMass.mass) &&
+               AreSameBits(a.m_unitMass.center, b.m_unitMass.center) && AreSameBits(a.m_unitMass.I, b.m_unitMass.I) &&
+               areSame(a.m_vertices, b.m_vertices) && areSame(a.m_normals, b.m_normals) &&
+               areSame(a.m_controls, b.m_controls);
     }
 };
 
