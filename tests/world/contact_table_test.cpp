@@ -122,8 +122,8 @@ TEST(ContactTable, MostlyFreeRowsAreClosedInOrderAndHandlesFollow) {
             numbers[i] = number(i);
         }
     }
-    table.successor[ContactIndex{2}] = ContactIndex{7}, table.successor[ContactIndex{7}] = ContactIndex{12};
-    table.firstMatched = ContactIndex{2};
+    table.order = {ContactIndex{7}, ContactIndex::none, ContactIndex{2}, ContactIndex{3}, ContactIndex{12}};
+    table.place[ContactIndex{12}] = 4;
     table.Compact();
 
     EXPECT_EQ(table.Size(), static_cast<int>(count / 5));
@@ -147,9 +147,9 @@ TEST(ContactTable, MostlyFreeRowsAreClosedInOrderAndHandlesFollow) {
             ASSERT_EQ(number(i), numbers[i]) << i;
         }
     }
-    EXPECT_EQ(table.firstMatched, ContactIndex{0});
-    EXPECT_EQ(table.successor[ContactIndex{0}], ContactIndex{1});
-    EXPECT_EQ(table.successor[ContactIndex{1}], ContactIndex{2});
+    constexpr ContactIndex none = ContactIndex::none;
+    EXPECT_EQ(table.order, (std::vector{ContactIndex{1}, none, ContactIndex{0}, none, ContactIndex{2}}));
+    EXPECT_EQ(table.place[ContactIndex{2}], 4);
     std::set<Contact*> distinct;
     for (const ContactIndex row : table.Rows()) distinct.insert(table.Handle(nullptr, row));
     EXPECT_EQ(distinct.size(), static_cast<size_t>(table.Size()));

@@ -43,6 +43,14 @@ inline int LoadShared(int& number) {
 #endif
 }
 
+inline void StoreShared(int& number, int value) {
+#if defined(__cpp_lib_atomic_ref)
+    std::atomic_ref(number).store(value, std::memory_order_relaxed);
+#else
+    __atomic_store_n(&number, value, __ATOMIC_RELAXED);
+#endif
+}
+
 /// Makes it another one if it is what is expected; false if not.
 inline bool ReplaceShared(int& number, int expected, int other) {
 #if defined(__cpp_lib_atomic_ref)

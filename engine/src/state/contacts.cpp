@@ -72,7 +72,7 @@ ContactIndex ContactTable::Add(const ContactPair& newPair) {
         pair.emplace_back();
         manifold.emplace_back();
         material.emplace_back();
-        successor.push_back(ContactIndex::none);
+        place.push_back(0);
         if (!steady.empty()) steady.emplace_back();
         if (!rolling.empty()) rolling.emplace_back();
     } else {
@@ -239,15 +239,14 @@ void ContactTable::CloseGaps() {
         pair[to] = pair[from];
         manifold[to] = manifold[from];
         material[to] = material[from];
-        successor[to] = successor[from];
+        place[to] = place[from];
         if (!steady.empty()) steady[to] = steady[from];
         if (!rolling.empty()) rolling[to] = rolling[from];
         ++to;
     }
     Resize(ToSize(to));
     const auto move = [&](ContactIndex& row) { row = movedTo.Has(row) ? movedTo[row] : ContactIndex::none; };
-    for (ContactIndex& row : successor) move(row);
-    if (ToInt(firstMatched) < static_cast<int>(rows)) move(firstMatched);
+    for (ContactIndex& row : order) move(row);
     for (ContactIndex& row : m_hash) move(row);
     MoveHandles(movedTo);
     RouseAll();
@@ -261,7 +260,7 @@ void ContactTable::Resize(size_t rows) {
     pair.resize(rows);
     manifold.resize(rows);
     material.resize(rows);
-    successor.resize(rows);
+    place.resize(rows);
     if (!steady.empty()) steady.resize(rows);
     if (!rolling.empty()) rolling.resize(rows);
 }
@@ -336,7 +335,8 @@ void ContactTable::MakeAnew() {
     m_count = 0;
     filtersAgree = false;
     for (const uint8_t flag : flags) m_count += (flag & ContactFlag::alive) != 0 ? 1 : 0;
-    successor.assign(flags.size(), ContactIndex::none);
+    place.assign(flags.size(), 0);
+    order.clear();
     RouseAll();
     m_isCompact = false;
     m_hash.clear();
@@ -487,7 +487,7 @@ void ContactTable::Reserve(size_t more) {
         pair.reserve(capacity);
         manifold.reserve(capacity);
         material.reserve(capacity);
-        successor.reserve(capacity);
+        place.reserve(capacity);
     }
     if (IsTooFull(m_count + static_cast<int>(more), m_hash.size())) Grow(m_count + static_cast<int>(more));
 }
@@ -532,20 +532,20 @@ void ContactTable::EraseKey(ContactIndex contact) {
 }
 
 size_t ContactTable::GetBytesPerRow() {
-    // The hash is between one and two thirds full: at most three entries a contact. One number more for the successor.
+    // The hash is between one and two thirds full: at most three entries a contact. One number more for the place.
     return sizeof(uint8_t) + sizeof(ContactPair) + sizeof(Manifold) + sizeof(ContactMaterial) + 4 * sizeof(int) +
            sizeof(HandleSlot);
 }
 
 size_t ContactTable::GetMemoryBytes() const {
-    return BytesOf(flags, pair, manifold, material, steady, rolling, successor, matched, missing, freshPairs,
+    return BytesOf(flags, pair, manifold, material, steady, rolling, order, place, matched, missing, freshPairs,
                    freshRefusals, m_hash, m_free, m_generation, m_first, m_entries, m_late, m_ofBody, m_resting,
                    m_restingFirst) +
            active.GetMemoryBytes() + m_handles.size() * sizeof(HandleSlot) + refused.GetMemoryBytes();
 }
 
 void ContactTable::Trim() {
-    Shrink(flags, pair, manifold, material, steady, rolling, successor);
+    Shrink(flags, pair, manifold, material, steady, rolling, order, place);
     matched = {}, missing = {}, freshPairs = {}, freshRefusals = {};
     m_first = {}, m_entries = {}, m_late = {}, m_ofBody = {};
     m_adjacency.Set(0);

@@ -74,10 +74,11 @@ struct ContactTable {
     bool keepsSteady = false;  ///< this step is a soft one
     float steadyReach = 0.0f;  ///< how far steady points may wander before they are found anew, m
 
-    /// The row whose pair came behind this row's pair when pairs were last matched, −1 none. Pairs come in nearly the
-    /// same order in every step, which then finds most contacts without the hash. A hint; any value is valid.
-    Column<ContactIndex, ContactIndex> successor;
-    ContactIndex firstMatched = ContactIndex::none;  ///< where that order begins
+    /// The contacts of the pairs in the order in which these were last matched; −1: a pair without one. Pairs come in
+    /// nearly the same order in every step, which then finds most contacts without the hash. A hint: any rows are
+    /// valid.
+    std::vector<ContactIndex> order;
+    Column<ContactIndex, int> place;  ///< where the row stood in `order` when it was last there; likewise
     /// Changes whenever a row that stays touching has another pair or another number of points. While it does not,
     /// solvers may keep what they made of the same list of contacts.
     uint64_t grouping = 0;
@@ -182,15 +183,15 @@ struct ContactTable {
     void Compact();
     template <typename Self, typename Visit>
     static void Fields(Self& t, Visit& visit) {
-        auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, successor, firstMatched,
-               grouping, matched, missing, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, filtersAgree,
+        auto& [flags, pair, manifold, material, steady, rolling, keepsSteady, steadyReach, order, place, grouping,
+               matched, missing, freshPairs, freshRefusals, refused, active, mayRest, addsFresh, filtersAgree,
                mustMatch, hash, shift, free, isCompact, handles, generation, count, resting, restingFirst,
                restingTouching, adjacency, first, entries, late, ofBody, handleRows, generationRows] = t;
         visit.Rows(t, flags, pair, manifold, material, steady, rolling), visit(keepsSteady, free);
-        visit.LeftOut(steadyReach, successor, firstMatched, grouping, matched, missing, freshPairs, freshRefusals,
-                      refused, active, mayRest, addsFresh, filtersAgree, mustMatch, hash, shift, isCompact, handles,
-                      generation, count, resting, restingFirst, restingTouching, adjacency, first, entries, late,
-                      ofBody, handleRows, generationRows);
+        visit.LeftOut(steadyReach, order, place, grouping, matched, missing, freshPairs, freshRefusals, refused, active,
+                      mayRest, addsFresh, filtersAgree, mustMatch, hash, shift, isCompact, handles, generation, count,
+                      resting, restingFirst, restingTouching, adjacency, first, entries, late, ofBody, handleRows,
+                      generationRows);
     }
     /// After the fields were read: makes the rest anew. False if they contradict each other.
     [[nodiscard]] bool Restore();

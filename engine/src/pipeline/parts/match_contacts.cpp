@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/compiler.h"
 #include "base/gather_parts.h"
@@ -31,26 +32,36 @@ bool FiltersAgree(const FixtureTable& fixtures, const ContactTable& contacts) {
     return true;
 }
 
-/// Finds the contact of each pair, −1 if it has none. Follows the order of the last call and asks the hash where the
-/// pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another. `filters`, if
-/// not null, tell of pairs that they have none: limbs of ragdolls overlap all the time.
+/// In a list of contacts: filters refuse the pair.
+constexpr ContactIndex refusedPair{-2};
+
+/// Finds the contact of each pair, −1 if it has none. Follows the order of the last full matching and asks the hash
+/// where the pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another.
+/// `filters`, if not null, tell of pairs that they have none: limbs of ragdolls overlap all the time.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, const Column<FixtureIndex, Filter>* filters,
-                  ContactTable& contacts, std::vector<ContactIndex>& found) {
-    EnsureRows(found, pairs.size());
+                  ContactTable& contacts) {
+    EnsureRows(contacts.matched, pairs.size());
+    const std::span<const ContactIndex> order = contacts.order;
     pool.For(static_cast<int>(pairs.size()), leastPairsToShare, [&](int begin, int end, int /*worker*/) {
-        ContactIndex ownFirst = ContactIndex::none;
-        ContactIndex* follower = begin == 0 ? &contacts.firstMatched : &ownFirst;
+        size_t next = order.size() * ToSize(begin) / std::max<size_t>(pairs.size(), 1);
         for (size_t i = ToSize(begin); i < ToSize(end); ++i) {
             const FixtureIndex a = FixtureOf(pairs[i].a), b = FixtureOf(pairs[i].b);
-            ContactIndex contact = *follower;
-            if (!contacts.IsRowOf(contact, a, b)) {
+            ContactIndex contact = next < order.size() ? order[next] : ContactIndex::none;
+            if (contacts.IsRowOf(contact, a, b)) {
+                ++next;
+            } else {
+                const bool hadNone = IsNone(contact);
                 const bool isRefused = filters != nullptr && !ShouldCollide((*filters)[a], (*filters)[b]);
-                contact = isRefused ? ContactIndex::none : contacts.Find(a, b);
+                contact = isRefused ? refusedPair : contacts.Find(a, b);
+                const size_t place = IsSome(contact) ? ToSize(LoadShared(contacts.place[contact])) : order.size();
+                if (place < order.size() && order[place] == contact) {
+                    next = place + 1;
+                } else if (hadNone) {
+                    ++next;
+                }
             }
-            found[i] = contact;
-            if (IsNone(contact)) continue;
-            if (*follower != contact) *follower = contact;
-            follower = &contacts.successor[contact];
+            contacts.matched[i] = contact;
+            if (IsSome(contact)) StoreShared(contacts.place[contact], static_cast<int>(i));  // a pair may come twice
         }
     });
 }
@@ -58,11 +69,11 @@ void FindContacts(std::span<const Pair> pairs, TaskPool& pool, const Column<Fixt
 /// Marks the contacts of the pairs; those that have none and may get one go to `fresh`. That comes after finding, which
 /// reads flags of rows that other workers mark.
 void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTables t, std::vector<uint64_t>& fresh) {
-    std::vector<ContactIndex>& found = t.contacts.matched;
+    const std::vector<ContactIndex>& found = t.contacts.matched;
     const bool areDefault = events.filter == nullptr;
     if (areDefault && !t.contacts.filtersAgree) t.contacts.filtersAgree = FiltersAgree(t.fixtures, t.contacts);
     const bool asksFilters = areDefault && t.contacts.filtersAgree;
-    FindContacts(pairs, t.pool, asksFilters ? &t.fixtures.filter : nullptr, t.contacts, found);
+    FindContacts(pairs, t.pool, asksFilters ? &t.fixtures.filter : nullptr, t.contacts);
     const auto mayBegin = [&](const Pair& pair) {
         return events.filter != nullptr ||
                MayHaveContact(FixtureOf(pair.a), FixtureOf(pair.b), events, t.fixtures, t.joints);
@@ -72,7 +83,7 @@ void MarkPairs(std::span<const Pair> pairs, const ContactEvents& events, MatchTa
         for (int i = begin; i < end; ++i) {
             if (const ContactIndex contact = found[ToSize(i)]; IsSome(contact)) {
                 SetSharedBits(t.contacts.flags[contact], ContactFlag::marked);
-            } else if (mayBegin(pairs[ToSize(i)])) {
+            } else if (contact != refusedPair && mayBegin(pairs[ToSize(i)])) {
                 *missing++ = i;
             }
         }
@@ -130,6 +141,10 @@ void MatchContacts(std::span<const Pair> pairs, const Searched& searched, FreshO
         t.contacts.ClearMarksIf([&](const ContactPair& pair) { return IsSearched(searched, t.bodies, pair); });
     }
     MarkPairs(pairs, events, t, fresh);
+    if (searched.all || searched.listed) {
+        std::swap(t.contacts.order, t.contacts.matched);
+        t.contacts.order.resize(pairs.size());
+    }
     // By index, so that callbacks and rows do not depend on the broad phase.
     std::sort(fresh.begin(), fresh.end());
     fresh.erase(std::unique(fresh.begin(), fresh.end()), fresh.end());
