@@ -16,9 +16,9 @@ namespace scree {
 namespace {
 
 constexpr size_t jointsOfBatch = 3;  // a batch takes as long as so many one by one
-/// Connected joints are a group of their own up to this; more share their levels. Half of it fills batches well.
+/// Joints of a group, enough to fill the batches of its levels. Connected ones that are more are shared level by level.
 constexpr int mostOfGroup = 384;
-constexpr size_t leastToGroup = 2 * mostOfGroup;
+constexpr size_t leastToGroup = 2 * mostOfGroup;  ///< fewer joints in all are not put into groups
 /// Groups of another kind than the rest: joints in larger parts, and those that meet a body that cannot be pushed.
 constexpr int groupOfLarge = 0, groupOfFixed = 1, firstOwnGroup = 2;
 

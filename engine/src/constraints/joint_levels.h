@@ -86,7 +86,7 @@ private:
     Column<BodyIndex, int> m_next;  ///< level of the next joint that pushes the body
     JoinedSets<BodyIndex> m_connected;
     Column<BodyIndex, Part> m_parts;  ///< of the body that stands for it
-    std::vector<int> m_depths;        ///< by group: how many levels
+    std::vector<int> m_depths;        ///< by group: how many levels, then the first of them
     std::vector<Level> m_levels;      ///< group by group
     std::vector<JointIndex> m_order;
     std::vector<JointSection> m_sections;

@@ -74,8 +74,8 @@ struct ContactTable {
     bool keepsSteady = false;  ///< this step is a soft one
     float steadyReach = 0.0f;  ///< how far steady points may wander before they are found anew, m
 
-    /// The contacts of the pairs in the order in which these were last matched; −1: a pair without one. Pairs come in
-    /// nearly the same order in every step, which then finds most contacts without the hash. A hint: any rows are
+    /// The contacts of the pairs in the order in which all were last matched; below 0: a pair without one. Pairs come
+    /// in nearly the same order in every step, which then finds most contacts without the hash. A hint: any rows are
     /// valid.
     std::vector<ContactIndex> order;
     Column<ContactIndex, int> place;  ///< where the row stood in `order` when it was last there; likewise

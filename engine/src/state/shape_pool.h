@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// The shapes of one type at stable addresses. Equal ones are kept once, since worlds repeat few shapes; only edges,
-// which repeat none. A shape that many fixtures share stays in the first-level cache, where copies would be fetched
+// The shapes of one type at stable addresses. Equal ones are kept once, since worlds repeat few shapes. Edges are not:
+// terrain repeats none. A shape that many fixtures share stays in the first-level cache, where copies would be fetched
 // from memory in every step.
 
 #pragma once

@@ -35,7 +35,7 @@ bool FiltersAgree(const FixtureTable& fixtures, const ContactTable& contacts) {
 /// In a list of contacts: filters refuse the pair.
 constexpr ContactIndex refusedPair{-2};
 
-/// Finds the contact of each pair, −1 if it has none. Follows the order of the last full matching and asks the hash
+/// Finds the contact of each pair; below 0: it has none. Follows the order of the last full matching and asks the hash
 /// where the pairs leave it. A pair that is gone or new is one such place, the start of a worker's range another.
 /// `filters`, if not null, tell of pairs that they have none: limbs of ragdolls overlap all the time.
 void FindContacts(std::span<const Pair> pairs, TaskPool& pool, const Column<FixtureIndex, Filter>* filters,
