@@ -18,14 +18,15 @@
 
 namespace scree {
 
-/// A range in parts of like size; one part unless the pool is wide and the range has at least `least` items.
+/// A range in parts of like size; one part unless the pool is open and the range has at least `least` items.
 class Parts {
 public:
     static constexpr int most = 64;
 
     Parts(const TaskPool& pool, int count, int least) : m_count(count) {
-        constexpr int leastOfPart = 64;
-        if (pool.IsWide() && count >= least) m_parts = std::clamp(count / leastOfPart, 1, most);
+        constexpr int leastOfPart = 64, perWorker = 4;
+        if (!pool.IsOpen() || count < least) return;
+        m_parts = std::clamp(count / leastOfPart, 1, std::min(perWorker * pool.GetWorkerCount(), most));
     }
     [[nodiscard]] int Count() const { return m_parts; }
     [[nodiscard]] int Begin(int part) const { return static_cast<int>(int64_t{m_count} * part / m_parts); }
@@ -43,12 +44,11 @@ private:
     int m_parts = 1;
 };
 
-/// Whether holds(begin, end) of all parts of [0, count); on several threads if the pool is wide and count is no less
-/// than `least`.
+/// Whether holds(begin, end) of all parts of [0, count); on several threads if count is no less than `least`.
 template <typename Holds>
 bool AllOf(TaskPool& pool, int count, int least, Holds&& holds) {
     std::atomic<bool> all{true};
-    pool.ForIfWide(count, least, [&](int begin, int end, int /*worker*/) {
+    pool.For(count, least, [&](int begin, int end, int /*worker*/) {
         if (all.load(std::memory_order_relaxed) && !holds(begin, end)) all.store(false, std::memory_order_relaxed);
     });
     return all.load(std::memory_order_relaxed);

@@ -132,7 +132,7 @@ void FillTree(FlatTree& tree, TaskPool* pool, Fill&& fill) {
     constexpr uint32_t leastNodes = 512, topNodes = 128;  // of many subtrees all workers get their share
     const auto count = static_cast<uint32_t>(tree.nodes.size());
     uint32_t end = count;  // of the nodes that are finished here, last nodes first: children stand behind their parents
-    if (pool != nullptr && pool->IsWide() && count >= leastNodes) {
+    if (pool != nullptr && pool->IsOpen() && count >= leastNodes) {
         end = topNodes;
         uint32_t below = 1;  // the first nodes have as many children as this, and one root
         for (uint32_t i = 0; i < end; ++i) below += tree.nodes[i].IsLeaf() ? 0 : 2;
@@ -247,7 +247,7 @@ struct KeysPass {
         };
         constexpr int leastNodes = 2;
         const auto count = static_cast<int>(end - begin);
-        pool != nullptr ? pool->ForIfWide(count, leastNodes, split) : split(0, count, 0);
+        pool != nullptr ? pool->For(count, leastNodes, split) : split(0, count, 0);
     }
 };
 

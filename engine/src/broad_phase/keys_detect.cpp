@@ -354,7 +354,7 @@ uint64_t KeysDetector::ShareParts(TaskPool& pool, PairSink& sink, Walk&& walk) {
         }
     };
     const auto parts = static_cast<int>(m_cut.parts.size());
-    pairCount >= leastPairsToCopy ? pool.ForIfWide(parts, 2, copy) : copy(0, parts, 0);
+    pairCount >= leastPairsToCopy ? pool.For(parts, 2, copy) : copy(0, parts, 0);
     sink.Commit(pairCount);
     return boxTests;
 }
@@ -380,7 +380,7 @@ uint64_t KeysDetector::DetectBetween(const FlatTree& batch, std::span<const Buil
         return walk.boxTests;
     };
     const uint32_t chunks = (count + together - 1) / together;
-    if (pool != nullptr && pool->IsWide() && count >= leastBoxesToShare) {
+    if (pool != nullptr && pool->IsOpen() && count >= leastBoxesToShare) {
         m_cut.parts.assign(chunks, {});
         return ShareParts(*pool, sink, [&](KeysBuffers& own, PairSink& found, size_t part) {
             return walkWith(own, found, static_cast<uint32_t>(part));

@@ -38,7 +38,7 @@ void TreeEdits::NoteBuilt(TaskPool* pool) {
         }
     };
     const auto count = static_cast<int>(m_tree.Size());
-    pool != nullptr ? pool->ForIfWide(count, leastPositions, place) : place(0, count, 0);
+    pool != nullptr ? pool->For(count, leastPositions, place) : place(0, count, 0);
     m_outside.clear();
     m_count = 0;
     m_limit = EditLimit(m_store.Size());

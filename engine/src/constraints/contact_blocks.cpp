@@ -453,8 +453,8 @@ void ContactBlocks::Build(const BlockInput& input, BodyMarks& marks) {
 
 void ContactBlocks::Store(float scale, TaskPool& pool, Column<ContactIndex, Manifold>& manifold) const {
     constexpr int leastBlocksToStore = 64;
-    ForIfWide(pool, leastBlocksToStore,
-              [&](int begin, int end, int /*worker*/) { StoreRange(ToSize(begin), ToSize(end), scale, manifold); });
+    For(pool, leastBlocksToStore,
+        [&](int begin, int end, int /*worker*/) { StoreRange(ToSize(begin), ToSize(end), scale, manifold); });
 }
 
 void ContactBlocks::StoreRange(size_t begin, size_t end, float scale, Column<ContactIndex, Manifold>& manifold) const {

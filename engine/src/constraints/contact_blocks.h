@@ -142,7 +142,7 @@ private:
     template <typename Visit>
     void ForEachLane(TaskPool& pool, Visit&& visit) const {
         constexpr int least = 64;  // blocks that are worth sharing
-        ForIfWide(pool, least, [&](int begin, int end, int /*worker*/) {
+        For(pool, least, [&](int begin, int end, int /*worker*/) {
             for (size_t k = ToSize(begin); k < ToSize(end); ++k) {
                 for (size_t l = 0; l < blockLanes && m_blocks[k].slot[l] >= 0; ++l)
                     visit(m_contact[k * blockLanes + l], k, l);
@@ -158,12 +158,6 @@ private:
             for (const BlockChains::Section& section : sections.subspan(ToSize(begin), ToSize(end - begin)))
                 body(section.begin, section.end, worker);
         });
-    }
-    /// The same for what takes so little that two threads gain nothing without chains.
-    template <typename Body>
-    void ForIfWide(TaskPool& pool, int least, Body&& body) const {
-        if (!m_chains.IsEmpty()) return For(pool, least, body);
-        pool.ForIfWide(static_cast<int>(m_blocks.size()), least, body);
     }
     /// By position in the list.
     [[nodiscard]] const SidedContact& At(int i) const { return m_sided[ToSize(i)]; }

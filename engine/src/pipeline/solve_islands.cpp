@@ -374,22 +374,13 @@ void ListLone(const IslandTable& islands, const LaneSolver& lanes, const BodyTab
     }
 }
 
-/// Isolated bodies that are one job.
-constexpr int isolatedOfJob = 256;
-
-/// What is solved by one worker each: the lone islands from `firstLone` on, groups, and isolated bodies if all workers
-/// move them. The longest first.
-void ListJobs(size_t firstLone, const LaneSolver& lanes, int isolatedCount, SolverScratch& s) {
-    constexpr int isolatedOfOne = 24;  // take as long as one contact
+/// What is solved by one worker each: the lone islands from `firstLone` on, and groups. The longest first.
+void ListJobs(size_t firstLone, const LaneSolver& lanes, SolverScratch& s) {
     s.jobs.clear();
-    for (size_t i = firstLone; i < s.lone.size(); ++i)
-        s.jobs.push_back({SolverJob::loneIsland, static_cast<int>(i), s.lone[i].size});
-    for (int group = 0; group < lanes.CountGroups(); ++group)
-        s.jobs.push_back({SolverJob::group, group, lanes.GetSize(group)});
-    for (int i = 0; i < isolatedCount; i += isolatedOfJob)
-        s.jobs.push_back({SolverJob::isolated, i, std::min(isolatedOfJob, isolatedCount - i) / isolatedOfOne});
+    for (size_t i = firstLone; i < s.lone.size(); ++i) s.jobs.push_back({false, static_cast<int>(i), s.lone[i].size});
+    for (int group = 0; group < lanes.CountGroups(); ++group) s.jobs.push_back({true, group, lanes.GetSize(group)});
     std::ranges::sort(s.jobs, [](const SolverJob& a, const SolverJob& b) {
-        return std::tie(b.size, a.kind, a.index) < std::tie(a.size, b.kind, b.index);
+        return std::tie(b.size, a.isGroup, a.index) < std::tie(a.size, b.isGroup, b.index);
     });
 }
 
@@ -399,17 +390,15 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
                          SolverTables tables) {
     // Smaller ones have too few contacts of one colour for a loop of several workers.
     constexpr int leastSharedSize = 2048;
-    // Less of all together is not worth a loop.
-    const int leastSize = tables.pool.IsWide() ? 64 : 256;
+    // Less of all together is not worth a loop. So many isolated bodies take as long as one contact.
+    constexpr int leastSize = 64, isolatedOfOne = 24;
     SolverScratch& s = work.scratch;
     SolverCounts counts;
-    const bool dealsIsolated = tables.pool.IsWide();
-    if (!dealsIsolated) counts += isolated.SolveAll(tables.pool);
     std::ranges::sort(s.lone, [](const LoneIsland& a, const LoneIsland& b) {
         return std::tie(b.size, a.island) < std::tie(a.size, b.island);
     });
-    ListJobs(0, lanes, dealsIsolated ? isolated.Count() : 0, s);
-    int64_t rest = 0;
+    ListJobs(0, lanes, s);
+    int64_t rest = isolated.Count() / isolatedOfOne;
     for (const SolverJob& job : s.jobs) rest += job.size;
     size_t first = 0;
     const int workers = tables.pool.GetWorkerCount();
@@ -419,30 +408,29 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
         counts += SolveLone(work, one, tables, 0);
         rest -= one.size;
     }
-    if (first > 0) ListJobs(first, lanes, dealsIsolated ? isolated.Count() : 0, s);
-    // Dealt like cards, the longest first, so that parts and neighbouring parts are of like size.
-    constexpr int partsPerWorker = 4;
+    if (first > 0) ListJobs(first, lanes, s);
+    // Jobs are dealt like cards, the longest first, so that parts and neighbouring parts are of like size. Isolated
+    // bodies are cut where other loops over bodies are, so that a thread has those that it has in its caches.
+    constexpr int partsPerWorker = 4, leastIsolatedOfPart = 256;
     const auto count = static_cast<int>(s.jobs.size());
-    const int rounds = count >= partsPerWorker * workers ? partsPerWorker : 1;
-    const int parts = std::min(count, rounds * workers);
+    const int pieces = count + (isolated.Count() + leastIsolatedOfPart - 1) / leastIsolatedOfPart;
+    const int rounds = pieces >= partsPerWorker * workers ? partsPerWorker : 1;
+    const int parts = std::min(pieces, rounds * workers);
     TaskPool alone(1, {});
     const SolverTables own{alone, tables.bodies, tables.contacts, tables.joints};
     const auto solve = [&](const SolverJob& job, int worker) {
-        switch (job.kind) {
-            case SolverJob::loneIsland:
-                return SolveLone(work, s.lone[ToSize(job.index)], own, worker);
-            case SolverJob::group:
-                return lanes.Solve(work.fixtures, job.index, job.index + 1, worker);
-            case SolverJob::isolated:
-                break;
-        }
-        return isolated.Solve(job.index, std::min(job.index + isolatedOfJob, isolated.Count()));
+        return job.isGroup ? lanes.Solve(work.fixtures, job.index, job.index + 1, worker)
+                           : SolveLone(work, s.lone[ToSize(job.index)], own, worker);
+    };
+    const auto cut = [&](int part) {  // the newest come first, unlike in other loops
+        return isolated.Count() - static_cast<int>(int64_t{isolated.Count()} * part / parts);
     };
     SolverCounts ofWorker[maxWorkers];
     tables.pool.For(parts, rest < leastSize ? parts + 1 : 2, [&](int begin, int end, int worker) {
         for (int part = begin; part < end; ++part) {
             for (int i = part % rounds * workers + part / rounds; i < count; i += parts)
                 ofWorker[worker] += solve(s.jobs[ToSize(i)], worker);
+            ofWorker[worker] += isolated.Solve(cut(part + 1), cut(part));
         }
     });
     for (const SolverCounts& some : ofWorker) counts += some;

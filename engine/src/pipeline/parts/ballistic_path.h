@@ -45,7 +45,7 @@ public:
     /// Moves the bodies and updates their sleep. one(body) moves one to its end position; true if a cap acted.
     template <typename One>
     SolverCounts Move(TaskPool& pool, const std::vector<BodyIndex>& isolated, One&& one) const {
-        return CountRanges(pool, isolated.size(), pool.IsWide() ? leastBodies : leastIsolatedBodies,
+        return CountRanges(pool, isolated.size(),
                            [&](int begin, int end) { return MoveRange(Range(isolated, begin, end), one); });
     }
 

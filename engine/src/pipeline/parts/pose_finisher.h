@@ -29,7 +29,7 @@ public:
     /// All bodies bodyAt(0) … bodyAt(count − 1), which differ. one(body) does the same for a single one, and counts.
     template <typename BodyAt, typename One>
     SolverCounts Finish(TaskPool& pool, size_t count, BodyAt&& bodyAt, One&& one) const {
-        return CountRanges(pool, count, leastBodies, [&](int begin, int end) {
+        return CountRanges(pool, count, [&](int begin, int end) {
             SolverCounts counts;
             int at = begin;
             for (; m_finish != nullptr && at + lanes <= end; at += lanes) {

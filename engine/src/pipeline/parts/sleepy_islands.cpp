@@ -90,7 +90,7 @@ void FindSleepyIslands(const IslandTable& active, const ContactTable& contacts, 
             });
     };
     const auto forAll = [&](auto count, auto&& visit) {
-        pool.ForIfWide(static_cast<int>(count), leastRowsToShare, [&](int begin, int end, int /*worker*/) {
+        pool.For(static_cast<int>(count), leastRowsToShare, [&](int begin, int end, int /*worker*/) {
             for (auto i = ToSize(begin); i < ToSize(end); ++i) visit(i);
         });
     };

@@ -127,9 +127,8 @@ struct LoneIsland {
 
 /// What a worker solves at once, whatever the others do (sequential impulses).
 struct SolverJob {
-    enum Kind : uint8_t { loneIsland, group, isolated };
-    Kind kind;
-    int index;  ///< of LoneIsland, of a group, of the first isolated body
+    bool isGroup;
+    int index;  ///< of a group, or of a LoneIsland
     int size;   ///< how long it takes, in contacts that are solved one by one
 };
 
@@ -217,16 +216,12 @@ struct SolverCounts {
 /// Below this many bodies a loop stays on one thread.
 inline constexpr int leastBodies = 256;
 
-/// With few workers isolated bodies need many more. One takes a few nanoseconds. What follows reads them on one thread,
-/// which has them in its own cache if it moved them itself.
-inline constexpr int leastIsolatedBodies = 32768;
-
 /// Runs range(begin, end) → SolverCounts over parts of [0, count) on the workers and returns the sum.
 template <typename OfRange>
-SolverCounts CountRanges(TaskPool& pool, size_t count, int least, OfRange&& range) {
+SolverCounts CountRanges(TaskPool& pool, size_t count, OfRange&& range) {
     if (count == 0) return {};
     SolverCounts parts[maxWorkers];
-    pool.For(static_cast<int>(count), least,
+    pool.For(static_cast<int>(count), leastBodies,
              [&](int begin, int end, int worker) { parts[worker] += range(begin, end); });
     SolverCounts sum;
     for (const SolverCounts& part : parts) sum += part;
@@ -235,7 +230,7 @@ SolverCounts CountRanges(TaskPool& pool, size_t count, int least, OfRange&& rang
 /// Runs body(index) → SolverCounts over [0, count) on the workers and returns the sum.
 template <typename Body>
 SolverCounts CountOver(TaskPool& pool, size_t count, Body&& body) {
-    return CountRanges(pool, count, leastBodies, [&](int begin, int end) {
+    return CountRanges(pool, count, [&](int begin, int end) {
         SolverCounts sum;
         for (int i = begin; i < end; ++i) sum += body(ToSize(i));
         return sum;

@@ -110,7 +110,7 @@ float UpdateMoved(const BodyTable& bodies, const FixtureTable& fixtures, const M
                   BroadPhase& broadPhase) {
     float farthest = 0.0f;
     BoxBatch<isFar> batch(bodies, fixtures, broadPhase);
-    if (pool.IsWide() && broadPhase.SharesUpdates()) {
+    if (pool.IsOpen() && broadPhase.SharesUpdates()) {
         farthest = UpdateShared<isFar>(bodies, fixtures, pool, broadPhase);
     } else {
         for (const BodyIndex body : bodies.Listed()) {
