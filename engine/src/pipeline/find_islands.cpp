@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Islands by depth-first search over an adjacency built anew from the touching contacts: a counting sort costs a few
-// nanoseconds a contact and spares every contact its four list links.
+// Islands by depth-first search over an adjacency built anew from the touching contacts: one pass over them costs a few
+// nanoseconds a contact and spares the table its four list links.
 
 #include "pipeline/find_islands.h"
 
@@ -72,17 +72,13 @@ void ForEachSide(const ContactTable& contacts, const BodyTable& bodies, std::spa
     }
 }
 
-/// Lists the contacts of each mover in `entries`, the newest row first; movers that have some become `touched`.
+/// Chains the contacts of each mover in `entries`, the newest row first; movers that have some become `touched`.
 void ListByBody(const ContactTable& contacts, const BodyTable& bodies, IslandScratch& s) {
-    ForEachSide(contacts, bodies, s.rows, [&](BodyIndex body, BodyIndex, ContactIndex) { ++s.end[body]; });
     int used = 0;
     ForEachSide(contacts, bodies, s.rows, [&](BodyIndex body, BodyIndex other, ContactIndex row) {
-        if (s.progress[body] == IslandScratch::untouched) {
-            s.progress[body] = IslandScratch::touched;
-            used += s.end[body];
-            s.first[body] = s.end[body] = used;  // filling moves the start down
-        }
-        s.entries[ToSize(--s.first[body])] = {row, other};
+        s.entries[ToSize(++used)] = {row, other, s.first[body]};
+        s.first[body] = used;
+        s.progress[body] = IslandScratch::touched;
     });
 }
 
@@ -99,36 +95,37 @@ void ListByBodyShared(const ContactTable& contacts, const BodyTable& bodies, Tas
             visit(listed.subspan(ToSize(begin), ToSize(end - begin)));
         });
     };
-    forRows([&](BodyIndex body, BodyIndex, ContactIndex) { AddShared(s.end[body], 1); });
-    int used = 0;
+    ClearForListed(bodies, s.count);
+    forRows([&](BodyIndex body, BodyIndex, ContactIndex) { AddShared(s.count[body], 1); });
+    int used = 1;
     forListed([&](std::span<const BodyIndex> part) {
         int count = 0;
-        for (const BodyIndex body : part) count += s.end[body];
+        for (const BodyIndex body : part) count += s.count[body];
         int next = AddShared(used, count);
         for (const BodyIndex body : part) {
-            if (s.end[body] == 0) continue;
+            if (s.count[body] == 0) continue;
             s.progress[body] = IslandScratch::touched;
-            s.first[body] = s.end[body] = next += s.end[body];
+            s.first[body] = next += s.count[body];  // filling moves it down
         }
     });
     forRows([&](BodyIndex body, BodyIndex other, ContactIndex row) {
-        s.entries[ToSize(AddShared(s.first[body], -1) - 1)] = {row, other};
+        s.entries[ToSize(AddShared(s.first[body], -1) - 1)] = {row, other, 0};
     });
     forListed([&](std::span<const BodyIndex> part) {
         for (const BodyIndex body : part) {
             if (s.progress[body] != IslandScratch::touched) continue;
-            std::ranges::sort(s.entries.begin() + s.first[body], s.entries.begin() + s.end[body], std::greater<>(),
-                              &IslandScratch::Entry::contact);
+            const auto first = s.entries.begin() + s.first[body];
+            std::ranges::sort(first, first + s.count[body], std::greater<>(), &IslandScratch::Entry::contact);
+            for (int i = 0; i + 1 < s.count[body]; ++i) first[i].next = s.first[body] + i + 1;
         }
     });
 }
 
 /// Contacts of each mover that has some of `rows`; these movers become `touched`, the others `untouched`.
 void BuildAdjacency(const ContactTable& contacts, TaskPool& pool, const BodyTable& bodies, IslandScratch& s) {
-    ClearForListed(bodies, s.end);
+    ClearForListed(bodies, s.first);
     ClearForListed(bodies, s.progress);
-    EnsureRows(s.first, s.end.size());
-    EnsureRows(s.entries, 2 * s.rows.size());
+    EnsureRows(s.entries, 2 * s.rows.size() + 1);
     if (pool.IsWide() && s.rows.size() >= leastRowsToShare) {
         ListByBodyShared(contacts, bodies, pool, s);
     } else {
@@ -174,7 +171,7 @@ private:
     void Rouse(BodyIndex body) {
         if (!m_someRest || m_bodies.isListed[body] != 0) return;
         m_bodies.List(body);
-        m_scratch.first[body] = m_scratch.end[body] = 0;
+        m_scratch.first[body] = 0;
         m_scratch.progress[body] = m_contacts.HasResting(body) ? IslandScratch::touched : IslandScratch::untouched;
     }
 
@@ -194,7 +191,8 @@ private:
         if (m_scratch.progress[body] != IslandScratch::seen) return;
         m_scratch.progress[body] = IslandScratch::visited;
         if (m_someRest && m_contacts.HasResting(body)) return VisitRoused(body);
-        for (int e = m_scratch.first[body]; e < m_scratch.end[body]; ++e) VisitContact(m_scratch.entries[ToSize(e)]);
+        for (int e = m_scratch.first[body]; e != 0; e = m_scratch.entries[ToSize(e)].next)
+            VisitContact(m_scratch.entries[ToSize(e)]);
     }
 
     /// Of a body some of whose contacts have rested until now: all of them, the newest row first.
@@ -203,7 +201,7 @@ private:
         rows.clear();
         m_contacts.ListResting(body, rows);
         std::erase_if(rows, [this](ContactIndex row) { return !IsSolved(m_contacts.flags[row]); });
-        for (int e = m_scratch.first[body]; e < m_scratch.end[body]; ++e)
+        for (int e = m_scratch.first[body]; e != 0; e = m_scratch.entries[ToSize(e)].next)
             rows.push_back(m_scratch.entries[ToSize(e)].contact);
         std::sort(rows.begin(), rows.end(), std::greater<>());
         for (const ContactIndex row : rows) {
@@ -211,7 +209,7 @@ private:
             const BodyIndex other = pair.bodyA == body ? pair.bodyB : pair.bodyA;
             const bool isMover = m_bodies.type[other] != staticBody;
             if (isMover) Rouse(other);
-            VisitContact({row, isMover ? other : BodyIndex::none});
+            VisitContact({row, isMover ? other : BodyIndex::none, 0});
         }
     }
 

@@ -27,11 +27,13 @@ struct IslandScratch {
     struct Entry {
         ContactIndex contact;
         BodyIndex other;  ///< the mover on the other side, −1 if that is static
+        int next;         ///< the entry of the body's next older contact, 0: none
     };
 
     std::vector<ContactIndex> rows;       ///< of the solved contacts
-    Column<BodyIndex, int> first, end;    ///< per touched mover: range of its contacts in `entries`
-    std::vector<Entry> entries;           ///< contacts by body
+    Column<BodyIndex, int> first;         ///< per mover: the entry of its newest contact, 0: none
+    Column<BodyIndex, int> count;         ///< how many it has, where many workers list them
+    std::vector<Entry> entries;           ///< contacts by body, from 1 on
     Column<BodyIndex, uint8_t> progress;  ///< per mover
     std::vector<ContactIndex> roused;     ///< contacts of one body that rested
     Column<JointIndex, uint8_t> jointSeen;
@@ -41,7 +43,7 @@ struct IslandScratch {
     SleepyScratch sleepy;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return (rows.capacity() + first.capacity() + end.capacity() + seeds.capacity() + stack.capacity() +
+        return (rows.capacity() + first.capacity() + count.capacity() + seeds.capacity() + stack.capacity() +
                 roused.capacity()) *
                    sizeof(int) +
                entries.capacity() * sizeof(Entry) + progress.capacity() + jointSeen.capacity() + memo.GetMemoryBytes() +
