@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Islands by depth-first search over an adjacency built anew from the touching contacts: one pass over them costs a few
-// nanoseconds a contact and spares the table its four list links.
+// Islands by depth-first search over an adjacency built anew from the touching contacts. That takes one pass, of a few
+// nanoseconds a contact, and spares the table its four list links.
 
 #include "pipeline/find_islands.h"
 
