@@ -66,44 +66,6 @@ TEST_P(Gains, AreFoundAnewWhenTheyChange) {
     }
 }
 
-/// Steps that sharing makes `gain` times as fast, on a machine where a shared one loses a core with a probability: time
-/// of so many over that without sharing.
-double RunBesideNeighbour(uint32_t seed, int steps, double gain, double probability, double loss, bool isUneven) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> chance(0.0, 1.0);
-    std::normal_distribution<double> noise(0.0, 0.03);
-    SharingGauge gauge;
-    double taken = 0.0, alone = 0.0;
-    for (int i = 0; i < steps; ++i) {
-        const double one = 1.0 + std::abs(noise(random));
-        const bool isShared = gauge.Shares(), isLost = isShared && chance(random) < probability;
-        const double time = (isShared ? one / gain : one) + (isLost ? loss : 0.0);
-        gauge.Note(time * 5000.0, 5000.0, isShared && (isLost || isUneven));
-        taken += time, alone += one;
-    }
-    return taken / alone;
-}
-
-TEST(SharingGauge, DoesWithoutACoreThatIsLost) {
-    // Three of four shared steps are faster, and the shortest ones do not tell of the fourth.
-    for (uint32_t seed = 0; seed < 20; ++seed) {
-        EXPECT_LT(RunBesideNeighbour(seed, 2000, 1.5, 0.25, 3.0, false), 1.03) << seed;
-        EXPECT_LT(RunBesideNeighbour(seed, 100, 1.5, 0.25, 3.0, false), 1.25) << seed;
-    }
-}
-
-TEST(SharingGauge, KeepsACoreThatIsSeldomLost) {
-    for (uint32_t seed = 0; seed < 20; ++seed) {
-        EXPECT_LT(RunBesideNeighbour(seed, 4000, 1.5, 0.002, 1.0, false), 1.0 / 1.5 + 0.04) << seed;
-    }
-}
-
-TEST(SharingGauge, TakesNoUnevenLoopForALostCore) {
-    for (uint32_t seed = 0; seed < 20; ++seed) {
-        EXPECT_LT(RunBesideNeighbour(seed, 2000, 1.3, 0.0, 0.0, true), 1.0 / 1.3 + 0.03) << seed;
-    }
-}
-
 INSTANTIATE_TEST_SUITE_P(OfASecondThread, Gains, testing::Values(0.4, 0.7, 0.9, 1.0, 1.1, 1.4, 1.9));
 
 }  // namespace

@@ -17,10 +17,9 @@ public:
     /// Whether the coming step is to be shared.
     [[nodiscard]] bool Shares() const { return m_shares != IsTrying(); }
     /// After a step: how long it took, and how much there was to do. Any units; the time of a step should grow about
-    /// with the work. `hasWaited`: for a thread that seems to have lost its core.
-    void Note(double time, double work, bool hasWaited = false) {
+    /// with the work.
+    void Note(double time, double work) {
         const double cost = work > 0.0 ? time / work : time;
-        if (Shares() && IsLent(cost, hasWaited)) return GiveUp();
         if (IsTrying()) {
             m_tried = std::min(m_tried, cost);
             if (cost > hopeless * m_usual) m_step = m_period + trySteps - 1;  // the last of the try
@@ -36,34 +35,14 @@ private:
     static constexpr int firstPeriod = 12, shortPeriod = 60, longPeriod = 252;
     static constexpr double clearly = 0.97;  ///< a way that is quicker by less is not worth the change
     static constexpr double hopeless = 2.0;
-    /// A step that has waited, and took so many times as long as the shortest, has lost its core.
-    static constexpr double lost = 1.25;
-    /// Steps after which that is forgotten. A core may be lost once; twice, and another program has it.
-    static constexpr int memory = 24;
 
     [[nodiscard]] bool IsTrying() const { return m_step >= m_period; }
     void Judge() {
         const bool isBetter = m_tried < clearly * m_usual;
         if (isBetter) m_shares = !m_shares;
-        BeginPeriod(isBetter ? shortPeriod : std::min(std::max(2 * m_period, shortPeriod), longPeriod));
-    }
-    /// The least of times does not show a core that is lent for a part of the time: the least is of the other part.
-    void GiveUp() {
-        m_shares = false;
-        BeginPeriod(2 * shortPeriod);
-    }
-    void BeginPeriod(int period) {
-        m_period = period;
+        m_period = isBetter ? shortPeriod : std::min(std::max(2 * m_period, shortPeriod), longPeriod);
         m_step = 0;
-        m_usual = m_tried = m_shortest = std::numeric_limits<double>::infinity();
-    }
-    /// After a shared step: whether the core of a thread seems to be another program's for a part of the time.
-    bool IsLent(double cost, bool hasWaited) {
-        const bool isLost = hasWaited && cost > lost * m_shortest;
-        m_shortest = std::min(m_shortest, cost);
-        const bool isTwice = isLost && m_sinceLost < memory;
-        m_sinceLost = isLost ? 0 : std::min(m_sinceLost + 1, memory);
-        return isTwice;
+        m_usual = m_tried = std::numeric_limits<double>::infinity();
     }
 
     bool m_shares = true;
@@ -71,8 +50,6 @@ private:
     int m_step = 0;                                            ///< of this period and the try after it
     double m_usual = std::numeric_limits<double>::infinity();  ///< least time per work before the try
     double m_tried = std::numeric_limits<double>::infinity();
-    double m_shortest = std::numeric_limits<double>::infinity();  ///< the same of shared steps of this period
-    int m_sinceLost = memory;                                     ///< shared steps since a core was lost
 };
 
 }  // namespace scree

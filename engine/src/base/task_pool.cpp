@@ -21,6 +21,14 @@ constexpr int chunksPerWorker = 4;
 /// Some microseconds.
 constexpr int spinsInWait = 2000;
 
+#if defined(SCREE_HAS_THREADS)
+/// Waits until done() holds.
+template <typename Done>
+void Await(Done&& done) {
+    for (int turns = 0; !done(); ++turns) TaskPool::GiveWay(turns);
+}
+#endif
+
 }  // namespace
 
 TaskPool::~TaskPool() { Stop(); }
@@ -151,7 +159,6 @@ void TaskPool::Run(int count, TaskFunction function, void* context) {
         if (!m_cutsLoops) Recruit();
         if (m_cutsLoops) return RunWithCallbacks();
     }
-    const uint64_t start = Stopwatch::ReadTicks();
     m_loop.turn.store(++m_turn, std::memory_order_release);
     const auto chunks = static_cast<uint32_t>(m_workerCount * chunksPerWorker);
     uint32_t own = 0;
@@ -161,20 +168,7 @@ void TaskPool::Run(int count, TaskFunction function, void* context) {
         own += RunShare(m_turn, i, 0);
     }
     m_doneByThreads += chunks - own;
-    AwaitThreads(start);
-}
-
-/// Until all chunks of a loop that began at `start` are done. Waits far longer than there was anything to do are not
-/// for a longer chunk.
-void TaskPool::AwaitThreads(uint64_t start) {
-    uint64_t waiting = 0;  // since then
-    for (int turns = 0; m_done.load(std::memory_order_acquire) != m_doneByThreads; ++turns) {
-        GiveWay(turns);
-        if (turns == 0) waiting = Stopwatch::ReadTicks();
-        if (turns < spinsInWait) continue;
-        if (Stopwatch::TicksBetween(waiting, Stopwatch::ReadTicks()) > Stopwatch::TicksBetween(start, waiting))
-            NoteStall();
-    }
+    Await([&] { return m_done.load(std::memory_order_acquire) == m_doneByThreads; });
 }
 
 /// Runs what is left of a share and returns how many chunks that were. A share whose turn is the one before is that of

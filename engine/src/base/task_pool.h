@@ -52,10 +52,7 @@ public:
     /// The same, and no worker has been seen without its core for some time: they may wait for each other.
     [[nodiscard]] bool KeepsPace() const { return m_inStep && (m_stalledSteps == 0 || m_sharesAlways); }
     /// From a worker: another one, for which it waits, seems to have lost its core to another process.
-    void NoteStall() {
-        m_stalledSteps.store(stallSteps, std::memory_order_relaxed);
-        m_hasStalled.store(true, std::memory_order_relaxed);
-    }
+    void NoteStall() { m_stalledSteps.store(stallSteps, std::memory_order_relaxed); }
     /// What a worker does while it waits for another; `turns`: how often it has.
     static void GiveWay(int turns);
     /// Whether the program asks for the parts of tasks that wait for each other, and the way to tell it of one.
@@ -105,7 +102,6 @@ private:
     void Dismiss();
     void Stop();
     uint32_t RunShare(uint32_t turn, int share, int worker);
-    void AwaitThreads(uint64_t start);
     void RunRange(int index, int parts, int worker) {
         const auto at = [&](int i) { return static_cast<int>(static_cast<int64_t>(m_loop.count) * i / parts); };
         m_loop.function(m_loop.context, at(index), at(index + 1), worker);
@@ -117,7 +113,6 @@ private:
     SharingGauge m_gauge;
     bool m_sharesAlways = false;
     std::atomic<int> m_stalledSteps{0};
-    std::atomic<bool> m_hasStalled{false};  ///< in this step
 #if defined(SCREE_HAS_THREADS)
     std::vector<std::thread> m_threads;
 
@@ -172,8 +167,7 @@ public:
         if (m_pool == nullptr) return;
         if (m_pool->IsOpen()) m_pool->End();
         if (!SharesAlways())
-            m_pool->m_gauge.Note(double{Stopwatch::TicksBetween(m_start, Stopwatch::ReadTicks())}, m_work,
-                                 m_pool->m_hasStalled.exchange(false, std::memory_order_relaxed));
+            m_pool->m_gauge.Note(double{Stopwatch::TicksBetween(m_start, Stopwatch::ReadTicks())}, m_work);
     }
     PoolRegion(const PoolRegion&) = delete;
     PoolRegion& operator=(const PoolRegion&) = delete;
