@@ -375,12 +375,13 @@ void ListLone(const IslandTable& islands, const LaneSolver& lanes, const BodyTab
 }
 
 /// What is solved by one worker each: the lone islands from `firstLone` on, and groups. The longest first.
-void ListJobs(size_t firstLone, const LaneSolver& lanes, SolverScratch& s) {
+void ListJobs(const IslandTable& islands, size_t firstLone, const LaneSolver& lanes, SolverScratch& s) {
     s.jobs.clear();
-    for (size_t i = firstLone; i < s.lone.size(); ++i) s.jobs.push_back({false, static_cast<int>(i), s.lone[i].size});
-    for (int group = 0; group < lanes.CountGroups(); ++group) s.jobs.push_back({true, group, lanes.GetSize(group)});
+    for (size_t i = firstLone; i < s.lone.size(); ++i)
+        s.jobs.push_back({false, static_cast<int>(i), CostOf(islands.islands[ToSize(s.lone[i].island)])});
+    for (int group = 0; group < lanes.CountGroups(); ++group) s.jobs.push_back({true, group, lanes.CostOf(group)});
     std::ranges::sort(s.jobs, [](const SolverJob& a, const SolverJob& b) {
-        return std::tie(b.size, a.isGroup, a.index) < std::tie(a.size, b.isGroup, b.index);
+        return std::tie(b.cost, a.isGroup, a.index) < std::tie(a.cost, b.isGroup, b.index);
     });
 }
 
@@ -390,28 +391,29 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
                          SolverTables tables) {
     // Smaller ones have too few contacts of one colour for a loop of several workers.
     constexpr int leastSharedSize = 2048;
-    // Less of all together is not worth a loop. So many isolated bodies take as long as one contact.
-    constexpr int leastSize = 64, isolatedOfOne = 24;
+    // Less of all together is not worth a loop. So many isolated bodies take as long as one contact side by side.
+    constexpr int leastCost = 64, isolatedOfOne = 24;
     SolverScratch& s = work.scratch;
     SolverCounts counts;
     std::ranges::sort(s.lone, [](const LoneIsland& a, const LoneIsland& b) {
         return std::tie(b.size, a.island) < std::tie(a.size, b.island);
     });
-    ListJobs(0, lanes, s);
     int64_t rest = isolated.Count() / isolatedOfOne;
-    for (const SolverJob& job : s.jobs) rest += job.size;
+    for (const LoneIsland& one : s.lone) rest += CostOf(work.islands.islands[ToSize(one.island)]);
+    for (int group = 0; group < lanes.CountGroups(); ++group) rest += lanes.CostOf(group);
     size_t first = 0;
     const int workers = tables.pool.GetWorkerCount();
     for (; first < s.lone.size(); ++first) {
         const LoneIsland& one = s.lone[first];
         if (one.size < leastSharedSize || static_cast<int64_t>(one.size) * workers <= rest) break;
         counts += SolveLone(work, one, tables, 0);
-        rest -= one.size;
+        rest -= CostOf(work.islands.islands[ToSize(one.island)]);
     }
-    if (first > 0) ListJobs(first, lanes, s);
+    rest = lanes.Spread(rest, workers, s.lone);
+    ListJobs(work.islands, first, lanes, s);
     // Jobs are dealt like cards, the longest first, so that parts and neighbouring parts are of like size. Isolated
     // bodies are cut where other loops over bodies are, so that a thread has those that it has in its caches.
-    constexpr int partsPerWorker = 4, leastIsolatedOfPart = 256;
+    constexpr int partsPerWorker = 4, leastIsolatedOfPart = 128;
     const auto count = static_cast<int>(s.jobs.size());
     const int pieces = count + (isolated.Count() + leastIsolatedOfPart - 1) / leastIsolatedOfPart;
     const int rounds = pieces >= partsPerWorker * workers ? partsPerWorker : 1;
@@ -426,7 +428,7 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
         return isolated.Count() - static_cast<int>(int64_t{isolated.Count()} * part / parts);
     };
     SolverCounts ofWorker[maxWorkers];
-    tables.pool.For(parts, rest < leastSize ? parts + 1 : 2, [&](int begin, int end, int worker) {
+    tables.pool.For(parts, rest < leastCost ? parts + 1 : 2, [&](int begin, int end, int worker) {
         for (int part = begin; part < end; ++part) {
             for (int i = part % rounds * workers + part / rounds; i < count; i += parts)
                 ofWorker[worker] += solve(s.jobs[ToSize(i)], worker);

@@ -55,9 +55,6 @@ private:
     int m_largest = mostLaneContacts - 1;
 };
 
-/// A contact of the vector kernels takes as long as so many of the others.
-constexpr int contactsOfOne = 2;
-
 }  // namespace
 
 LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& islands, const ContactEvents& events,
@@ -103,7 +100,7 @@ void LaneSolver::Choose() {
             }
             contacts += first;
         }
-        if (contacts >= contactsOfOne * height) {
+        if (contacts * costOfOne >= height * costOfLanes) {
             s.groups.push_back({begin, static_cast<int>(s.places.size())});
             continue;
         }
@@ -123,8 +120,25 @@ SolverCounts LaneSolver::Solve(const FixtureTable& fixtures, int begin, int end,
     return counts;
 }
 
-int LaneSolver::GetSize(int group) const {
-    return contactsOfOne * CountContacts(IslandOf(GroupOf(ToSize(group)).front().island));
+int LaneSolver::CostOf(int group) const {
+    return costOfLanes * CountContacts(IslandOf(GroupOf(ToSize(group)).front().island));
+}
+
+int64_t LaneSolver::Spread(int64_t rest, int workers, std::vector<LoneIsland>& lone) {
+    std::vector<LaneScratch::Group>& groups = m_s.lanes.groups;
+    int given = 0;
+    for (; given < CountGroups(); ++given) {  // the tallest first
+        const Places group = GroupOf(ToSize(given));
+        int64_t apart = 0;
+        for (const LaneScratch::Place& place : group) apart += scree::CostOf(IslandOf(place.island));
+        const int64_t together = CostOf(given);
+        if (together * workers <= std::max(rest, rest - together + apart)) break;
+        rest += apart - together;
+        for (const LaneScratch::Place& place : group)
+            lone.push_back({place.island, -1, CountContacts(IslandOf(place.island))});
+    }
+    groups.erase(groups.begin(), groups.begin() + given);
+    return rest;
 }
 
 LaneSolver::Places LaneSolver::GroupOf(size_t number) const {

@@ -129,7 +129,7 @@ struct LoneIsland {
 struct SolverJob {
     bool isGroup;
     int index;  ///< of a group, or of a LoneIsland
-    int size;   ///< how long it takes, in contacts that are solved one by one
+    int cost;   ///< how long it takes, in contacts that are solved side by side
 };
 
 /// Constraints of a soft step. Their order stays until the next one while joints and contacts do.
