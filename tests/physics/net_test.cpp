@@ -16,6 +16,7 @@
 #include "scree/inspect.h"
 #include "scree/scree.h"
 #include "scree/snapshot.h"
+#include "world/world_state.h"
 
 namespace scree::test {
 namespace {
@@ -236,6 +237,7 @@ TEST(Nets, WithAHubHold) {
         worldDef.gravity = {0.0f, -10.0f};
         worldDef.workerCount = workers;
         World world(worldDef);
+        world.GetState().pool->ShareAlways();
         BodyDef def;
         Body* ground = world.CreateBody(&def);
         def.type = dynamicBody;

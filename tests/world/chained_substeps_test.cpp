@@ -135,5 +135,42 @@ TEST(SlicesOfSubsteps, BodiesMayLeaveTheirSlices) {
     EXPECT_GT(apart, 20);
 }
 
+/// Chains that swing, and two boxes one of which goes away. As many bodies as a world of its own accord shares.
+TEST(SharedSteps, GoOnWithoutContactsOnceTheLastIsGone) {
+    for (const int substeps : solvers) {
+        std::vector<uint64_t> hashes;
+        for (const int workers : {1, 2, 5}) {
+            WorldDef def;
+            def.gravity = {0.0f, -10.0f};
+            def.workerCount = workers;
+            World world(def);
+            Body* const ceiling = AddBody(world, staticBody, {0.0f, 0.0f});
+            constexpr int chains = 300, links = 8;
+            for (int chain = 0; chain < chains; ++chain) {
+                Body* last = ceiling;
+                for (int link = 0; link < links; ++link) {
+                    const float at = 20.0f * static_cast<float>(chain) + static_cast<float>(link);
+                    Body* const body = AddBody(world, dynamicBody, {at + 0.5f, 0.0f});
+                    AddBox(body, 0.5f, 0.1f);
+                    RevoluteJointDef joint;
+                    joint.Initialize(last, body, {at, 0.0f});
+                    world.CreateJoint(&joint);
+                    last = body;
+                }
+            }
+            Body* const lower = AddBody(world, dynamicBody, {0.0f, 50.0f});
+            Body* const upper = AddBody(world, dynamicBody, {0.0f, 50.9f});
+            AddBox(lower, 0.5f, 0.5f), AddBox(upper, 0.5f, 0.5f);
+            StepWith(world, substeps, 3);
+            EXPECT_EQ(world.GetContactCount(), 1);
+            world.DestroyBody(upper);
+            StepWith(world, substeps, 3);
+            EXPECT_EQ(world.GetContactCount(), 0);
+            hashes.push_back(inspect::GetStateHash(world));
+        }
+        for (const uint64_t hash : hashes) EXPECT_EQ(hash, hashes.front()) << substeps;
+    }
+}
+
 }  // namespace
 }  // namespace scree

@@ -14,6 +14,7 @@
 
 #include "scree/snapshot.h"
 #include "tests/world/fixtures.h"
+#include "world/world_state.h"
 
 namespace scree::test {
 namespace {
@@ -31,6 +32,7 @@ FixtureDef Define(const Shape& shape, uint8_t reports) {
 /// Boxes and disks that fall through a sensor into a bin. Every `stride`-th reports.
 struct Bin {
     Bin(int stride, int workers) : world(With(workers)) {
+        world.GetState().pool->ShareAlways();
         AddGround(world);
         for (const float x : {-4.5f, 4.5f}) AddBox(AddBody(world, staticBody, {x, 10.0f}), 0.5f, 10.0f);
         PolygonShape across;

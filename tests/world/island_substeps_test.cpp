@@ -68,6 +68,7 @@ Outcome RunFor(int steps, Hard hard, Parts parts, const Tolerance& tolerance, in
     WorldDef def;
     def.workerCount = workers;
     World world(def);
+    world.GetState().pool->ShareAlways();
     Fill(world, hard, parts);
     Outcome outcome;
     for (int i = 0; i < steps; ++i) {

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "scree/scree.h"
+#include "world/world_state.h"
 
 namespace scree {
 namespace {
@@ -118,6 +119,7 @@ TEST(IsolatedBodies, MoveInGroupsAsTheyDoAlone) {
             recipe.force = vec2Zero, recipe.torque = 0.0f;
         }
         World together(MakeDef(the.workers));
+        together.GetState().pool->ShareAlways();
         std::vector<Body*> bodies;
         for (const Recipe& recipe : recipes) bodies.push_back(Add(together, recipe));
         std::vector<std::unique_ptr<World>> worlds;

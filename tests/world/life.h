@@ -75,6 +75,7 @@ public:
         if (m_mask.Has(Feature::speedLimit)) def.maxTranslation = 0.2f, def.maxRotation = 0.3f;
         if (m_mask.Has(Feature::multiThreading) && seed % 8 == 0) def.workerCount = 2;
         m_world = std::make_unique<World>(def);
+        m_world->GetState().pool->ShareAlways();
         m_world->SetSubStepping(seed % 6 == 4);
         m_world->SetErrorHandler(
             [](const Error& e, void*) {

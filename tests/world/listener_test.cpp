@@ -28,6 +28,7 @@ using test::AddGround;
 /// Boxes, disks and capsules that fall into a bin, with a sensor across it.
 struct Heap {
     Heap(int count, unsigned seed, int workers) : world(Define(workers)) {
+        world.GetState().pool->ShareAlways();
         AddGround(world);
         for (const float x : {-4.5f, 4.5f}) AddBox(AddBody(world, staticBody, {x, 10.0f}), 0.5f, 10.0f);
         FixtureDef sensor;

@@ -340,6 +340,7 @@ TEST(Materials, RecordingsImagesAndWorkersLeadToTheSameState) {
     for (const int substeps : solvers) {
         Spinner mill(7), threaded(7);
         threaded.world.SetWorkers(3);
+        threaded.world.GetState().pool->ShareAlways();
         Recorder recorder;
         ASSERT_EQ(StartRecording(mill.world, recorder), ErrorCode::ok);
         for (int i = 0; i < 150; ++i) {

@@ -11,6 +11,7 @@
 #include "scree/recording.h"
 #include "scree/snapshot.h"
 #include "tests/world/fixtures.h"
+#include "world/world_state.h"
 
 namespace scree::test {
 namespace {
@@ -115,6 +116,7 @@ TEST(MotionLocks, RecordingsImagesAndWorkersLeadToTheSameState) {
     for (const int substeps : solvers) {
         Heap one(5, true), three(5, true);
         three.world.SetWorkers(3);
+        three.world.GetState().pool->ShareAlways();
         Recorder recorder;
         ASSERT_EQ(StartRecording(one.world, recorder), ErrorCode::ok);
         for (int i = 0; i < 90; ++i) {

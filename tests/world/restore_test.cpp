@@ -56,6 +56,7 @@ TEST(Restore, AWorldGoesOnFromAnImageAsItDidBefore) {
         for (const int workers : {1, 3}) {
             Game game(substeps);
             game.world.SetWorkers(workers);
+            game.world.GetState().pool->ShareAlways();
             game.Play(0, 40);
             const std::vector<std::byte> image = SaveWorld(game.world);
             const uint64_t saved = inspect::GetStateHash(game.world);

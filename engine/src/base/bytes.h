@@ -22,4 +22,11 @@ void Shrink(T&... columns) {
     (columns.shrink_to_fit(), ...);
 }
 
+/// Room for as many elements as another one has. Which worker does what changes from step to step, and a step is not to
+/// allocate for that.
+template <AnyColumn T>
+void MatchRoom(T& column, const T& other) {
+    if (column.capacity() < other.capacity()) column.reserve(other.capacity());
+}
+
 }  // namespace scree

@@ -10,6 +10,7 @@
 
 #include <utility>
 
+#include "base/bytes.h"
 #include "base/index.h"
 #include "base/shared_count.h"
 #include "base/slots.h"
@@ -41,6 +42,7 @@ public:
         }
     }
     [[nodiscard]] size_t GetMemoryBytes() const { return m_parent.capacity() * sizeof(int); }
+    void MatchRoomOf(const JoinedSets& other) { MatchRoom(m_parent, other.m_parent); }
 
 private:
     [[nodiscard]] int Load(int at) { return LoadShared(m_parent[I{at}]); }

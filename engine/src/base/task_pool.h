@@ -44,7 +44,7 @@ public:
     [[nodiscard]] int GetWorkerCount() const { return m_workerCount; }
     /// Above every `worker` that a loop's body gets: so many rows of scratch do.
     [[nodiscard]] int GetRowCount() const { return m_rowCount; }
-    /// From now on every step with work to share is shared, whether that pays or not: for tests.
+    /// From now on every step is shared, and every loop of two items or more, whether that pays or not: for tests.
     void ShareAlways() { m_sharesAlways = true; }
     [[nodiscard]] bool SharesAlways() const { return m_sharesAlways; }
     /// Between Begin and End, with more than one worker.
@@ -70,7 +70,7 @@ public:
     /// worker.
     template <typename Body>
     void For(int count, int least, Body&& body) {
-        if (!m_inStep || count < least) {
+        if (!m_inStep || count < (m_sharesAlways ? 2 : least)) {
             body(0, count, 0);
             return;
         }

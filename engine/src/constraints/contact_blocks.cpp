@@ -80,11 +80,11 @@ class BodyStrips {
 public:
     static constexpr size_t most = 32;
 
-    /// `groups`: counts that are kept of each strip.
+    /// `groups`: counts that are kept of each strip; 0 without contacts.
     BodyStrips(const BlockInput& input, size_t groups) {
         constexpr size_t mostCounts = 1 << 14;
         const std::span<const BodyIndex> bodies = input.bodies.Listed();
-        if (!input.pool.IsOpen() || bodies.empty()) return;
+        if (!input.pool.IsOpen() || bodies.empty() || groups == 0) return;
         m_count = std::clamp(mostCounts / groups, size_t{1}, most);
         m_first = ToInt(bodies.front());  // lists are more or less in order
         const int last = ToInt(bodies.back());

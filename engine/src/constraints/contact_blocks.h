@@ -104,6 +104,13 @@ public:
                        m_contact, m_cut, m_sections) +
                m_chains.GetMemoryBytes();
     }
+    /// For blocks that one worker solves, without chains.
+    void MatchRoomOf(const ContactBlocks& other) {
+        MatchRoom(m_blocks, other.m_blocks), MatchRoom(m_ranges, other.m_ranges), MatchRoom(m_sided, other.m_sided);
+        MatchRoom(m_colours, other.m_colours), MatchRoom(m_movers, other.m_movers), MatchRoom(m_fixed, other.m_fixed);
+        MatchRoom(m_next, other.m_next), MatchRoom(m_start, other.m_start), MatchRoom(m_lane, other.m_lane);
+        MatchRoom(m_order, other.m_order), MatchRoom(m_contact, other.m_contact);
+    }
 
 private:
     /// A contact of the list as its block sees it: side B can be pushed. Colouring and naming read these rows instead

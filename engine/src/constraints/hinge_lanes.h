@@ -33,6 +33,10 @@ public:
     void Store(Column<JointRow, RevoluteRow>& rows) const;
 
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_batches, m_inTurn) + m_levels.GetMemoryBytes(); }
+    void MatchRoomOf(const HingeLanes& other) {
+        MatchRoom(m_batches, other.m_batches), MatchRoom(m_inTurn, other.m_inTurn);
+        m_levels.MatchRoomOf(other.m_levels);
+    }
 
 private:
     [[nodiscard]] HingeLaneTask Task(const JointStep& step, BodyTable& bodies);

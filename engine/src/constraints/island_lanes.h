@@ -58,6 +58,12 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(m_members, m_isSolved, m_contacts, m_named, m_bodies, m_velocity, m_position, m_rotation);
     }
+    void MatchRoomOf(const IslandLanes& other) {
+        MatchRoom(m_members, other.m_members), MatchRoom(m_isSolved, other.m_isSolved);
+        MatchRoom(m_contacts, other.m_contacts), MatchRoom(m_named, other.m_named);
+        MatchRoom(m_bodies, other.m_bodies), MatchRoom(m_velocity, other.m_velocity);
+        MatchRoom(m_position, other.m_position), MatchRoom(m_rotation, other.m_rotation);
+    }
 
 private:
     /// A body of a lane. Those that contacts cannot push have a slot for each contact with them.

@@ -57,6 +57,16 @@ struct JointConstraints {
         wheelBounds.clear();
         std::apply([](auto&... constraints) { (constraints.clear(), ...); }, byType);
     }
+    /// For joints that are all solved in turn.
+    void MatchRoomOf(const JointConstraints& other) {
+        MatchRoom(runs, other.runs);
+        wholeHinges.MatchRoomOf(other.wholeHinges);
+        std::apply(
+            [&](auto&... own) {
+                std::apply([&](const auto&... others) { (MatchRoom(own, others), ...); }, other.byType);
+            },
+            byType);
+    }
     [[nodiscard]] size_t GetMemoryBytes() const {
         size_t bytes = (runs.capacity() + bounds.capacity() + wheelBounds.capacity()) * sizeof(JointRun) +
                        BytesOf(ofBounds, ofWheelBounds) + wholeHinges.GetMemoryBytes() + hinges.GetMemoryBytes() +

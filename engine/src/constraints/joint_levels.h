@@ -55,6 +55,12 @@ public:
         return BytesOf(m_taken, m_places, m_next, m_parts, m_depths, m_levels, m_order, m_sections) +
                m_connected.GetMemoryBytes();
     }
+    void MatchRoomOf(const JointLevels& other) {
+        MatchRoom(m_taken, other.m_taken), MatchRoom(m_places, other.m_places), MatchRoom(m_next, other.m_next);
+        MatchRoom(m_parts, other.m_parts), MatchRoom(m_depths, other.m_depths), MatchRoom(m_levels, other.m_levels);
+        MatchRoom(m_order, other.m_order), MatchRoom(m_sections, other.m_sections);
+        m_connected.MatchRoomOf(other.m_connected);
+    }
 
 private:
     /// Of a joint.

@@ -60,6 +60,7 @@ public:
     /// Writes the impulses back, times `scale`.
     void Store(float scale, Column<ContactIndex, float>& impulse) const;
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_rows); }
+    void MatchRoomOf(const RollingRows& other) { MatchRoom(m_rows, other.m_rows); }
 
 private:
     /// Bodies that cannot be turned are not written.

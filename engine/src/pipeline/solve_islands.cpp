@@ -385,6 +385,13 @@ void ListJobs(const IslandTable& islands, size_t firstLone, const LaneSolver& la
     });
 }
 
+/// Room for whatever another worker has solved so far.
+template <typename OfWorker>
+void MatchRooms(std::vector<OfWorker>& workers) {
+    for (OfWorker& one : workers) workers.front().MatchRoomOf(one);
+    for (OfWorker& one : workers) one.MatchRoomOf(workers.front());
+}
+
 /// Large islands one after the other, each by loops that the workers share. Then all else, each by one worker. Neither
 /// way changes a bit.
 SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated, LaneSolver& lanes,
@@ -395,6 +402,8 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
     constexpr int leastCost = 64, isolatedOfOne = 24;
     SolverScratch& s = work.scratch;
     SolverCounts counts;
+    MatchRooms(s.islandRows);
+    MatchRooms(s.lanes.workers);
     std::ranges::sort(s.lone, [](const LoneIsland& a, const LoneIsland& b) {
         return std::tie(b.size, a.island) < std::tie(a.size, b.island);
     });

@@ -50,6 +50,7 @@ public:
         }
     }
     [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(m_x, m_y); }
+    void MatchRoomOf(const LockedBodies& other) { MatchRoom(m_x, other.m_x), MatchRoom(m_y, other.m_y); }
 
 private:
     std::vector<BodyIndex> m_x, m_y;

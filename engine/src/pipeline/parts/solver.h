@@ -92,6 +92,11 @@ struct LaneScratch {
     struct OfWorker {
         IslandLanes lanes;
         std::vector<IslandLanes::Member> members;  ///< of the group that it solves
+
+        void MatchRoomOf(const OfWorker& other) {
+            lanes.MatchRoomOf(other.lanes);
+            MatchRoom(members, other.members);
+        }
     };
     std::vector<OfWorker> workers;  ///< per worker
 
@@ -115,6 +120,15 @@ struct IslandRows {
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(contacts.velocity, contacts.position, sliced) + marks.GetMemoryBytes() +
                rolling.GetMemoryBytes() + locked.GetMemoryBytes() + joints.GetMemoryBytes() + blocks.GetMemoryBytes();
+    }
+    void MatchRoomOf(const IslandRows& other) {
+        MatchRoom(contacts.velocity, other.contacts.velocity), MatchRoom(contacts.position, other.contacts.position);
+        MatchRoom(marks.coloursTaken, other.marks.coloursTaken), MatchRoom(marks.isAtBorder, other.marks.isAtBorder);
+        MatchRoom(sliced, other.sliced);
+        rolling.MatchRoomOf(other.rolling);
+        locked.MatchRoomOf(other.locked);
+        joints.MatchRoomOf(other.joints);
+        blocks.MatchRoomOf(other.blocks);
     }
 };
 
