@@ -60,8 +60,8 @@ int CountWorkToShare(const WorldState& s) {
     constexpr int leastContacts = 128;
     const size_t movers = s.bodies.Listed().size();
     const int contacts = s.contacts.active.Count();
-    const bool isEnough = s.pool->SharesAlways() || movers >= leastBoxesToShare ||
-                          (movers >= leastBodies && contacts >= leastContacts);
+    const bool isEnough =
+        s.pool->SharesAlways() || movers >= leastBoxesToShare || (movers >= leastBodies && contacts >= leastContacts);
     return isEnough ? static_cast<int>(movers) + contacts : 0;
 }
 
