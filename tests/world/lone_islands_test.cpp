@@ -144,6 +144,32 @@ TEST(RoomOfLoneIslands, IsThatOfTheirContacts) {
     }
 }
 
+/// A net of hinges that hangs, and its scratch after a few steps.
+size_t ScratchOfNet(int size, int workers) {
+    WorldDef def;
+    def.gravity = {0.0f, -10.0f};
+    def.workerCount = workers;
+    World world(def);
+    world.GetState().pool->ShareAlways();
+    std::vector<Body*> bodies;
+    for (int i = 0; i < size * size; ++i) {
+        const Vec2 place{static_cast<float>(i % size), -static_cast<float>(i / size)};
+        bodies.push_back(AddBody(world, i == 0 ? staticBody : dynamicBody, place));
+        AddCircle(bodies.back(), 0.4f);
+        const auto hang = [&](int other) {
+            RevoluteJointDef joint;
+            joint.Initialize(bodies[static_cast<size_t>(other)], bodies.back(), place);
+            world.CreateJoint(&joint);
+        };
+        if (i % size > 0) hang(i - 1);
+        if (i >= size) hang(i - size);
+    }
+    StepFor(world, 5);
+    return inspect::GetMemoryUse(world).solverScratch;
+}
+
+TEST(RoomOfLoneIslands, OfAllWorkersIsTakenOnce) { EXPECT_LT(ScratchOfNet(60, 8), 2 * ScratchOfNet(60, 1)); }
+
 TEST(RoomOfLoneIslands, IsGivenBack) {
     World world{{0.0f, -10.0f}};
     AddGround(world, 1000.0f);

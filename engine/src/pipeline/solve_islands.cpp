@@ -327,11 +327,15 @@ SolverCounts RunPhases(Solver&& solver, const FixtureTable& fixtures, Report&& r
     return counts;
 }
 
-/// By the loops of `tables.pool`, with the rows of `worker`.
-SolverCounts SolveLone(const IslandWork& work, const LoneIsland& lone, SolverTables tables, int worker) {
+/// Which of the rows the caller takes for what it solves while no worker has a job. Such islands may be large, and not
+/// all workers need the room.
+int RowsAlone(const SolverScratch& s) { return static_cast<int>(s.islandRows.size()) - 1; }
+
+/// By the loops of `tables.pool`.
+SolverCounts SolveLone(const IslandWork& work, const LoneIsland& lone, SolverTables tables, int rowsOf) {
     const Island& island = work.islands.islands[ToSize(lone.island)];
     SolverScratch& s = work.scratch;
-    IslandRows& rows = s.islandRows[ToSize(worker)];
+    IslandRows& rows = s.islandRows[ToSize(rowsOf)];
     if (!IsWide(island)) {
         return RunPhases(IslandSolver(work.settings, work.islands, island, tables, rows), work.fixtures,
                          [&] { ReportImpulses(rows.contacts, work.events, tables.contacts); });
@@ -387,8 +391,8 @@ void ListJobs(const IslandTable& islands, size_t firstLone, const LaneSolver& la
 
 /// Room for whatever another worker has solved so far.
 template <typename OfWorker>
-void MatchRooms(std::vector<OfWorker>& workers) {
-    for (OfWorker& one : workers) workers.front().MatchRoomOf(one);
+void MatchRooms(std::span<OfWorker> workers) {
+    for (const OfWorker& one : workers) workers.front().MatchRoomOf(one);
     for (OfWorker& one : workers) one.MatchRoomOf(workers.front());
 }
 
@@ -402,8 +406,11 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
     constexpr int leastCost = 64, isolatedOfOne = 24;
     SolverScratch& s = work.scratch;
     SolverCounts counts;
-    MatchRooms(s.islandRows);
-    MatchRooms(s.lanes.workers);
+    const int alone = RowsAlone(s);
+    const std::span ofWorkers = std::span(s.islandRows).first(ToSize(alone));
+    MatchRooms(ofWorkers);
+    s.islandRows[ToSize(alone)].MatchRoomOf(ofWorkers.front());
+    MatchRooms(std::span(s.lanes.workers));
     std::ranges::sort(s.lone, [](const LoneIsland& a, const LoneIsland& b) {
         return std::tie(b.size, a.island) < std::tie(a.size, b.island);
     });
@@ -415,7 +422,7 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
     for (; first < s.lone.size(); ++first) {
         const LoneIsland& one = s.lone[first];
         if (one.size < leastSharedSize || static_cast<int64_t>(one.size) * workers <= rest) break;
-        counts += SolveLone(work, one, tables, 0);
+        counts += SolveLone(work, one, tables, alone);
         rest -= CostOf(work.islands.islands[ToSize(one.island)]);
     }
     rest = lanes.Spread(rest, workers, s.lone);
@@ -427,8 +434,8 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
     const int pieces = count + (isolated.Count() + leastIsolatedOfPart - 1) / leastIsolatedOfPart;
     const int rounds = pieces >= partsPerWorker * workers ? partsPerWorker : 1;
     const int parts = std::min(pieces, rounds * workers);
-    TaskPool alone(1, {});
-    const SolverTables own{alone, tables.bodies, tables.contacts, tables.joints};
+    TaskPool onOne(1, {});
+    const SolverTables own{onOne, tables.bodies, tables.contacts, tables.joints};
     const auto solve = [&](const SolverJob& job, int worker) {
         return job.isGroup ? lanes.Solve(work.fixtures, job.index, job.index + 1, worker)
                            : SolveLone(work, s.lone[ToSize(job.index)], own, worker);
@@ -452,7 +459,8 @@ SolverCounts SolveShared(const IslandWork& work, const IsolatedSolver& isolated,
 
 SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fixtures, const IslandTable& islands,
                           const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
-    EnsureRows(scratch.islandRows, ToSize(tables.pool.GetRowCount()));
+    const int rows = tables.pool.GetRowCount();
+    EnsureRows(scratch.islandRows, ToSize(rows > 1 ? rows + 1 : 1));
     EnsureRows(scratch.lanes.workers, ToSize(tables.pool.GetRowCount()));
     const IsolatedSolver isolated(settings, islands, tables.bodies);
     LaneSolver lanes(settings, islands, events, tables, scratch);
@@ -461,7 +469,7 @@ SolverCounts SolveIslands(const SolverSettings& settings, const FixtureTable& fi
     if (tables.pool.IsOpen() && !events.HearsPostSolve()) return SolveShared(work, isolated, lanes, tables);
     SolverCounts counts = isolated.SolveAll(tables.pool);
     // In their order, in which the listener hears of them.
-    for (const LoneIsland& lone : scratch.lone) counts += SolveLone(work, lone, tables, 0);
+    for (const LoneIsland& lone : scratch.lone) counts += SolveLone(work, lone, tables, RowsAlone(scratch));
     return counts += lanes.Solve(fixtures, 0, lanes.CountGroups(), 0);
 }
 

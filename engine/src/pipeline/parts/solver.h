@@ -179,7 +179,7 @@ struct SolverScratch {
     LaneScratch lanes;
     std::vector<SolverJob> jobs;
     std::vector<LoneIsland> lone;
-    std::vector<IslandRows> islandRows;  ///< per worker
+    std::vector<IslandRows> islandRows;  ///< per worker if there are several, and the last for one that has no job
     std::vector<ContactBlocks> wide;     ///< of the large islands, in their order (sequential impulses)
     std::vector<int> colours;            ///< by place in the list of contacts of islands; set of those that have blocks
     std::vector<ContactImpulse> impulses;
