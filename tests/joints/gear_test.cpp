@@ -3,7 +3,13 @@
 //
 // The gear joint beside Box2D 2.4.1, its ratio, and what happens when a joint under it goes.
 
+#include <memory>
+#include <random>
+#include <tuple>
+#include <utility>
+
 #include "tests/joints/twins.h"
+#include "tests/world/fixtures.h"
 
 namespace scree::test {
 namespace {
@@ -198,6 +204,101 @@ TEST(GearLifetime, ADisabledCarrierSuspendsTheGear) {
     for (int i = 0; i < 30; ++i) half.world.Step(1.0f / 60.0f, 8, 3);
     EXPECT_EQ(gear->GetReactionTorque(60.0f), 0.0f);
 }
+
+/// Two wheels on a static ground each. Any of them may be the first body of its joint, so that what the gear is told of
+/// first is static.
+struct Wheels {
+    Wheels(bool isFirstA, bool isSecondA, float gearRatio) : ratio(gearRatio) {
+        GearJointDef def;
+        for (int i = 0; i < 2; ++i) {
+            const Vec2 place{4.0f * static_cast<float>(i), 0.0f};
+            ground[i] = AddBody(world, staticBody, place);
+            AddCircle(ground[i], 0.5f)->SetSensor(true);
+            wheel[i] = AddBody(world, dynamicBody, place);
+            AddCircle(wheel[i], 0.5f);
+            RevoluteJointDef pivot;
+            const bool isA = i == 0 ? isFirstA : isSecondA;
+            pivot.Initialize(isA ? wheel[i] : ground[i], isA ? ground[i] : wheel[i], place);
+            (i == 0 ? def.joint1 : def.joint2) = world.CreateJoint(&pivot);
+            def.bodyA = def.bodyB, def.bodyB = wheel[i];
+        }
+        def.ratio = ratio;
+        gear = static_cast<GearJoint*>(world.CreateJoint(&def));
+    }
+    [[nodiscard]] float Error() const {
+        return CoordinateOf(gear->GetJoint1()) + ratio * CoordinateOf(gear->GetJoint2());
+    }
+
+    World world{vec2Zero};
+    Body *ground[2], *wheel[2];
+    float ratio;
+    GearJoint* gear;
+};
+
+class GearOfWheels : public testing::TestWithParam<std::tuple<bool, bool, int>> {};
+
+TEST_P(GearOfWheels, TurnsBothWhicheverIsTheFirstOfItsJoint) {
+    const auto [isFirstA, isSecondA, substeps] = GetParam();
+    std::mt19937 random(std::random_device{}());
+    const float ratio = std::uniform_real_distribution<float>(0.5f, 2.0f)(random);
+    SCOPED_TRACE(ratio);
+    Wheels wheels(isFirstA, isSecondA, ratio);
+    ASSERT_NE(wheels.gear, nullptr);
+    EXPECT_EQ(wheels.gear->GetBodyA(), wheels.wheel[0]);
+    EXPECT_EQ(wheels.gear->GetBodyB(), wheels.wheel[1]);
+    wheels.wheel[0]->SetAngularVelocity(3.0f);
+    for (int i = 0; i < 60; ++i) {
+        StepWith(wheels.world, substeps);
+        ASSERT_NEAR(wheels.Error(), 0.0f, 0.01f) << "step " << i;
+    }
+    EXPECT_GT(Abs(wheels.wheel[1]->GetAngle()), 0.5f);
+    EXPECT_GT(Abs(wheels.wheel[0]->GetAngle()), 0.5f);
+}
+
+TEST_P(GearOfWheels, FallsAsleepAndWakesAsOne) {
+    const auto [isFirstA, isSecondA, substeps] = GetParam();
+    Wheels wheels(isFirstA, isSecondA, 1.0f);
+    for (int i = 0; i < 60; ++i) StepWith(wheels.world, substeps);
+    ASSERT_FALSE(wheels.wheel[0]->IsAwake());
+    ASSERT_FALSE(wheels.wheel[1]->IsAwake());
+    wheels.wheel[1]->SetAngularVelocity(3.0f);
+    StepWith(wheels.world, substeps);
+    EXPECT_TRUE(wheels.wheel[0]->IsAwake());
+    for (int i = 0; i < 60; ++i) StepWith(wheels.world, substeps);
+    EXPECT_NEAR(wheels.Error(), 0.0f, 0.01f);
+    EXPECT_GT(Abs(wheels.wheel[0]->GetAngle()), 0.5f);
+}
+
+TEST_P(GearOfWheels, TurnsWhateverMovesOnceGroundsAndWheelsHaveSwapped) {
+    const auto [isFirstA, isSecondA, substeps] = GetParam();
+    Wheels wheels(isFirstA, isSecondA, 1.0f);
+    const auto swap = [&wheels](int i) {
+        wheels.wheel[i]->SetType(staticBody);
+        wheels.ground[i]->SetType(dynamicBody);
+        std::swap(wheels.wheel[i], wheels.ground[i]);
+    };
+    swap(0);
+    EXPECT_EQ(wheels.gear->GetBodyA(), wheels.wheel[0]);
+    swap(1);
+    EXPECT_EQ(wheels.gear->GetBodyB(), wheels.wheel[1]);
+    for (Body* body : {wheels.wheel[0], wheels.wheel[1], wheels.ground[0], wheels.ground[1]}) {
+        int count = 0;
+        for (Joint* joint = body->GetJointList(); joint != nullptr; joint = joint->GetNext(body)) ++count;
+        EXPECT_EQ(count, body->GetJointCount());
+    }
+    const std::unique_ptr<World> loaded = LoadWorld(SaveWorld(wheels.world));
+    ASSERT_NE(loaded, nullptr);
+    EXPECT_EQ(inspect::GetStateHash(*loaded), inspect::GetStateHash(wheels.world));
+    wheels.wheel[0]->SetAngularVelocity(3.0f);
+    for (int i = 0; i < 60; ++i) StepWith(wheels.world, substeps);
+    EXPECT_NEAR(wheels.Error(), 0.0f, 0.01f);
+    EXPECT_GT(Abs(wheels.wheel[1]->GetAngle()), 0.5f);
+    wheels.world.DestroyJoint(wheels.gear->GetJoint2());  // and the gear with it
+    EXPECT_EQ(wheels.world.GetJointCount(), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GearOfWheels,
+                         testing::Combine(testing::Bool(), testing::Bool(), testing::ValuesIn(solvers)));
 
 }  // namespace
 }  // namespace scree::test

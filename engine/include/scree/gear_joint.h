@@ -17,9 +17,10 @@ struct GearRow;
 struct GearJointDef : JointDef {
     GearJointDef() : JointDef(e_gearJoint) {}
 
-    Joint* joint1 = nullptr;  ///< revolute or prismatic; its body B becomes this joint's body A
-    Joint* joint2 = nullptr;  ///< revolute or prismatic; its body B becomes this joint's body B, another one
-    float ratio = 1.0f;       ///< not 0; in units of coordinate1 / coordinate2
+    /// Revolute or prismatic, with different bodies B. These are the gear's bodies A and B; where one of them is
+    /// static, it is body A of that joint instead, since a gear belongs to what it moves.
+    Joint *joint1 = nullptr, *joint2 = nullptr;
+    float ratio = 1.0f;  ///< not 0; in units of coordinate1 / coordinate2
 };
 
 /// A gear joint. It lives no longer than its two joints: destroying one of them (or a body under it) destroys the gear

@@ -43,6 +43,14 @@ void JointTable::Remove(JointIndex joint) {
     slots.Free(joint);
 }
 
+void JointTable::SetBodies(JointIndex joint, BodyIndex bodyA, BodyIndex bodyB) {
+    UnlinkFromBody(joint, 0);
+    UnlinkFromBody(joint, 1);
+    info[joint].bodyA = bodyA, info[joint].bodyB = bodyB;
+    LinkToBody(joint, 0);
+    LinkToBody(joint, 1);
+}
+
 void JointTable::LinkToBody(JointIndex joint, int side) {
     const BodyIndex body = side == 0 ? info[joint].bodyA : info[joint].bodyB;
     EnsureRow(m_first, body, -1);

@@ -147,6 +147,8 @@ struct JointTable {
         return index;
     }
     void Remove(JointIndex joint);
+    /// Makes others the bodies of a joint, two different ones.
+    void SetBodies(JointIndex joint, BodyIndex bodyA, BodyIndex bodyB);
 
     /// Whether `a` stands before `b` in the list.
     [[nodiscard]] bool IsNewer(JointIndex a, JointIndex b) const { return m_births[a] > m_births[b]; }

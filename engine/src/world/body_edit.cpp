@@ -11,6 +11,7 @@
 #include "scree/body.h"
 #include "scree/chain_shape.h"
 #include "world/guard.h"
+#include "world/joints/joint_definitions.h"
 #include "world/refresh.h"
 
 namespace scree {
@@ -199,6 +200,7 @@ ErrorCode Body::SetType(BodyType type) {
     }
     s.bodies.ClearForce(m_index);
     DestroyContactsOfBody(s, m_index);
+    RehangGears(s);
     // The broad phase sorts its boxes by motion type.
     for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[m_index])) {
         if (!s.fixtures.info[f].inBroadPhase) continue;

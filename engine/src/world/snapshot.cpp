@@ -15,6 +15,7 @@
 
 #include "geometry/collide.h"
 #include "world/guard.h"
+#include "world/joints/joint_definitions.h"
 #include "world/refresh.h"
 #include "world/snapshot_check.h"
 #include "world/state_fields.h"
@@ -106,6 +107,7 @@ bool Read(WorldState& s, ImageReader& in) {
     } else {
         s.broadPhase->FindPairs(s.pairs);  // as after the step before
     }
+    RehangGears(s);  // which hung on static bodies, too, in images of older engines
     return !in.Failed() && in.AtEnd();
 }
 

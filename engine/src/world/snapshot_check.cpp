@@ -153,7 +153,10 @@ bool AreJointsConsistent(const JointTable& t, const BodyTable& bodies) {
             if (part.bodyB != side.body || part.bodyA != side.against) return false;
             ++gears[side.joint];
         }
-        if (gear.side[0].body != info.bodyA || gear.side[1].body != info.bodyB) return false;
+        const auto isOfSide = [&gear](int side, BodyIndex body) {
+            return body == gear.side[side].body || body == gear.side[side].against;
+        };
+        if (!isOfSide(0, info.bodyA) || !isOfSide(1, info.bodyB)) return false;
     }
     for (const JointIndex joint : t.slots.Rows()) {
         if (t.slots.IsAlive(joint) && t.info[joint].gearCount != gears[joint]) return false;

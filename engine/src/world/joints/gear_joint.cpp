@@ -74,11 +74,26 @@ GearRow MakeGearRow(const GearJointDef& def, const WorldState& state) {
     return row;
 }
 
+GearBodies BodiesOfGear(const GearRow& gear, const BodyTable& bodies) {
+    // A side's joint connects its two bodies. So it is enough to hang on the one that moves.
+    const auto moverOf = [&bodies](const GearSide& side) {
+        const bool isAgainst = bodies.type[side.body] == staticBody && bodies.type[side.against] != staticBody;
+        return isAgainst ? side.against : side.body;
+    };
+    const GearBodies movers{moverOf(gear.side[0]), moverOf(gear.side[1])};
+    if (movers.a != movers.b) return movers;
+    // One body moves on both sides: on one of them a static body stands in for it.
+    if (movers.a == gear.side[0].body) return {movers.a, gear.side[1].body};
+    return {gear.side[0].body, movers.b};
+}
+
 Vec2 GearJoint::GetAnchorA() const {
-    return Lives("GearJoint::GetAnchorA") ? GetBodyA()->GetWorldPoint(Row().side[0].localAnchor) : vec2Zero;
+    if (!Lives("GearJoint::GetAnchorA")) return vec2Zero;
+    return m_state->bodies.handles[Row().side[0].body].GetWorldPoint(Row().side[0].localAnchor);
 }
 Vec2 GearJoint::GetAnchorB() const {
-    return Lives("GearJoint::GetAnchorB") ? GetBodyB()->GetWorldPoint(Row().side[1].localAnchor) : vec2Zero;
+    if (!Lives("GearJoint::GetAnchorB")) return vec2Zero;
+    return m_state->bodies.handles[Row().side[1].body].GetWorldPoint(Row().side[1].localAnchor);
 }
 Vec2 GearJoint::GetReactionForce(float inverseDt) const {
     return Lives("GearJoint::GetReactionForce") ? (inverseDt * Row().impulse) * Row().side[0].axis : vec2Zero;

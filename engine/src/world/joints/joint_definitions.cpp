@@ -77,8 +77,9 @@ Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
     const Recording recording = guard.Record(base);
     const GearRow row = MakeGearRow(def, s);
     JointInfo head = HeadOf(def);
-    head.bodyA = row.side[0].body;
-    head.bodyB = row.side[1].body;
+    const GearBodies bodies = BodiesOfGear(row, s.bodies);
+    head.bodyA = bodies.a;
+    head.bodyB = bodies.b;
     const JointIndex index = s.joints.Add(&s, head, row);
     for (const GearSide& side : row.side) ++InfoOf(s, side.joint).gearCount;
     return Insert(s, index);
@@ -106,14 +107,34 @@ Joint* AddJoint(WorldState& s, const JointDef& def) {
 JointIndex FindGearOf(const WorldState& s, JointIndex joint) {
     const JointInfo& info = s.joints.info[joint];
     if (info.gearCount == 0) return JointIndex::none;
-    // A gear hangs on the second body of each of its joints.
-    for (const JointIndex other : s.joints.OfBody(info.bodyB)) {
-        const JointInfo& candidate = s.joints.info[other];
-        if (candidate.type != e_gearJoint) continue;
-        const GearRow& gear = s.joints.Store<GearRow>().rows[candidate.row];
-        if (gear.side[0].joint == joint || gear.side[1].joint == joint) return other;
+    // A gear hangs on a body of each of its joints, mostly the second.
+    for (const BodyIndex body : {info.bodyB, info.bodyA}) {
+        for (const JointIndex other : s.joints.OfBody(body)) {
+            const JointInfo& candidate = s.joints.info[other];
+            if (candidate.type != e_gearJoint) continue;
+            const GearRow& gear = s.joints.Store<GearRow>().rows[candidate.row];
+            if (gear.side[0].joint == joint || gear.side[1].joint == joint) return other;
+        }
     }
     return JointIndex::none;
+}
+
+void RehangGears(WorldState& s) {
+    if (s.joints.Store<GearRow>().slots.Count() == 0) return;
+    for (const JointIndex joint : s.joints.slots.Rows()) {
+        if (!s.joints.slots.IsAlive(joint) || InfoOf(s, joint).type != e_gearJoint) continue;
+        const JointInfo& info = InfoOf(s, joint);
+        const GearBodies now = BodiesOfGear(s.joints.Store<GearRow>().rows[info.row], s.bodies);
+        if (now == GearBodies{info.bodyA, info.bodyB}) continue;
+        const auto count = [&](int change) {
+            for (const BodyIndex body : {info.bodyA, info.bodyB}) s.bodies.info[body].jointCount += change;
+        };
+        count(-1);
+        if (!info.collideConnected) NoteParting(s, info.bodyA, info.bodyB);
+        s.joints.SetBodies(joint, now.a, now.b);
+        count(1);
+        if (!info.collideConnected) RefilterBodies(s, now.a, now.b);
+    }
 }
 
 void RemoveJointWithGears(WorldState& s, JointIndex joint) {

@@ -38,6 +38,15 @@ GearRow MakeGearRow(const GearJointDef& def, const WorldState& state);
 
 /// Checks the definition and makes the joint; null and an error for a bad one.
 Joint* AddJoint(WorldState& state, const JointDef& def);
+/// The bodies of a gear, which are in an island with all that it moves.
+struct GearBodies {
+    BodyIndex a, b;
+    bool operator==(const GearBodies&) const = default;
+};
+GearBodies BodiesOfGear(const GearRow& gear, const BodyTable& bodies);
+/// After types of bodies have changed, or were read: gears get the bodies that they are to have.
+void RehangGears(WorldState& state);
+
 /// A gear that uses this joint, −1 if none does. Gears go before their joints.
 JointIndex FindGearOf(const WorldState& state, JointIndex joint);
 /// Takes a joint out of the world, after the gears that use it.
