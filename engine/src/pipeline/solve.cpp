@@ -103,7 +103,6 @@ const IslandTable& SolvedOf(const SolverSettings& settings, SolveLists lists) {
 SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, SolveLists lists,
                   const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
     SolveReport report{.substeps = settings.substeps};
-    tables.contacts.addsFresh = false;
     if (settings.substeps > 0) {
         scratch.anglesHaveRests = true;
         scratch.startVelocities.Forget();

@@ -33,6 +33,7 @@ MovedLists MovedBy(const WorldState& s, bool goesOn) {
 void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents& events, Stopwatch& watch,
              StepResults& r) {
     s.log.NoteAwake(s.bodies);
+    s.contacts.addsFresh = false;
     const bool goesOn = s.continuousScratch.resuming;
     if (goesOn) {
         ListActive(s.bodies, s.continuousScratch.goingOn);
