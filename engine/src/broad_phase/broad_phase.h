@@ -89,6 +89,9 @@ public:
     virtual void UpdateMany(std::span<const BoxUpdate> updates) {
         for (const BoxUpdate& update : updates) Update(update.fixture, update.box, update.displacement);
     }
+    /// Gives fixtures boxes that cover their ways, for queries up to the next update. That update leaves what it would
+    /// have left without.
+    virtual void CoverWays(std::span<const BoxUpdate> ways) { UpdateMany(ways); }
     /// Whether UpdateMoving is there for what moves.
     [[nodiscard]] virtual bool SharesUpdates() const { return false; }
     /// Update for fixtures that move and do not rest; several threads may call it at once for different fixtures.

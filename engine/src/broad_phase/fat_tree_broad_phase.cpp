@@ -35,7 +35,18 @@ public:
         ++m_count;
     }
 
+    void CoverWays(std::span<const BoxUpdate> ways) override {
+        for (const BoxUpdate& way : ways) {
+            const uint32_t leaf = m_leaves.Find(way.fixture);
+            const Bounds kept = m_tree.Node(leaf).box;
+            if (ToAabb(kept).Contains(way.box)) continue;
+            m_covered.push_back({leaf, kept});
+            m_tree.Reinsert(leaf, ToBounds(way.box));
+        }
+    }
+
     void Update(uint32_t fixture, const AABB& box, Vec2 displacement) override {
+        EndCover();
         const uint32_t leaf = m_leaves.Find(fixture);
         const AABB fat = m_margin.Fatten(box, displacement);
         if (m_margin.Keeps(ToAabb(m_tree.Node(leaf).box), box, fat)) return;
@@ -46,6 +57,7 @@ public:
     [[nodiscard]] bool UsesDisplacement() const override { return true; }
 
     void Remove(uint32_t fixture) override {
+        EndCover();
         const uint32_t leaf = m_leaves.Find(fixture);
         // The mark outlives the node, so its pairs are dropped even if the node is used again before FindPairs.
         Buffer(leaf);
@@ -55,6 +67,7 @@ public:
     }
 
     void FindPairs(std::vector<Pair>& pairs) override {
+        EndCover();
         m_stats = {};
         if (m_buffered.size() < m_tree.NodeLimit()) m_buffered.resize(m_tree.NodeLimit(), 0);
         std::erase_if(m_pairs, [this](Pair pair) { return m_buffered[pair.a] != 0 || m_buffered[pair.b] != 0; });
@@ -91,7 +104,8 @@ public:
     [[nodiscard]] BroadPhaseStats GetStats() const override { return m_stats; }
     [[nodiscard]] size_t GetMemoryBytes() const override {
         return m_tree.GetMemoryBytes() + m_leaves.GetMemoryBytes() + m_buffered.capacity() +
-               m_buffer.capacity() * sizeof(uint32_t) + m_pairs.capacity() * sizeof(Pair);
+               m_buffer.capacity() * sizeof(uint32_t) + m_pairs.capacity() * sizeof(Pair) +
+               m_covered.capacity() * sizeof(CoveredLeaf);
     }
 
     void GetNodes(std::vector<BvhNode>& nodes) override {
@@ -126,6 +140,15 @@ public:
     }
 
 private:
+    /// What a leaf had before it covered a way.
+    struct CoveredLeaf {
+        uint32_t leaf;
+        Bounds kept;
+    };
+    void EndCover() {
+        for (; !m_covered.empty(); m_covered.pop_back()) m_tree.Reinsert(m_covered.back().leaf, m_covered.back().kept);
+    }
+
     void Buffer(uint32_t leaf) {
         if (leaf >= m_buffered.size()) m_buffered.resize(std::max<size_t>(leaf + 1, 2 * m_buffered.size()), 0);
         if (m_buffered[leaf] != 0) return;
@@ -147,9 +170,10 @@ private:
     FatMargin m_margin;
     FatTree m_tree;
     FixtureTable m_leaves;
-    std::vector<uint8_t> m_buffered;  ///< per node: in m_buffer
-    std::vector<uint32_t> m_buffer;   ///< nodes whose leaf was inserted, moved or removed since the last FindPairs
-    std::vector<Pair> m_pairs;        ///< current pairs, by node
+    std::vector<uint8_t> m_buffered;     ///< per node: in m_buffer
+    std::vector<uint32_t> m_buffer;      ///< nodes whose leaf was inserted, moved or removed since the last FindPairs
+    std::vector<Pair> m_pairs;           ///< current pairs, by node
+    std::vector<CoveredLeaf> m_covered;  ///< since the last update, some of them twice
     BroadPhaseStats m_stats;
     int m_count = 0;
 };

@@ -259,7 +259,7 @@ void ToiPairs::SweepBoxes() {
             m_s.sweptBoxes.push_back({box, vec2Zero, ProxyOf(f)});
         }
     }
-    m_t.broadPhase.UpdateMany(m_s.sweptBoxes);
+    m_t.broadPhase.CoverWays(m_s.sweptBoxes);
 }
 
 /// No bullets that move, few fixtures of hitters for what is dynamic and moves, and boxes in the broad phase that are
@@ -314,12 +314,17 @@ QuickSweep ToiPairs::QuickSweepOf(BodyIndex body) const {
     return {from.c, to.c, to.a - from.a, margin};
 }
 
+void ToiPairs::CoverWay(FixtureIndex fixture, const AABB& way) {
+    const BoxUpdate one{way, vec2Zero, ProxyOf(fixture)};
+    m_t.broadPhase.CoverWays({&one, 1});
+}
+
 /// Gives the broad phase the boxes of the hitters: from the first event on dynamic bodies ask for them.
 void ToiPairs::SweepHitters() {
     if (m_hittersAreSwept) return;
     m_hittersAreSwept = true;
     for (const ToiHitter& hitter : m_s.hitters) {
-        if (hitter.moves) m_t.broadPhase.Update(ProxyOf(hitter.fixture), hitter.box, vec2Zero);
+        if (hitter.moves) CoverWay(hitter.fixture, hitter.box);
     }
 }
 
@@ -353,7 +358,7 @@ void ToiPairs::FindTargets(const ToiHitter& hitter) {
 
 void ToiPairs::SweepBoxesOf(BodyIndex body) {
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
-        m_t.broadPhase.Update(ProxyOf(f), SweptBox(body, f), vec2Zero);
+        CoverWay(f, SweptBox(body, f));
     }
 }
 
@@ -364,10 +369,12 @@ ToiPairs::PassedBox ToiPairs::PassedBoxOf(BodyIndex body, FixtureIndex fixture) 
     PassedBox passed;
     shape.ComputeAABB(&passed.atEnd, m_bodies.transform[body]);
     passed.reach = ReachOf(body, fixture);
+    const Vec2 from = m_bodies.startPosition[body].c, to = m_bodies.position[body].c, way = to - from;
+    constexpr float perSize = 5e-7f;  // eight roundings
+    const float rounding = perSize * (Abs(from.x) + Abs(from.y) + Abs(to.x) + Abs(to.y) + passed.reach);
     // What is nearer than the slop counts as met even without a skin.
-    passed.skin = 2.0f * linearSlop * m_lengthScale;
-    const Vec2 way = m_bodies.position[body].c - m_bodies.startPosition[body].c;
-    const float turned = Abs(m_bodies.position[body].a - m_bodies.startPosition[body].a) * passed.reach;
+    passed.skin = 2.0f * linearSlop * m_lengthScale + rounding;
+    const float turned = Abs(m_bodies.position[body].a - m_bodies.startPosition[body].a) * passed.reach + rounding;
     const Vec2 wider{turned, turned};
     passed.onWay = {passed.atEnd.lowerBound - wider - Max(way, vec2Zero),
                     passed.atEnd.upperBound + wider - Min(way, vec2Zero)};
