@@ -87,8 +87,17 @@ SCREE_KERNEL void SinCosOfRemainder(D4 angle, D4& sine, D4& cosine, D4& quadrant
     quadrant = quadrants - SplatD4(4.0) * ((quadrants * SplatD4(0.25) + shift) - shift);
 }
 
-/// The rotations by angles below sin_cos::largestDirect: the bits of SinCos.
+[[maybe_unused]] SCREE_NOINLINE static Rotation8 SinCosOneByOne8(F8 angle) {
+    constexpr int lanes = 8;
+    alignas(32) float angles[lanes], sines[lanes], cosines[lanes];
+    Store8(angles, angle);
+    sin_cos::SinCosOneByOne(angles, lanes, sines, cosines);
+    return {Load8(sines), Load8(cosines)};
+}
+
+/// The rotations by angles: the bits of SinCos.
 SCREE_KERNEL Rotation8 SinCos8(F8 angle) {
+    if (!AllSet8(Greater8(Splat8(sin_cos::largestDirect), Abs8(angle)))) return SinCosOneByOne8(angle);
     D4 lower, upper, sineLower, sineUpper, cosineLower, cosineUpper, quadrantLower, quadrantUpper;
     SplitF8(angle, lower, upper);
     SinCosOfRemainder(lower, sineLower, cosineLower, quadrantLower);

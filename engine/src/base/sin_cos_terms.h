@@ -18,6 +18,8 @@ inline constexpr double halfPiLow = 0x1.8469898cc517p-48;
 inline constexpr double roundingShift = 0x1.8p+52;
 /// Smaller angles are reduced by these parts, rad.
 inline constexpr float largestDirect = 1.0e9f;
+/// Sines and cosines of any angles, one by one.
+void SinCosOneByOne(const float* angles, int count, float* sines, float* cosines);
 /// A rotation may be turned on by less than that by adding what is at right angles to it: it grows by an ulp at most.
 inline constexpr float largestTurn = 0x1p-12f;
 // Near-minimax polynomials on |r| <= π/4 in r²: sin r = r + r³·S(r²), relative error 2e-11; cos r = 1 − r²/2 +

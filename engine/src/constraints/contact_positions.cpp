@@ -67,7 +67,7 @@ float SolveContactPositions(const ContactRows& rows, BodyTable& bodies, const Pu
             const Transform xfA = PlaceBody(a, row.massA.localCenter);
             const Transform xfB = PlaceBody(b, row.massB.localCenter);
             const ContactSample s = Evaluate(row, xfA, xfB, i);
-            smallest = Min(smallest, s.separation);
+            smallest = Min(s.separation, smallest);  // which leaves out what is not a number
 
             // Leaves a slop of overlap, so that contacts persist.
             const float correction = Clamp(how.share * (s.separation + slop), -largest, 0.0f);

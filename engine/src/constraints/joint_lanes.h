@@ -140,7 +140,7 @@ private:
             stays = stays && batch.bodyA[lane] == ToInt(info.bodyA) && batch.bodyB[lane] == ToInt(info.bodyB) &&
                     (batch.invMassA[lane] > 0.0f) == JointLevels::IsPushed(info.bodyA, bodies) &&
                     (batch.invMassB[lane] > 0.0f) == JointLevels::IsPushed(info.bodyB, bodies) &&
-                    JointLevels::CanTurn(info, bodies);
+                    JointLevels::PaysToTurn(info, bodies);
             PutBodies({info, massA, massB, isSpare}, lane, batch);
             Traits::Fill(table.Store<Row>().rows[info.row], massA, massB, lane, batch);
         }

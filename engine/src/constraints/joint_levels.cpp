@@ -24,7 +24,7 @@ constexpr int groupOfLarge = 0, groupOfFixed = 1, firstOwnGroup = 2;
 
 }  // namespace
 
-bool JointLevels::CanTurn(const JointInfo& joint, const BodyTable& bodies) {
+bool JointLevels::PaysToTurn(const JointInfo& joint, const BodyTable& bodies) {
     constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
     return !(Abs(bodies.position[joint.bodyA].a) > mostAngle || Abs(bodies.position[joint.bodyB].a) > mostAngle);
 }
@@ -36,7 +36,7 @@ void JointLevels::Take(JointType type, std::span<const JointIndex> joints, const
     for (const JointIndex joint : joints) {
         const JointInfo& info = table.info[joint];
         if (info.type != type) continue;
-        if (!CanTurn(info, bodies)) return m_taken.clear();
+        if (!PaysToTurn(info, bodies)) return m_taken.clear();
         m_taken.push_back(joint);
     }
 }

@@ -35,7 +35,7 @@ struct JointSection {
 class JointLevels {
 public:
     /// The joints of a type in this list, by batch and place in it; none: to spare, behind the others of the batch. No
-    /// joints where that does not pay, or where the kernels cannot turn the bodies. Valid until the next call.
+    /// joints where that does not pay, or far from the origin. Valid until the next call.
     std::span<const JointIndex> Sort(JointType type, std::span<const JointIndex> joints, const BodyTable& bodies,
                                      const JointTable& table);
     /// The same in groups, where they are many.
@@ -44,8 +44,8 @@ public:
     /// What the last call returned, if it returned joints, and how many of the list are of the type.
     [[nodiscard]] std::span<const JointIndex> GetOrder() const { return m_order; }
     [[nodiscard]] size_t CountTaken() const { return m_taken.size(); }
-    /// The kernels can turn the bodies of the joint.
-    [[nodiscard]] static bool CanTurn(const JointInfo& joint, const BodyTable& bodies);
+    /// False if a body of the joint has turned so far that the kernels find its sine and cosine one by one.
+    [[nodiscard]] static bool PaysToTurn(const JointInfo& joint, const BodyTable& bodies);
     [[nodiscard]] static bool IsPushed(BodyIndex body, const BodyTable& bodies) {
         return bodies.mass[body].invMass > 0.0f;
     }

@@ -79,6 +79,13 @@ SinCosResult SinCos(float angle) {
     return {FlipSign(swap ? cosine : sine, (q & 2u) << 30), FlipSign(swap ? sine : cosine, ((q + 1u) & 2u) << 30)};
 }
 
+void sin_cos::SinCosOneByOne(const float* angles, int count, float* sines, float* cosines) {
+    for (int i = 0; i < count; ++i) {
+        const SinCosResult result = SinCos(angles[i]);
+        sines[i] = result.sin, cosines[i] = result.cos;
+    }
+}
+
 float Atan2(float y, float x) {
     if (std::isnan(x) || std::isnan(y)) return x + y;
     double across = std::abs(static_cast<double>(y)), along = std::abs(static_cast<double>(x));

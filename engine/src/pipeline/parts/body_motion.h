@@ -5,7 +5,6 @@
 
 #pragma once
 
-#include "base/sin_cos_terms.h"
 #include "pipeline/parts/solver.h"
 #include "state/limits.h"
 
@@ -50,13 +49,10 @@ inline bool FinishPose(BodyTable& bodies, BodyIndex body) {
     HasTurned(bodies, body) ? bodies.UpdateTransform(body) : bodies.UpdateOrigin(body);
     return isLost;
 }
-/// The same where SinCos8 has turned the body. Large angles are beyond it.
+/// The same where the body's rotation is known.
 inline bool FinishPose(BodyTable& bodies, BodyIndex body, Rot rotation) {
     const bool isLost = ReturnIfLost(bodies, body);
-    const float angle = bodies.position[body].a;
-    if (HasTurned(bodies, body)) {
-        bodies.transform[body].q = Abs(angle) < sin_cos::largestDirect ? rotation : Rot(angle);
-    }
+    if (HasTurned(bodies, body)) bodies.transform[body].q = rotation;
     bodies.UpdateOrigin(body);
     return isLost;
 }

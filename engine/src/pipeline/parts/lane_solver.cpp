@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "base/compiler.h"
-#include "base/sin_cos_terms.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/integrate.h"
 
@@ -70,18 +69,11 @@ LaneSolver::LaneSolver(const SolverSettings& settings, const IslandTable& island
     if (CountGroups() > 0) m_s.lanes.slotOf.resize(ToSize(tables.bodies.slots.Size()));
 }
 
-/// Joints, and angles that the kernels cannot turn, are left out.
-bool LaneSolver::Fits(const Island& island) const {
-    constexpr float mostAngle = 0.1f * sin_cos::largestDirect;
+/// Islands with joints are left out.
+bool LaneSolver::Fits(const Island& island) {
     const int contacts = CountContacts(island);
     if (contacts == 0 || contacts >= mostLaneContacts || IsWide(island)) return false;
-    if (island.jointBegin != island.jointEnd) return false;
-    const auto turnsLittle = [this](BodyIndex body) { return Abs(m_tables.bodies.position[body].a) < mostAngle; };
-    for (const ContactIndex contact : Contacts(m_islands, island)) {
-        const ContactPair& pair = m_tables.contacts.pair[contact];
-        if (!turnsLittle(pair.bodyA) || !turnsLittle(pair.bodyB)) return false;
-    }
-    return true;
+    return island.jointBegin == island.jointEnd;
 }
 
 void LaneSolver::Choose() {

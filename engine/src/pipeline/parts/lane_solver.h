@@ -55,7 +55,7 @@ private:
     using Places = std::span<const LaneScratch::Place>;
 
     void Choose();
-    [[nodiscard]] bool Fits(const Island& island) const;
+    [[nodiscard]] static bool Fits(const Island& island);
     /// The islands of a group; none behind the last.
     [[nodiscard]] Places GroupOf(size_t number) const;
     void FetchAhead(const FixtureTable& fixtures, Places next, Places later) const;
