@@ -292,7 +292,7 @@ TEST(Simd, FloatsBecomeDoublesAndBackRounded) {
 
 TEST(Simd, SinesAndCosinesAreThoseOfTheScalarHeader) {
     std::mt19937 random(8);
-    std::uniform_real_distribution<float> exponent(-40.0f, 29.8f), mantissa(1.0f, 2.0f);
+    std::uniform_real_distribution<float> exponent(-40.0f, 29.8f), mantissa(1.0f, 2.0f), anyExponent(-40.0f, 127.9f);
     const auto compare = [](const Eight& angles) {
         const Rotation8 q = SinCos8(angles.Wide());
         Expect8(
@@ -300,14 +300,18 @@ TEST(Simd, SinesAndCosinesAreThoseOfTheScalarHeader) {
         Expect8(
             q.c, [&](int i) { return SinCos(angles.v[i]).cos; }, "cosine");
     };
+    constexpr float infinity = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
     compare({{0.0f, -0.0f, 1e-42f, -1e-42f, 9.9e8f, -9.9e8f, pi, -pi}});
+    compare({{0.0f, infinity, 1.0f, -infinity, nan, 1e30f, pi, -pi}});
     for (int n = 0; n < 200000 && !testing::Test::HasFailure(); ++n) {
         Eight angles;
+        const bool areAny = random() % 4 == 0;
         for (float& a : angles.v) {
-            const float size = std::ldexp(mantissa(random), static_cast<int>(exponent(random)));
+            const float size =
+                std::ldexp(mantissa(random), static_cast<int>(areAny ? anyExponent(random) : exponent(random)));
             a = random() % 2 == 0 ? size : -size;
             if (random() % 4 == 0) a = 0.5f * pi * static_cast<float>(static_cast<int>(random() % 64) - 32);
-            if (std::fabs(a) >= sin_cos::largestDirect) a = 1.0f;
+            if (!areAny && std::fabs(a) >= sin_cos::largestDirect) a = 1.0f;
         }
         compare(angles);
     }

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Any sequence of calls with any numbers, on living and dead objects. Laws: nothing crashes; the world saved at the end
-// can be loaded and goes on to the same state; the recording of all calls replays to the same hashes.
+// Any sequence of calls with any numbers, on living and dead objects, with any number of workers. Laws: nothing
+// crashes; the world saved at the end can be loaded and goes on to the same state; the recording of all calls replays
+// to the same hashes. What is loaded or replayed has another number of workers.
 
 #include <memory>
 #include <vector>
@@ -10,16 +11,24 @@
 #include "scree/inspect.h"
 #include "scree/scree.h"
 #include "tests/fuzz/input.h"
+#include "world/world_state.h"
 
 namespace fuzz {
 namespace {
 
 using namespace scree;
 
+/// They share all that can be shared, whether it pays or not.
+void SetWorkers(World& world, int count) {
+    world.SetWorkers(count);
+    world.GetState().pool->ShareAlways();
+}
+
 class Calls {
 public:
     explicit Calls(Input& input) : m_input(input), m_world(MakeDef(input)) {
         m_world.SetErrorHandler([](const Error&, void*) {}, nullptr);
+        SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
         StartRecording(m_world, m_recorder);
         MakeBody();
     }
@@ -28,8 +37,10 @@ public:
         constexpr int mostCalls = 120, mostSteps = 12;
         int steps = 0;
         for (int call = 0; call < mostCalls && !m_input.IsEmpty(); ++call) {
-            const int kind = m_input.Choose(16);
-            if (kind < 3) {
+            const int kind = m_input.Choose(18);
+            if (kind >= 16) {
+                MakeCrowd();
+            } else if (kind < 3) {
                 MakeBody();
             } else if (kind < 6) {
                 MakeFixture();
@@ -50,6 +61,8 @@ public:
     }
 
 private:
+    static constexpr int mostWorkers = 4;
+
     static WorldDef MakeDef(Input& input) {
         WorldDef def;
         def.gravity = {static_cast<float>(input.Choose(21)) - 10.0f, static_cast<float>(input.Choose(21)) - 10.0f};
@@ -130,6 +143,38 @@ private:
                 return add(MakeCircleSector(m_input.Amount(), m_input.Amount(), points[0], m_input.Number()));
             default:
                 return add(MakePolygon(points, count));
+        }
+    }
+
+    /// A row of equal bodies that touch, overlap or hang on each other: what workers solve in lanes.
+    void MakeCrowd() {
+        BodyDef def;
+        def.type = dynamicBody;
+        def.position = m_input.Point();
+        def.linearVelocity = m_input.Point();
+        const int count = 1 + m_input.Choose(40), flags = m_input.Choose(8);
+        const float width = 0.5f + 0.125f * static_cast<float>(m_input.Choose(8)), apart = m_input.Amount();
+        CircleShape circle;
+        circle.m_radius = 0.5f * width;
+        PolygonShape box;
+        box.SetAsBox(0.5f * width, 0.5f);
+        FixtureDef fixture;
+        fixture.shape = (flags & 1) != 0 ? static_cast<const Shape*>(&circle) : &box;
+        fixture.density = 1.0f;
+        fixture.filter.groupIndex = (flags & 2) != 0 ? -1 : 0;
+        const bool hangs = (flags & 4) != 0, isChain = hangs && m_input.Flip();
+        Body* last = nullptr;
+        for (int i = 0; i < count; ++i, def.position.x += apart) {
+            Body* body = m_world.CreateBody(&def);
+            if (body == nullptr) return;
+            body->CreateFixture(&fixture);
+            m_bodies.push_back(body);
+            if (hangs && last != nullptr) {
+                RevoluteJointDef hinge;
+                hinge.Initialize(last, body, def.position);
+                if (Joint* joint = m_world.CreateJoint(&hinge)) m_joints.push_back(joint);
+            }
+            last = isChain || i % 2 == 0 ? body : nullptr;
         }
     }
 
@@ -223,7 +268,7 @@ private:
     void Change() {
         if (m_bodies.empty()) return;
         Body* body = AnyBody();
-        switch (m_input.Choose(22)) {
+        switch (m_input.Choose(23)) {
             case 0:
                 return static_cast<void>(body->SetTransform(m_input.Point(), m_input.Number()));
             case 1:
@@ -263,6 +308,8 @@ private:
                 return static_cast<void>(m_world.SetAllowSleeping(m_input.Flip()));
             case 17:
                 return static_cast<void>(m_world.SetContinuousPhysics(m_input.Flip()));
+            case 18:
+                return SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
             default:
                 return ChangeFixture();
         }
@@ -322,7 +369,9 @@ private:
 
     void Check() {
         const uint64_t hash = inspect::GetStateHash(m_world);
-        const ReplayReport replay = Replay(m_recorder.GetBytes());
+        const int others = m_world.GetWorkerCount() == 1 ? mostWorkers : 1;
+        const ReplayReport replay =
+            Replay(m_recorder.GetBytes(), [others](World& world) { SetWorkers(world, others); });
         Demand(replay.valid, "a recording can be replayed");
         Demand(replay.firstDifference == 0, "a replay leads to the same hashes");
         Demand(inspect::GetStateHash(*replay.world) == hash, "a replay ends in the same state");
@@ -331,6 +380,7 @@ private:
         if (loaded == nullptr) std::fprintf(stderr, "%s\n", GetName(error));
         Demand(loaded != nullptr, "what was saved can be loaded");
         Demand(inspect::GetStateHash(*loaded) == hash, "what was loaded has the state that was saved");
+        SetWorkers(*loaded, others);
         for (int i = 0; i < 2; ++i) m_world.Step(1.0f / 60.0f, 4), loaded->Step(1.0f / 60.0f, 4);
         Demand(inspect::GetStateHash(*loaded) == inspect::GetStateHash(m_world), "a loaded world goes on alike");
     }

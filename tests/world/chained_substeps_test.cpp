@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <random>
 #include <string>
@@ -104,6 +105,40 @@ INSTANTIATE_TEST_SUITE_P(Guests, ChainedSubsteps,
                          testing::Values(Guest::none, Guest::kinematic, Guest::locked, Guest::bouncing, Guest::rolling,
                                          Guest::hinged),
                          NameOfGuest);
+
+/// Bodies of any size and mass made in each other. Which of them stand beside others in a block differs.
+TEST(SharedSteps, PartInitialOverlapToTheSameBits) {
+    std::mt19937 random(77);
+    const auto draw = [&random](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    int parting = 0;
+    for (int i = 0; i < 60 && !testing::Test::HasFailure(); ++i) {
+        WorldDef def;
+        World one(def);
+        def.workerCount = 2 + i % 3;
+        World several(def);
+        several.GetState().pool->ShareAlways();
+        const float room = draw(2.0f, 60.0f);
+        for (int k = 0; k < 40; ++k) {
+            const Vec2 at{draw(-room, room), draw(-room, room)};
+            const Vec2 velocity{draw(-10.0f, 10.0f), draw(-10.0f, 10.0f)};
+            const float size = std::exp(draw(-1.0f, 3.5f)), density = std::exp(draw(-3.0f, 5.0f));
+            const bool isBox = k % 3 == 0, isFixed = k % 10 == 0, isFar = i % 10 == 9 && k % 7 == 0;
+            for (World* world : {&one, &several}) {
+                Body* body = AddBody(*world, isFixed ? staticBody : dynamicBody, isFar ? 1e15f * at : at);
+                isBox ? AddBox(body, size, 0.5f, density) : AddCircle(body, 0.5f * size, density);
+                if (!isFixed) body->SetLinearVelocity(isFar ? 1e13f * velocity : velocity);
+            }
+        }
+        for (int step = 0; step < 4; ++step) {
+            StepWith(one, 4), StepWith(several, 4);
+            ASSERT_EQ(inspect::GetStateHash(several), inspect::GetStateHash(one)) << "world " << i << ", step " << step;
+            parting += several.GetState().solverScratch.constraints.blocks.GetInitialOverlapCount() > 0 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(parting, 100);
+}
 
 /// A wall that flies: its contacts stay the same, and its bodies come from one side of a cut to the other.
 TEST(SlicesOfSubsteps, BodiesMayLeaveTheirSlices) {
