@@ -527,6 +527,72 @@ TEST(ContactKernels, BothPointsOfAContactAreSolvedAtOnce) {
     for (const int count : pushing) EXPECT_GT(count, 20);
 }
 
+/// What a pass returns is sought over the contacts alone, whichever stand beside: not over lanes to spare, and what is
+/// not a number hides nothing.
+TEST(ContactKernels, FindTheWorstOfTheContacts) {
+    std::mt19937 random(12);
+    const auto draw = [&random](float low, float high) {
+        return std::uniform_real_distribution<float>(low, high)(random);
+    };
+    World world({0.0f, -10.0f});
+    MakeHeap(world, 60, 2.0f);
+    const WorldState& s = world.GetState();
+    std::vector<ContactIndex> all = TouchingContacts(s);
+    for (int round = 0; round < 200; ++round) {
+        std::shuffle(all.begin(), all.end(), random);
+        // A body that is no number makes others so: here each has one contact.
+        const bool hasNan = round % 2 == 0;
+        std::vector<ContactIndex> list;
+        std::set<BodyIndex> used;
+        for (const ContactIndex contact : std::span(all).first(1 + random() % 40)) {
+            const ContactPair& pair = s.contacts.pair[contact];
+            const bool isFree = !used.contains(pair.bodyA) && !used.contains(pair.bodyB);
+            if (!hasNan || isFree) list.push_back(contact);
+            used.insert({pair.bodyA, pair.bodyB});
+        }
+        for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
+            ContactBlocks blocks;
+            BodyMarks marks;
+            blocks.Build({.pool = *s.pool,
+                          .bodies = s.bodies,
+                          .fixtures = s.fixtures,
+                          .contacts = s.contacts,
+                          .list = list,
+                          .impulseScale = 1.0f,
+                          .kernels = *kernels},
+                         marks);
+            Column<BodyIndex, Velocity> velocity = s.bodies.velocity, delta(velocity.size());
+            for (Velocity& motion : delta) {
+                motion.v = {draw(-5.0f, 5.0f), draw(-5.0f, 5.0f)}, motion.w = draw(-1.0f, 1.0f);
+                if (hasNan && random() % 10 == 0) motion.v.x = nan;
+            }
+            const KernelTask task = blocks.Task(velocity, delta);
+            float smallest = 1.0f, largest = 0.0f;
+            for (int r = 0; r < task.rangeCount; ++r) {
+                for (int k = task.ranges[r].begin; k < task.ranges[r].end; ++k) {
+                    ContactBlock& block = task.blocks[k];
+                    for (int lane = 0; lane < blockLanes; ++lane) {
+                        block.normalMass[0][lane] = block.normalMass[1][lane] = 0.0f;  // nothing is to move
+                        if (block.slot[lane] < 0) continue;
+                        const Velocity &a = delta[BodyIndex{block.bodyA[lane]}],
+                                       &b = delta[BodyIndex{block.bodyB[lane]}];
+                        for (int p = 0; p < (task.ranges[r].kind.twoPoints ? 2 : 1); ++p) {
+                            const Vec2 way = b.v - a.v;
+                            const float turn = block.armB[p][lane] * b.w - block.armA[p][lane] * a.w;
+                            const float apart = block.normalX[lane] * way.x + block.normalY[lane] * way.y + turn;
+                            const float separation = block.separation[p][lane];
+                            if (separation + apart < smallest) smallest = separation + apart;
+                            if (-Max(separation, 0.0f) - apart > largest) largest = -Max(separation, 0.0f) - apart;
+                        }
+                    }
+                }
+            }
+            EXPECT_NEAR(kernels->pushApart(task, 0.0f), smallest, 1e-5f) << round;
+            EXPECT_NEAR(kernels->part(task, Parting{}), largest, 1e-5f) << round;
+        }
+    }
+}
+
 /// The scalar rows, which are compared with Box2D elsewhere, are the oracle of the wide ones: one contact has no order.
 TEST(ContactKernels, OneContactEqualsTheScalarRows) {
     for (const bool circle : {true, false}) {

@@ -219,7 +219,8 @@ TEST(Snapshot, ACrowdInASubSteppedStepGoesOnWhereItStopped) {
     EXPECT_GT(unfinished, 50);
 }
 
-/// Boxes of the fat tree depend on those of the step before. What rests beside, and nobody can hit, changes none.
+/// Boxes of the fat tree depend on those of the step before. Far from the origin what rests and cannot be hit makes
+/// boxes cover the ways of others, if it is known to rest. That is to change none.
 TEST(Snapshot, OfAFatTreeWithDisabledTargetsGoesOnBitForBit) {
     WorldDef def;
     def.broadPhase = BroadPhaseKind::fatTree;
@@ -230,11 +231,10 @@ TEST(Snapshot, OfAFatTreeWithDisabledTargetsGoesOnBitForBit) {
         target->SetEnabled(false);
         target->SetAwake(false);
     }
-    Body* body = AddBody(world, dynamicBody, {50.0f, 0.0f});
+    Body* body = AddBody(world, dynamicBody, {1e6f, 0.0f});
     AddBox(body, 0.5f, 0.5f);
-    StepWith(world, 4, 5);
     for (int step = 0; step < 10; ++step) {
-        body->SetLinearVelocity({step % 2 == 0 ? 20.0f : -20.0f, 0.0f});
+        body->SetLinearVelocity({0.0f, step % 2 == 0 ? 20.0f : -20.0f});
         const std::unique_ptr<World> loaded = LoadWorld(SaveWorld(world));
         ASSERT_NE(loaded, nullptr);
         StepWith(world, 4), StepWith(*loaded, 4);
