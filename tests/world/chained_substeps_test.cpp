@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/world/fixtures.h"
+#include "world/step.h"
 #include "world/world_state.h"
 
 namespace scree {
@@ -168,6 +169,24 @@ TEST(SlicesOfSubsteps, BodiesMayLeaveTheirSlices) {
         apart += HasChains(several) && !several.GetState().solverScratch.constraints.blocks.FollowSlices() ? 1 : 0;
     }
     EXPECT_GT(apart, 20);
+}
+
+/// Without a contact, too, if there are joints to solve. Of fewer bodies than are worth a loop there are none.
+TEST(SharedSteps, AreThoseOfJointedBodies) {
+    for (const int links : {50, 300, 1000}) {
+        World world({0.0f, -10.0f});
+        Body* last = AddBody(world, staticBody, {0.0f, 0.0f});
+        for (int link = 0; link < links; ++link) {
+            Body* const body = AddBody(world, dynamicBody, {static_cast<float>(link) + 0.5f, 0.0f});
+            AddBox(body, 0.3f, 0.1f);
+            RevoluteJointDef joint;
+            joint.Initialize(last, body, {static_cast<float>(link), 0.0f});
+            if (link % 10 != 0) world.CreateJoint(&joint);
+            last = body;
+        }
+        StepWith(world, 4);
+        EXPECT_EQ(CountWorkToShare(world.GetState()) > 0, links > 256) << links;
+    }
 }
 
 /// Chains that swing, and two boxes one of which goes away. As many bodies as a world of its own accord shares.

@@ -57,12 +57,14 @@ StepReport Run(World& world, const StepRequest& asked, const Recording& recordin
 }  // namespace
 
 int CountWorkToShare(const WorldState& s) {
-    constexpr int leastContacts = 128;
+    constexpr int leastConstraints = 128;
     const size_t movers = s.bodies.Listed().size();
-    const int contacts = s.contacts.active.Count();
-    const bool isEnough =
-        s.pool->SharesAlways() || movers >= leastBoxesToShare || (movers >= leastBodies && contacts >= leastContacts);
-    return isEnough ? static_cast<int>(movers) + contacts : 0;
+    // Of joints nobody counts those that act. They are seldom more than the bodies that move.
+    const int joints = std::min(s.joints.slots.Count(), static_cast<int>(movers));
+    const int constraints = s.contacts.active.Count() + joints;
+    const bool isEnough = s.pool->SharesAlways() || movers >= leastBoxesToShare ||
+                          (movers >= leastBodies && constraints >= leastConstraints);
+    return isEnough ? static_cast<int>(movers) + constraints : 0;
 }
 
 SolveReport RunSolver(WorldState& s, const SolverSettings& settings, const ContactEvents& events) {
