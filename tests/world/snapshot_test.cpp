@@ -198,6 +198,8 @@ TEST(Snapshot, ACrowdInASubSteppedStepGoesOnWhereItStopped) {
     for (int i = 0; i < 300 && !HasFailure(); ++i) {
         WorldDef def;
         def.subStepping = true;
+        def.gravity = {0.0f, -10.0f};
+        def.exactDrift = i % 2 == 0;
         World world(def);
         AddBox(AddBody(world, staticBody, {0.0f, -8.0f}), 60.0f, 0.5f);
         for (int k = 0; k < 24; ++k) {

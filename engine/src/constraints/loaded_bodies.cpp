@@ -44,6 +44,8 @@ public:
         ListPaths(heaviest);
         Search();
         ForBodies([this](BodyIndex body, int /*worker*/) { m_presses[body] = 0; });
+        // Contacts may reach bodies that are not among the others.
+        for (const LoadedBodies::Raised& raised : m_raised) m_presses[raised.body] = 0;
     }
 
 private:
