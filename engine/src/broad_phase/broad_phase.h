@@ -89,8 +89,10 @@ public:
     virtual void UpdateMany(std::span<const BoxUpdate> updates) {
         for (const BoxUpdate& update : updates) Update(update.fixture, update.box, update.displacement);
     }
-    /// Gives fixtures boxes that cover their ways, for queries up to the next update. That update leaves what it would
+    /// Gives a fixture a box that covers its way, for queries up to the next update. That update leaves what it would
     /// have left without.
+    virtual void CoverWay(uint32_t fixture, const AABB& way) { Update(fixture, way, vec2Zero); }
+    /// CoverWay for many fixtures, in this order.
     virtual void CoverWays(std::span<const BoxUpdate> ways) { UpdateMany(ways); }
     /// Whether UpdateMoving is there for what moves.
     [[nodiscard]] virtual bool SharesUpdates() const { return false; }

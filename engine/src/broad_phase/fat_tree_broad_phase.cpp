@@ -35,14 +35,15 @@ public:
         ++m_count;
     }
 
+    void CoverWay(uint32_t fixture, const AABB& way) override {
+        const uint32_t leaf = m_leaves.Find(fixture);
+        const Bounds kept = m_tree.Node(leaf).box;
+        if (ToAabb(kept).Contains(way)) return;
+        m_covered.push_back({leaf, kept});
+        m_tree.Reinsert(leaf, ToBounds(way));
+    }
     void CoverWays(std::span<const BoxUpdate> ways) override {
-        for (const BoxUpdate& way : ways) {
-            const uint32_t leaf = m_leaves.Find(way.fixture);
-            const Bounds kept = m_tree.Node(leaf).box;
-            if (ToAabb(kept).Contains(way.box)) continue;
-            m_covered.push_back({leaf, kept});
-            m_tree.Reinsert(leaf, ToBounds(way.box));
-        }
+        for (const BoxUpdate& way : ways) CoverWay(way.fixture, way.box);
     }
 
     void Update(uint32_t fixture, const AABB& box, Vec2 displacement) override {

@@ -314,17 +314,12 @@ QuickSweep ToiPairs::QuickSweepOf(BodyIndex body) const {
     return {from.c, to.c, to.a - from.a, margin};
 }
 
-void ToiPairs::CoverWay(FixtureIndex fixture, const AABB& way) {
-    const BoxUpdate one{way, vec2Zero, ProxyOf(fixture)};
-    m_t.broadPhase.CoverWays({&one, 1});
-}
-
 /// Gives the broad phase the boxes of the hitters: from the first event on dynamic bodies ask for them.
 void ToiPairs::SweepHitters() {
     if (m_hittersAreSwept) return;
     m_hittersAreSwept = true;
     for (const ToiHitter& hitter : m_s.hitters) {
-        if (hitter.moves) CoverWay(hitter.fixture, hitter.box);
+        if (hitter.moves) m_t.broadPhase.CoverWay(ProxyOf(hitter.fixture), hitter.box);
     }
 }
 
@@ -358,7 +353,7 @@ void ToiPairs::FindTargets(const ToiHitter& hitter) {
 
 void ToiPairs::SweepBoxesOf(BodyIndex body) {
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
-        CoverWay(f, SweptBox(body, f));
+        m_t.broadPhase.CoverWay(ProxyOf(f), SweptBox(body, f));
     }
 }
 

@@ -194,7 +194,6 @@ private:
     [[nodiscard]] QuickSweep QuickSweepOf(BodyIndex body) const;
     [[nodiscard]] bool AreFewToMeet(bool somethingMoves) const;
     void GatherTargets();
-    void CoverWay(FixtureIndex fixture, const AABB& way);
     void SweepHitters();
     void CollectHits(BodyIndex body, size_t& next);
     void FindTargets(const ToiHitter& hitter);
