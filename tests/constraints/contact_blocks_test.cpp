@@ -424,10 +424,8 @@ TEST(ContactBlocks, FillsWhatTheManifoldsSay) {
     }
 }
 
-/// All kernels in turn on one copy of the bodies; what they leave behind, as bytes.
-std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s,
-                              const std::vector<ContactIndex>& list) {
-    ContactBlocks blocks;
+void BuildFor(const ContactKernels& kernels, const WorldState& s, const std::vector<ContactIndex>& list,
+              ContactBlocks& blocks) {
     BodyMarks marks;
     blocks.Build({.pool = *s.pool,
                   .bodies = s.bodies,
@@ -437,6 +435,13 @@ std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s
                   .impulseScale = 1.0f,
                   .kernels = kernels},
                  marks);
+}
+
+/// All kernels in turn on one copy of the bodies; what they leave behind, as bytes.
+std::vector<std::byte> RunAll(const ContactKernels& kernels, const WorldState& s,
+                              const std::vector<ContactIndex>& list) {
+    ContactBlocks blocks;
+    BuildFor(kernels, s, list, blocks);
     Column<BodyIndex, Velocity> velocity = s.bodies.velocity;
     Column<BodyIndex, Velocity> delta(velocity.size());
     KernelTask task = blocks.Task(velocity, delta);
@@ -497,15 +502,7 @@ TEST(ContactKernels, BothPointsOfAContactAreSolvedAtOnce) {
         s.contacts.material[list[0]].friction = 0.0f;
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
-            BodyMarks marks;
-            blocks.Build({.pool = *s.pool,
-                          .bodies = s.bodies,
-                          .fixtures = s.fixtures,
-                          .contacts = s.contacts,
-                          .list = list,
-                          .impulseScale = 1.0f,
-                          .kernels = *kernels},
-                         marks);
+            BuildFor(*kernels, s, list, blocks);
             Column<BodyIndex, Velocity> velocity = s.bodies.velocity, delta(velocity.size());
             const KernelTask task = blocks.Task(velocity, delta);
             kernels->relax(task);
@@ -552,15 +549,7 @@ TEST(ContactKernels, FindTheWorstOfTheContacts) {
         }
         for (const ContactKernels* kernels : {&baseContactKernels, &GetContactKernels()}) {
             ContactBlocks blocks;
-            BodyMarks marks;
-            blocks.Build({.pool = *s.pool,
-                          .bodies = s.bodies,
-                          .fixtures = s.fixtures,
-                          .contacts = s.contacts,
-                          .list = list,
-                          .impulseScale = 1.0f,
-                          .kernels = *kernels},
-                         marks);
+            BuildFor(*kernels, s, list, blocks);
             Column<BodyIndex, Velocity> velocity = s.bodies.velocity, delta(velocity.size());
             for (Velocity& motion : delta) {
                 motion.v = {draw(-5.0f, 5.0f), draw(-5.0f, 5.0f)}, motion.w = draw(-1.0f, 1.0f);

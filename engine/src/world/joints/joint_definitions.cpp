@@ -120,11 +120,12 @@ JointIndex FindGearOf(const WorldState& s, JointIndex joint) {
 }
 
 void RehangGears(WorldState& s) {
-    if (s.joints.Store<GearRow>().slots.Count() == 0) return;
-    for (const JointIndex joint : s.joints.slots.Rows()) {
-        if (!s.joints.slots.IsAlive(joint) || InfoOf(s, joint).type != e_gearJoint) continue;
+    const JointStore<GearRow>& gears = s.joints.Store<GearRow>();
+    for (const JointRow row : gears.slots.Rows()) {
+        if (!gears.slots.IsAlive(row)) continue;
+        const JointIndex joint = IndexOf(gears.handles[row]);
         const JointInfo& info = InfoOf(s, joint);
-        const GearBodies now = BodiesOfGear(s.joints.Store<GearRow>().rows[info.row], s.bodies);
+        const GearBodies now = BodiesOfGear(gears.rows[row], s.bodies);
         if (now == GearBodies{info.bodyA, info.bodyB}) continue;
         const auto count = [&](int change) {
             for (const BodyIndex body : {info.bodyA, info.bodyB}) s.bodies.info[body].jointCount += change;
