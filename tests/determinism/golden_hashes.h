@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // State hashes that every build on every machine must give: testbed::HashState of the bodies after some steps of small
-// scenes, and those of round_shapes.h. The scenes run as Box2D runs them (caps on, continuous off). After a deliberate
-// change of the engine's arithmetic tests/determinism/renew.py writes the hashes anew.
+// scenes, and those of round_shapes.h and calls.h. The scenes run as Box2D runs them (caps on, continuous off). After a
+// deliberate change of the engine's arithmetic tests/determinism/renew.py writes the hashes anew.
 
 #pragma once
 
@@ -36,5 +36,13 @@ inline constexpr GoldenHash golden[] = {
 
 /// Of round_shapes.h: sequential impulses, and a step with a tolerance.
 inline constexpr uint64_t goldenRound[2] = {0x17234de3d334fe00, 0x972087452472fa9d};
+
+/// Of calls.h, a group each.
+inline constexpr uint64_t goldenCalls[20] = {
+    0xd2d793880d32c079, 0xd6c450c4fe851c39, 0x38415eba2d7157ca, 0xf005e90ed6694a4d, 0x5cf58d94768539bc,
+    0x9c3ce0daac279fa4, 0xb6e0849d9f1c3674, 0x41e6edd7e5723821, 0x46622f0df7ac13c7, 0x965de3ca9f9f35a5,
+    0xc769b0b94fcecef0, 0xcf0ee971b6b814dd, 0x6b2c47328fc3d4b6, 0x0061fc71f5877b58, 0x8012845c1141764e,
+    0x90653be81b0d8886, 0xc1c24466f97ed853, 0x8dd3102513097720, 0x1300aced75fec38c, 0xa217354b7dca4b3d,
+};
 
 }  // namespace determinism

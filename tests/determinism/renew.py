@@ -54,11 +54,17 @@ def longer_runs(text):
                   lambda row: '{}{{{sequential}, {tolerant}}}'.format(row[1], **golden['round-shapes']), text)
 
 
+def calls(text):
+    hashes = [golden['calls'][str(group)] for group in range(len(golden['calls']))]
+    rows = ''.join(f'\n    {", ".join(hashes[i:i + 5])},' for i in range(0, len(hashes), 5))
+    return re.sub(r'(goldenCalls\[\d+\] = \{)[^}]*\}', lambda table: table[1] + rows + '\n}', text)
+
+
 def scenes(text):
     rows = ''.join('    {{"{}", {{{sequential}, {soft}, {tolerant}}}}},\n'.format(scene, **kinds)
                    for scene, kinds in states.items())
     return re.sub(r'(sceneHashes\[\] = \{\n).*?(\};)', lambda table: table[1] + rows + table[2], text, flags=re.S)
 
 
-renew('golden_hashes.h', longer_runs)
+renew('golden_hashes.h', lambda text: calls(longer_runs(text)))
 renew('scene_hashes.h', scenes)

@@ -30,7 +30,7 @@ void Seal(std::vector<std::byte>& image) {
 void Damage(Input& input, std::vector<std::byte>& image) {
     constexpr int mostEdits = 8;
     for (int i = 0; i < mostEdits && !input.IsEmpty(); ++i) {
-        const size_t offset = static_cast<size_t>(input.Byte()) << 8 | input.Byte();
+        const size_t offset = input.Word();
         const size_t at = headerSize + offset % (image.size() - headerSize);
         const int kind = input.Choose(8);
         if (kind == 0) {

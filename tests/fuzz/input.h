@@ -5,11 +5,11 @@
 
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <limits>
 
 #include "scree/math.h"
@@ -25,7 +25,8 @@ inline void Demand(bool holds, const char* law) {
     if (!holds) onBroken(law);
 }
 
-/// Gives zeros once the bytes have run out.
+/// Gives zeros once the bytes have run out. Take one thing a statement, or in braces: arguments of a call are read in
+/// an order that depends on the compiler. What one finds could then not be repeated with another.
 class Input {
 public:
     Input(const uint8_t* data, size_t size) : m_data(data), m_size(size) {}
@@ -35,6 +36,10 @@ public:
         if (m_size == 0) return 0;
         --m_size;
         return *m_data++;
+    }
+    size_t Word() {
+        const size_t high = Byte();
+        return high << 8 | Byte();
     }
     /// 0 … count − 1.
     int Choose(int count) { return Byte() % count; }
@@ -61,11 +66,9 @@ public:
         const uint8_t kind = Byte();
         if (kind < 200) return (static_cast<float>(kind) - 100.0f) / 8.0f;
         if (kind < 232) return odd[kind % 16];
-        uint8_t bytes[4];
-        for (uint8_t& byte : bytes) byte = Byte();
-        float number = 0.0f;
-        std::memcpy(&number, bytes, sizeof number);
-        return number;
+        uint32_t bits = 0;  // the lowest byte first, whatever the processor's order
+        for (int shift = 0; shift < 32; shift += 8) bits |= static_cast<uint32_t>(Byte()) << shift;
+        return std::bit_cast<float>(bits);
     }
     float Amount() {
         const float number = Number();

@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     fuzz::Input input(data, size);
     std::vector<std::byte> bytes = whole;
     for (int i = 0; i < 6 && !input.IsEmpty(); ++i) {
-        const size_t offset = static_cast<size_t>(input.Byte()) << 8 | input.Byte();
+        const size_t offset = input.Word();
         const size_t at = offset % bytes.size();
         switch (input.Choose(4)) {
             case 0:

@@ -33,7 +33,7 @@ void Damage(Input& input, std::string& text) {
                                        "\"text\"", "0.005",  "100000", "1e-30",      "255",  "[0,0,0]"};
     constexpr int mostEdits = 6;
     for (int i = 0; i < mostEdits && !input.IsEmpty() && !text.empty(); ++i) {
-        const size_t at = (static_cast<size_t>(input.Byte()) << 8 | input.Byte()) % text.size();
+        const size_t at = input.Word() % text.size();
         switch (input.Choose(6)) {
             case 0:
                 text[at] = static_cast<char>(input.Byte());

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <tuple>
 
 #include "scree/scree.h"
 #include "tests/fuzz/input.h"
@@ -65,12 +66,14 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
                 break;
             }
             case 3: {
-                const ConvexShape shape = MakeEllipse(input.Amount(), input.Amount(), points[0], input.Number());
+                const auto [width, height, angle] = std::tuple{input.Amount(), input.Amount(), input.Number()};
+                const ConvexShape shape = MakeEllipse(width, height, points[0], angle);
                 made = body->CreateFixture(&shape, 1.0f);
                 break;
             }
             case 4: {
-                const ConvexShape shape = MakeCircleSector(input.Amount(), input.Amount(), points[0], input.Number());
+                const auto [radius, half, angle] = std::tuple{input.Amount(), input.Amount(), input.Number()};
+                const ConvexShape shape = MakeCircleSector(radius, half, points[0], angle);
                 made = body->CreateFixture(&shape, 1.0f);
                 break;
             }

@@ -36,7 +36,7 @@ std::vector<std::string> SoundRecords() {
 
 void Damage(Input& input, std::string& bytes) {
     if (bytes.empty()) return;
-    const size_t at = (static_cast<size_t>(input.Byte()) << 8 | input.Byte()) % bytes.size();
+    const size_t at = input.Word() % bytes.size();
     switch (input.Choose(5)) {
         case 0:
             bytes.erase(at, 1 + input.Byte() % 40);

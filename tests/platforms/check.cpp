@@ -3,20 +3,22 @@
 //
 // Are states the same on this machine as on all others? Runs every scene of the catalogue, nets of joints and a room of
 // bounces by three kinds of step. Checks that other numbers of workers, a saved world and a recording lead to the same
-// state. Holds a dozen longer runs and every scene to the golden hashes. Checks that a program's rounding mode does not
-// matter. Prints a line per state, which tests/platforms/run compares with those of x86-64. Needs nothing but the
-// engine: no test library, no exceptions.
+// state. Holds a dozen longer runs, every scene and sequences of calls with any numbers to the golden hashes. Checks
+// that a program's rounding mode does not matter. Prints a line per state, which tests/platforms/run compares with
+// those of x86-64. Needs nothing but the engine: no test library, no exceptions.
 //
 //   scree_check          all of that; exit code 1 if anything differs
 //   scree_check golden   golden hashes alone, with one worker and with three
-//   scree_check quick    the scenes alone, a few steps each
+//   scree_check quick    the scenes, a few steps each, and some of the calls
 //   scree_check save     a world as an image to stdout
 //   scree_check load     the hash of the world in the image on stdin, or why it was refused
 
 #include <bit>
 #include <cinttypes>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -29,6 +31,7 @@
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
 #include "tests/determinism/bounces.h"
+#include "tests/determinism/calls.h"
 #include "tests/determinism/golden_hashes.h"
 #include "tests/determinism/nets.h"
 #include "tests/determinism/round_shapes.h"
@@ -135,6 +138,17 @@ void CheckScene(const scenes::Scene& scene, StepKind kind, int halfSteps) {
     }
 }
 
+/// A few of them if it is to be quick.
+void CheckCalls(bool isQuick) {
+    fuzz::onBroken = [](const char* law) {
+        std::printf("DIFFERS calls: %s\n", law);
+        std::exit(1);
+    };
+    const size_t groups = isQuick ? 4 : std::size(determinism::goldenCalls);
+    for (size_t group = 0; group < groups; ++group)
+        CheckGolden("calls " + std::to_string(group), determinism::HashOfCalls(group), determinism::goldenCalls[group]);
+}
+
 /// Numbers near 0 are rounded to 0, and others downwards, as some programs want it for their threads.
 [[maybe_unused]] void SpoilFloatMode(bool spoil) {
 #if defined(SCREE_HAS_SSE2)
@@ -209,6 +223,7 @@ int CheckAll(const std::string& what) {
     std::printf("target %s, kernels %s, %d bits, %s endian, %s\n", scree::simdName, scree::GetContactKernels().name,
                 static_cast<int>(8 * sizeof(void*)), order, threads);
     if (!isQuick) CheckLongerRuns();
+    CheckCalls(isQuick);
     const auto check = [&](const scenes::Scene& scene) {
         for (const StepKind kind : determinism::stepKinds) {
             isGolden ? CheckSceneHash(scene, kind) : CheckScene(scene, kind, isQuick ? 3 : determinism::sceneSteps / 2);

@@ -1,0 +1,468 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Any sequence of calls with any numbers, on living and dead objects, with any number of workers. Laws:
+// nothing crashes. The world saved at the end can be loaded and goes on to the same state. So does the world that goes
+// back to what was saved on the way. The recording of all calls replays to the same hashes. What is loaded or replayed
+// has another number of workers.
+
+#pragma once
+
+#include <bit>
+#include <memory>
+#include <tuple>
+#include <vector>
+
+#include "scree/inspect.h"
+#include "scree/scree.h"
+#include "testbed/base/hash.h"
+#include "tests/fuzz/input.h"
+#include "world/world_state.h"
+
+namespace fuzz {
+
+using namespace scree;
+
+/// They share all that can be shared, whether it pays or not.
+inline void SetWorkers(World& world, int count) {
+    world.SetWorkers(count);
+    world.GetState().pool->ShareAlways();
+}
+
+class Calls {
+public:
+    explicit Calls(Input& input) : m_input(input), m_world(MakeDef(input)) {
+        m_world.SetErrorHandler([](const Error&, void*) {}, nullptr);
+        SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
+        StartRecording(m_world, m_recorder);
+        MakeBody();
+    }
+
+    void Run() {
+        constexpr int mostCalls = 120, mostSteps = 12;
+        int steps = 0;
+        for (int call = 0; call < mostCalls && !m_input.IsEmpty(); ++call) {
+            const int kind = m_input.Choose(19);
+            if (kind == 18) {
+                m_kept = SaveWorld(m_world);
+                m_keptHash = inspect::GetStateHash(m_world);
+            } else if (kind >= 16) {
+                MakeCrowd();
+            } else if (kind < 3) {
+                MakeBody();
+            } else if (kind < 6) {
+                MakeFixture();
+            } else if (kind < 8) {
+                MakeJoint();
+            } else if (kind < 12) {
+                Change();
+            } else if (kind < 13) {
+                Ask();
+            } else if (kind < 14) {
+                Destroy();
+            } else if (steps++ < mostSteps) {
+                Step(m_world);
+                m_sum.Add(inspect::GetStateHash(m_world));
+            }
+        }
+        StopRecording(m_world);
+        CheckReplay();
+        CheckLoaded();
+        CheckRestored();
+    }
+
+    /// Of the states after all steps, and of all answers: the same on all machines.
+    [[nodiscard]] uint64_t GetHash() const { return m_sum.Get(); }
+
+private:
+    static constexpr int mostWorkers = 4;
+
+    static WorldDef MakeDef(Input& input) {
+        WorldDef def;
+        def.gravity = {static_cast<float>(input.Choose(21)) - 10.0f, static_cast<float>(input.Choose(21)) - 10.0f};
+        def.broadPhase = static_cast<BroadPhaseKind>(input.Choose(static_cast<int>(std::size(broadPhaseNames))));
+        const int flags = input.Choose(32);
+        def.allowSleep = (flags & 1) == 0;
+        def.warmStarting = (flags & 2) == 0;
+        def.continuousPhysics = (flags & 4) == 0;
+        def.subStepping = (flags & 8) != 0;
+        def.exactDrift = (flags & 16) != 0;
+        return def;
+    }
+
+    scree::Body* AnyBody() { return m_bodies[static_cast<size_t>(m_input.Byte()) % m_bodies.size()]; }
+
+    void MakeBody() {
+        BodyDef def;
+        def.type = static_cast<BodyType>(m_input.Choose(3));
+        def.position = m_input.Point();
+        def.angle = m_input.Number();
+        def.linearVelocity = m_input.Point();
+        def.angularVelocity = m_input.Number();
+        const int flags = m_input.Choose(64);
+        if ((flags & 1) != 0) def.linearDamping = m_input.Amount();
+        if ((flags & 2) != 0) def.gravityScale = m_input.Number();
+        def.bullet = (flags & 4) != 0;
+        def.fixedRotation = (flags & 8) != 0;
+        def.awake = (flags & 16) == 0;
+        def.enabled = (flags & 48) != 48;
+        if (Body* body = m_world.CreateBody(&def)) m_bodies.push_back(body);
+        if (!m_bodies.empty()) MakeFixture();
+    }
+
+    void MakeFixture() {
+        if (m_bodies.empty()) return;
+        Body* body = AnyBody();
+        FixtureDef def;
+        def.density = m_input.Amount();
+        const int flags = m_input.Choose(32);
+        if ((flags & 1) != 0) def.friction = m_input.Amount();
+        if ((flags & 2) != 0) def.restitution = m_input.Amount();
+        def.isSensor = (flags & 12) == 12;
+        def.reports = (flags & 16) != 0 ? Report::all : 0;
+        Vec2 points[8] = {};
+        const int count = 1 + m_input.Choose(8);
+        for (int i = 0; i < count; ++i) points[i] = m_input.Point();
+        const auto add = [&](const Shape& shape) {
+            def.shape = &shape;
+            if (Fixture* fixture = body->CreateFixture(&def)) m_fixtures.push_back(fixture);
+        };
+        CircleShape circle;
+        PolygonShape polygon;
+        EdgeShape edge;
+        ChainShape chain;
+        switch (m_input.Choose(10)) {
+            case 0:
+                circle.m_p = points[0], circle.m_radius = m_input.Amount();
+                return add(circle);
+            case 1: {
+                const auto [width, height, angle] = std::tuple{m_input.Amount(), m_input.Amount(), m_input.Number()};
+                polygon.SetAsBox(width, height, points[0], angle);
+                return add(polygon);
+            }
+            case 2:
+                if (!polygon.Set(points, count)) return;
+                return add(polygon);
+            case 3:
+                edge.SetTwoSided(points[0], points[1]);
+                return add(edge);
+            case 4:
+                if (!chain.CreateLoop(points, count)) return;
+                return add(chain);
+            case 5:
+                return add(MakeCapsule(points[0], points[1], m_input.Amount()));
+            case 6:
+                return add(MakeRoundedPolygon(points, count, m_input.Amount()));
+            case 7: {
+                const auto [width, height, angle] = std::tuple{m_input.Amount(), m_input.Amount(), m_input.Number()};
+                return add(MakeEllipse(width, height, points[0], angle));
+            }
+            case 8: {
+                const auto [radius, half, angle] = std::tuple{m_input.Amount(), m_input.Amount(), m_input.Number()};
+                return add(MakeCircleSector(radius, half, points[0], angle));
+            }
+            default:
+                return add(MakePolygon(points, count));
+        }
+    }
+
+    /// A row of equal bodies that touch, overlap or hang on each other: what workers solve in lanes.
+    void MakeCrowd() {
+        BodyDef def;
+        def.type = dynamicBody;
+        def.position = m_input.Point();
+        def.linearVelocity = m_input.Point();
+        const int count = 1 + m_input.Choose(40), flags = m_input.Choose(8);
+        const float width = 0.5f + 0.125f * static_cast<float>(m_input.Choose(8)), apart = m_input.Amount();
+        CircleShape circle;
+        circle.m_radius = 0.5f * width;
+        PolygonShape box;
+        box.SetAsBox(0.5f * width, 0.5f);
+        FixtureDef fixture;
+        fixture.shape = (flags & 1) != 0 ? static_cast<const Shape*>(&circle) : &box;
+        fixture.density = 1.0f;
+        fixture.filter.groupIndex = (flags & 2) != 0 ? -1 : 0;
+        const bool hangs = (flags & 4) != 0, isChain = hangs && m_input.Flip();
+        Body* last = nullptr;
+        for (int i = 0; i < count; ++i, def.position.x += apart) {
+            Body* body = m_world.CreateBody(&def);
+            if (body == nullptr) return;
+            body->CreateFixture(&fixture);
+            m_bodies.push_back(body);
+            if (hangs && last != nullptr) {
+                RevoluteJointDef hinge;
+                hinge.Initialize(last, body, def.position);
+                if (Joint* joint = m_world.CreateJoint(&hinge)) m_joints.push_back(joint);
+            }
+            last = isChain || i % 2 == 0 ? body : nullptr;
+        }
+    }
+
+    template <typename Def>
+    void MakeJointOf(Def& def) {
+        def.collideConnected = m_input.Flip();
+        if (Joint* joint = m_world.CreateJoint(&def)) m_joints.push_back(joint);
+    }
+    template <typename Def>
+    void Slide(Def& def) {
+        def.enableLimit = m_input.Flip(), def.enableMotor = m_input.Flip();
+        def.lowerTranslation = m_input.Number(), def.upperTranslation = m_input.Number();
+        def.motorSpeed = m_input.Number();
+    }
+    void MakeJoint() {
+        if (m_bodies.empty()) return;
+        Body *a = AnyBody(), *b = AnyBody();
+        switch (m_input.Choose(10)) {
+            case 0: {
+                RevoluteJointDef def;
+                def.Initialize(a, b, m_input.Point());
+                def.enableLimit = m_input.Flip(), def.lowerAngle = m_input.Number(), def.upperAngle = m_input.Number();
+                def.enableMotor = m_input.Flip(), def.motorSpeed = m_input.Number();
+                def.maxMotorTorque = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            case 1: {
+                DistanceJointDef def;
+                const auto [first, second] = std::tuple{m_input.Point(), m_input.Point()};
+                def.Initialize(a, b, first, second);
+                def.minLength = m_input.Amount(), def.maxLength = m_input.Amount();
+                def.stiffness = m_input.Amount(), def.damping = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            case 2: {
+                PrismaticJointDef def;
+                const auto [first, second] = std::tuple{m_input.Point(), m_input.Point()};
+                def.Initialize(a, b, first, second);
+                Slide(def);
+                def.maxMotorForce = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            case 3: {
+                WeldJointDef def;
+                def.Initialize(a, b, m_input.Point());
+                def.stiffness = m_input.Amount(), def.damping = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            case 4: {
+                WheelJointDef def;
+                const auto [first, second] = std::tuple{m_input.Point(), m_input.Point()};
+                def.Initialize(a, b, first, second);
+                Slide(def);
+                def.maxMotorTorque = m_input.Amount();
+                def.stiffness = m_input.Amount(), def.damping = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            case 5: {
+                MouseJointDef def;
+                def.bodyA = a, def.bodyB = b, def.target = m_input.Point();
+                def.maxForce = m_input.Amount(), def.stiffness = m_input.Amount(), def.damping = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            case 6: {
+                PulleyJointDef def;
+                const PulleyPoints points{m_input.Point(), m_input.Point(), m_input.Point(), m_input.Point()};
+                def.Initialize(a, b, points, m_input.Number());
+                return MakeJointOf(def);
+            }
+            case 7: {
+                FrictionJointDef def;
+                def.Initialize(a, b, m_input.Point());
+                def.maxForce = m_input.Amount(), def.maxTorque = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            case 8: {
+                MotorJointDef def;
+                def.Initialize(a, b);
+                def.maxForce = m_input.Amount(), def.maxTorque = m_input.Amount();
+                def.correctionFactor = m_input.Amount();
+                return MakeJointOf(def);
+            }
+            default: {
+                if (m_joints.empty()) return;
+                GearJointDef def;
+                def.bodyA = a, def.bodyB = b, def.ratio = m_input.Number();
+                def.joint1 = m_joints[m_input.Byte() % m_joints.size()];
+                def.joint2 = m_joints[m_input.Byte() % m_joints.size()];
+                return MakeJointOf(def);
+            }
+        }
+    }
+
+    void Change() {
+        if (m_bodies.empty()) return;
+        Body* body = AnyBody();
+        switch (m_input.Choose(23)) {
+            case 0: {
+                const auto [at, angle] = std::tuple{m_input.Point(), m_input.Number()};
+                return static_cast<void>(body->SetTransform(at, angle));
+            }
+            case 1:
+                return static_cast<void>(body->SetLinearVelocity(m_input.Point()));
+            case 2:
+                return static_cast<void>(body->SetAngularVelocity(m_input.Number()));
+            case 3: {
+                const auto [force, at, wakes] = std::tuple{m_input.Point(), m_input.Point(), m_input.Flip()};
+                return static_cast<void>(body->ApplyForce(force, at, wakes));
+            }
+            case 4: {
+                const auto [impulse, at, wakes] = std::tuple{m_input.Point(), m_input.Point(), m_input.Flip()};
+                return static_cast<void>(body->ApplyLinearImpulse(impulse, at, wakes));
+            }
+            case 5: {
+                const auto [impulse, wakes] = std::tuple{m_input.Number(), m_input.Flip()};
+                return static_cast<void>(body->ApplyAngularImpulse(impulse, wakes));
+            }
+            case 6:
+                return static_cast<void>(body->SetType(static_cast<BodyType>(m_input.Choose(4))));
+            case 7:
+                return static_cast<void>(body->SetEnabled(m_input.Flip()));
+            case 8:
+                return static_cast<void>(body->SetAwake(m_input.Flip()));
+            case 9:
+                return static_cast<void>(body->SetBullet(m_input.Flip()));
+            case 10:
+                return static_cast<void>(body->SetFixedRotation(m_input.Flip()));
+            case 11: {
+                MassData mass;
+                mass.mass = m_input.Amount(), mass.center = m_input.Point(), mass.I = m_input.Amount();
+                return static_cast<void>(body->SetMassData(&mass));
+            }
+            case 12:
+                return static_cast<void>(body->SetGravityScale(m_input.Number()));
+            case 13:
+                return static_cast<void>(m_world.SetGravity(m_input.Point()));
+            case 14:
+                return static_cast<void>(m_world.ShiftOrigin(m_input.Point()));
+            case 15:
+                return static_cast<void>(m_world.TrimMemory());
+            case 16:
+                return static_cast<void>(m_world.SetAllowSleeping(m_input.Flip()));
+            case 17:
+                return static_cast<void>(m_world.SetContinuousPhysics(m_input.Flip()));
+            case 18:
+                return SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
+            default:
+                return ChangeFixture();
+        }
+    }
+
+    void ChangeFixture() {
+        if (m_fixtures.empty()) return;
+        Fixture* fixture = m_fixtures[m_input.Byte() % m_fixtures.size()];
+        switch (m_input.Choose(5)) {
+            case 0:
+                return static_cast<void>(fixture->SetSensor(m_input.Flip()));
+            case 1:
+                return static_cast<void>(fixture->SetFilterData({m_input.Byte(), m_input.Byte(), 0}));
+            case 2:
+                return static_cast<void>(fixture->SetDensity(m_input.Amount()));
+            case 3:
+                return static_cast<void>(fixture->SetFriction(m_input.Amount()));
+            default:
+                return static_cast<void>(fixture->SetRestitution(m_input.Amount()));
+        }
+    }
+
+    void Ask() {
+        const Vec2 a = m_input.Point(), b = m_input.Point();
+        std::vector<RayHit> hits;
+        m_world.RayCastAll(a, b, hits);
+        for (const RayHit& hit : hits) NoteHit(hit);
+        const auto note = [&](Fixture* fixture) {
+            m_sum.Add(m_world.GetId(fixture).index);
+            return true;
+        };
+        m_world.QueryAABB({a, b}, note);
+        m_world.QueryPoint(a, note);
+        CircleShape circle;
+        circle.m_radius = m_input.Amount();
+        std::vector<ShapeHit> casts;
+        m_world.ShapeCast(circle, Transform(a, Rot(0.5f)), b, casts);
+        for (const ShapeHit& hit : casts) NoteHit(hit);
+    }
+    template <typename Hit>
+    void NoteHit(const Hit& hit) {
+        for (const float number : {hit.fraction, hit.point.x, hit.point.y, hit.normal.x, hit.normal.y})
+            m_sum.Add(std::bit_cast<uint32_t>(number));
+    }
+
+    void Destroy() {
+        if (m_input.Flip() && !m_joints.empty()) {
+            m_world.DestroyJoint(m_joints[m_input.Byte() % m_joints.size()]);
+        } else if (!m_bodies.empty()) {
+            m_world.DestroyBody(AnyBody());
+        }
+    }
+
+    void Step(World& world) {
+        constexpr float steps[] = {1.0f / 60.0f, 1.0f / 60.0f, 1.0f / 30.0f, 0.0f, 1e-4f, 0.5f};
+        const float dt = steps[m_input.Choose(6)];
+        switch (m_input.Choose(4)) {
+            case 0: {
+                const auto [velocities, positions] = std::tuple{1 + m_input.Choose(8), m_input.Choose(4)};
+                return static_cast<void>(world.Step(dt, velocities, positions));
+            }
+            case 1:
+                return static_cast<void>(world.Step(dt, 1 + m_input.Choose(6)));
+            case 2:
+                return static_cast<void>(world.Step(dt, Tolerance{}));
+            default: {
+                const auto [any, velocities, positions] =
+                    std::tuple{m_input.Number(), m_input.Choose(3), m_input.Choose(3)};
+                return static_cast<void>(world.Step(any, velocities, positions));
+            }
+        }
+    }
+
+    /// Unlike the world's own.
+    [[nodiscard]] int OtherWorkers() const { return m_world.GetWorkerCount() == 1 ? mostWorkers : 1; }
+
+    void CheckReplay() {
+        const int others = OtherWorkers();
+        const ReplayReport replay =
+            Replay(m_recorder.GetBytes(), [others](World& world) { SetWorkers(world, others); });
+        Demand(replay.valid, "a recording can be replayed");
+        Demand(replay.firstDifference == 0, "a replay leads to the same hashes");
+        Demand(inspect::GetStateHash(*replay.world) == inspect::GetStateHash(m_world),
+               "a replay ends in the same state");
+    }
+
+    [[nodiscard]] std::unique_ptr<World> Load(std::span<const std::byte> image) const {
+        SnapshotError error{};
+        std::unique_ptr<World> loaded = LoadWorld(image, &error);
+        if (loaded == nullptr) std::fprintf(stderr, "%s\n", GetName(error));
+        Demand(loaded != nullptr, "what was saved can be loaded");
+        SetWorkers(*loaded, OtherWorkers());
+        return loaded;
+    }
+    void CheckGoesOnLike(World& other, const char* law) {
+        for (int i = 0; i < 2; ++i) m_world.Step(1.0f / 60.0f, 4), other.Step(1.0f / 60.0f, 4);
+        Demand(inspect::GetStateHash(other) == inspect::GetStateHash(m_world), law);
+    }
+
+    void CheckLoaded() {
+        const std::unique_ptr<World> loaded = Load(SaveWorld(m_world));
+        Demand(inspect::GetStateHash(*loaded) == inspect::GetStateHash(m_world),
+               "what was loaded has the state that was saved");
+        CheckGoesOnLike(*loaded, "a loaded world goes on alike");
+    }
+
+    void CheckRestored() {
+        if (m_kept.empty()) return;
+        Demand(RestoreWorld(m_world, m_kept) == SnapshotError::ok, "what was saved can be restored");
+        Demand(inspect::GetStateHash(m_world) == m_keptHash, "what was restored has the state that was saved");
+        CheckGoesOnLike(*Load(m_kept), "a restored world goes on alike");
+    }
+
+    Input& m_input;
+    World m_world;
+    Recorder m_recorder;
+    std::vector<Body*> m_bodies;
+    std::vector<Fixture*> m_fixtures;  ///< dead ones too: their calls must be refused
+    std::vector<Joint*> m_joints;
+    std::vector<std::byte> m_kept;  ///< an image of the world on the way
+    uint64_t m_keptHash = 0;
+    testbed::Fnv1a<uint64_t> m_sum;
+};
+
+}  // namespace fuzz
