@@ -8,15 +8,19 @@
 
 #pragma once
 
+#include <array>
 #include <bit>
+#include <iterator>
 #include <memory>
 #include <tuple>
+#include <type_traits>
 #include <vector>
 
 #include "scree/inspect.h"
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
 #include "tests/fuzz/input.h"
+#include "world/recorded_calls.h"
 #include "world/world_state.h"
 
 namespace fuzz {
@@ -42,10 +46,12 @@ public:
         constexpr int mostCalls = 120, mostSteps = 12;
         int steps = 0;
         for (int call = 0; call < mostCalls && !m_input.IsEmpty(); ++call) {
-            const int kind = m_input.Choose(19);
+            const int kind = m_input.Choose(23);
             if (kind == 18) {
                 m_kept = SaveWorld(m_world);
                 m_keptHash = inspect::GetStateHash(m_world);
+            } else if (kind > 18) {
+                CallAny();
             } else if (kind >= 16) {
                 MakeCrowd();
             } else if (kind < 3) {
@@ -120,13 +126,18 @@ private:
         if ((flags & 2) != 0) def.restitution = m_input.Amount();
         def.isSensor = (flags & 12) == 12;
         def.reports = (flags & 16) != 0 ? Report::all : 0;
+        WithShape([&](const Shape& shape) {
+            def.shape = &shape;
+            if (Fixture* fixture = body->CreateFixture(&def)) m_fixtures.push_back(fixture);
+        });
+    }
+
+    /// Calls back with any shape, if it can be made.
+    template <typename Function>
+    void WithShape(const Function& add) {
         Vec2 points[8] = {};
         const int count = 1 + m_input.Choose(8);
         for (int i = 0; i < count; ++i) points[i] = m_input.Point();
-        const auto add = [&](const Shape& shape) {
-            def.shape = &shape;
-            if (Fixture* fixture = body->CreateFixture(&def)) m_fixtures.push_back(fixture);
-        };
         CircleShape circle;
         PolygonShape polygon;
         EdgeShape edge;
@@ -145,6 +156,7 @@ private:
                 return add(polygon);
             case 3:
                 edge.SetTwoSided(points[0], points[1]);
+                if (m_input.Flip()) edge.SetOneSided(points[2], points[0], points[1], points[3]);
                 return add(edge);
             case 4:
                 if (!chain.CreateLoop(points, count)) return;
@@ -192,7 +204,7 @@ private:
             if (hangs && last != nullptr) {
                 RevoluteJointDef hinge;
                 hinge.Initialize(last, body, def.position);
-                if (Joint* joint = m_world.CreateJoint(&hinge)) m_joints.push_back(joint);
+                if (Joint* joint = m_world.CreateJoint(&hinge)) AddJoint(joint);
             }
             last = isChain || i % 2 == 0 ? body : nullptr;
         }
@@ -201,7 +213,11 @@ private:
     template <typename Def>
     void MakeJointOf(Def& def) {
         def.collideConnected = m_input.Flip();
-        if (Joint* joint = m_world.CreateJoint(&def)) m_joints.push_back(joint);
+        if (Joint* joint = m_world.CreateJoint(&def)) AddJoint(joint);
+    }
+    void AddJoint(Joint* joint) {
+        m_joints.push_back(joint);
+        m_jointsOfType[joint->GetType()].push_back(joint);
     }
     template <typename Def>
     void Slide(Def& def) {
@@ -346,10 +362,79 @@ private:
         }
     }
 
+    template <typename T>
+    T Take() {
+        if constexpr (std::is_same_v<T, bool>) {
+            return m_input.Flip();
+        } else if constexpr (std::is_same_v<T, float>) {
+            return m_input.Number();
+        } else if constexpr (std::is_same_v<T, Vec2>) {
+            return m_input.Point();
+        } else if constexpr (std::is_same_v<T, MotionLocks>) {
+            return {m_input.Flip(), m_input.Flip(), m_input.Flip()};
+        } else if constexpr (std::is_same_v<T, Filter>) {
+            return {m_input.Byte(), m_input.Byte(), 0};
+        } else {
+            return static_cast<T>(m_input.Choose(8));
+        }
+    }
+
+    template <typename Object>
+    Object* Any() {
+        if constexpr (std::is_same_v<Object, World>) {
+            return &m_world;
+        } else if constexpr (std::is_same_v<Object, Contact>) {
+            const int count = m_world.GetContactCount();
+            Contact* contact = m_world.GetContactList();
+            for (int i = count > 0 ? m_input.Byte() % count : 0; i > 0; --i) contact = contact->GetNext();
+            return contact;
+        } else if constexpr (std::is_same_v<Object, Body>) {
+            return OneOf(m_bodies);
+        } else if constexpr (std::is_same_v<Object, Fixture>) {
+            return OneOf(m_fixtures);
+        } else if constexpr (std::is_same_v<Object, Joint>) {
+            return OneOf(m_joints);
+        } else {
+            return static_cast<Object*>(OneOf(m_jointsOfType[TypeOf(static_cast<Object*>(nullptr))]));
+        }
+    }
+    template <typename Object>
+    Object* OneOf(const std::vector<Object*>& objects) {
+        return objects.empty() ? nullptr : objects[m_input.Byte() % objects.size()];
+    }
+    static JointType TypeOf(const RevoluteJoint*) { return e_revoluteJoint; }
+    static JointType TypeOf(const PrismaticJoint*) { return e_prismaticJoint; }
+    static JointType TypeOf(const DistanceJoint*) { return e_distanceJoint; }
+    static JointType TypeOf(const MouseJoint*) { return e_mouseJoint; }
+    static JointType TypeOf(const GearJoint*) { return e_gearJoint; }
+    static JointType TypeOf(const WheelJoint*) { return e_wheelJoint; }
+    static JointType TypeOf(const WeldJoint*) { return e_weldJoint; }
+    static JointType TypeOf(const FrictionJoint*) { return e_frictionJoint; }
+    static JointType TypeOf(const MotorJoint*) { return e_motorJoint; }
+
+    template <typename Result, typename Object, typename... Arguments>
+    void CallOnAny(Result (Object::*method)(Arguments...)) {
+        Object* object = Any<Object>();
+        const std::tuple<std::decay_t<Arguments>...> arguments{Take<std::decay_t<Arguments>>()...};
+        if (object == nullptr) return;
+        std::apply([&](const auto&... argument) { (object->*method)(argument...); }, arguments);
+    }
+
+    /// Of what a recording has.
+    void CallAny() {
+        using Call = void (*)(Calls&);
+#define SCREE_CALL(method) [](Calls& calls) { calls.CallOnAny(&method); },
+        constexpr Call all[] = {SCREE_RECORDED_CALLS(SCREE_CALL)};
+#undef SCREE_CALL
+        all[m_input.Choose(static_cast<int>(std::size(all)))](*this);
+    }
+
     void ChangeFixture() {
         if (m_fixtures.empty()) return;
         Fixture* fixture = m_fixtures[m_input.Byte() % m_fixtures.size()];
-        switch (m_input.Choose(5)) {
+        switch (m_input.Choose(6)) {
+            case 5:
+                return WithShape([&](const Shape& shape) { fixture->SetShape(shape); });
             case 0:
                 return static_cast<void>(fixture->SetSensor(m_input.Flip()));
             case 1:
@@ -387,10 +472,15 @@ private:
     }
 
     void Destroy() {
-        if (m_input.Flip() && !m_joints.empty()) {
-            m_world.DestroyJoint(m_joints[m_input.Byte() % m_joints.size()]);
-        } else if (!m_bodies.empty()) {
-            m_world.DestroyBody(AnyBody());
+        const int kind = m_input.Choose(8);
+        if (kind < 4) {
+            if (Joint* joint = OneOf(m_joints)) m_world.DestroyJoint(joint);
+        } else if (kind < 6) {
+            if (Body* body = OneOf(m_bodies)) m_world.DestroyBody(body);
+        } else if (Fixture* fixture = OneOf(m_fixtures)) {
+            Body* body = fixture->GetBody();
+            if (body == nullptr) body = OneOf(m_bodies);
+            if (body != nullptr) kind == 6 ? body->DestroyFixture(fixture) : body->DestroyChain(fixture);
         }
     }
 
@@ -460,6 +550,7 @@ private:
     std::vector<Body*> m_bodies;
     std::vector<Fixture*> m_fixtures;  ///< dead ones too: their calls must be refused
     std::vector<Joint*> m_joints;
+    std::array<std::vector<Joint*>, e_motorJoint + 1> m_jointsOfType;
     std::vector<std::byte> m_kept;  ///< an image of the world on the way
     uint64_t m_keptHash = 0;
     testbed::Fnv1a<uint64_t> m_sum;

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: MIT
 //
 // Bytes → calls. The table below has one row per recorded call; a row reads the object and the arguments and makes the
-// call. Nothing that was read is believed: an object must be alive and of the right type.
+// call. Those whose arguments are plain values are listed in recorded_calls.h. Nothing that was read is believed: an
+// object must be alive and of the right type.
 
 #include <tuple>
 
 #include "scree/inspect.h"
 #include "world/guard.h"
 #include "world/record.h"
+#include "world/recorded_calls.h"
 
 namespace scree {
 
@@ -162,9 +164,6 @@ struct Row {
     bool (*call)(World&, ImageReader&);
 };
 
-#define SCREE_CALL(method) \
-    Row { #method, Call < &method> }
-
 constexpr Row calls[] = {
     {"World::CreateBody", CallCreateBody},
     {"World::DestroyBody", CallDestroyBody},
@@ -173,110 +172,13 @@ constexpr Row calls[] = {
     {"World::Step", Call<static_cast<StepReport (World::*)(float, int, int)>(&World::Step)>},
     {"World::Step (sub-steps)", Call<static_cast<StepReport (World::*)(float, int)>(&World::Step)>},
     {"World::Step (tolerance)", Call<static_cast<StepReport (World::*)(float, const Tolerance&)>(&World::Step)>},
-    SCREE_CALL(World::SetAutoClearForces),
-    SCREE_CALL(World::ClearForces),
-    SCREE_CALL(World::SetGravity),
-    SCREE_CALL(World::SetAllowSleeping),
-    SCREE_CALL(World::SetWarmStarting),
-    SCREE_CALL(World::SetContinuousPhysics),
-    SCREE_CALL(World::SetSubStepping),
-    SCREE_CALL(World::SetExactDrift),
-    SCREE_CALL(World::ShiftOrigin),
     {"Body::CreateFixture", CallCreateFixture},
     {"Body::DestroyFixture", CallDestroyFixture},
     {"Body::DestroyChain", CallDestroyChain},
     {"Body::SetMassData", CallSetMassData},
-    SCREE_CALL(Body::ResetMassData),
-    SCREE_CALL(Body::SetTransform),
-    SCREE_CALL(Body::SetTargetTransform),
-    SCREE_CALL(Body::SetLinearVelocity),
-    SCREE_CALL(Body::SetAngularVelocity),
-    SCREE_CALL(Body::ApplyForce),
-    SCREE_CALL(Body::ApplyForceToCenter),
-    SCREE_CALL(Body::ApplyTorque),
-    SCREE_CALL(Body::ApplyLinearImpulse),
-    SCREE_CALL(Body::ApplyLinearImpulseToCenter),
-    SCREE_CALL(Body::ApplyAngularImpulse),
-    SCREE_CALL(Body::SetLinearDamping),
-    SCREE_CALL(Body::SetAngularDamping),
-    SCREE_CALL(Body::SetGravityScale),
-    SCREE_CALL(Body::SetType),
-    SCREE_CALL(Body::SetBullet),
-    SCREE_CALL(Body::SetSleepingAllowed),
-    SCREE_CALL(Body::SetAwake),
-    SCREE_CALL(Body::SetEnabled),
-    SCREE_CALL(Body::SetFixedRotation),
-    SCREE_CALL(Body::SetMotionLocks),
     {"Fixture::SetShape", CallSetShape},
-    SCREE_CALL(Fixture::SetSensor),
-    SCREE_CALL(Fixture::SetFilterData),
-    SCREE_CALL(Fixture::Refilter),
-    SCREE_CALL(Fixture::SetDensity),
-    SCREE_CALL(Fixture::SetFriction),
-    SCREE_CALL(Fixture::SetRestitution),
-    SCREE_CALL(Fixture::SetRestitutionThreshold),
-    SCREE_CALL(Fixture::SetTangentSpeed),
-    SCREE_CALL(Fixture::SetRollingResistance),
-    SCREE_CALL(Fixture::SetMixRules),
-    SCREE_CALL(Fixture::SetMaterialId),
-    SCREE_CALL(Fixture::SetReports),
-    SCREE_CALL(Contact::SetEnabled),
-    SCREE_CALL(Contact::SetFriction),
-    SCREE_CALL(Contact::ResetFriction),
-    SCREE_CALL(Contact::SetRestitution),
-    SCREE_CALL(Contact::ResetRestitution),
-    SCREE_CALL(Contact::SetRestitutionThreshold),
-    SCREE_CALL(Contact::ResetRestitutionThreshold),
-    SCREE_CALL(Contact::SetTangentSpeed),
-    SCREE_CALL(Joint::ShiftOrigin),
-    SCREE_CALL(Joint::SetThresholds),
-    SCREE_CALL(RevoluteJoint::EnableSpring),
-    SCREE_CALL(RevoluteJoint::SetSpring),
-    SCREE_CALL(RevoluteJoint::SetTargetAngle),
-    SCREE_CALL(RevoluteJoint::SetMaxSpringTorque),
-    SCREE_CALL(PrismaticJoint::EnableSpring),
-    SCREE_CALL(PrismaticJoint::SetSpring),
-    SCREE_CALL(PrismaticJoint::SetTargetTranslation),
-    SCREE_CALL(PrismaticJoint::SetMaxSpringForce),
-    SCREE_CALL(WheelJoint::SetMaxSpringForce),
-    SCREE_CALL(DistanceJoint::SetMaxSpringForce),
-    SCREE_CALL(RevoluteJoint::EnableLimit),
-    SCREE_CALL(RevoluteJoint::SetLimits),
-    SCREE_CALL(RevoluteJoint::EnableMotor),
-    SCREE_CALL(RevoluteJoint::SetMotorSpeed),
-    SCREE_CALL(RevoluteJoint::SetMaxMotorTorque),
-    SCREE_CALL(PrismaticJoint::EnableLimit),
-    SCREE_CALL(PrismaticJoint::SetLimits),
-    SCREE_CALL(PrismaticJoint::EnableMotor),
-    SCREE_CALL(PrismaticJoint::SetMotorSpeed),
-    SCREE_CALL(PrismaticJoint::SetMaxMotorForce),
-    SCREE_CALL(WheelJoint::EnableLimit),
-    SCREE_CALL(WheelJoint::SetLimits),
-    SCREE_CALL(WheelJoint::EnableMotor),
-    SCREE_CALL(WheelJoint::SetMotorSpeed),
-    SCREE_CALL(WheelJoint::SetMaxMotorTorque),
-    SCREE_CALL(WheelJoint::SetStiffness),
-    SCREE_CALL(WheelJoint::SetDamping),
-    SCREE_CALL(DistanceJoint::SetLength),
-    SCREE_CALL(DistanceJoint::SetMinLength),
-    SCREE_CALL(DistanceJoint::SetMaxLength),
-    SCREE_CALL(DistanceJoint::SetStiffness),
-    SCREE_CALL(DistanceJoint::SetDamping),
-    SCREE_CALL(WeldJoint::SetStiffness),
-    SCREE_CALL(WeldJoint::SetDamping),
-    SCREE_CALL(FrictionJoint::SetMaxForce),
-    SCREE_CALL(FrictionJoint::SetMaxTorque),
-    SCREE_CALL(GearJoint::SetRatio),
-    SCREE_CALL(MotorJoint::SetLinearOffset),
-    SCREE_CALL(MotorJoint::SetAngularOffset),
-    SCREE_CALL(MotorJoint::SetMaxForce),
-    SCREE_CALL(MotorJoint::SetMaxTorque),
-    SCREE_CALL(MotorJoint::SetCorrectionFactor),
-    SCREE_CALL(MouseJoint::SetTarget),
-    SCREE_CALL(MouseJoint::SetMaxForce),
-    SCREE_CALL(MouseJoint::SetStiffness),
-    SCREE_CALL(MouseJoint::SetDamping),
-};
+#define SCREE_CALL(method) {#method, Call<&method>},
+    SCREE_RECORDED_CALLS(SCREE_CALL)};
 #undef SCREE_CALL
 
 bool MakeCall(uint32_t number, World& world, std::span<const std::byte> arguments) {
