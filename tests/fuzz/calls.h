@@ -374,9 +374,24 @@ private:
             return {m_input.Flip(), m_input.Flip(), m_input.Flip()};
         } else if constexpr (std::is_same_v<T, Filter>) {
             return {m_input.Byte(), m_input.Byte(), 0};
+        } else if constexpr (std::is_same_v<T, Manifold>) {
+            return TakeManifold();
         } else {
             return static_cast<T>(m_input.Choose(8));
         }
+    }
+
+    Manifold TakeManifold() {
+        Manifold manifold{};
+        manifold.type = static_cast<Manifold::Type>(m_input.Choose(4));
+        manifold.pointCount = static_cast<int8_t>(m_input.Choose(4));
+        manifold.localNormal = m_input.Point(), manifold.localPoint = m_input.Point();
+        for (ManifoldPoint& point : manifold.points) {
+            point.localPoint = m_input.Point();
+            point.normalImpulse = m_input.Number(), point.tangentImpulse = m_input.Number();
+            point.id.key = m_input.Byte();
+        }
+        return manifold;
     }
 
     template <typename Object>

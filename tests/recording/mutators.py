@@ -48,7 +48,6 @@ EXEMPT = {
     'Fixture::GetBody': READS,
     'Fixture::GetNext': READS,
     'Fixture::SetUserData': PROGRAM,
-    'Contact::SetManifold': 'meant for listeners, which are not recorded either (engine/docs/recording.md)',
     'Contact::GetFixtureA': READS,
     'Contact::GetFixtureB': READS,
     'Contact::GetNext': READS,

@@ -326,5 +326,27 @@ TEST_F(LoadedWorlds, FewJointsAmongManyThatRest) {
     }
 }
 
+TEST_F(LoadedWorlds, RememberManifoldsThatAProgramHasSet) {
+    for (int round = 0; round < rounds && !HasFailure(); ++round) {
+        World world({0.0f, -10.0f});
+        AddGround(world);
+        for (int i = 0; i < 4; ++i) {
+            Body* body = AddBody(world, dynamicBody, {1.5f * static_cast<float>(i), 0.5f - Between(0.0f, 0.1f)});
+            AddBox(body, 0.5f, 0.5f);
+        }
+        for (int i = 0; i < 4; ++i) world.Step(frame, 4);
+        int set = 0;
+        for (Contact* contact = world.GetContactList(); contact != nullptr; contact = contact->GetNext()) {
+            Manifold manifold = contact->GetManifold();
+            if (Flip()) manifold.localPoint.y += Between(-0.1f, 0.1f);
+            if (Flip()) continue;
+            ASSERT_EQ(contact->SetManifold(manifold), ErrorCode::ok);
+            ++set;
+        }
+        SCOPED_TRACE(std::to_string(set) + " manifolds set");
+        ExpectAlike(world);
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

@@ -47,6 +47,8 @@ ErrorCode Contact::SetManifold(const Manifold& manifold) {
     Guard guard = CheckContact(*m_state, m_row, "Contact::SetManifold");
     guard.Require(manifold.pointCount >= 0 && manifold.pointCount <= maxManifoldPoints, ErrorCode::outOfRange,
                   "pointCount", "give 0, 1 or 2 points");
+    guard.Require(manifold.type <= Manifold::e_faceB, ErrorCode::outOfRange, "type",
+                  "give e_circles, e_faceA or e_faceB");
     if (guard.Failed()) return guard.Code();
     guard.Finite(manifold.localNormal, "localNormal").Finite(manifold.localPoint, "localPoint");
     for (int i = 0; i < manifold.pointCount; ++i) {
@@ -54,6 +56,7 @@ ErrorCode Contact::SetManifold(const Manifold& manifold) {
         guard.Finite(p.localPoint, "points").Finite(p.normalImpulse, "points").Finite(p.tangentImpulse, "points");
     }
     if (guard.Failed()) return guard.Code();
+    const Recording recording(Changes::motion, *m_state, "Contact::SetManifold", m_row, manifold);
     m_state->contacts.manifold[m_row] = manifold;
     m_state->contacts.LeaveUnsteady(m_row);
     ++m_state->contacts.grouping;

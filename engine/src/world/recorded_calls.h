@@ -52,6 +52,7 @@
     CALL(Fixture::SetMixRules) \
     CALL(Fixture::SetMaterialId) \
     CALL(Fixture::SetReports) \
+    CALL(Contact::SetManifold) \
     CALL(Contact::SetEnabled) \
     CALL(Contact::SetFriction) \
     CALL(Contact::ResetFriction) \

@@ -219,14 +219,17 @@ void Fields(Self& point, Visit& visit) {
 template <Is<SteadyContact> Self, typename Visit>
 void Fields(Self& row, Visit& visit) {
     auto& [turnA, turnB, between, normal, isKept, reach, arm, separation, isSwapped, initialOverlap] = row;
-    float marks = isKept + (initialOverlap != 0.0f ? 2.0f : 0.0f);
+    constexpr float kept = 1.0f, overlapping = 2.0f, set = 4.0f;
+    float marks = isKept > 0.0f ? kept : isKept < 0.0f ? set : 0.0f;
+    if (initialOverlap != 0.0f) marks += overlapping;
     visit(marks);
+    const bool overlaps = marks == overlapping || marks == kept + overlapping || marks == set + overlapping;
     if constexpr (!std::is_const_v<Self>) {
-        isKept = marks == 1.0f || marks == 3.0f ? 1.0f : 0.0f;
-        if (marks < 2.0f) initialOverlap = 0.0f;
+        isKept = marks == kept || marks == kept + overlapping ? 1.0f : marks >= set ? -1.0f : 0.0f;
+        if (!overlaps) initialOverlap = 0.0f;
     }
-    if (marks >= 2.0f) visit(initialOverlap);
-    if (isKept == 0.0f) return;
+    if (overlaps) visit(initialOverlap);
+    if (isKept <= 0.0f) return;
     visit(turnA, turnB, between, normal, reach, isSwapped, arm, separation);
 }
 /// Beyond its points a manifold holds left-overs.
