@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "scree/inspect.h"
+#include "scree/rollback.h"
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
 #include "tests/fuzz/input.h"
@@ -38,7 +39,7 @@ public:
     explicit Calls(Input& input) : m_input(input), m_world(MakeDef(input)) {
         m_world.SetErrorHandler([](const Error&, void*) {}, nullptr);
         SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
-        StartRecording(m_world, m_recorder);
+        if (m_isRecorded) StartRecording(m_world, m_recorder);
         MakeBody();
     }
 
@@ -48,8 +49,7 @@ public:
         for (int call = 0; call < mostCalls && !m_input.IsEmpty(); ++call) {
             const int kind = m_input.Choose(23);
             if (kind == 18) {
-                m_kept = SaveWorld(m_world);
-                m_keptHash = inspect::GetStateHash(m_world);
+                KeepOrGoBack();
             } else if (kind > 18) {
                 CallAny();
             } else if (kind >= 16) {
@@ -72,9 +72,12 @@ public:
             }
         }
         StopRecording(m_world);
-        CheckReplay();
+        if (m_isRecorded) CheckReplay();
         CheckLoaded();
-        CheckRestored();
+        for (const Kept& kept : m_kept) {
+            GoBackTo(kept);
+            CheckGoesOnLike(*Load(kept.image), "a restored world goes on alike");
+        }
     }
 
     /// Of the states after all steps, and of all answers: the same on all machines.
@@ -82,6 +85,13 @@ public:
 
 private:
     static constexpr int mostWorkers = 4;
+
+    /// The world on the way.
+    struct Kept {
+        std::vector<std::byte> image;
+        int64_t moment;
+        uint64_t hash;
+    };
 
     static WorldDef MakeDef(Input& input) {
         WorldDef def;
@@ -532,6 +542,22 @@ private:
                "a replay ends in the same state");
     }
 
+    /// While the world is recorded it cannot go back.
+    void KeepOrGoBack() {
+        if (!m_isRecorded && !m_kept.empty() && m_input.Flip()) {
+            GoBackTo(m_kept[m_input.Byte() % m_kept.size()]);
+        } else {
+            m_kept.push_back({SaveWorld(m_world), m_rollback.Save(), inspect::GetStateHash(m_world)});
+        }
+    }
+    /// By its image or its moment.
+    void GoBackTo(const Kept& kept) {
+        const bool byMoment = m_rollback.Has(kept.moment) && kept.moment % 2 == 0;
+        const SnapshotError error = byMoment ? m_rollback.Restore(kept.moment) : RestoreWorld(m_world, kept.image);
+        Demand(error == SnapshotError::ok, "what was saved can be restored");
+        Demand(inspect::GetStateHash(m_world) == kept.hash, "what was restored has the state that was saved");
+    }
+
     [[nodiscard]] std::unique_ptr<World> Load(std::span<const std::byte> image) const {
         SnapshotError error{};
         std::unique_ptr<World> loaded = LoadWorld(image, &error);
@@ -552,22 +578,16 @@ private:
         CheckGoesOnLike(*loaded, "a loaded world goes on alike");
     }
 
-    void CheckRestored() {
-        if (m_kept.empty()) return;
-        Demand(RestoreWorld(m_world, m_kept) == SnapshotError::ok, "what was saved can be restored");
-        Demand(inspect::GetStateHash(m_world) == m_keptHash, "what was restored has the state that was saved");
-        CheckGoesOnLike(*Load(m_kept), "a restored world goes on alike");
-    }
-
     Input& m_input;
     World m_world;
+    const bool m_isRecorded = m_input.Flip();
     Recorder m_recorder;
     std::vector<Body*> m_bodies;
     std::vector<Fixture*> m_fixtures;  ///< dead ones too: their calls must be refused
     std::vector<Joint*> m_joints;
     std::array<std::vector<Joint*>, e_motorJoint + 1> m_jointsOfType;
-    std::vector<std::byte> m_kept;  ///< an image of the world on the way
-    uint64_t m_keptHash = 0;
+    std::vector<Kept> m_kept;
+    Rollback m_rollback{m_world, 4};
     testbed::Fnv1a<uint64_t> m_sum;
 };
 

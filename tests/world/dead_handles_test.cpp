@@ -80,6 +80,28 @@ struct Pair {
     Body* b = nullptr;
 };
 
+TEST(DeadHandles, ADefinitionOfAMotorJointReadsNothingOfADeadBody) {
+    Pair pair;
+    pair.world.SetErrorHandler([](const Error&, void*) {}, nullptr);
+    const std::vector<std::byte> image = SaveWorld(pair.world);
+    std::vector<Body*> dead;
+    for (int i = 0; i < 3000; ++i)
+        dead.push_back(AddBody(pair.world, dynamicBody, {3.0f, 4.0f + static_cast<float>(i)}));
+    ASSERT_EQ(RestoreWorld(pair.world, image), SnapshotError::ok);  // whose tables have no rows for them
+    pair.world.DestroyBody(pair.b);
+    dead.push_back(pair.b);
+    for (Body* body : dead) {
+        for (const bool isFirst : {true, false}) {
+            MotorJointDef def;
+            isFirst ? def.Initialize(body, pair.a) : def.Initialize(pair.a, body);
+            EXPECT_EQ(def.linearOffset.x, 0.0f);
+            EXPECT_EQ(def.linearOffset.y, 0.0f);
+            EXPECT_EQ(def.angularOffset, 0.0f);
+            EXPECT_EQ(pair.world.CreateJoint(&def), nullptr);
+        }
+    }
+}
+
 TEST(DeadHandles, EveryCallOnABodyIsAnError) {
     Pair pair;
     pair.world.DestroyBody(pair.b);

@@ -16,8 +16,10 @@ MotorRow& MotorJoint::Row() const { return RowOf<MotorRow>(m_state, m_row); }
 void MotorJointDef::Initialize(Body* a, Body* b) {
     bodyA = a;
     bodyB = b;
-    if (a == nullptr || b == nullptr) return;  // CreateJoint says so
-    const BodyTable& bodies = a->GetWorld()->GetState().bodies;
+    if (a == nullptr || b == nullptr) return;  // CreateJoint says so, and so if they do not live in one world
+    const WorldState& s = a->GetWorld()->GetState();
+    if (!Owns(s, a) || !Owns(s, b)) return;
+    const BodyTable& bodies = s.bodies;
     linearOffset = a->GetLocalVector(GapBetween(bodies, IndexOf(*a), vec2Zero, IndexOf(*b), vec2Zero));
     angularOffset = b->GetAngle() - a->GetAngle();
 }
