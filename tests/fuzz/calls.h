@@ -34,11 +34,89 @@ inline void SetWorkers(World& world, int count) {
     world.GetState().pool->ShareAlways();
 }
 
+/// Hears of contacts and meddles with them and their bodies, by what the contacts are alone: worlds that are replayed
+/// or loaded hear the same.
+class Meddler final : public ContactListener, public ContactFilter {
+public:
+    void BeginContact(Contact* contact) override { React(*contact, 1); }
+    void EndContact(Contact* contact) override { React(*contact, 2); }
+    void PreSolve(Contact* contact, const Manifold*) override { React(*contact, 3); }
+    void PostSolve(Contact* contact, const ContactImpulse*) override { React(*contact, 4); }
+    bool ShouldCollide(Fixture* a, Fixture* b) override {
+        return (a->GetIndex() + b->GetIndex()) % 7 != 0 && ContactFilter::ShouldCollide(a, b);
+    }
+
+private:
+    static void React(Contact& contact, int call) {
+        Fixture& fixture = *contact.GetFixtureA();
+        Body& body = *(call % 2 == 0 ? fixture : *contact.GetFixtureB()).GetBody();
+        const int kind = (7 * fixture.GetIndex() + 13 * contact.GetFixtureB()->GetIndex() + 29 * call) % 48;
+        const auto amount = static_cast<float>(kind % 5);
+        Manifold manifold = contact.GetManifold();
+        switch (kind) {
+            case 0:
+                return static_cast<void>(contact.SetEnabled(false));
+            case 1:
+                return static_cast<void>(contact.SetFriction(amount));
+            case 2:
+                return static_cast<void>(contact.SetRestitution(amount));
+            case 3:
+                return static_cast<void>(contact.SetTangentSpeed(amount));
+            case 4:
+                manifold.pointCount = static_cast<int8_t>(manifold.pointCount / 2);
+                manifold.localPoint.y += 0.125f;
+                return static_cast<void>(contact.SetManifold(manifold));
+            case 5:
+                return static_cast<void>(body.SetLinearVelocity({amount, -amount}));
+            case 6:
+                return static_cast<void>(body.ApplyLinearImpulseToCenter({amount, amount}, true));
+            case 7:
+                return static_cast<void>(body.SetAwake(false));
+            case 8:
+                return static_cast<void>(body.SetType(kinematicBody));
+            case 9:
+                return static_cast<void>(body.SetEnabled(false));
+            case 10:
+                return static_cast<void>(body.SetTransform({amount, amount}, amount));
+            case 11:
+                return static_cast<void>(body.SetBullet(!body.IsBullet()));
+            case 12:
+                return static_cast<void>(body.SetFixedRotation(!body.IsFixedRotation()));
+            case 13:
+                return static_cast<void>(body.SetMotionLocks({true, false, false}));
+            case 14:
+                return static_cast<void>(body.SetGravityScale(amount));
+            case 15:
+                return static_cast<void>(fixture.SetSensor(!fixture.IsSensor()));
+            case 16:
+                return static_cast<void>(fixture.SetFilterData({3, 6, 0}));
+            case 17:
+                return static_cast<void>(fixture.Refilter());
+            case 18:
+                fixture.SetDensity(amount);
+                return static_cast<void>(body.ResetMassData());
+            case 19:
+                return static_cast<void>(body.GetWorld()->DestroyBody(&body));
+            case 20:
+                return static_cast<void>(body.SetSleepingAllowed(false));
+            case 21:
+                return static_cast<void>(body.GetWorld()->SetGravity({amount, -10.0f}));
+            case 22:
+                return static_cast<void>(fixture.SetTangentSpeed(amount));
+            case 23:
+                return static_cast<void>(fixture.SetFriction(amount));
+            default:
+                return;
+        }
+    }
+};
+
 class Calls {
 public:
     explicit Calls(Input& input) : m_input(input), m_world(MakeDef(input)) {
         m_world.SetErrorHandler([](const Error&, void*) {}, nullptr);
         SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
+        Meddle(m_world);
         if (m_isRecorded) StartRecording(m_world, m_recorder);
         MakeBody();
     }
@@ -529,13 +607,18 @@ private:
         }
     }
 
+    void Meddle(World& world) {
+        if (m_isHeard) world.SetContactListener(&m_meddler);
+        if (m_isFiltered) world.SetContactFilter(&m_meddler);
+    }
+
     /// Unlike the world's own.
     [[nodiscard]] int OtherWorkers() const { return m_world.GetWorkerCount() == 1 ? mostWorkers : 1; }
 
     void CheckReplay() {
         const int others = OtherWorkers();
         const ReplayReport replay =
-            Replay(m_recorder.GetBytes(), [others](World& world) { SetWorkers(world, others); });
+            Replay(m_recorder.GetBytes(), [&](World& world) { SetWorkers(world, others), Meddle(world); });
         Demand(replay.valid, "a recording can be replayed");
         Demand(replay.firstDifference == 0, "a replay leads to the same hashes");
         Demand(inspect::GetStateHash(*replay.world) == inspect::GetStateHash(m_world),
@@ -558,12 +641,13 @@ private:
         Demand(inspect::GetStateHash(m_world) == kept.hash, "what was restored has the state that was saved");
     }
 
-    [[nodiscard]] std::unique_ptr<World> Load(std::span<const std::byte> image) const {
+    [[nodiscard]] std::unique_ptr<World> Load(std::span<const std::byte> image) {
         SnapshotError error{};
         std::unique_ptr<World> loaded = LoadWorld(image, &error);
         if (loaded == nullptr) std::fprintf(stderr, "%s\n", GetName(error));
         Demand(loaded != nullptr, "what was saved can be loaded");
         SetWorkers(*loaded, OtherWorkers());
+        Meddle(*loaded);
         return loaded;
     }
     void CheckGoesOnLike(World& other, const char* law) {
@@ -580,7 +664,8 @@ private:
 
     Input& m_input;
     World m_world;
-    const bool m_isRecorded = m_input.Flip();
+    const bool m_isRecorded = m_input.Flip(), m_isHeard = m_input.Flip(), m_isFiltered = m_input.Flip();
+    Meddler m_meddler;
     Recorder m_recorder;
     std::vector<Body*> m_bodies;
     std::vector<Fixture*> m_fixtures;  ///< dead ones too: their calls must be refused

@@ -205,14 +205,14 @@ TEST(GearLifetime, ADisabledCarrierSuspendsTheGear) {
     EXPECT_EQ(gear->GetReactionTorque(60.0f), 0.0f);
 }
 
-/// Two wheels on a static ground each. Any of them may be the first body of its joint, so that what the gear is told of
-/// first is static.
+/// Two wheels on a static or kinematic ground each. Any of them may be the first body of its joint, so that what the
+/// gear is told of first is a ground.
 struct Wheels {
-    Wheels(bool isFirstA, bool isSecondA, float gearRatio) : ratio(gearRatio) {
+    Wheels(bool isFirstA, bool isSecondA, BodyType groundType, float gearRatio) : ratio(gearRatio) {
         GearJointDef def;
         for (int i = 0; i < 2; ++i) {
             const Vec2 place{4.0f * static_cast<float>(i), 0.0f};
-            ground[i] = AddBody(world, staticBody, place);
+            ground[i] = AddBody(world, groundType, place);
             AddCircle(ground[i], 0.5f)->SetSensor(true);
             wheel[i] = AddBody(world, dynamicBody, place);
             AddCircle(wheel[i], 0.5f);
@@ -235,14 +235,14 @@ struct Wheels {
     GearJoint* gear;
 };
 
-class GearOfWheels : public testing::TestWithParam<std::tuple<bool, bool, int>> {};
+class GearOfWheels : public testing::TestWithParam<std::tuple<bool, bool, BodyType, int>> {};
 
 TEST_P(GearOfWheels, TurnsBothWhicheverIsTheFirstOfItsJoint) {
-    const auto [isFirstA, isSecondA, substeps] = GetParam();
+    const auto [isFirstA, isSecondA, groundType, substeps] = GetParam();
     std::mt19937 random(std::random_device{}());
     const float ratio = std::uniform_real_distribution<float>(0.5f, 2.0f)(random);
     SCOPED_TRACE(ratio);
-    Wheels wheels(isFirstA, isSecondA, ratio);
+    Wheels wheels(isFirstA, isSecondA, groundType, ratio);
     ASSERT_NE(wheels.gear, nullptr);
     EXPECT_EQ(wheels.gear->GetBodyA(), wheels.wheel[0]);
     EXPECT_EQ(wheels.gear->GetBodyB(), wheels.wheel[1]);
@@ -256,8 +256,8 @@ TEST_P(GearOfWheels, TurnsBothWhicheverIsTheFirstOfItsJoint) {
 }
 
 TEST_P(GearOfWheels, FallsAsleepAndWakesAsOne) {
-    const auto [isFirstA, isSecondA, substeps] = GetParam();
-    Wheels wheels(isFirstA, isSecondA, 1.0f);
+    const auto [isFirstA, isSecondA, groundType, substeps] = GetParam();
+    Wheels wheels(isFirstA, isSecondA, groundType, 1.0f);
     for (int i = 0; i < 60; ++i) StepWith(wheels.world, substeps);
     ASSERT_FALSE(wheels.wheel[0]->IsAwake());
     ASSERT_FALSE(wheels.wheel[1]->IsAwake());
@@ -270,10 +270,10 @@ TEST_P(GearOfWheels, FallsAsleepAndWakesAsOne) {
 }
 
 TEST_P(GearOfWheels, TurnsWhateverMovesOnceGroundsAndWheelsHaveSwapped) {
-    const auto [isFirstA, isSecondA, substeps] = GetParam();
-    Wheels wheels(isFirstA, isSecondA, 1.0f);
-    const auto swap = [&wheels](int i) {
-        wheels.wheel[i]->SetType(staticBody);
+    const auto [isFirstA, isSecondA, groundType, substeps] = GetParam();
+    Wheels wheels(isFirstA, isSecondA, groundType, 1.0f);
+    const auto swap = [&wheels, type = groundType](int i) {
+        wheels.wheel[i]->SetType(type);
         wheels.ground[i]->SetType(dynamicBody);
         std::swap(wheels.wheel[i], wheels.ground[i]);
     };
@@ -298,7 +298,8 @@ TEST_P(GearOfWheels, TurnsWhateverMovesOnceGroundsAndWheelsHaveSwapped) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, GearOfWheels,
-                         testing::Combine(testing::Bool(), testing::Bool(), testing::ValuesIn(solvers)));
+                         testing::Combine(testing::Bool(), testing::Bool(), testing::Values(staticBody, kinematicBody),
+                                          testing::ValuesIn(solvers)));
 
 }  // namespace
 }  // namespace scree::test

@@ -190,5 +190,78 @@ TEST(Listener, CallbacksChangeWhatComesLater) {
     EXPECT_EQ(turns.presolvedSensors, 0);
 }
 
+struct TakesPoints : ContactListener {
+    void PreSolve(Contact* contact, const Manifold*) override {
+        Manifold manifold = contact->GetManifold();
+        manifold.pointCount = 0;
+        EXPECT_EQ(contact->SetManifold(manifold), ErrorCode::ok);
+    }
+};
+struct Disables : ContactListener {
+    void PreSolve(Contact* contact, const Manifold*) override { contact->SetEnabled(false); }
+};
+struct Hardens : ContactListener {
+    void BeginContact(Contact* contact) override {
+        for (Fixture* fixture : {contact->GetFixtureA(), contact->GetFixtureB()}) fixture->SetSensor(false);
+        ++count;
+    }
+    int count = 0;
+};
+
+/// Pairs of boxes that overlap. The solid ones are on a ground, every other one.
+void AddPairs(World& world, int pairs, bool areSensors) {
+    AddBox(AddBody(world, staticBody, {0.0f, -0.5f}), 200.0f, 0.5f);
+    for (int i = 0; i < 2 * pairs; ++i) {
+        const Vec2 place{3.0f * static_cast<float>(i / 2) + 0.3f * static_cast<float>(i % 2),
+                         !areSensors && i % 4 < 2 ? 0.4f : 5.0f};
+        AddBox(AddBody(world, dynamicBody, place), 0.5f, 0.5f)->SetSensor(areSensors);
+    }
+}
+
+void ExpectSameMotion(World& a, World& b) {
+    for (Body *p = a.GetBodyList(), *q = b.GetBodyList(); p != nullptr; p = p->GetNext(), q = q->GetNext()) {
+        EXPECT_EQ(p->GetPosition().x, q->GetPosition().x) << "body " << p->GetIndex();
+        EXPECT_EQ(p->GetPosition().y, q->GetPosition().y) << "body " << p->GetIndex();
+        EXPECT_EQ(p->GetAngle(), q->GetAngle()) << "body " << p->GetIndex();
+    }
+}
+
+TEST(Listener, AContactWithoutPointsDoesNotPush) {
+    for (const int substeps : test::solvers) {
+        for (const int pairs : {1, 2, 40}) {
+            SCOPED_TRACE(std::to_string(pairs) + " pairs, sub-steps " + std::to_string(substeps));
+            TakesPoints takes;
+            Disables disables;
+            World a({0.0f, -10.0f}), b({0.0f, -10.0f});
+            a.SetContactListener(&takes), b.SetContactListener(&disables);
+            for (World* world : {&a, &b}) {
+                world->SetContinuousPhysics(false);
+                AddPairs(*world, pairs, false);
+                for (int i = 0; i < 5; ++i) test::StepWith(*world, substeps);
+            }
+            ExpectSameMotion(a, b);
+        }
+    }
+}
+
+TEST(Listener, ASensorThatBecomesSolidInsideAStepPushesFromTheNextOneOn) {
+    for (const int substeps : test::solvers) {
+        for (const int pairs : {1, 2, 40}) {
+            SCOPED_TRACE(std::to_string(pairs) + " pairs, sub-steps " + std::to_string(substeps));
+            Hardens hardens;
+            World a({0.0f, -10.0f}), b({0.0f, -10.0f});
+            a.SetContactListener(&hardens);
+            for (World* world : {&a, &b}) {
+                AddPairs(*world, pairs, true);
+                test::StepWith(*world, substeps);
+            }
+            EXPECT_GT(hardens.count, 0);
+            ExpectSameMotion(a, b);
+            test::StepWith(a, substeps), test::StepWith(b, substeps);
+            EXPECT_NE(a.GetBodyList()->GetPosition().x, b.GetBodyList()->GetPosition().x);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace scree

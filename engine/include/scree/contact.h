@@ -24,8 +24,8 @@ class SCREE_API Contact {
 public:
     /// In local coordinates; pointCount is 0 if the fixtures do not touch.
     [[nodiscard]] Manifold GetManifold() const;
-    /// Replaces the manifold until the next step computes it again; meant for
-    /// PreSolve. Refused: more than two points, an unknown type, NaN or infinity.
+    /// Replaces the manifold until the next step computes it again; meant for PreSolve. Without points it disables the
+    /// contact for the current step. Refused: more than two points, an unknown type, NaN or infinity.
     ErrorCode SetManifold(const Manifold& manifold);
     void GetWorldManifold(WorldManifold* worldManifold) const;
     [[nodiscard]] bool IsTouching() const;

@@ -18,7 +18,7 @@ struct GearJointDef : JointDef {
     GearJointDef() : JointDef(e_gearJoint) {}
 
     /// Revolute or prismatic, with different bodies B. These are the gear's bodies A and B; where one of them is
-    /// static, it is body A of that joint instead, since a gear belongs to what it moves.
+    /// static or kinematic and body A of that joint is dynamic, it is that one instead: a gear belongs to what it pushes.
     Joint *joint1 = nullptr, *joint2 = nullptr;
     float ratio = 1.0f;  ///< not 0; in units of coordinate1 / coordinate2
 };

@@ -138,6 +138,13 @@ struct ContactTable {
         if (steady.Has(contact))
             steady[contact].isKept = manifold[contact].pointCount < maxManifoldPoints ? 0.0f : -1.0f;
     }
+    /// A callback may leave a touching contact without points, or make a sensor's solid, which never has any. It cannot
+    /// push: it is disabled for the step.
+    void DisableWithoutPoints(ContactIndex contact) {
+        constexpr uint8_t kind = ContactFlag::touching | ContactFlag::sensor;
+        if ((flags[contact] & kind) != ContactFlag::touching || manifold[contact].pointCount > 0) return;
+        flags[contact] = static_cast<uint8_t>(flags[contact] & ~ContactFlag::enabled);
+    }
     /// The fresh contact touches: the soft step is to see how deep its bodies are in each other.
     void AskInitialOverlap(ContactIndex contact) {
         if (!keepsSteady) return;

@@ -59,6 +59,7 @@ ErrorCode Contact::SetManifold(const Manifold& manifold) {
     const Recording recording(Changes::motion, *m_state, "Contact::SetManifold", m_row, manifold);
     m_state->contacts.manifold[m_row] = manifold;
     m_state->contacts.LeaveUnsteady(m_row);
+    m_state->contacts.DisableWithoutPoints(m_row);
     ++m_state->contacts.grouping;
     return ErrorCode::ok;
 }
@@ -90,6 +91,7 @@ void Contact::SetEnabled(bool flag) {
     const Recording recording(Changes::motion, *m_state, "Contact::SetEnabled", m_row, flag);
     uint8_t& flags = m_state->contacts.flags[m_row];
     flags = static_cast<uint8_t>((flags & ~ContactFlag::enabled) | (flag ? ContactFlag::enabled : 0));
+    m_state->contacts.DisableWithoutPoints(m_row);
 }
 bool Contact::IsEnabled() const {
     return Lives("Contact::IsEnabled") ? m_state->contacts.Has(m_row, ContactFlag::enabled) : false;

@@ -140,6 +140,7 @@ ErrorCode Fixture::SetSensor(bool sensor) {
         const bool any = m_state->fixtures.isSensor[p.fixtureA] || m_state->fixtures.isSensor[p.fixtureB];
         contacts.flags[c] =
             static_cast<uint8_t>((contacts.flags[c] & ~ContactFlag::sensor) | (any ? ContactFlag::sensor : 0));
+        contacts.DisableWithoutPoints(c);
     }
     m_state->bodies.Wake(body);
     return ErrorCode::ok;

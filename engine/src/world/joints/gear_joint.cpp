@@ -75,14 +75,15 @@ GearRow MakeGearRow(const GearJointDef& def, const WorldState& state) {
 }
 
 GearBodies BodiesOfGear(const GearRow& gear, const BodyTable& bodies) {
-    // A side's joint connects its two bodies. So it is enough to hang on the one that moves.
+    // A side's joint connects its two bodies. So it is enough to hang on the one that can be pushed, or else on the one
+    // that moves.
+    static_assert(staticBody < kinematicBody && kinematicBody < dynamicBody);
     const auto moverOf = [&bodies](const GearSide& side) {
-        const bool isAgainst = bodies.type[side.body] == staticBody && bodies.type[side.against] != staticBody;
-        return isAgainst ? side.against : side.body;
+        return bodies.type[side.against] > bodies.type[side.body] ? side.against : side.body;
     };
     const GearBodies movers{moverOf(gear.side[0]), moverOf(gear.side[1])};
     if (movers.a != movers.b) return movers;
-    // One body moves on both sides: on one of them a static body stands in for it.
+    // One body moves on both sides: on one of them the other body stands in for it.
     if (movers.a == gear.side[0].body) return {movers.a, gear.side[1].body};
     return {gear.side[0].body, movers.b};
 }

@@ -13,9 +13,14 @@
 
 namespace scree {
 
+/// Calls may look at it before they find that the joint is dead, which is then refused. A world that went back to a
+/// time before the joint has no row for it.
 template <typename Row>
 Row& RowOf(WorldState* state, JointRow row) {
-    return state->joints.Store<Row>().rows[row];
+    auto& rows = state->joints.Store<Row>().rows;
+    if (rows.Has(row)) return rows[row];
+    thread_local Row none;
+    return none = {};
 }
 
 /// A setter: checks the handle and the value, then stores it. Usage: `return JointEdit(m_state, this,
