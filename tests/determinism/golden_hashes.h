@@ -39,10 +39,10 @@ inline constexpr uint64_t goldenRound[2] = {0x17234de3d334fe00, 0x972087452472fa
 
 /// Of calls.h, a group each.
 inline constexpr uint64_t goldenCalls[20] = {
-    0x1e8fd55039ce27ea, 0x018b239de2c42d18, 0xab5ba8b8baeef941, 0x938eccf913f260c8, 0xdaa4389825bb94c0,
-    0x7862a8a6904f22ae, 0xd877290cb47619d4, 0xdacb6dcbf8fecfe2, 0x68e1c8196876efb3, 0xcfbabb8cb263eefe,
-    0xfbf69712f8455c0e, 0x550704568cf782ed, 0x3e4596cc69bc0bbd, 0x34c4fbe2b8031c42, 0x4229247131a9cb7a,
-    0xe5bf39f11085157b, 0x8d69246c796e666d, 0x4325cea4ce4a5f25, 0xb8ec70cc867d1bc5, 0x7950bd7240275126,
+    0x71e04fe1ad001e36, 0x69e5ca66677654be, 0x35d5986e8602b54d, 0xf090316737315d10, 0x0152d984427d52c0,
+    0xc97b9ef269fb2fd6, 0xe99fee27a9f9b29d, 0x3dd09c51fa40f616, 0xfd152bec5171429f, 0x581aab64da46a54a,
+    0xc4c5ef267b4526d9, 0xa8a7b7b4dcab858f, 0x1390486cfdd6eecd, 0xe49beb0690b95463, 0x7bf43cdf52e8a994,
+    0xdf3e56155f693443, 0x078bd333bddc7afb, 0x97acce03360b6a52, 0xbe5c5d74fac12c59, 0x99c522b19f01a2a2,
 };
 
 }  // namespace determinism

@@ -114,7 +114,6 @@ private:
 class Calls {
 public:
     explicit Calls(Input& input) : m_input(input), m_world(MakeDef(input)) {
-        m_world.SetErrorHandler([](const Error&, void*) {}, nullptr);
         SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
         Meddle(m_world);
         if (m_isRecorded) StartRecording(m_world, m_recorder);
@@ -608,6 +607,7 @@ private:
     }
 
     void Meddle(World& world) {
+        world.SetErrorHandler([](const Error&, void*) {}, nullptr);
         if (m_isHeard) world.SetContactListener(&m_meddler);
         if (m_isFiltered) world.SetContactFilter(&m_meddler);
     }

@@ -17,8 +17,8 @@ struct GearRow;
 struct GearJointDef : JointDef {
     GearJointDef() : JointDef(e_gearJoint) {}
 
-    /// Revolute or prismatic, with different bodies B. These are the gear's bodies A and B; where one of them is
-    /// static or kinematic and body A of that joint is dynamic, it is that one instead: a gear belongs to what it pushes.
+    /// Revolute or prismatic, with different bodies B. These are the gear's bodies A and B. Where one of them is static
+    /// or kinematic, and body A of that joint is dynamic, it is that one instead: a gear belongs to what it pushes.
     Joint *joint1 = nullptr, *joint2 = nullptr;
     float ratio = 1.0f;  ///< not 0; in units of coordinate1 / coordinate2
 };

@@ -244,6 +244,14 @@ private:
         }
     }
 
+    /// A list that stays, whatever contacts the listener looks up meanwhile.
+    std::span<const ContactIndex> ContactsOf(BodyIndex body) {
+        const std::span<const ContactIndex> rows = m_t.contacts.OfBody(body);
+        if (m_events.listener == nullptr) return rows;
+        m_s.contactsOfBody.assign(rows.begin(), rows.end());
+        return m_s.contactsOfBody;
+    }
+
     /// Everything that joints hold to the pair goes on from the event together, with all that touches it.
     void SolveJointed(const ToiPair& pair, float alpha) {
         GatherJointed(pair);
@@ -252,7 +260,7 @@ private:
         for (const BodyIndex body : m_s.islandBodies) {
             m_bodies.Wake(body);
             m_t.contacts.RouseOf(body);
-            for (const ContactIndex contact : m_t.contacts.OfBody(body)) {
+            for (const ContactIndex contact : ContactsOf(body)) {
                 if (!m_t.contacts.IsAlive(contact) || m_t.contacts.Has(contact, ContactFlag::sensor)) continue;
                 if (!IsFirstMember(body, m_t.contacts.pair[contact].bodyA)) continue;
                 if (!UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts)) continue;

@@ -70,6 +70,7 @@ struct ContinuousScratch : ToiScratch {
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
     std::vector<ContactIndex> islandContacts;
+    std::vector<ContactIndex> contactsOfBody;  ///< of one body, where a listener is called for them
     std::vector<BodyIndex> islandBodies;
     std::vector<JointIndex> islandJoints;
     std::vector<int> pairsInOrder;       ///< of one body
@@ -77,8 +78,9 @@ struct ContinuousScratch : ToiScratch {
     std::vector<BodyIndex> goingOn;      ///< of a step that goes on: what was active before
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return ToiScratch::GetMemoryBytes() + BytesOf(rows.velocity, rows.position, ahead, islandContacts, islandBodies,
-                                                      islandJoints, pairsInOrder, islandPlace, goingOn);
+        return ToiScratch::GetMemoryBytes() + BytesOf(rows.velocity, rows.position, ahead, islandContacts,
+                                                      contactsOfBody, islandBodies, islandJoints, pairsInOrder,
+                                                      islandPlace, goingOn);
     }
 };
 

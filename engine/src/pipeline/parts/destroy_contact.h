@@ -5,6 +5,9 @@
 
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "pipeline/contact_events.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -17,11 +20,18 @@ void DestroyContact(ContactIndex contact, bool parted, const ContactEvents& even
                     ContactTable& contacts);
 
 /// Destroys the contacts of a body for which `involves(pair)` holds, newest row first. O(contacts of the body), see
-/// ContactTable::OfBody. The listener must not add contacts.
+/// ContactTable::OfBody. The listener must not add contacts. It may look up contacts of other bodies, which would
+/// change the list.
 template <typename Predicate>
 void DestroyContactsOfBodyIf(BodyIndex body, Predicate involves, const ContactEvents& events, BodyTable& bodies,
                              ContactTable& contacts) {
-    for (const ContactIndex contact : contacts.OfBody(body)) {
+    std::span<const ContactIndex> rows = contacts.OfBody(body);
+    std::vector<ContactIndex> own;
+    if (events.HearsEnd()) {
+        own.assign(rows.begin(), rows.end());
+        rows = own;
+    }
+    for (const ContactIndex contact : rows) {
         if (contacts.IsAlive(contact) && involves(contacts.pair[contact])) {
             DestroyContact(contact, false, events, bodies, contacts);
         }
