@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Any sequence of calls with any numbers, on living and dead objects, with any number of workers. Laws:
-// nothing crashes. The world saved at the end can be loaded and goes on to the same state. So does the world that goes
+// Any sequence of calls with any numbers, on living and dead objects, with any number of workers. The laws follow.
+// Nothing crashes. The world saved at the end can be loaded and goes on to the same state. So does the world that goes
 // back to what was saved on the way. The recording of all calls replays to the same hashes. What is loaded or replayed
 // has another number of workers.
 
@@ -306,6 +306,12 @@ private:
         m_joints.push_back(joint);
         m_jointsOfType[joint->GetType()].push_back(joint);
     }
+    /// With two anchors, or an anchor and an axis.
+    template <typename Def>
+    void InitializeAt(Def& def, Body* a, Body* b) {
+        const auto [first, second] = std::tuple{m_input.Point(), m_input.Point()};
+        def.Initialize(a, b, first, second);
+    }
     template <typename Def>
     void Slide(Def& def) {
         def.enableLimit = m_input.Flip(), def.enableMotor = m_input.Flip();
@@ -326,16 +332,14 @@ private:
             }
             case 1: {
                 DistanceJointDef def;
-                const auto [first, second] = std::tuple{m_input.Point(), m_input.Point()};
-                def.Initialize(a, b, first, second);
+                InitializeAt(def, a, b);
                 def.minLength = m_input.Amount(), def.maxLength = m_input.Amount();
                 def.stiffness = m_input.Amount(), def.damping = m_input.Amount();
                 return MakeJointOf(def);
             }
             case 2: {
                 PrismaticJointDef def;
-                const auto [first, second] = std::tuple{m_input.Point(), m_input.Point()};
-                def.Initialize(a, b, first, second);
+                InitializeAt(def, a, b);
                 Slide(def);
                 def.maxMotorForce = m_input.Amount();
                 return MakeJointOf(def);
@@ -348,8 +352,7 @@ private:
             }
             case 4: {
                 WheelJointDef def;
-                const auto [first, second] = std::tuple{m_input.Point(), m_input.Point()};
-                def.Initialize(a, b, first, second);
+                InitializeAt(def, a, b);
                 Slide(def);
                 def.maxMotorTorque = m_input.Amount();
                 def.stiffness = m_input.Amount(), def.damping = m_input.Amount();
