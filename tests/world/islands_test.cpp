@@ -266,14 +266,14 @@ long CountWarmAllocations(int substeps, Workers workers) {
     return CountAllocations(world, substeps, 240);
 }
 
-/// The same of disks and boxes that bounce about between walls: they meet, part, leave their neighbourhoods and hit
-/// static fixtures, some of them as bullets. Before that all lay in a heap, which has more contacts than they will
-/// have.
-long CountBouncingAllocations(int substeps, Workers workers) {
+/// Disks and boxes that bounce about between walls: they meet, part, leave their neighbourhoods and hit static
+/// fixtures, some of them as bullets.
+std::unique_ptr<World> MakeBouncingWorld(Workers workers) {
     WorldDef def;
     def.gravity = {0.0f, -60.0f};
     def.workerCount = workers.count;
-    World world(def);
+    auto made = std::make_unique<World>(def);
+    World& world = *made;
     if (workers.shareAlways) world.GetState().pool->ShareAlways();
     EdgeShape wall;
     Body* walls = AddBody(world, staticBody, {0.0f, 0.0f});
@@ -302,6 +302,13 @@ long CountBouncingAllocations(int substeps, Workers workers) {
         fixture.restitution = 1.0f;
         world.CreateBody(&body)->CreateFixture(&fixture);
     }
+    return made;
+}
+
+/// Of steps in which they bounce. Before that all lay in a heap, which has more contacts than they will have.
+long CountBouncingAllocations(int substeps, Workers workers) {
+    const std::unique_ptr<World> made = MakeBouncingWorld(workers);
+    World& world = *made;
     CountAllocations(world, substeps, 200);
     world.SetGravity({0.0f, 0.0f});
     int i = 0;
@@ -313,12 +320,54 @@ long CountBouncingAllocations(int substeps, Workers workers) {
     return CountAllocations(world, substeps, 300);
 }
 
+/// Chance decides who finds how much, and now and then one worker finds all.
+TEST(Step, EachWorkerHasRoomForAllThatWorkersFind) {
+    for (const Workers& workers : anyWorkers) {
+        const std::unique_ptr<World> world = MakeBouncingWorld(workers);
+        size_t most = 0;
+        for (int i = 0; i < 60; ++i) {
+            world->Step(1.0f / 60.0f, 8, 3);
+            const std::vector<ScreenedCandidates>& rows = world->GetState().continuousScratch.ofWorkers;
+            ASSERT_GE(rows.size(), ToSize(workers.count));
+            size_t kept = 0;
+            for (const ScreenedCandidates& found : rows) kept += found.kept.size();
+            most = std::max(most, kept);
+            if (!workers.shareAlways) continue;  // the caller may find all of it
+            for (const ScreenedCandidates& found : rows) {
+                ASSERT_GE(found.kept.capacity(), kept) << workers;
+                ASSERT_EQ(found.ofBody.capacity(), rows.front().ofBody.capacity()) << workers;
+            }
+        }
+        EXPECT_GT(most, 20u) << workers;
+    }
+}
+
 TEST(Step, AWarmStepOfMovingBodiesAllocatesNothing) {
     for (const Workers& workers : anyWorkers) {
         EXPECT_EQ(CountBouncingAllocations(0, workers), 0) << "sequential impulses, workers " << workers;
         EXPECT_EQ(CountBouncingAllocations(4, workers), 0) << "soft step, workers " << workers;
         EXPECT_EQ(CountBouncingAllocations(withTolerance, workers), 0) << "with a tolerance, workers " << workers;
     }
+}
+
+/// So many that workers share the search for pairs. They part, so that fewer are found in each step.
+long CountPartingAllocations(Workers workers) {
+    const std::unique_ptr<World> world = MakeAwakeWorld(workers);
+    world->SetGravity({0.0f, 0.0f});
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-20.0f, 20.0f), speed(-1.0f, 1.0f);
+    for (int i = 0; i < 4000; ++i) {
+        Body* const body = AddBody(*world, dynamicBody, {place(random), place(random)});
+        body->SetLinearVelocity(0.5f * body->GetPosition() + Vec2{speed(random), speed(random)});
+        CircleShape disk;
+        disk.m_radius = 0.3f;
+        body->CreateFixture(&disk, 1.0f)->SetFilterData({.categoryBits = 1, .maskBits = 0, .groupIndex = 0});
+    }
+    return CountAllocations(*world, 0, 60);
+}
+
+TEST(Step, AWarmStepOfManyBodiesAllocatesNothing) {
+    for (const Workers& workers : anyWorkers) EXPECT_EQ(CountPartingAllocations(workers), 0) << "workers " << workers;
 }
 
 TEST(Step, AWarmStepAllocatesNothing) {

@@ -5,7 +5,10 @@
 
 #pragma once
 
+#include <bit>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 
 #include "base/index.h"
 
@@ -27,6 +30,22 @@ void Shrink(T&... columns) {
 template <AnyColumn T>
 void MatchRoom(T& column, const T& other) {
     if (column.capacity() < other.capacity()) column.reserve(other.capacity());
+}
+
+/// Room in each row for whatever another one has had.
+template <typename Rows>
+void MatchRooms(Rows&& rows) {
+    for (const auto& row : rows) std::begin(rows)->MatchRoomOf(row);
+    for (auto& row : rows) row.MatchRoomOf(*std::begin(rows));
+}
+
+/// Room in the column of each row for all that was found together: the next time one worker may find all of it.
+template <typename Rows, typename Column>
+void ReserveEach(Rows&& rows, Column column, size_t count) {
+    for (auto& row : rows) {
+        auto& own = std::invoke(column, row);
+        if (own.capacity() < count) own.reserve(std::bit_ceil(count));  // a little more is no reason to allocate
+    }
 }
 
 }  // namespace scree

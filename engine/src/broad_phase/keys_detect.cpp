@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "base/bytes.h"
+#include "base/slots.h"
 #include "broad_phase/lane_lists.h"
 
 namespace scree::broadphase {
@@ -286,7 +288,7 @@ uint64_t KeysDetector::DetectSelf(const FlatTree& tree, std::span<const BuildIte
                                   std::span<const BuildItem> outside, TaskPool* pool, PairSink& sink) {
     if (tree.Empty()) return 0;
     const bool isShared = pool != nullptr && pool->IsOpen() && tree.Size() >= leastBoxesToShare;
-    KeysWalk<true> walk{tree, m_buffers[0], sink, isShared ? &m_cut : nullptr};
+    KeysWalk<true> walk{tree, m_whole, sink, isShared ? &m_cut : nullptr};
     const auto count = static_cast<uint32_t>(resting.size() + outside.size());
     walk.ReserveCandidates(count);
     walk.PutCandidates(0, resting);
@@ -323,11 +325,10 @@ uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSin
 
 template <typename Walk>
 uint64_t KeysDetector::ShareParts(TaskPool& pool, PairSink& sink, Walk&& walk) {
-    if (m_buffers.size() < static_cast<size_t>(pool.GetRowCount()))
-        m_buffers.resize(static_cast<size_t>(pool.GetRowCount()));
-    for (KeysBuffers& buffers : m_buffers) buffers.pairCount = 0;
+    EnsureRows(m_ofWorkers, static_cast<size_t>(pool.GetRowCount()));
+    for (KeysBuffers& buffers : m_ofWorkers) buffers.pairCount = 0;
     pool.For(static_cast<int>(m_cut.parts.size()), 2, [&](int begin, int end, int worker) {
-        KeysBuffers& own = m_buffers[static_cast<size_t>(worker)];
+        KeysBuffers& own = m_ofWorkers[static_cast<size_t>(worker)];
         for (int i = begin; i < end; ++i) {
             KeysCut::Part& part = m_cut.parts[static_cast<size_t>(i)];
             PairSink found(own.pairs, own.pairCount);
@@ -345,11 +346,13 @@ uint64_t KeysDetector::ShareParts(TaskPool& pool, PairSink& sink, Walk&& walk) {
         pairCount += part.pairCount;
         boxTests += part.boxTests;
     }
+    MatchRooms(m_ofWorkers);
+    ReserveEach(m_ofWorkers, &KeysBuffers::pairs, pairCount);
     Pair* const pairs = sink.Reserve(pairCount);
     const auto copy = [&](int begin, int end, int /*worker*/) {
         for (int i = begin; i < end; ++i) {
             const KeysCut::Part& part = m_cut.parts[static_cast<size_t>(i)];
-            const std::vector<Pair>& found = m_buffers[static_cast<size_t>(part.worker)].pairs;
+            const std::vector<Pair>& found = m_ofWorkers[static_cast<size_t>(part.worker)].pairs;
             std::copy_n(found.begin() + static_cast<ptrdiff_t>(part.firstPair), part.pairCount, pairs + part.place);
         }
     };
@@ -387,8 +390,16 @@ uint64_t KeysDetector::DetectBetween(const FlatTree& batch, std::span<const Buil
         });
     }
     uint64_t boxTests = 0;
-    for (uint32_t chunk = 0; chunk < chunks; ++chunk) boxTests += walkWith(m_buffers[0], sink, chunk);
+    for (uint32_t chunk = 0; chunk < chunks; ++chunk) boxTests += walkWith(m_whole, sink, chunk);
     return boxTests;
+}
+
+void KeysBuffers::MatchRoomOf(const KeysBuffers& other) {
+    const auto match = [](auto& own, const auto& others) {
+        if (own.size() < others.size()) own.resize(others.size());
+    };
+    match(boxes, other.boxes), match(ids, other.ids);
+    match(hitsFirst, other.hitsFirst), match(hitsSecond, other.hitsSecond);
 }
 
 size_t KeysBuffers::GetMemoryBytes() const {
@@ -398,8 +409,8 @@ size_t KeysBuffers::GetMemoryBytes() const {
 
 size_t KeysDetector::GetMemoryBytes() const {
     size_t bytes = m_cut.parts.capacity() * sizeof(KeysCut::Part) + m_cut.boxes.capacity() * sizeof(Bounds) +
-                   m_cut.ids.capacity() * sizeof(ItemId);
-    for (const KeysBuffers& buffers : m_buffers) bytes += buffers.GetMemoryBytes();
+                   m_cut.ids.capacity() * sizeof(ItemId) + m_whole.GetMemoryBytes();
+    for (const KeysBuffers& buffers : m_ofWorkers) bytes += buffers.GetMemoryBytes();
     return bytes;
 }
 

@@ -29,6 +29,8 @@ struct KeysBuffers {
     std::vector<Pair> pairs;                      ///< found in parts of a shared walk
     size_t pairCount = 0;
 
+    /// Room for any part that another one has walked.
+    void MatchRoomOf(const KeysBuffers& other);
     [[nodiscard]] size_t GetMemoryBytes() const;
 };
 
@@ -71,7 +73,8 @@ private:
     template <typename Walk>
     uint64_t ShareParts(TaskPool& pool, PairSink& sink, Walk&& walk);
 
-    std::vector<KeysBuffers> m_buffers = std::vector<KeysBuffers>(1);  ///< of each worker
+    KeysBuffers m_whole;                   ///< of walks that are no part of one
+    std::vector<KeysBuffers> m_ofWorkers;  ///< of parts
     KeysCut m_cut;
 };
 

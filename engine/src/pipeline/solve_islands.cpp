@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/bytes.h"
+
 #include "pipeline/parts/ballistic_path.h"
 #include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/integrate.h"
@@ -387,13 +389,6 @@ void ListJobs(const IslandTable& islands, size_t firstLone, const LaneSolver& la
     std::ranges::sort(s.jobs, [](const SolverJob& a, const SolverJob& b) {
         return std::tie(b.cost, a.isGroup, a.index) < std::tie(a.cost, b.isGroup, b.index);
     });
-}
-
-/// Room for whatever another worker has solved so far.
-template <typename OfWorker>
-void MatchRooms(std::span<OfWorker> workers) {
-    for (const OfWorker& one : workers) workers.front().MatchRoomOf(one);
-    for (OfWorker& one : workers) one.MatchRoomOf(workers.front());
 }
 
 /// Large islands one after the other, each by loops that the workers share. Then all else, each by one worker. Neither

@@ -258,13 +258,12 @@ void Fields(Self& info, Visit& visit) {
 /// Of a sub-stepped step that is not over yet: the part that each body has behind it, and how it moved.
 template <Is<ToiScratch> Self, typename Visit>
 void Fields(Self& scratch, Visit& visit) {
-    auto& [pairs, firstPair, alpha, ballistic, touched, found, lookers, nearTargets, candidates, screened,
-           screenedCandidates, sweptBoxes, hitters, isPassedOver, times, knownTo, round, nearStatics, events, resuming,
-           audit] = scratch;
+    auto& [pairs, firstPair, alpha, ballistic, touched, found, lookers, nearTargets, candidates, screened, ofWorkers,
+           sweptBoxes, hitters, isPassedOver, times, knownTo, round, nearStatics, events, resuming, audit] = scratch;
     visit(resuming);
     if (resuming) visit(alpha, ballistic);
-    visit.LeftOut(pairs, firstPair, touched, found, lookers, nearTargets, candidates, screened, screenedCandidates,
-                  sweptBoxes, hitters, isPassedOver, times, knownTo, round);
+    visit.LeftOut(pairs, firstPair, touched, found, lookers, nearTargets, candidates, screened, ofWorkers, sweptBoxes,
+                  hitters, isPassedOver, times, knownTo, round);
     visit.LeftOut(nearStatics, events, audit);
 }
 /// The settings and counters of a world beside its tables.

@@ -89,7 +89,7 @@ void ToiPairs::FindAll() {
         const ScreenFind& screened = m_s.screened[i];
         if (screened.says == ScreenedBody::passes) continue;
         if (screened.says == ScreenedBody::hasCandidates) {
-            const std::vector<ToiCandidate>& found = m_s.screenedCandidates[screened.worker];
+            const std::vector<ToiCandidate>& found = m_s.ofWorkers[screened.worker].kept;
             m_s.candidates.assign(found.begin() + screened.begin, found.begin() + screened.end);
             AddCandidates(body);
         } else if (IsHitter(body) && m_fewToMeet) {
@@ -139,10 +139,15 @@ void ToiPairs::Screen() {
     m_s.nearStatics.PrepareCalm(m_atOutlines);
     const std::vector<BodyIndex>& lookers = m_s.lookers;
     m_s.screened.resize(lookers.size());
-    for (int worker = 0; worker < m_t.pool.GetRowCount(); ++worker) m_s.screenedCandidates[worker].clear();
+    EnsureRows(m_s.ofWorkers, ToSize(m_t.pool.GetRowCount()));
+    for (ScreenedCandidates& found : m_s.ofWorkers) found.kept.clear();
     m_t.pool.For(static_cast<int>(lookers.size()), leastToScreen, [&](int begin, int end, int worker) {
         for (int i = begin; i < end; ++i) m_s.screened[ToSize(i)] = ScreenBody(lookers[ToSize(i)], worker);
     });
+    size_t kept = 0;
+    for (const ScreenedCandidates& found : m_s.ofWorkers) kept += found.kept.size();
+    ReserveEach(m_s.ofWorkers, &ScreenedCandidates::kept, kept);
+    MatchRooms(m_s.ofWorkers);
     if (m_s.audit == nullptr) return;
     for (const BodyIndex body : lookers) {
         if (m_s.isPassedOver[body] != 0 && m_bodies.IsActive(body)) AuditBody(body);
@@ -168,25 +173,21 @@ ScreenFind ToiPairs::ScreenBody(BodyIndex body, int worker) {
 
 /// Collects for a body whose near static fixtures are known.
 ScreenFind ToiPairs::FindKnown(BodyIndex body, std::span<const FixtureIndex> near, int worker) {
-    std::vector<ToiCandidate>& candidates = m_s.screenedCandidates[worker];
-    const size_t begin = candidates.size();
+    auto& [kept, candidates] = m_s.ofWorkers[ToSize(worker)];
+    candidates.clear();
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
         if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
         FindCandidates(body, f, near, candidates);
     }
-    if (BoundWays(std::span(candidates).subspan(begin))) {
-        candidates.resize(begin);
-        return {ScreenedBody::passes};
+    if (BoundWays(candidates)) return {ScreenedBody::passes};
+    const size_t begin = kept.size();
+    for (ToiCandidate& candidate : candidates) {
+        if (IsClear(candidate.fixture, candidate.other, 0.0f)) continue;
+        candidate.isScreened = true;
+        kept.push_back(candidate);
     }
-    size_t kept = begin;
-    for (size_t i = begin; i < candidates.size(); ++i) {
-        if (IsClear(candidates[i].fixture, candidates[i].other, 0.0f)) continue;
-        candidates[kept] = candidates[i];
-        candidates[kept++].isScreened = true;
-    }
-    candidates.resize(kept);
     return {ScreenedBody::hasCandidates, static_cast<uint8_t>(worker), static_cast<int>(begin),
-            static_cast<int>(candidates.size())};
+            static_cast<int>(kept.size())};
 }
 
 /// True if the body surely meets none of the static fixtures near it.

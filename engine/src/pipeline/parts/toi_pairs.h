@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "base/bytes.h"
 #include "base/indexed_heap.h"
 #include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
@@ -85,6 +86,14 @@ struct ScreenFind {
     int begin = 0, end = 0;
 };
 
+/// What a worker found for the bodies that it looked over.
+struct ScreenedCandidates {
+    std::vector<ToiCandidate> kept;    ///< of all of them
+    std::vector<ToiCandidate> ofBody;  ///< of one, with those that are spared
+
+    void MatchRoomOf(const ScreenedCandidates& other) { MatchRoom(ofBody, other.ofBody); }
+};
+
 /// For tests: searches in full for every pair that was spared it.
 struct ToiAudit {
     int spared = 0;
@@ -103,9 +112,9 @@ struct ToiScratch {
     IndexSet<MoverRow> nearTargets;        ///< those that rest and are on somebody's way
     std::vector<ToiCandidate> candidates;  ///< of one body
     std::vector<ScreenFind> screened;      ///< by place among the lookers
-    std::vector<ToiCandidate> screenedCandidates[maxWorkers];  ///< by worker: of the bodies that it looked over
-    std::vector<BoxUpdate> sweptBoxes;                         ///< when someone can hit moving bodies
-    std::vector<ToiHitter> hitters;                            ///< while they are few
+    std::vector<ScreenedCandidates> ofWorkers;
+    std::vector<BoxUpdate> sweptBoxes;        ///< when someone can hit moving bodies
+    std::vector<ToiHitter> hitters;           ///< while they are few
     Column<BodyIndex, uint8_t> isPassedOver;  ///< per body: 1 if it has no pairs because it meets nothing static
     Column<int, float> times;                 ///< per pair
     Column<FixtureIndex, int> knownTo;  ///< per fixture: the round of collecting in which it was found to have a pair
@@ -116,8 +125,8 @@ struct ToiScratch {
     ToiAudit* audit = nullptr;
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        size_t bytes = 0;
-        for (const std::vector<ToiCandidate>& ofWorker : screenedCandidates) bytes += BytesOf(ofWorker);
+        size_t bytes = ofWorkers.capacity() * sizeof(ScreenedCandidates);
+        for (const ScreenedCandidates& found : ofWorkers) bytes += BytesOf(found.kept, found.ofBody);
         return bytes +
                BytesOf(pairs, firstPair, alpha, ballistic, touched, found, lookers, candidates, screened, sweptBoxes,
                        hitters, isPassedOver, times, knownTo) +
