@@ -21,6 +21,7 @@
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
 #include "tests/fuzz/input.h"
+#include "tests/fuzz/laws.h"
 #include "world/recorded_calls.h"
 #include "world/world_state.h"
 
@@ -144,8 +145,7 @@ public:
             } else if (kind < 14) {
                 Destroy();
             } else if (steps++ < mostSteps) {
-                Step(m_world);
-                m_sum.Add(inspect::GetStateHash(m_world));
+                StepByLaws();
             }
         }
         StopRecording(m_world);
@@ -610,13 +610,26 @@ private:
     }
 
     void Meddle(World& world) {
-        world.SetErrorHandler([](const Error&, void*) {}, nullptr);
+        world.SetErrorHandler([](const Error&, void* isRefused) { *static_cast<bool*>(isRefused) = true; },
+                              &m_isRefused);
         if (m_isHeard) world.SetContactListener(&m_meddler);
         if (m_isFiltered) world.SetContactFilter(&m_meddler);
     }
 
     /// Unlike the world's own.
     [[nodiscard]] int OtherWorkers() const { return m_world.GetWorkerCount() == 1 ? mostWorkers : 1; }
+
+    void StepByLaws() {
+        m_isRefused = false;
+        const int joints = m_world.GetJointCount();
+        Step(m_world);
+        m_sum.Add(inspect::GetStateHash(m_world));
+        CheckFinite(m_world);
+        // What callbacks edit, or a joint that breaks, shows in the next step.
+        if (m_isRefused || m_isHeard || m_isFiltered || m_world.GetJointCount() < joints) return;
+        CheckBoxes(m_world, inspect::GetBroadPhase(m_world) != BroadPhaseKind::fatTree);
+        CheckContacts(m_world);
+    }
 
     void CheckReplay() {
         const int others = OtherWorkers();
@@ -668,6 +681,7 @@ private:
     Input& m_input;
     World m_world;
     const bool m_isRecorded = m_input.Flip(), m_isHeard = m_input.Flip(), m_isFiltered = m_input.Flip();
+    bool m_isRefused = false;  ///< some call since this was cleared
     Meddler m_meddler;
     Recorder m_recorder;
     std::vector<Body*> m_bodies;

@@ -221,6 +221,66 @@ TEST(Rollback, HandlesStayAndWhatWasDestroyedIsBack) {
 }
 
 /// User data belongs to the definitions: it is that of the moment.
+/// Bodies sleep, and the coming step is to find the pairs of what was edited among them.
+TEST(Rollback, EditsOfSleepersAreStillToBeLookedAt) {
+    for (const BodyType typeOfOther : {staticBody, kinematicBody, dynamicBody}) {
+        World world({0.0f, -10.0f});
+        std::vector<Body*> bodies;
+        for (int i = 0; i < 6; ++i) {
+            BodyDef def;
+            def.type = i % 2 == 0 ? dynamicBody : typeOfOther;
+            def.awake = false;
+            def.position = {0.5f * static_cast<float>(i), 0.0f};
+            bodies.push_back(world.CreateBody(&def));
+        }
+        world.Step(1.0f / 60.0f, 4);  // their rows rest now
+        for (Body* body : bodies) AddBox(body, 0.5f, 0.5f);
+        Rollback moments(world);
+        const int64_t moment = moments.Save();
+        const std::vector<std::byte> image = SaveWorld(world);
+        world.Step(1.0f / 60.0f, 4);
+        const int contacts = world.GetContactCount();
+        const uint64_t hash = inspect::GetStateHash(world);
+        EXPECT_GE(contacts, 5);
+        for (int round = 0; round < 2; ++round) {
+            ASSERT_EQ(moments.Restore(moment), SnapshotError::ok);
+            world.Step(1.0f / 60.0f, 4);
+            EXPECT_EQ(world.GetContactCount(), contacts) << "from the moment, type " << int{typeOfOther};
+            EXPECT_EQ(inspect::GetStateHash(world), hash) << "from the moment, type " << int{typeOfOther};
+            ASSERT_EQ(RestoreWorld(world, image), SnapshotError::ok);
+            world.Step(1.0f / 60.0f, 4);
+            EXPECT_EQ(inspect::GetStateHash(world), hash) << "from the image, type " << int{typeOfOther};
+        }
+    }
+}
+
+/// The coming step is to ask another filter about what sleeps.
+TEST(Rollback, AnotherFilterIsStillToBeAsked) {
+    class RefuseAll final : public ContactFilter {
+        bool ShouldCollide(Fixture*, Fixture*) override { return false; }
+    } refuseAll;
+    World world({0.0f, -10.0f});
+    world.SetContactFilter(&refuseAll);
+    for (int i = 0; i < 6; ++i) {
+        BodyDef def;
+        def.type = dynamicBody;
+        def.awake = false;
+        def.position = {0.5f * static_cast<float>(i), 0.0f};
+        AddBox(world.CreateBody(&def), 0.5f, 0.5f);
+    }
+    world.Step(1.0f / 60.0f, 4);
+    ASSERT_EQ(world.GetContactCount(), 0);
+    world.SetContactFilter(nullptr);
+    Rollback moments(world);
+    const int64_t moment = moments.Save();
+    world.Step(1.0f / 60.0f, 4);
+    EXPECT_EQ(world.GetContactCount(), 9);
+    const uint64_t hash = inspect::GetStateHash(world);
+    ASSERT_EQ(moments.Restore(moment), SnapshotError::ok);
+    world.Step(1.0f / 60.0f, 4);
+    EXPECT_EQ(inspect::GetStateHash(world), hash);
+}
+
 TEST(Rollback, UserDataReturns) {
     World world({0.0f, -10.0f});
     AddHeap(world, 3);

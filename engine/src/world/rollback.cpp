@@ -27,7 +27,7 @@ namespace {
 
 /// What moves beside columns.
 struct LooseState {
-    bool isEdited = false, autoClearForces = true, keepsSteady = false, resuming = false;
+    bool isEdited = false, mustMatch = false, autoClearForces = true, keepsSteady = false, resuming = false;
     float lastInverseDt = 0.0f;
     FeatureCounts featureCounts;
 };
@@ -128,8 +128,10 @@ void FollowMotion(WorldState& s, const LooseState& loose, const ContactTable::Fo
     s.featureCounts = loose.featureCounts;
     s.edited.Clear();
     if (s.isEdited) s.edited.AddAll();
+    // What was edited, or what another filter lets collide, may sleep: the coming step looks at all.
+    const bool looksAtAll = loose.isEdited || loose.mustMatch;
     for (const BodyIndex body : s.bodies.movers) {
-        if (s.bodies.Has(body, BodyFlag::awake)) s.bodies.List(body);
+        if (looksAtAll || s.bodies.Has(body, BodyFlag::awake)) s.bodies.List(body);
     }
     s.bodies.fellAsleep = 1;  // some that are listed may have been asleep
     s.contacts.NoteReturn(before);
@@ -232,8 +234,9 @@ int64_t Rollback::Save() {
     DifferenceWriter differences(moment.differences);
     size_t number = 0;
     VisitMotion(s, m_kept->boxes, [&](auto& column) { differences.Add(moment.base->Get(number++), BytesIn(column)); });
-    moment.loose = {s.isEdited,      s.autoClearForces, s.contacts.keepsSteady, s.continuousScratch.resuming,
-                    s.lastInverseDt, s.featureCounts};
+    moment.loose = {
+        s.isEdited,      s.contacts.mustMatch, s.autoClearForces, s.contacts.keepsSteady, s.continuousScratch.resuming,
+        s.lastInverseDt, s.featureCounts};
     moment.allowed = AllowedFeatures(s.def);
     m_kept->ForgetOldBase(s, moment);
     return moment.number = m_kept->next++;
