@@ -27,7 +27,8 @@ inline void CheckFinite(const scree::World& world) {
     }
 }
 
-/// Of each fixture: it holds the shape, and in all but the fat tree no more. Far out rounding decides.
+/// Of each fixture: it holds the shape, and in all but the fat tree no more. Not where some body, or its centre of
+/// mass, is or was far out: there rounding decides.
 inline void CheckBoxes(const scree::World& world, bool areTight) {
     constexpr float near = 1e4f, tolerance = 0.01f;
     const auto isNear = [](scree::Vec2 a) { return std::abs(a.x) < near && std::abs(a.y) < near; };

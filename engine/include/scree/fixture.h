@@ -63,14 +63,15 @@ struct FixtureDef {
 class SCREE_API Fixture {
 public:
     [[nodiscard]] Shape::Type GetType() const;
-    /// The fixture's own copy of the shape, which may be changed between steps. Changes act from the next step on; call
-    /// Body::ResetMassData for the mass. Fixtures with equal shapes share one copy until this is called, so use the
-    /// const form to read.
+    /// The fixture's own copy of the shape, which may be changed between steps. Changes act from the next step on, but
+    /// bounding box and pairs follow only when the body moves: SetShape is better. Call Body::ResetMassData for the
+    /// mass. Fixtures with equal shapes share one copy until this is called, so use the const form to read.
     [[nodiscard]] Shape* GetShape();
     /// Valid until the fixture is destroyed, or until the non-const form is called for the first time.
     [[nodiscard]] const Shape* GetShape() const;
-    /// Replaces the shape by another one of the same type. Recordings contain this call, but no changes by GetShape.
-    /// Refused: another type, a degenerate shape, inside callbacks.
+    /// Replaces the shape by another one of the same type. Its body wakes, and so does what it touches; call
+    /// Body::ResetMassData for the mass. Recordings contain this call, but no changes by GetShape. Refused: another type,
+    /// a degenerate shape, inside callbacks.
     ErrorCode SetShape(const Shape& shape);
     /// The fixture becomes a sensor, or a solid one again, at once. The body wakes up.
     ErrorCode SetSensor(bool sensor);

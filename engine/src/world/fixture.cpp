@@ -115,10 +115,10 @@ ErrorCode Fixture::SetShape(const Shape& shape) {
                   "give one of the fixture's type, or make a new fixture");
     if (guard.Failed() || guard.Accept(Check(shape)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, shape);
-    m_state->continuousScratch.nearStatics.Disable();
     WithShapeType(shape.GetType(), [&]<typename T>(std::type_identity<T>) {
         static_cast<T&>(*m_state->fixtures.GetOwnShape(m_index)) = static_cast<const T&>(shape);
     });
+    NoteShapeEdit(*m_state, m_index);
     return ErrorCode::ok;
 }
 

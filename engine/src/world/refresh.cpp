@@ -6,6 +6,7 @@
 #include "world/refresh.h"
 
 #include "pipeline/parts/destroy_contact.h"
+#include "pipeline/parts/update_boxes.h"
 #include "state/frames.h"
 #include "state/limits.h"
 #include "world/guard.h"
@@ -71,6 +72,24 @@ void NoteBodyEdit(WorldState& s, BodyIndex body) {
     for (const FixtureIndex f : s.fixtures.From(s.bodies.fixtureHead[body])) {
         s.edited.Add(f);
     }
+    Stir(s, body);
+}
+
+void NoteShapeEdit(WorldState& s, FixtureIndex fixture) {
+    const BodyIndex body = s.fixtures.body[fixture];
+    ForgetGeometry(s, body);
+    if (!s.fixtures.info[fixture].inBroadPhase) return;
+    s.bodies.Wake(body);
+    std::vector<ContactIndex> contacts;
+    s.contacts.ListOfBody(body, contacts);
+    for (const ContactIndex contact : contacts) {
+        const ContactPair& pair = s.contacts.pair[contact];
+        if (!s.contacts.IsAlive(contact) || (pair.fixtureA != fixture && pair.fixtureB != fixture)) continue;
+        if (!s.contacts.Has(contact, ContactFlag::touching) || s.contacts.Has(contact, ContactFlag::sensor)) continue;
+        s.bodies.Wake(pair.bodyA), s.bodies.Wake(pair.bodyB);
+    }
+    s.broadPhase->Update(ProxyOf(fixture), FindBox(s.bodies, s.fixtures, fixture), vec2Zero);
+    s.edited.Add(fixture);
     Stir(s, body);
 }
 

@@ -22,6 +22,8 @@ void SayGoodbye(WorldState& state, Object* object) {
 void ForgetGeometry(WorldState& state, BodyIndex body);
 /// The boxes of the body have been edited: the coming step finds its pairs again and looks at it.
 void NoteBodyEdit(WorldState& state, BodyIndex body);
+/// A fixture has got another shape: the coming step finds its pairs again. Its body wakes, and so does what it touches.
+void NoteShapeEdit(WorldState& state, FixtureIndex fixture);
 /// The pairs of two bodies may have contacts again.
 void NoteParting(WorldState& state, BodyIndex bodyA, BodyIndex bodyB);
 /// Gives a fixture its proxy, or takes it away (with its contacts).
