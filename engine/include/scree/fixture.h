@@ -70,8 +70,8 @@ public:
     /// Valid until the fixture is destroyed, or until the non-const form is called for the first time.
     [[nodiscard]] const Shape* GetShape() const;
     /// Replaces the shape by another one of the same type. Its body wakes, and so does what it touches; call
-    /// Body::ResetMassData for the mass. Recordings contain this call, but no changes by GetShape. Refused: another type,
-    /// a degenerate shape, inside callbacks.
+    /// Body::ResetMassData for the mass. Recordings contain this call, but no changes by GetShape. Refused: another
+    /// type, a degenerate shape, inside callbacks.
     ErrorCode SetShape(const Shape& shape);
     /// The fixture becomes a sensor, or a solid one again, at once. The body wakes up.
     ErrorCode SetSensor(bool sensor);
