@@ -564,6 +564,7 @@ private:
         };
         m_world.QueryAABB({a, b}, note);
         m_world.QueryPoint(a, note);
+        if (!m_world.GetState().bodies.IsFar()) CheckQueries(m_world, {a, b}, a);
         CircleShape circle;
         circle.m_radius = m_input.Amount();
         std::vector<ShapeHit> casts;

@@ -48,6 +48,31 @@ inline void CheckBoxes(const scree::World& world, bool areTight) {
     }
 }
 
+/// Calls visit(fixture) for all of enabled bodies.
+template <typename Visit>
+void ForEachFixture(const scree::World& world, Visit&& visit) {
+    for (const scree::Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+        if (!body->IsEnabled()) continue;
+        for (const scree::Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) visit(*f);
+    }
+}
+
+/// Queries find what a look at all fixtures finds, whatever was edited since the last step.
+inline void CheckQueries(const scree::World& world, const scree::AABB& box, scree::Vec2 point) {
+    std::set<const scree::Fixture*> boxes, points, foundBoxes, foundPoints;
+    ForEachFixture(world, [&](const scree::Fixture& fixture) {
+        if (TestOverlap(fixture.GetAABB(), box)) boxes.insert(&fixture);
+        if (fixture.TestPoint(point)) points.insert(&fixture);
+    });
+    const auto addTo = [](std::set<const scree::Fixture*>& found) {
+        return [&found](scree::Fixture* fixture) { return found.insert(fixture).second; };
+    };
+    if (world.QueryAABB(box, addTo(foundBoxes)) == scree::ErrorCode::ok)
+        Demand(foundBoxes == boxes, "a box finds the boxes that overlap it");
+    if (world.QueryPoint(point, addTo(foundPoints)) == scree::ErrorCode::ok)
+        Demand(foundPoints == points, "a point finds the fixtures that contain it");
+}
+
 using FixturePair = std::pair<int, int>;  ///< by Fixture::GetIndex, the lower one first
 
 inline FixturePair PairOf(const scree::Fixture& a, const scree::Fixture& b) {
