@@ -95,8 +95,8 @@ void TaskPool::MakeThreads() {
 
 void TaskPool::Stop() {
     m_quit = true;
-    m_awake.fetch_add(1);
-    m_awake.notify_all();
+    m_awake.Advance();
+    m_awake.WakeAll();
     for (std::thread& thread : m_threads) thread.join();
 }
 
@@ -105,13 +105,13 @@ void TaskPool::Begin() {
     if (m_stalledSteps > 0) --m_stalledSteps;
     m_cutsLoops = m_callbacks.enqueue != nullptr && m_callbacks.tasksPerWorker > 0;
     m_caller = std::this_thread::get_id();
-    m_awake.fetch_add(1);
-    if (!m_threads.empty()) m_awake.notify_all();
+    m_awake.Advance();
+    if (!m_threads.empty()) m_awake.WakeAll();
 }
 
 void TaskPool::End() {
     m_inStep = false;
-    m_awake.fetch_add(1);
+    m_awake.Advance();
     if (m_recruits != nullptr) Dismiss();
 }
 
@@ -194,7 +194,7 @@ void TaskPool::Work(int worker) {
     uint32_t turn = 0;
     for (;;) {
         // Between steps: sleep.
-        for (uint32_t awake = m_awake.load(); awake % 2 == 0 && !m_quit; awake = m_awake.load()) m_awake.wait(awake);
+        for (uint32_t awake = m_awake.Load(); awake % 2 == 0 && !m_quit; awake = m_awake.Load()) m_awake.Wait(awake);
         if (m_quit) return;
         WorkInStep(worker, turn, false);
     }
@@ -209,7 +209,7 @@ void TaskPool::WorkInStep(int worker, uint32_t& turn, bool mayLeave) {
     for (;;) {
         Clock::time_point idleSince;
         for (int turns = 0; current() == turn; ++turns) {
-            if (m_awake.load() % 2 == 0 || m_quit) return;
+            if (m_awake.Load() % 2 == 0 || m_quit) return;
             GiveWay(turns);
             if (!mayLeave || turns < spinsInWait) continue;
             if (turns == spinsInWait) idleSince = Clock::now();

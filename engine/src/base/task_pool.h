@@ -23,6 +23,7 @@
 #include "base/clock.h"
 #include "base/compiler.h"
 #include "base/sharing_gauge.h"
+#include "base/wake_word.h"
 #include "scree/tasks.h"
 
 #if defined(SCREE_HAS_THREADS)
@@ -148,7 +149,7 @@ private:
     std::unique_ptr<Share[]> m_shares;  ///< by worker
     /// Chunks that other threads than the caller's have finished, of all loops. The caller only reads it.
     alignas(64) std::atomic<uint32_t> m_done{0};
-    alignas(64) std::atomic<uint32_t> m_awake{0};  ///< odd: inside a step
+    alignas(64) WakeWord m_awake;  ///< odd: inside a step
     std::atomic<bool> m_quit{false};
 };
 
