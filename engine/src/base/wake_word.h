@@ -11,6 +11,8 @@
 #include <atomic>
 #include <cstdint>
 
+#include "base/compiler.h"
+
 #if defined(SCREE_HAS_THREADS) && defined(__GLIBCXX__) && !defined(__linux__)
 #define SCREE_WAKES_BY_CONDITION
 #include <condition_variable>
