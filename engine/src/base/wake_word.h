@@ -13,8 +13,10 @@
 
 #include "base/compiler.h"
 
-#if defined(SCREE_HAS_THREADS) && defined(__GLIBCXX__) && !defined(__linux__)
-#define SCREE_WAKES_BY_CONDITION
+#if defined(__GLIBCXX__) && !defined(__linux__)
+#define SCREE_MAY_MISS_WAKES
+#endif
+#if defined(SCREE_HAS_THREADS) && defined(SCREE_MAY_MISS_WAKES)
 #include <condition_variable>
 #include <mutex>
 #endif
@@ -27,7 +29,7 @@ public:
     /// Another number; who sleeps goes on sleeping until WakeAll.
     void Advance() { m_value.fetch_add(1); }
 
-#if defined(SCREE_WAKES_BY_CONDITION)
+#if defined(SCREE_HAS_THREADS) && defined(SCREE_MAY_MISS_WAKES)
     /// Until the number is not `old`.
     void Wait(uint32_t old) {
         std::unique_lock lock(m_mutex);
@@ -38,14 +40,14 @@ public:
         { const std::lock_guard lock(m_mutex); }
         m_changed.notify_all();
     }
-#else
+#elif defined(SCREE_HAS_THREADS)
     void Wait(uint32_t old) const { m_value.wait(old); }
     void WakeAll() { m_value.notify_all(); }
 #endif
 
 private:
     std::atomic<uint32_t> m_value{0};
-#if defined(SCREE_WAKES_BY_CONDITION)
+#if defined(SCREE_HAS_THREADS) && defined(SCREE_MAY_MISS_WAKES)
     std::mutex m_mutex;
     std::condition_variable m_changed;
 #endif
