@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -108,10 +107,7 @@ inline bool IsLine(const scree::Fixture& fixture) {
 /// By brute force: who may collide and whose boxes overlap. In the fat tree boxes are fat.
 inline std::set<FixturePair> PairsOfBoxes(const scree::World& world) {
     std::vector<const scree::Fixture*> fixtures;
-    for (const scree::Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
-        if (!body->IsEnabled()) continue;
-        for (const scree::Fixture* f = body->GetFixtureList(); f != nullptr; f = f->GetNext()) fixtures.push_back(f);
-    }
+    ForEachFixture(world, [&](const scree::Fixture& fixture) { fixtures.push_back(&fixture); });
     scree::ContactFilter filter;
     std::set<FixturePair> pairs;
     for (size_t i = 0; i < fixtures.size(); ++i) {
