@@ -39,10 +39,10 @@ inline constexpr uint64_t goldenRound[2] = {0x17234de3d334fe00, 0x972087452472fa
 
 /// Of calls.h, a group each.
 inline constexpr uint64_t goldenCalls[20] = {
-    0x3c55951773179093, 0x69e5ca66677654be, 0x35d5986e8602b54d, 0xf090316737315d10, 0x0152d984427d52c0,
-    0xc97b9ef269fb2fd6, 0xe99fee27a9f9b29d, 0x0c0e17a1eee183b8, 0xfd152bec5171429f, 0x581aab64da46a54a,
-    0xc4c5ef267b4526d9, 0xa8a7b7b4dcab858f, 0x1390486cfdd6eecd, 0xe49beb0690b95463, 0x7bf43cdf52e8a994,
-    0xdf3e56155f693443, 0x078bd333bddc7afb, 0x97acce03360b6a52, 0xbe5c5d74fac12c59, 0x99c522b19f01a2a2,
+    0x331935e12b08be82, 0xe04099428ecaf156, 0x2cf4449e991222f3, 0x73e5258e14bcf003, 0xefbeeb71c0411a13,
+    0xc12b98ca55e23c30, 0xec955a3315e4bbc2, 0x27dbb84b2b7d6e2e, 0x9f3eb9c69dd773bd, 0x6934face0019c6c8,
+    0x4c5418d74b62d3cb, 0xa10208476806672f, 0x6fbe96db439f6c4a, 0xdebdd5e9d80ba3fc, 0xd451fe9d8b9736ab,
+    0x2706fe6a940ff87d, 0x3beb2603736adb18, 0x312ba0f159ac3bf1, 0xbe5c5d74fac12c59, 0x46b1b0fc179fb1d4,
 };
 
 }  // namespace determinism

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Any sequence of calls with any numbers, on living and dead objects, with any number of workers. The laws follow.
-// Nothing crashes. After each step those of laws.h hold, brute force among them. The world saved at the end can be
-// loaded and goes on to the same state. So does the world that goes back to what was saved on the way. The recording of
-// all calls replays to the same hashes. What is loaded or replayed has another number of workers.
+// Nothing crashes. After each step those of laws.h hold, brute force among them, and events tell what has changed. The
+// world saved at the end can be loaded and goes on to the same state. So does the world that goes back to what was
+// saved on the way. The recording of all calls replays to the same hashes. What is loaded or replayed has another
+// number of workers.
 
 #pragma once
 
@@ -20,8 +21,10 @@
 #include "scree/rollback.h"
 #include "scree/scree.h"
 #include "testbed/base/hash.h"
+#include "tests/fuzz/event_laws.h"
 #include "tests/fuzz/input.h"
 #include "tests/fuzz/laws.h"
+#include "tests/fuzz/meddler.h"
 #include "world/recorded_calls.h"
 #include "world/world_state.h"
 
@@ -35,88 +38,12 @@ inline void SetWorkers(World& world, int count) {
     world.GetState().pool->ShareAlways();
 }
 
-/// Hears of contacts and meddles with them and their bodies, by what the contacts are alone: worlds that are replayed
-/// or loaded hear the same.
-class Meddler final : public ContactListener, public ContactFilter {
-public:
-    void BeginContact(Contact* contact) override { React(*contact, 1); }
-    void EndContact(Contact* contact) override { React(*contact, 2); }
-    void PreSolve(Contact* contact, const Manifold*) override { React(*contact, 3); }
-    void PostSolve(Contact* contact, const ContactImpulse*) override { React(*contact, 4); }
-    bool ShouldCollide(Fixture* a, Fixture* b) override {
-        return (a->GetIndex() + b->GetIndex()) % 7 != 0 && ContactFilter::ShouldCollide(a, b);
-    }
-
-private:
-    static void React(Contact& contact, int call) {
-        Fixture& fixture = *contact.GetFixtureA();
-        Body& body = *(call % 2 == 0 ? fixture : *contact.GetFixtureB()).GetBody();
-        const int kind = (7 * fixture.GetIndex() + 13 * contact.GetFixtureB()->GetIndex() + 29 * call) % 48;
-        const auto amount = static_cast<float>(kind % 5);
-        Manifold manifold = contact.GetManifold();
-        switch (kind) {
-            case 0:
-                return static_cast<void>(contact.SetEnabled(false));
-            case 1:
-                return static_cast<void>(contact.SetFriction(amount));
-            case 2:
-                return static_cast<void>(contact.SetRestitution(amount));
-            case 3:
-                return static_cast<void>(contact.SetTangentSpeed(amount));
-            case 4:
-                manifold.pointCount = static_cast<int8_t>(manifold.pointCount / 2);
-                manifold.localPoint.y += 0.125f;
-                return static_cast<void>(contact.SetManifold(manifold));
-            case 5:
-                return static_cast<void>(body.SetLinearVelocity({amount, -amount}));
-            case 6:
-                return static_cast<void>(body.ApplyLinearImpulseToCenter({amount, amount}, true));
-            case 7:
-                return static_cast<void>(body.SetAwake(false));
-            case 8:
-                return static_cast<void>(body.SetType(kinematicBody));
-            case 9:
-                return static_cast<void>(body.SetEnabled(false));
-            case 10:
-                return static_cast<void>(body.SetTransform({amount, amount}, amount));
-            case 11:
-                return static_cast<void>(body.SetBullet(!body.IsBullet()));
-            case 12:
-                return static_cast<void>(body.SetFixedRotation(!body.IsFixedRotation()));
-            case 13:
-                return static_cast<void>(body.SetMotionLocks({true, false, false}));
-            case 14:
-                return static_cast<void>(body.SetGravityScale(amount));
-            case 15:
-                return static_cast<void>(fixture.SetSensor(!fixture.IsSensor()));
-            case 16:
-                return static_cast<void>(fixture.SetFilterData({3, 6, 0}));
-            case 17:
-                return static_cast<void>(fixture.Refilter());
-            case 18:
-                fixture.SetDensity(amount);
-                return static_cast<void>(body.ResetMassData());
-            case 19:
-                return static_cast<void>(body.GetWorld()->DestroyBody(&body));
-            case 20:
-                return static_cast<void>(body.SetSleepingAllowed(false));
-            case 21:
-                return static_cast<void>(body.GetWorld()->SetGravity({amount, -10.0f}));
-            case 22:
-                return static_cast<void>(fixture.SetTangentSpeed(amount));
-            case 23:
-                return static_cast<void>(fixture.SetFriction(amount));
-            default:
-                return;
-        }
-    }
-};
-
 class Calls {
 public:
     explicit Calls(Input& input) : m_input(input), m_world(MakeDef(input)) {
         SetWorkers(m_world, 1 + m_input.Choose(mostWorkers));
         Meddle(m_world);
+        m_world.SetReportMoves(true);
         if (m_isRecorded) StartRecording(m_world, m_recorder);
         MakeBody();
     }
@@ -151,6 +78,7 @@ public:
         StopRecording(m_world);
         if (m_isRecorded) CheckReplay();
         CheckLoaded();
+        CheckInPlace();
         for (const Kept& kept : m_kept) {
             GoBackTo(kept);
             CheckGoesOnLike(*Load(kept.image), "a restored world goes on alike");
@@ -556,7 +484,8 @@ private:
     void Ask() {
         const Vec2 a = m_input.Point(), b = m_input.Point();
         std::vector<RayHit> hits;
-        m_world.RayCastAll(a, b, hits);
+        const bool isNear = !m_world.GetState().bodies.IsFar();
+        if (m_world.RayCastAll(a, b, hits) == ErrorCode::ok && isNear) CheckRays(m_world, a, b, hits);
         for (const RayHit& hit : hits) NoteHit(hit);
         const auto note = [&](Fixture* fixture) {
             m_sum.Add(m_world.GetId(fixture).index);
@@ -564,11 +493,13 @@ private:
         };
         m_world.QueryAABB({a, b}, note);
         m_world.QueryPoint(a, note);
-        if (!m_world.GetState().bodies.IsFar()) CheckQueries(m_world, {a, b}, a);
+        if (isNear) CheckQueries(m_world, {a, b}, a);
         CircleShape circle;
         circle.m_radius = m_input.Amount();
         std::vector<ShapeHit> casts;
-        m_world.ShapeCast(circle, Transform(a, Rot(0.5f)), b, casts);
+        const Transform from(a, Rot(0.5f));
+        if (m_world.ShapeCast(circle, from, b, casts) == ErrorCode::ok && isNear)
+            CheckCasts(m_world, circle, from, b, casts);
         for (const ShapeHit& hit : casts) NoteHit(hit);
     }
     template <typename Hit>
@@ -590,22 +521,27 @@ private:
         }
     }
 
-    void Step(World& world) {
+    /// Returns the time step.
+    float Step(World& world) {
         constexpr float steps[] = {1.0f / 60.0f, 1.0f / 60.0f, 1.0f / 30.0f, 0.0f, 1e-4f, 0.5f};
         const float dt = steps[m_input.Choose(6)];
         switch (m_input.Choose(4)) {
             case 0: {
                 const auto [velocities, positions] = std::tuple{1 + m_input.Choose(8), m_input.Choose(4)};
-                return static_cast<void>(world.Step(dt, velocities, positions));
+                world.Step(dt, velocities, positions);
+                return dt;
             }
             case 1:
-                return static_cast<void>(world.Step(dt, 1 + m_input.Choose(6)));
+                world.Step(dt, 1 + m_input.Choose(6));
+                return dt;
             case 2:
-                return static_cast<void>(world.Step(dt, Tolerance{}));
+                world.Step(dt, Tolerance{});
+                return dt;
             default: {
                 const auto [any, velocities, positions] =
                     std::tuple{m_input.Number(), m_input.Choose(3), m_input.Choose(3)};
-                return static_cast<void>(world.Step(any, velocities, positions));
+                world.Step(any, velocities, positions);
+                return any;
             }
         }
     }
@@ -623,14 +559,19 @@ private:
     void StepByLaws() {
         m_isRefused = false;
         const int joints = m_world.GetJointCount();
-        Step(m_world);
+        m_eventLaws.BeginStep(m_world);
+        const bool goesOn = m_world.GetState().continuousScratch.resuming;  // sub-stepping: it gathers nobody
+        const float dt = Step(m_world);
         m_sum.Add(inspect::GetStateHash(m_world));
         CheckFinite(m_world);
+        CheckLists(m_world);
+        m_isRefused ? m_eventLaws.Forget() : m_eventLaws.Check(m_world);
         // What callbacks edit, or a joint that breaks, shows in the next step.
         if (m_isRefused || m_isHeard || m_isFiltered || m_world.GetJointCount() < joints) return;
         if (!m_world.GetState().bodies.IsFar())
             CheckBoxes(m_world, inspect::GetBroadPhase(m_world) != BroadPhaseKind::fatTree);
         CheckContacts(m_world);
+        if (dt > 0.0f && !goesOn) CheckSleep(m_world);
     }
 
     void CheckReplay() {
@@ -656,6 +597,7 @@ private:
         const bool byMoment = m_rollback.Has(kept.moment) && kept.moment % 2 == 0;
         const SnapshotError error = byMoment ? m_rollback.Restore(kept.moment) : RestoreWorld(m_world, kept.image);
         Demand(error == SnapshotError::ok, "what was saved can be restored");
+        m_eventLaws.Forget();
         Demand(inspect::GetStateHash(m_world) == kept.hash, "what was restored has the state that was saved");
     }
 
@@ -680,11 +622,21 @@ private:
         CheckGoesOnLike(*loaded, "a loaded world goes on alike");
     }
 
+    /// A copy looks at all contacts without moving anything, and not at what soft steps keep of them.
+    void CheckInPlace() {
+        const std::unique_ptr<World> copy = Load(SaveWorld(m_world));
+        copy->SetContactListener(nullptr);
+        if (copy->GetState().bodies.IsFar() || copy->GetState().continuousScratch.resuming) return;
+        copy->Step(0.0f, 8, 3);
+        CheckTouching(*copy);
+    }
+
     Input& m_input;
     World m_world;
     const bool m_isRecorded = m_input.Flip(), m_isHeard = m_input.Flip(), m_isFiltered = m_input.Flip();
     bool m_isRefused = false;  ///< some call since this was cleared
     Meddler m_meddler;
+    EventLaws m_eventLaws;
     Recorder m_recorder;
     std::vector<Body*> m_bodies;
     std::vector<Fixture*> m_fixtures;  ///< dead ones too: their calls must be refused

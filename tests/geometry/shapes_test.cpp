@@ -6,8 +6,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <vector>
 
+#include "scree/convex_shape.h"
 #include "tests/geometry/oracle.h"
 
 namespace scree::test {
@@ -81,6 +85,54 @@ TEST(Shape, RayCastAgreesWithBox2d) {
     });
     for (const int count : hits) EXPECT_GT(count, trials / 10);
     EXPECT_LE(differing, static_cast<int>(allowedShare * 3 * trials));
+}
+
+struct Point {
+    double x, y;
+};
+double DistanceToSegment(Point p, Point a, Point b) {
+    const double x = b.x - a.x, y = b.y - a.y, squared = x * x + y * y;
+    const double t = squared > 0.0 ? std::clamp(((p.x - a.x) * x + (p.y - a.y) * y) / squared, 0.0, 1.0) : 0.0;
+    return std::hypot(a.x + t * x - p.x, a.y + t * y - p.y);
+}
+
+/// Rays of up to a hundred kilometres at disks and capsules of about a metre, against distances in double. Near ones
+/// are as rough as Box2D's.
+TEST(Shape, LongRaysHitWhatIsOnTheirWay) {
+    Source source(46);
+    int hits = 0, misses = 0;
+    for (int i = 0; i < trials; ++i) {
+        const Vec2 end = source.InSquare(1.0f);
+        const float radius = source.Between(0.1f, 1.0f), length = source.Size(10.0f, 1e5f);
+        CircleShape disk;
+        disk.m_radius = radius;
+        const bool isDisk = source.Chance(2);
+        const ConvexShape capsule = MakeCapsule(vec2Zero, end, radius);
+        const Shape& shape = isDisk ? static_cast<const Shape&>(disk) : capsule;
+        const Vec2 direction = source.Direction(), target = source.InSquare(2.0f);
+        const RayCastInput ray{target - length * direction, target + 3.0f * direction, 1.0f};
+        RayCastOutput hit{};
+        const bool isHit = shape.RayCast(&hit, ray, Transform(vec2Zero, Rot(0.0f)));
+
+        const Point p1{ray.p1.x, ray.p1.y}, p2{ray.p2.x, ray.p2.y}, a{0.0, 0.0};
+        const Point b = isDisk ? a : Point{end.x, end.y};
+        const double rounding = length > 101.0f * radius ? 1e-6 + 2.0 * FLT_EPSILON * length : 2e-3 * radius;
+        const auto at = [&](double t) { return Point{p1.x + t * (p2.x - p1.x), p1.y + t * (p2.y - p1.y)}; };
+        if (isHit) {
+            ++hits;
+            ASSERT_NEAR(DistanceToSegment(at(hit.fraction), a, b), radius, rounding) << length << " m";
+            continue;
+        }
+        ++misses;
+        // The nearest point of the core to the ray is one of its ends, where the ray does not cross it.
+        const auto side = [&](Point c) { return (p2.x - p1.x) * (c.y - p1.y) - (p2.y - p1.y) * (c.x - p1.x); };
+        ASSERT_GE(side(a) * side(b), 0.0) << length << " m: it crosses the core";
+        ASSERT_GE(std::min({DistanceToSegment(a, p1, p2), DistanceToSegment(b, p1, p2), DistanceToSegment(p2, a, b)}),
+                  radius - rounding)
+            << length << " m";
+    }
+    EXPECT_GT(hits, trials / 5);
+    EXPECT_GT(misses, trials / 5);
 }
 
 TEST(Shape, BoxAgreesWithBox2d) {

@@ -191,6 +191,77 @@ TEST(Events, MovesTellWhoWasSimulatedAndFellAsleep) {
     }
 }
 
+/// The body is the only one whose fixtures report.
+TEST(Events, EndsOfEditsAreTold) {
+    struct Edit {
+        const char* name;
+        void (*edit)(World& world, Body* body);
+    };
+    const Edit edits[] = {
+        {"SetType, static", [](World&, Body* body) { body->SetType(staticBody); }},
+        {"SetType, kinematic", [](World&, Body* body) { body->SetType(kinematicBody); }},
+        {"SetEnabled", [](World&, Body* body) { body->SetEnabled(false); }},
+        {"SetTransform",
+         [](World&, Body* body) {
+             body->SetTransform({0.0f, 50.0f}, 0.0f);
+         }},
+        {"DestroyFixture", [](World&, Body* body) { body->DestroyFixture(body->GetFixtureList()); }},
+        {"DestroyBody", [](World& world, Body* body) { world.DestroyBody(body); }},
+        {"SetFilterData",
+         [](World&, Body* body) {
+             body->GetFixtureList()->SetFilterData({1, 0, 0});
+         }},
+    };
+    for (const int substeps : {0, 4}) {
+        for (const Edit& edit : edits) {
+            World world({0.0f, -10.0f});
+            AddGround(world);
+            Body* body = AddBody(world, dynamicBody, {0.0f, 0.5f});
+            PolygonShape box;
+            box.SetAsBox(0.5f, 0.5f);
+            const FixtureDef def = Define(box, Report::all);
+            const FixtureId id = world.GetId(body->CreateFixture(&def));
+            StepWith(world, substeps);
+            ASSERT_EQ(world.GetEvents().contactsBegun.size(), 1u);
+            edit.edit(world, body);
+            StepWith(world, substeps);
+            const std::span<const ContactEvent> ended = world.GetEvents().contactsEnded;
+            ASSERT_EQ(ended.size(), 1u) << edit.name;
+            EXPECT_TRUE(ended[0].fixtureA == id || ended[0].fixtureB == id) << edit.name;
+        }
+    }
+}
+
+/// Puts a body to sleep whenever one of its contacts was solved.
+struct Sandman : ContactListener {
+    void PostSolve(Contact*, const ContactImpulse*) override { body->SetAwake(false); }
+    Body* body = nullptr;
+};
+
+TEST(Events, MovesTellWhoIsWokenAndFallsAsleepInOneStep) {
+    for (const int substeps : {0, 4}) {
+        World world({0.0f, -10.0f});
+        world.SetReportMoves(true);
+        Sandman sandman;
+        sandman.body = AddBody(world, dynamicBody, {0.0f, 0.0f});
+        AddBox(sandman.body, 0.5f, 0.5f);
+        AddBox(AddBody(world, dynamicBody, {0.0f, 0.995f}), 0.5f, 0.5f);
+        world.SetContactListener(&sandman);
+        sandman.body->SetAwake(false);
+        const BodyId id = world.GetId(sandman.body);
+        for (int step = 0; step < 5; ++step) {
+            const Vec2 before = sandman.body->GetPosition();
+            StepWith(world, substeps);
+            ASSERT_FALSE(before == sandman.body->GetPosition()) << "the other one wakes it";
+            ASSERT_FALSE(sandman.body->IsAwake());
+            const std::span<const MoveEvent> moved = world.GetEvents().moved;
+            ASSERT_EQ(moved.size(), 2u) << "step " << step;
+            EXPECT_EQ(moved.back().body, id);
+            EXPECT_TRUE(moved.back().fellAsleep);
+        }
+    }
+}
+
 TEST(Events, BadInputIsRefused) {
     World world({0.0f, -10.0f});
     ErrorLog errors(world);

@@ -313,6 +313,36 @@ TEST(Queries, CallbackClassesCanStopAndIgnore) {
     EXPECT_EQ(ignore.count, 5);
 }
 
+/// A disk that passes a box within what counts as a touch: the world says what ShapeCast says of the two alone.
+TEST(Queries, AShapeCastThatGrazesHitsAsOfTwoShapes) {
+    int hits = 0, misses = 0;
+    for (int i = 0; i < 400; ++i) {
+        World world(Vec2{0.0f, 0.0f});
+        AddBox(AddBody(world, staticBody, {0.0f, -1.0f}), 1.0f, 1.0f);
+        const Fixture& fixture = *world.GetBodyList()->GetFixtureList();
+        CircleShape disk;
+        disk.m_radius = i % 2 == 0 ? 1e-6f : 0.3f;
+        // From overlap to clear of it.
+        const float gap = 2e-4f * static_cast<float>(i / 2) - 0.01f;
+        const Transform from({-3.0f, disk.m_radius + gap}, Rot(0.0f));
+        const Vec2 way{6.0f, 0.0f};
+        ShapeCastInput input;
+        input.proxyA.Set(fixture.GetShape(), 0), input.proxyB.Set(&disk, 0);
+        input.transformA = fixture.GetBody()->GetTransform(), input.transformB = from;
+        input.translationB = way;
+        ShapeCastOutput alone;
+        const bool isHit = ShapeCast(&alone, &input);
+        const auto closest = world.ShapeCastClosest(disk, from, way);
+        ASSERT_EQ(closest.has_value(), isHit) << "radius " << disk.m_radius << ", gap " << gap;
+        if (isHit) {
+            EXPECT_EQ(closest->fraction, alone.lambda);
+        }
+        isHit ? ++hits : ++misses;
+    }
+    EXPECT_GT(hits, 100);
+    EXPECT_GT(misses, 50);
+}
+
 TEST(Queries, AShapeCastThatStartsInsideHitsAtZero) {
     World world({0, 0});
     Fixture* wall = AddBox(AddBody(world, staticBody, {0, 0}), 1, 1);

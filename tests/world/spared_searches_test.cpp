@@ -99,6 +99,35 @@ TEST(SparedSearches, LoseNoEvent) {
     EXPECT_GT(events, 3000);
 }
 
+/// Edges and triangles that begin at a pit and end up to a million kilometres away. Impacts there may be rounding
+/// alone, but what one look passes over no other one may find.
+TEST(SparedSearches, LoseNoEventOnWhatReachesFar) {
+    ToiAudit sum;
+    for (uint32_t seed = 0; seed < 24; ++seed) {
+        Source random(seed);
+        World world({0.0f, -10.0f});
+        BuildPit(world, {0.0f, 0.0f}, random);
+        Body* ground = AddBody(world, staticBody, {random.Between(-3.0f, 3.0f), 0.0f}, random.Between(-3.0f, 3.0f));
+        for (int i = 0; i < 3; ++i) {
+            const Vec2 near = random.InSquare(8.0f), far = near + random.Size(1e3f, 1e9f) * random.Direction();
+            EdgeShape edge;
+            edge.SetTwoSided(near, far);
+            ground->CreateFixture(&edge, 0.0f);
+            const Vec2 corners[] = {near, far, far + random.Size(1e3f, 1e9f) * random.Direction()};
+            PolygonShape triangle;
+            if (i == 0 && triangle.Set(corners, 3)) ground->CreateFixture(&triangle, 0.0f);
+        }
+        ToiAudit audit;
+        world.GetState().continuousScratch.audit = &audit;
+        for (int step = 0; step < 60; ++step) {
+            StepWith(world, seed % 2 == 1 ? 4 : 0);
+            ASSERT_EQ(audit.missed, 0) << "seed " << seed << " step " << step;
+        }
+        sum.spared += audit.spared;
+    }
+    EXPECT_GT(sum.spared, 10000);
+}
+
 /// Crates at rest: no search at all, with either solver.
 TEST(SparedSearches, AreThoseOfWhatRests) {
     for (const bool isSoft : {false, true}) {

@@ -26,22 +26,28 @@ struct Face {
     Vec2 origin, along, normal;  ///< the normal lies to the left
     float length;
     bool isAll;  ///< nothing of the shape lies elsewhere
+    float size;  ///< of the shape's largest coordinates: a search looks at all of them
 };
+
+float SizeOf(Vec2 a) { return Abs(a.x) + Abs(a.y); }
 
 /// From `b` to `a`, which follow each other counter-clockwise.
 Face FaceBetween(Vec2 a, Vec2 b, Vec2 normal, bool isAll) {
     const Vec2 along{normal.y, -normal.x};
-    return {b, along, normal, Dot(along, a - b), isAll};
+    return {b, along, normal, Dot(along, a - b), isAll, Max(SizeOf(a), SizeOf(b))};
 }
 
 Face NearestFace(const Vec2* vertices, const Vec2* normals, int count, Vec2 from) {
     int best = 0;
-    float farthest = Dot(normals[0], from - vertices[0]);
+    float farthest = Dot(normals[0], from - vertices[0]), size = SizeOf(vertices[0]);
     for (int i = 1; i < count; ++i) {
         const float distance = Dot(normals[i], from - vertices[i]);
         if (distance > farthest) farthest = distance, best = i;
+        size = Max(size, SizeOf(vertices[i]));
     }
-    return FaceBetween(vertices[best], vertices[best + 1 < count ? best + 1 : 0], normals[best], false);
+    Face face = FaceBetween(vertices[best], vertices[best + 1 < count ? best + 1 : 0], normals[best], false);
+    face.size = size;
+    return face;
 }
 
 /// `from` in the coordinates of the shape. A normal of length 0: there is no face.
@@ -296,17 +302,17 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
     const Transform local = MulT(p.stillPlace, p.moverPlace);
     const Vec2 way = MulT(p.stillPlace.q, p.way);
     const float tolerance = toiTolerance * lengthScale;
-    /// With `origin` on the still shape.
-    const auto marginOf = [&](Vec2 origin, float reach) {
-        const Vec2 far = Abs(local.p) + Abs(origin) + 0.5f * (Abs(p.stillPlace.p) + Abs(p.moverPlace.p));
-        return 0.1f * tolerance + rounding * (far.x + far.y + reach);
+    /// `size` of the still shape.
+    const auto marginOf = [&](float size, float reach) {
+        const Vec2 far = Abs(local.p) + 0.5f * (Abs(p.stillPlace.p) + Abs(p.moverPlace.p));
+        return 0.1f * tolerance + rounding * (far.x + far.y + size + reach);
     };
     Clearance clearance;
     if (p.mover.GetType() == Shape::e_circle && p.still.GetType() == Shape::e_edge && watched != Watched::middle) {
         const auto& edge = static_cast<const EdgeShape&>(p.still);
         const Vec2 point = static_cast<const CircleShape&>(p.mover).m_p;
         const float reach = point == p.centre ? 0.0f : Distance(point, p.centre);
-        const float margin = marginOf(Abs(edge.m_vertex1) + Abs(edge.m_vertex2), reach + p.mover.m_radius);
+        const float margin = marginOf(SizeOf(edge.m_vertex1) + SizeOf(edge.m_vertex2), reach + p.mover.m_radius);
         const float near = TOITarget(p.still.m_radius + p.mover.m_radius, lengthScale) + tolerance + margin;
         clearance.reach = reach;
         if (BoundDisk(edge, Mul(local, point), way, Abs(p.turn) * reach, near, clearance)) return clearance;
@@ -330,7 +336,7 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
     clearance.reach = std::sqrt(end.reachSquared);
     // What a point's height on its turning way may fall below those at both ends.
     const auto sagOf = [&](float reach) { return reach * (Abs(p.turn) < pi ? 0.125f * p.turn * p.turn : 2.0f); };
-    const float margin = marginOf(face.origin, clearance.reach);
+    const float margin = marginOf(face.size, clearance.reach);
     const auto needed = [&](float radii) { return TOITarget(radii, lengthScale) + tolerance + margin; };
     const float radius = p.still.m_radius, near = needed(radius + p.mover.m_radius), sag = sagOf(clearance.reach);
 

@@ -11,6 +11,31 @@ namespace scree {
 
 namespace {
 
+/// What is lost to rounding, a share of the coordinates: eight roundings.
+constexpr float perSize = 5e-7f;
+
+float LargerSize(Vec2 a, Vec2 b) { return Max(Abs(a.x) + Abs(a.y), Abs(b.x) + Abs(b.y)); }
+
+/// Of the largest coordinates of a circle, an edge or a polygon: whatever is computed with a shape looks at all of
+/// them.
+float SizeOf(const Shape& shape) {
+    switch (shape.GetType()) {
+        case Shape::e_circle:
+            return LargerSize(static_cast<const CircleShape&>(shape).m_p, vec2Zero);
+        case Shape::e_edge:
+            return LargerSize(static_cast<const EdgeShape&>(shape).m_vertex1,
+                              static_cast<const EdgeShape&>(shape).m_vertex2);
+        case Shape::e_polygon: {
+            const auto& polygon = static_cast<const PolygonShape&>(shape);
+            float size = 0.0f;
+            for (int i = 0; i < polygon.m_count; ++i) size = Max(size, LargerSize(polygon.m_vertices[i], vec2Zero));
+            return size;
+        }
+        default:
+            return 0.0f;
+    }
+}
+
 /// Between a point and the segment from a to b.
 float DistanceToSegment(Vec2 point, Vec2 a, Vec2 b) {
     const Vec2 along = b - a;
@@ -66,17 +91,17 @@ float Reach(const Shape& shape, Vec2 center) {
 bool WayIsClear(const Shape& shape, const Transform& xf, Vec2 from, Vec2 to, float radius) {
     const Vec2 a = MulT(xf, from);
     const Vec2 b = MulT(xf, to);
-    const float reach = radius + shape.m_radius;
+    const float least = radius + shape.m_radius + perSize * (LargerSize(a, b) + LargerSize(from, to) + SizeOf(shape));
     // LeastDistance proves no more than this does: what is kept of the neighbours of a body then changes no result.
     switch (shape.GetType()) {
         case Shape::e_circle:
-            return DistanceToSegment(static_cast<const CircleShape&>(shape).m_p, a, b) > reach;
+            return DistanceToSegment(static_cast<const CircleShape&>(shape).m_p, a, b) > least;
         case Shape::e_polygon: {
             const auto& polygon = static_cast<const PolygonShape&>(shape);
             for (int i = 0; i < polygon.m_count; ++i) {
                 const Vec2 n = polygon.m_normals[i];
                 const float face = Dot(n, polygon.m_vertices[i]);
-                if (Min(Dot(n, a), Dot(n, b)) - face > reach) return true;
+                if (Min(Dot(n, a), Dot(n, b)) - face > least) return true;
             }
             return false;
         }
@@ -88,8 +113,8 @@ bool WayIsClear(const Shape& shape, const Transform& xf, Vec2 from, Vec2 to, flo
             const float line = Dot(n, edge.m_vertex1);
             const float sideA = Dot(n, a) - line;
             const float sideB = Dot(n, b) - line;
-            if (Min(sideA, sideB) > reach || Max(sideA, sideB) < -reach) return true;
-            return DistanceOfSegments(a, b, edge.m_vertex1, edge.m_vertex2) > reach;
+            if (Min(sideA, sideB) > least || Max(sideA, sideB) < -least) return true;
+            return DistanceOfSegments(a, b, edge.m_vertex1, edge.m_vertex2) > least;
         }
         default:
             return false;
@@ -98,12 +123,14 @@ bool WayIsClear(const Shape& shape, const Transform& xf, Vec2 from, Vec2 to, flo
 
 float LeastDistance(const Shape& shape, const Transform& xf, Vec2 point) {
     const Vec2 p = MulT(xf, point);
+    // Half as much again as where a way is clear, so that this proves no more.
+    const float lost = shape.m_radius + 1.5f * perSize * (LargerSize(p, vec2Zero) + SizeOf(shape));
     switch (shape.GetType()) {
         case Shape::e_circle:
-            return Distance(p, static_cast<const CircleShape&>(shape).m_p) - shape.m_radius;
+            return Distance(p, static_cast<const CircleShape&>(shape).m_p) - lost;
         case Shape::e_edge: {
             const auto& edge = static_cast<const EdgeShape&>(shape);
-            return DistanceToSegment(p, edge.m_vertex1, edge.m_vertex2) - shape.m_radius;
+            return DistanceToSegment(p, edge.m_vertex1, edge.m_vertex2) - lost;
         }
         case Shape::e_polygon: {
             const auto& polygon = static_cast<const PolygonShape&>(shape);
@@ -111,7 +138,7 @@ float LeastDistance(const Shape& shape, const Transform& xf, Vec2 point) {
             for (int i = 1; i < polygon.m_count; ++i) {
                 farthest = Max(farthest, Dot(polygon.m_normals[i], p - polygon.m_vertices[i]));
             }
-            return farthest - shape.m_radius;
+            return farthest - lost;
         }
         default:
             return 0.0f;

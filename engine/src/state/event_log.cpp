@@ -5,6 +5,8 @@
 
 #include "state/event_log.h"
 
+#include <algorithm>
+
 namespace scree {
 
 void EventLog::Renew() {
@@ -31,14 +33,17 @@ void EventLog::NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float s
     m_hits.push_back({IdOf(pair.fixtureA), IdOf(pair.fixtureB), point, normal, speed});
 }
 
-void EventLog::NoteAwake(const BodyTable& bodies) {
-    m_awake.clear();
+void EventLog::NoteAsleep(const BodyTable& bodies) {
+    m_asleep.clear();
     if (!reportsMoves) return;
     for (const BodyIndex body : bodies.Listed()) {
-        if (bodies.IsActive(body)) m_awake.push_back(body);
+        if (!bodies.IsActive(body)) m_asleep.push_back(body);
     }
+    std::sort(m_asleep.begin(), m_asleep.end());
 }
 
+/// Who falls asleep, or is put to sleep by a callback, is still listed. So is who was woken for it, by an impact
+/// perhaps.
 void EventLog::NoteMoves(const BodyTable& bodies) {
     if (!reportsMoves) return;
     const auto note = [&](BodyIndex body, bool fellAsleep) {
@@ -48,8 +53,9 @@ void EventLog::NoteMoves(const BodyTable& bodies) {
     for (const BodyIndex body : bodies.Listed()) {
         if (bodies.IsActive(body)) note(body, false);
     }
-    for (const BodyIndex body : m_awake) {
-        if (!bodies.Has(body, BodyFlag::awake)) note(body, true);
+    for (const BodyIndex body : bodies.Listed()) {
+        if (bodies.Has(body, BodyFlag::awake)) continue;
+        if (!std::binary_search(m_asleep.begin(), m_asleep.end(), body)) note(body, true);
     }
 }
 

@@ -40,15 +40,15 @@ public:
         m_hasEvents = true;
         m_joints.push_back({joint, force, torque, broke});
     }
-    /// The bodies that the step is going to simulate.
-    void NoteAwake(const BodyTable& bodies);
+    /// Once all are awake that the step is going to simulate.
+    void NoteAsleep(const BodyTable& bodies);
     /// At its end, while what fell asleep in it is listed.
     void NoteMoves(const BodyTable& bodies);
 
     [[nodiscard]] Events Get() const;
     [[nodiscard]] size_t GetMemoryBytes() const {
         return BytesOf(m_begun, m_ended, m_laterEnded, m_entered, m_left, m_laterLeft, m_hits, m_joints, m_moved,
-                       m_awake);
+                       m_asleep);
     }
 
 private:
@@ -67,7 +67,7 @@ private:
     std::vector<HitEvent> m_hits;
     std::vector<JointEvent> m_joints;
     std::vector<MoveEvent> m_moved;
-    std::vector<BodyIndex> m_awake;
+    std::vector<BodyIndex> m_asleep;  ///< listed and not simulated, in order
 };
 
 }  // namespace scree

@@ -185,20 +185,23 @@ ErrorCode Body::SetType(BodyType type) {
     if (guard.Uses(UnderSettings(FeaturesAs(s, m_index, type), s.def)).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, type);
     if (s.bodies.type[m_index] == type) return ErrorCode::ok;
-    const BodyFeatureEdit edit(s, m_index, true);
-    const bool changesList = (s.bodies.type[m_index] == staticBody) != (type == staticBody);
-    ForgetGeometry(s, m_index);  // as what it was
-    s.bodies.type[m_index] = type;
-    if (changesList) s.bodies.Relist(m_index);
-    s.bodies.NoteTarget(m_index);
-    ResetMass(s, m_index);
-    if (type == staticBody) {
-        s.bodies.PutToSleep(m_index);  // clears velocity; the flag is never set on static bodies
-        s.bodies.NoteStart(m_index);   // what it had before it in a sub-stepped step is over
-    } else {
-        s.bodies.Wake(m_index);
+    {
+        // Contacts end after it: what the body's fixtures report counts then.
+        const BodyFeatureEdit edit(s, m_index, true);
+        ForgetGeometry(s, m_index);  // as what it was
+        const bool changesList = (s.bodies.type[m_index] == staticBody) != (type == staticBody);
+        s.bodies.type[m_index] = type;
+        if (changesList) s.bodies.Relist(m_index);
+        s.bodies.NoteTarget(m_index);
+        ResetMass(s, m_index);
+        if (type == staticBody) {
+            s.bodies.PutToSleep(m_index);  // clears velocity; the flag is never set on static bodies
+            s.bodies.NoteStart(m_index);   // what it had before it in a sub-stepped step is over
+        } else {
+            s.bodies.Wake(m_index);
+        }
+        s.bodies.ClearForce(m_index);
     }
-    s.bodies.ClearForce(m_index);
     DestroyContactsOfBody(s, m_index);
     RehangGears(s);
     // The broad phase sorts its boxes by motion type.

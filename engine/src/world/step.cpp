@@ -32,13 +32,14 @@ MovedLists MovedBy(const WorldState& s, bool goesOn) {
 /// Moves the bodies. With sub-stepping a step may end after an event; the next one then only goes on with its rest.
 void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents& events, Stopwatch& watch,
              StepResults& r) {
-    s.log.NoteAwake(s.bodies);
     s.contacts.addsFresh = false;
     const bool goesOn = s.continuousScratch.resuming;
     if (goesOn) {
         ListActive(s.bodies, s.continuousScratch.goingOn);
+        s.log.NoteAsleep(s.bodies);
     } else {
         GatherLists(settings, *s.pool, s.contacts, s.joints, s.bodies, s.islandScratch, s.isolatedPath, s.Lists());
+        s.log.NoteAsleep(s.bodies);
         r.profile.islands = watch.Lap();
         r.solved = RunSolver(s, settings, events);
         r.profile.solver = watch.Lap();

@@ -216,13 +216,16 @@ bool ToiPairs::PassesAll(BodyIndex body, std::span<const FixtureIndex> near) {
     return true;
 }
 
-/// Searches in full for what was passed over.
+/// Searches in full for what was passed over, where boxes overlap: no search is made where they do not.
 void ToiPairs::AuditBody(BodyIndex body) const {
     const auto near = m_s.nearStatics.Get(body, m_bodies);
     if (!near) return;
     for (const FixtureIndex f : m_t.fixtures.From(m_bodies.fixtureHead[body])) {
         if (m_t.fixtures.isSensor[f] || !m_t.fixtures.info[f].inBroadPhase) continue;
-        for (const FixtureIndex other : *near) Audit(PairOf(f, other));
+        const AABB box = SweptBox(body, f);
+        for (const FixtureIndex other : *near) {
+            if (TestOverlap(box, m_t.broadPhase.GetBox(ProxyOf(other)))) Audit(PairOf(f, other));
+        }
     }
 }
 

@@ -126,7 +126,7 @@ struct ToiScratch {
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         size_t bytes = ofWorkers.capacity() * sizeof(ScreenedCandidates);
-        for (const ScreenedCandidates& found : ofWorkers) bytes += BytesOf(found.kept, found.ofBody);
+        for (const ScreenedCandidates& own : ofWorkers) bytes += BytesOf(own.kept, own.ofBody);
         return bytes +
                BytesOf(pairs, firstPair, alpha, ballistic, touched, found, lookers, candidates, screened, sweptBoxes,
                        hitters, isPassedOver, times, knownTo) +
