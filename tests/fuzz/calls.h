@@ -407,7 +407,7 @@ private:
         for (ManifoldPoint& point : manifold.points) {
             point.localPoint = m_input.Point();
             point.normalImpulse = m_input.Number(), point.tangentImpulse = m_input.Number();
-            point.id.key = m_input.Byte();
+            point.id.cf.indexA = m_input.Byte();  // its place in the key is the processor's
         }
         return manifold;
     }
