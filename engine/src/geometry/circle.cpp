@@ -42,8 +42,8 @@ bool HitDisk(Vec2 toStart, Vec2 ray, float radius, float maxFraction, RayCastOut
 }  // namespace
 
 bool CircleShape::RayCast(RayCastOutput* output, const RayCastInput& input, const Transform& xf) const {
-    // So many radii away a rounding of the square of the way is a thousandth of that of the radius. From a kilometre
-    // it is all of it. What is nearer gets Box2D's bits.
+    // So many radii away a rounding of the square of the way is a thousandth of that of the radius, and from some
+    // thousand on all of it. What is nearer gets Box2D's bits.
     constexpr float farRadii = 100.0f;
     const Vec2 toStart = input.p1 - (xf.p + Mul(xf.q, m_p));
     const Vec2 ray = input.p2 - input.p1;
