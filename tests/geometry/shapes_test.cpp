@@ -116,7 +116,8 @@ TEST(Shape, LongRaysHitWhatIsOnTheirWay) {
 
         const Point p1{ray.p1.x, ray.p1.y}, p2{ray.p2.x, ray.p2.y}, a{0.0, 0.0};
         const Point b = isDisk ? a : Point{end.x, end.y};
-        const double rounding = length > 101.0f * radius ? 1e-6 + 2.0 * FLT_EPSILON * length : 2e-3 * radius;
+        const bool isFar = std::min(Distance(ray.p1, vec2Zero), Distance(ray.p1, end)) > 100.0f * radius;
+        const double rounding = isFar ? 1e-6 + 2.0 * FLT_EPSILON * length : 2e-3 * radius;
         const auto at = [&](double t) { return Point{p1.x + t * (p2.x - p1.x), p1.y + t * (p2.y - p1.y)}; };
         if (isHit) {
             ++hits;
