@@ -103,10 +103,10 @@ void CastShape(const WorldState& s, const Shape& shape, const Transform& xf, Vec
     constexpr float thickness = 2.0f * polygonRadius;
     AABB start;
     shape.ComputeAABB(&start, xf);
-    const Vec2 centre = start.GetCenter(), halfSize = start.GetExtents() + Vec2{thickness, thickness};
-    start = {start.lowerBound - Vec2{thickness, thickness}, start.upperBound + Vec2{thickness, thickness}};
+    start.lowerBound -= {thickness, thickness}, start.upperBound += {thickness, thickness};
     const AABB swept = Union(start, {start.lowerBound + translation, start.upperBound + translation});
-    s.broadPhase->CastBox({centre, centre + translation, 1.0f}, halfSize, [&](const RayCastInput&, uint32_t proxy) {
+    const RayCastInput path{start.GetCenter(), start.GetCenter() + translation, 1.0f};
+    s.broadPhase->CastBox(path, start.GetExtents(), [&](const RayCastInput&, uint32_t proxy) {
         const FixtureIndex f = FixtureOf(proxy);
         if (!Sees(filter, s.fixtures, f)) return -1.0f;
         if (!TestOverlap(s.broadPhase->GetBox(proxy), swept)) return -1.0f;
