@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "pipeline/parts/body_motion.h"
 #include "pipeline/parts/contact_update.h"
 #include "pipeline/parts/locked_bodies.h"
 #include "pipeline/parts/make_contact.h"
@@ -15,7 +16,6 @@
 #include "pipeline/parts/report_impulses.h"
 #include "pipeline/parts/toi_pairs.h"
 #include "state/frames.h"
-#include "state/limits.h"
 
 namespace scree {
 
@@ -457,12 +457,8 @@ private:
 
     /// A body that is not finite any more goes back to where the event found it, at rest. Then returns true.
     bool Quarantine(BodyIndex body) {
-        Velocity& v = m_bodies.velocity[body];
-        const bool inRange = IsInRange(m_bodies.position[body], v);
-        if (inRange && (!m_bodies.IsFar() || IsInRange(m_bodies.rest[body].end))) return false;
+        if (!ReturnIfLost(m_bodies, body)) return false;
         ++m_report.nonFinite;
-        m_bodies.ReturnToStart(body);
-        v = {vec2Zero, 0.0f, 0.0f};
         return true;
     }
 

@@ -139,8 +139,15 @@ SolverCounts SolveRest(const SolverSettings& settings, float dt, const FixtureTa
 
 namespace {
 
-/// Numbers of a joint's row that are none become 0. Bounds may be infinite.
-struct ForgetNoNumbers {
+/// Clears the impulses of a row, known by their names: all, or those that are not finite. Other numbers that are none
+/// become 0; bounds may be infinite.
+struct ForgetImpulses {
+    bool all;
+
+    void Forget(float& impulse) {
+        if (all || !std::isfinite(impulse)) impulse = 0.0f;
+    }
+    void Forget(Vec2& impulse) { Forget(impulse.x), Forget(impulse.y); }
     void Visit(float& value) {
         if (std::isnan(value)) value = 0.0f;
     }
@@ -150,6 +157,10 @@ struct ForgetNoNumbers {
         if constexpr (std::is_array_v<T>) {
             for (auto& element : value) Visit(element);
         } else if constexpr (std::is_class_v<T>) {
+            if constexpr (requires { value.impulse; }) Forget(value.impulse);
+            if constexpr (requires { value.turnImpulse; }) Forget(value.turnImpulse);
+            if constexpr (requires { value.springImpulse; }) Forget(value.springImpulse);
+            if constexpr (requires { value.lowerImpulse; }) Forget(value.lowerImpulse), Forget(value.upperImpulse);
             T::Fields(value, *this);
         }
     }
@@ -163,20 +174,33 @@ struct ForgetNoNumbers {
     }
 };
 
+/// A gear pushes the bodies of its joints, too.
+bool IsOfLost(const BodyTable& bodies, const JointTable& joints, const JointInfo& joint) {
+    if (joint.type == e_gearJoint) {
+        for (const GearSide& side : joints.Store<GearRow>().rows[joint.row].side)
+            if (bodies.Has(side.against, BodyFlag::lost)) return true;
+    }
+    return bodies.Has(joint.bodyA, BodyFlag::lost) || bodies.Has(joint.bodyB, BodyFlag::lost);
+}
+
 }  // namespace
 
-void ForgetNonFiniteImpulses(ContactTable& contacts, JointTable& joints) {
-    for (Manifold& manifold : contacts.manifold) {
-        for (ManifoldPoint& point : manifold.points) {
-            if (!std::isfinite(point.normalImpulse)) point.normalImpulse = 0.0f;
-            if (!std::isfinite(point.tangentImpulse)) point.tangentImpulse = 0.0f;
-        }
+void ForgetLost(BodyTable& bodies, ContactTable& contacts, JointTable& joints) {
+    for (const ContactIndex contact : contacts.flags.Rows()) {
+        if (!contacts.IsAlive(contact)) continue;
+        const ContactPair& pair = contacts.pair[contact];
+        ForgetImpulses forget{bodies.Has(pair.bodyA, BodyFlag::lost) || bodies.Has(pair.bodyB, BodyFlag::lost)};
+        for (ManifoldPoint& point : contacts.manifold[contact].points)
+            forget.Forget(point.normalImpulse), forget.Forget(point.tangentImpulse);
+        if (contact < contacts.rolling.End()) forget.Forget(contacts.rolling[contact]);
     }
-    ForgetNoNumbers forget;
-    const auto visit = [&](auto& store) {
-        for (auto& row : store.rows) forget(row);
-    };
-    std::apply([&](auto&... store) { (visit(store), ...); }, joints.stores);
+    for (const JointIndex joint : joints.info.Rows()) {
+        if (!joints.slots.IsAlive(joint)) continue;
+        const JointInfo& info = joints.info[joint];
+        ForgetImpulses forget{IsOfLost(bodies, joints, info)};
+        JointTable::WithStore(joints, info.type, [&](auto& store) { forget.Visit(store.rows[info.row]); });
+    }
+    for (uint16_t& flags : bodies.flags) flags = static_cast<uint16_t>(flags & ~BodyFlag::lost);
 }
 
 }  // namespace scree

@@ -50,8 +50,8 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
 SolverCounts SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
                        const ContactEvents& events, SolverTables tables, SolverScratch& scratch);
 
-/// Impulses that are not finite become 0: warm starting would bring them back in every later step, and no image could
-/// be read that has them.
-void ForgetNonFiniteImpulses(ContactTable& contacts, JointTable& joints);
+/// After a step that lost bodies: they begin anew, without the impulses that moved them out of bounds. Nor do others
+/// keep impulses that are not finite: warm starting would bring them back in every later step.
+void ForgetLost(BodyTable& bodies, ContactTable& contacts, JointTable& joints);
 
 }  // namespace scree

@@ -70,6 +70,7 @@ struct BodyDemand {
 struct BodyFlag {
     static constexpr uint16_t awake = 1, autoSleep = 2, bullet = 4, fixedRotation = 8, enabled = 16;
     static constexpr uint16_t lockX = 32, lockY = 64;  ///< of dynamic bodies
+    static constexpr uint16_t lost = 128;              ///< within a step: went back to its start, at rest
 };
 
 /// Cold data of a body.
@@ -167,10 +168,12 @@ struct BodyTable {
         startPosition[body] = position[body];
         if (IsFar()) rest[body].start = rest[body].end;
     }
-    /// The body goes back to where it started the step.
+    /// The body is lost: it goes back to where it started the step, at rest.
     void ReturnToStart(BodyIndex body) {
         position[body] = startPosition[body];
         if (IsFar()) rest[body].end = rest[body].start;
+        velocity[body] = {vec2Zero, 0.0f, 0.0f};
+        flags[body] |= BodyFlag::lost;
     }
     /// Moves the centre. Far from the origin only the rest changes until UpdateTransform.
     void Shift(BodyIndex body, Vec2 way) { (IsFar() ? rest[body].end : position[body].c) += way; }

@@ -46,13 +46,13 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     }
     if (NeedsContinuous(s)) r.continuous = RunContinuous(s, settings, events, r.solved.substeps);
     r.profile.continuous = watch.Lap();
-    if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetNonFiniteImpulses(s.contacts, s.joints);
     FindPairsOfMoved(MovedBy(s, goesOn), s.FarDistance(), events, s.ForPairs());
     s.log.NoteMoves(s.bodies);
     RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
     BreakStrainedJoints(s);
+    if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetLost(s.bodies, s.contacts, s.joints);
 }
 
 /// The stages of a step with something to do. Apart, so that a step without them passes by their code.

@@ -35,7 +35,6 @@ inline bool ReturnIfLost(BodyTable& bodies, BodyIndex body) {
                         (!bodies.IsFar() || IsInRange(bodies.rest[body].end));
     if (finite) return false;
     bodies.ReturnToStart(body);
-    bodies.velocity[body] = {vec2Zero, 0.0f, 0.0f};
     return true;
 }
 /// Bodies that do not turn keep their rotation: the sine and cosine would be the same.

@@ -85,6 +85,9 @@ Joint* Create<GearRow>(WorldState& s, const JointDef& base, Guard& guard) {
     return Insert(s, index);
 }
 
+/// A sum of forces that no number holds is stronger than any.
+float BeyondNumbers(float strength) { return std::isnan(strength) ? std::numeric_limits<float>::infinity() : strength; }
+
 }  // namespace
 
 Joint* AddJoint(WorldState& s, const JointDef& def) {
@@ -154,8 +157,8 @@ void BreakStrainedJoints(WorldState& s) {
         const JointInfo& info = InfoOf(s, joint);
         if (!s.bodies.IsActive(info.bodyA) && !s.bodies.IsActive(info.bodyB)) return;
         const Joint* const handle = s.joints.handles[joint];
-        const float force = handle->GetReactionForce(inverseDt).Length();
-        const float torque = Abs(handle->GetReactionTorque(inverseDt));
+        const float force = BeyondNumbers(handle->GetReactionForce(inverseDt).Length());
+        const float torque = BeyondNumbers(Abs(handle->GetReactionTorque(inverseDt)));
         if (force <= info.forceThreshold && torque <= info.torqueThreshold) return;
         s.log.NoteJoint({ToInt(joint), s.joints.slots.GetGeneration(joint)}, force, torque, info.breaks);
         if (info.breaks) broken.push_back(joint);
