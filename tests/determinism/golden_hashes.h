@@ -39,10 +39,10 @@ inline constexpr uint64_t goldenRound[2] = {0x17234de3d334fe00, 0x972087452472fa
 
 /// Of calls.h, a group each.
 inline constexpr uint64_t goldenCalls[20] = {
-    0x331935e12b08be82, 0xe04099428ecaf156, 0x2cf4449e991222f3, 0x73e5258e14bcf003, 0xefbeeb71c0411a13,
-    0xc12b98ca55e23c30, 0xec955a3315e4bbc2, 0x27dbb84b2b7d6e2e, 0x9f3eb9c69dd773bd, 0x6934face0019c6c8,
-    0x4c5418d74b62d3cb, 0xa10208476806672f, 0x6fbe96db439f6c4a, 0xdebdd5e9d80ba3fc, 0xd451fe9d8b9736ab,
-    0x2706fe6a940ff87d, 0x3beb2603736adb18, 0x312ba0f159ac3bf1, 0xbe5c5d74fac12c59, 0x46b1b0fc179fb1d4,
+    0x93daff95d6b73c48, 0x11814f3edcecfd63, 0xc68eb2cd36c4aee6, 0x73e5258e14bcf003, 0xcef7eefa3553e7c6,
+    0x6afe45b761bb38dd, 0xd0a63b216bbe1c84, 0xff917fc42ea775b0, 0x90306ec14116ec84, 0x341eecf829c05eaa,
+    0x1ed296fdd48acb1a, 0x8068237ac38f956c, 0x4ea3889ab0e840f9, 0x4e691a09f2989907, 0xf51f3335f576262e,
+    0x0a84cda8e3a412ef, 0xc55bbce50fe16b7d, 0x1898ae5ef62b2d11, 0xdf625e89cf0b4184, 0x3670d1ee16961186,
 };
 
 }  // namespace determinism

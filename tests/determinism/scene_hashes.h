@@ -65,7 +65,7 @@ inline constexpr SceneHashes sceneHashes[] = {
     {"joint-prismatic", {0xd3db339cdb66b244, 0xb747b382005d3e40, 0x946e347e5ed8c484}},
     {"joint-pulley", {0xcad183d81f3f1fc1, 0xfd9d905275c4e943, 0xa28283a48413aecf}},
     {"joint-revolute", {0x7ed832d23eef67cb, 0xb0c485a4c8002b0c, 0x1a0b2017b9f92b9c}},
-    {"joint-weld", {0xd5779354f3ee121d, 0x7aebc33f3ec1cdce, 0x55d75ff7596529fe}},
+    {"joint-weld", {0xebe1206cb338dc2f, 0x7aebc33f3ec1cdce, 0x55d75ff7596529fe}},
     {"joint-wheel", {0xec80a76d03bc7c8a, 0x4758b65e0df73c7b, 0xe2339771e81b820e}},
     {"nets", {0xb613c1a99c7d2456, 0x92b7bd821df0e95b, 0xc286fe8cbe2f56c9}},
     {"bounces", {0xd4b5439c8e900d12, 0xac530b8596cc58b7, 0xea732c415a6dc6ca}},

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -202,6 +203,14 @@ SCREE_INLINE float SolveLimit(float& accumulated, float speed, float gap, float 
     return change;
 }
 
+/// The exponent of a normal number above 0; 0 of others.
+SCREE_INLINE int ExponentOf(float x) {
+    return x >= std::numeric_limits<float>::min() ? (std::bit_cast<int>(x) >> 23) - 127 : 0;
+}
+/// 2 to the power of −126…127. Products with it have the digits of the other factor: what may leave the range of
+/// numbers is brought near 1 by them.
+SCREE_INLINE float PowerOfTwo(int exponent) { return std::bit_cast<float>((exponent + 127) << 23); }
+
 /// Adds to an accumulated impulse of either sign, at most `most`; returns the change.
 SCREE_INLINE float SolveBounded(float& accumulated, float impulse, float most) {
     const float total = Clamp(accumulated + impulse, -most, most);
@@ -212,8 +221,9 @@ SCREE_INLINE float SolveBounded(float& accumulated, float impulse, float most) {
 /// The same for a vector, by its length.
 SCREE_INLINE Vec2 SolveBounded(Vec2& accumulated, Vec2 impulse, float most) {
     Vec2 total = accumulated + impulse;
-    const float squared = total.LengthSquared();
-    if (squared > most * most) total *= most / std::sqrt(squared);
+    const float scale = PowerOfTwo(-Min(ExponentOf(Max(Abs(total.x), Abs(total.y))), 126));
+    const float squared = (scale * total).LengthSquared(), mostScaled = scale * most;
+    if (squared > mostScaled * mostScaled) total *= mostScaled / std::sqrt(squared);
     const Vec2 change = total - accumulated;
     accumulated = total;
     return change;
@@ -246,6 +256,16 @@ SCREE_INLINE float SolveSpring(const Spring& spring, float speed, float& accumul
     return change;
 }
 
+/// Brings an entry of the diagonal of a mass matrix near 1, from both sides.
+inline float ScaleOf(float diagonal) { return PowerOfTwo(-(ExponentOf(diagonal) >> 1)); }
+
+/// Solves a symmetric 2×2 system whose rows have units of their own. Zero for a singular matrix.
+inline Vec2 SolveScaled(const Mat22& k, Vec2 b) {
+    const float sx = ScaleOf(k.ex.x), sy = ScaleOf(k.ey.y), mixed = sx * k.ex.y * sy;
+    const Vec2 x = Mat22({sx * k.ex.x * sx, mixed}, {mixed, sy * k.ey.y * sy}).Solve({sx * b.x, sy * b.y});
+    return {sx * x.x, sy * x.y};
+}
+
 /// Solves a symmetric 3×3 system by Cramer's rule; rows and columns x, y, z. Zero for a singular matrix.
 struct Symmetric3 {
     float xx, xy, xz, yy, yz, zz;
@@ -253,7 +273,11 @@ struct Symmetric3 {
 struct Three {
     float x, y, z;
 };
-inline Three Solve(const Symmetric3& m, const Three& b) {
+inline Three Solve(const Symmetric3& k, const Three& b) {
+    const float sx = ScaleOf(k.xx), sy = ScaleOf(k.yy), sz = ScaleOf(k.zz);
+    const Symmetric3 m = {sx * k.xx * sx, sx * k.xy * sy, sx * k.xz * sz,
+                          sy * k.yy * sy, sy * k.yz * sz, sz * k.zz * sz};
+    const float x = sx * b.x, y = sy * b.y, z = sz * b.z;
     const float cx = m.yy * m.zz - m.yz * m.yz;
     const float cy = m.xz * m.yz - m.xy * m.zz;
     const float cz = m.xy * m.yz - m.xz * m.yy;
@@ -262,8 +286,8 @@ inline Three Solve(const Symmetric3& m, const Three& b) {
     const float dyy = m.xx * m.zz - m.xz * m.xz;
     const float dyz = m.xy * m.xz - m.xx * m.yz;
     const float dzz = m.xx * m.yy - m.xy * m.xy;
-    return {det * (cx * b.x + cy * b.y + cz * b.z), det * (cy * b.x + dyy * b.y + dyz * b.z),
-            det * (cz * b.x + dyz * b.y + dzz * b.z)};
+    return {sx * (det * (cx * x + cy * y + cz * z)), sy * (det * (cy * x + dyy * y + dyz * z)),
+            sz * (det * (cz * x + dyz * y + dzz * z))};
 }
 
 /// How far a coordinate is outside its range, with its sign: what the position iterations remove. A range narrower than

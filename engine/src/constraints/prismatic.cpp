@@ -76,7 +76,7 @@ void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointS
                    Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
-    const Vec2 impulse = c.k.Solve(-Vec2(Speed(c.across, v), Speed(turning, v)));
+    const Vec2 impulse = SolveScaled(c.k, -Vec2(Speed(c.across, v), Speed(turning, v)));
     row.impulse += impulse;
     Apply(c.pair, c.across, impulse.x, v);
     Apply(c.pair, turning, impulse.y, v);
@@ -97,7 +97,7 @@ bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const 
     if (limitError != 0.0f) {
         impulse = Solve(k, {-error.x, -error.y, -limitError});
     } else {
-        const Vec2 two = Mat22{{k.xx, k.xy}, {k.xy, k.yy}}.Solve(-error);
+        const Vec2 two = SolveScaled({{k.xx, k.xy}, {k.xy, k.yy}}, -error);
         impulse = {two.x, two.y, 0.0f};
     }
     Apply(c.pair, across, impulse.x, pose);

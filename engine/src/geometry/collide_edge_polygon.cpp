@@ -10,6 +10,7 @@
 
 #include "geometry/clip.h"
 #include "geometry/edge_seam.h"
+#include "geometry/polygon_preference.h"
 #include "scree/collision.h"
 
 namespace scree {
@@ -156,7 +157,7 @@ void CollideEdgeAndPolygon(Manifold* manifold, const EdgeShape* edgeA, const Tra
 
     // Like CollidePolygons' preference for A, but relative as well: deep overlaps jitter more.
     constexpr float relativePreference = 0.98f;
-    constexpr float absolutePreference = 0.001f;
+    const float absolutePreference = 2.0f * ReferencePreference(radius);
     Axis axis = edgeAxis;
     if (polygonAxis.separation - radius > relativePreference * (edgeAxis.separation - radius) + absolutePreference) {
         axis = polygonAxis;
