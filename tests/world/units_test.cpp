@@ -41,9 +41,16 @@ private:
     }
     Body* MakeGround() {
         Body* const ground = AddBody(m_world, staticBody, {0, 0}, 0);
-        EdgeShape shape;
-        shape.SetTwoSided(m_units.length * Vec2(-50, 0), m_units.length * Vec2(50, 0));
-        ground->CreateFixture(&shape, 0.0f);
+        // Steep and short enough that ends of edges are met.
+        std::uniform_real_distribution<float> height(-0.5f, 0.5f);
+        Vec2 last(-20.0f, 0.0f);
+        while (last.x < 20.0f) {
+            const Vec2 next(last.x + 0.75f, height(m_random));
+            EdgeShape shape;
+            shape.SetTwoSided(m_units.length * last, m_units.length * next);
+            ground->CreateFixture(&shape, 0.0f);
+            last = next;
+        }
         return ground;
     }
 
