@@ -20,6 +20,7 @@
 #include "scree/inspect.h"
 #include "scree/rollback.h"
 #include "scree/scree.h"
+#include "state/limits.h"
 #include "testbed/base/hash.h"
 #include "tests/fuzz/event_laws.h"
 #include "tests/fuzz/input.h"
@@ -571,7 +572,7 @@ private:
         if (!m_world.GetState().bodies.IsFar())
             CheckBoxes(m_world, inspect::GetBroadPhase(m_world) != BroadPhaseKind::fatTree);
         CheckContacts(m_world);
-        if (dt > 0.0f && !goesOn) CheckSleep(m_world);
+        if (dt >= scree::shortestStep && !goesOn) CheckSleep(m_world);
     }
 
     void CheckReplay() {

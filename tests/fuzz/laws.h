@@ -17,13 +17,19 @@
 
 namespace fuzz {
 
-/// No state becomes NaN or infinite.
+/// No state becomes NaN or infinite, nor does what a joint does to a dynamic body.
 inline void CheckFinite(const scree::World& world) {
     for (const scree::Body* body = world.GetBodyList(); body != nullptr; body = body->GetNext()) {
         const bool isFinite = body->GetPosition().IsValid() && std::isfinite(body->GetAngle()) &&
                               body->GetWorldCenter().IsValid() && body->GetLinearVelocity().IsValid() &&
                               std::isfinite(body->GetAngularVelocity());
         Demand(isFinite, "states stay finite");
+    }
+    for (const scree::Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext()) {
+        const auto isDynamic = [](const scree::Body* body) { return body->GetType() == scree::dynamicBody; };
+        if (!isDynamic(joint->GetBodyA()) && !isDynamic(joint->GetBodyB())) continue;
+        const bool isFinite = joint->GetReactionForce(1.0f).IsValid() && std::isfinite(joint->GetReactionTorque(1.0f));
+        Demand(isFinite, "reactions stay finite");
     }
 }
 

@@ -488,5 +488,32 @@ TEST(Continuous, ABulletMovesASleepingFigure) {
     }
 }
 
+/// A body that the soft step has turned has digits below those of its angle. It keeps them as a static one.
+TEST(Continuous, AnImpactDoesNotTurnWhatIsStatic) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> spin(-9.0f, 9.0f);
+    int events = 0;
+    for (int round = 0; round < 100; ++round) {
+        World world({0.0f, 0.0f});
+        Body* target = AddBody(world, dynamicBody, {0.0f, 0.0f});
+        AddBox(target, 0.5f, 0.5f);
+        target->SetAngularVelocity(spin(random));
+        for (int i = 0; i < 30; ++i) world.Step(frame, 4);
+        target->SetType(staticBody);
+        Body* ball = AddBody(world, dynamicBody, {-5.0f, 0.1f});
+        AddCircle(ball, 0.1f);
+        ball->SetLinearVelocity({900.0f, 0.0f});
+        const Transform before = target->GetTransform();
+        events += world.Step(frame, 4).continuousEventCount;
+        const Transform& after = target->GetTransform();
+        ASSERT_EQ(before.p, after.p);
+        ASSERT_EQ(before.q.s, after.q.s);
+        ASSERT_EQ(before.q.c, after.q.c);
+    }
+    EXPECT_GT(events, 50);
+}
+
 }  // namespace
 }  // namespace scree::test

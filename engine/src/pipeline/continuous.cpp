@@ -76,6 +76,10 @@ private:
                                 m_bodies.IsFar() ? m_bodies.rest[body] : PositionRest{},
                                 m_bodies.transform[body],
                                 m_s.alpha[body]};
+        if (m_bodies.type[body] == staticBody) {
+            m_s.alpha[body] = alpha;
+            return backup;
+        }
         const Vec2 frame = FrameOf(m_bodies, body, body);
         Sweep sweep = m_toi.SweepOf(body, frame);
         sweep.Advance(alpha);
@@ -358,6 +362,7 @@ private:
         }
         KeepLocked(pair.bodyA, metA.c, restA), KeepLocked(pair.bodyB, metB.c, restB);
         for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
+            if (m_bodies.type[body] == staticBody) continue;
             Quarantine(body);
             m_bodies.UpdateTransform(body);
             m_bodies.NoteStart(body);
