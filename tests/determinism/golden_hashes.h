@@ -42,7 +42,7 @@ inline constexpr uint64_t goldenCalls[20] = {
     0x93daff95d6b73c48, 0x11814f3edcecfd63, 0xc68eb2cd36c4aee6, 0x73e5258e14bcf003, 0xcef7eefa3553e7c6,
     0x6afe45b761bb38dd, 0xd0a63b216bbe1c84, 0xff917fc42ea775b0, 0x90306ec14116ec84, 0x341eecf829c05eaa,
     0x1ed296fdd48acb1a, 0x8068237ac38f956c, 0x4ea3889ab0e840f9, 0x4e691a09f2989907, 0xf51f3335f576262e,
-    0x0a84cda8e3a412ef, 0xc55bbce50fe16b7d, 0x1898ae5ef62b2d11, 0xdf625e89cf0b4184, 0x3670d1ee16961186,
+    0x0a84cda8e3a412ef, 0xf0f9cf56dd91d0e7, 0x1898ae5ef62b2d11, 0xdf625e89cf0b4184, 0x3670d1ee16961186,
 };
 
 }  // namespace determinism

@@ -221,9 +221,14 @@ SCREE_INLINE float SolveBounded(float& accumulated, float impulse, float most) {
 /// The same for a vector, by its length.
 SCREE_INLINE Vec2 SolveBounded(Vec2& accumulated, Vec2 impulse, float most) {
     Vec2 total = accumulated + impulse;
-    const float scale = PowerOfTwo(-Min(ExponentOf(Max(Abs(total.x), Abs(total.y))), 126));
-    const float squared = (scale * total).LengthSquared(), mostScaled = scale * most;
-    if (squared > mostScaled * mostScaled) total *= mostScaled / std::sqrt(squared);
+    const float squared = total.LengthSquared();
+    if (squared > 0x1p-100f && squared < 0x1p100f) {
+        if (squared > most * most) total *= most / std::sqrt(squared);
+    } else {
+        const float scale = PowerOfTwo(-Min(ExponentOf(Max(Abs(total.x), Abs(total.y))), 126));
+        const float scaled = (scale * total).LengthSquared(), bound = scale * most;
+        if (scaled > bound * bound) total *= bound / std::sqrt(scaled);
+    }
     const Vec2 change = total - accumulated;
     accumulated = total;
     return change;
@@ -256,28 +261,40 @@ SCREE_INLINE float SolveSpring(const Spring& spring, float speed, float& accumul
     return change;
 }
 
-/// Brings an entry of the diagonal of a mass matrix near 1, from both sides.
-inline float ScaleOf(float diagonal) { return PowerOfTwo(-(ExponentOf(diagonal) >> 1)); }
-
-/// Solves a symmetric 2×2 system whose rows have units of their own. Zero for a singular matrix.
-inline Vec2 SolveScaled(const Mat22& k, Vec2 b) {
-    const float sx = ScaleOf(k.ex.x), sy = ScaleOf(k.ey.y), mixed = sx * k.ex.y * sy;
-    const Vec2 x = Mat22({sx * k.ex.x * sx, mixed}, {mixed, sy * k.ey.y * sy}).Solve({sx * b.x, sy * b.y});
-    return {sx * x.x, sy * x.y};
-}
-
-/// Solves a symmetric 3×3 system by Cramer's rule; rows and columns x, y, z. Zero for a singular matrix.
+/// A symmetric system of two or three rows with units of their own, brought near 1 by powers of two. Determinants of
+/// others leave the range of numbers where masses or lengths are far from 1.
 struct Symmetric3 {
     float xx, xy, xz, yy, yz, zz;
 };
 struct Three {
     float x, y, z;
 };
-inline Three Solve(const Symmetric3& k, const Three& b) {
-    const float sx = ScaleOf(k.xx), sy = ScaleOf(k.yy), sz = ScaleOf(k.zz);
-    const Symmetric3 m = {sx * k.xx * sx, sx * k.xy * sy, sx * k.xz * sz,
-                          sy * k.yy * sy, sy * k.yz * sz, sz * k.zz * sz};
-    const float x = sx * b.x, y = sy * b.y, z = sz * b.z;
+struct Scaled2 {
+    Mat22 k;
+    float x, y;  ///< what rows and columns are multiplied by
+};
+struct Scaled3 {
+    Symmetric3 k;
+    float x, y, z;
+};
+/// Brings an entry of the diagonal near 1, from both sides.
+inline float ScaleOf(float diagonal) { return PowerOfTwo(-(ExponentOf(diagonal) >> 1)); }
+inline Scaled2 Scale(const Mat22& k) {
+    const float x = ScaleOf(k.ex.x), y = ScaleOf(k.ey.y), mixed = x * k.ex.y * y;
+    return {{{x * k.ex.x * x, mixed}, {mixed, y * k.ey.y * y}}, x, y};
+}
+inline Scaled3 Scale(const Symmetric3& k) {
+    const float x = ScaleOf(k.xx), y = ScaleOf(k.yy), z = ScaleOf(k.zz);
+    return {{x * k.xx * x, x * k.xy * y, x * k.xz * z, y * k.yy * y, y * k.yz * z, z * k.zz * z}, x, y, z};
+}
+/// By Cramer's rule. Zero for a singular matrix.
+inline Vec2 Solve(const Scaled2& a, Vec2 b) {
+    const Vec2 x = a.k.Solve({a.x * b.x, a.y * b.y});
+    return {a.x * x.x, a.y * x.y};
+}
+inline Three Solve(const Scaled3& a, const Three& b) {
+    const Symmetric3& m = a.k;
+    const float x = a.x * b.x, y = a.y * b.y, z = a.z * b.z;
     const float cx = m.yy * m.zz - m.yz * m.yz;
     const float cy = m.xz * m.yz - m.xy * m.zz;
     const float cz = m.xy * m.yz - m.xz * m.yy;
@@ -286,8 +303,8 @@ inline Three Solve(const Symmetric3& k, const Three& b) {
     const float dyy = m.xx * m.zz - m.xz * m.xz;
     const float dyz = m.xy * m.xz - m.xx * m.yz;
     const float dzz = m.xx * m.yy - m.xy * m.xy;
-    return {sx * (det * (cx * x + cy * y + cz * z)), sy * (det * (cy * x + dyy * y + dyz * z)),
-            sz * (det * (cz * x + dyz * y + dzz * z))};
+    return {a.x * (det * (cx * x + cy * y + cz * z)), a.y * (det * (cy * x + dyy * y + dyz * z)),
+            a.z * (det * (cz * x + dyz * y + dzz * z))};
 }
 
 /// How far a coordinate is outside its range, with its sign: what the position iterations remove. A range narrower than

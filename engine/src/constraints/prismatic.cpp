@@ -30,8 +30,7 @@ void Prepare(const JointInput& in, PrismaticRow& row, PrismaticConstraint& c) {
     c.across = MakeSlide(arms, row.axis.Skew());
     c.alongMass = InverseOrZero(InverseMass(c.pair, c.along));
     const float mixed = Coupling(c.pair, c.across, turning);
-    c.k.ex = {InverseMass(c.pair, c.across), mixed};
-    c.k.ey = {mixed, TurnCoupling(c.pair)};
+    c.k = Scale(Mat22{{InverseMass(c.pair, c.across), mixed}, {mixed, TurnCoupling(c.pair)}});
     c.translation = Dot(row.axis, arms.gap);
     c.spring = PrepareSpring(row.spring, c.translation, InverseMass(c.pair, c.along), in.step);
     if (!row.limit.enabled) ClearLimit(row.limit);
@@ -76,7 +75,7 @@ void SolveVelocity(const PrismaticConstraint& c, PrismaticRow& row, const JointS
                    Column<BodyIndex, Velocity>& velocity) {
     PairVelocity v = Load(c.pair, velocity);
     SolveRange(c, row, step, v);
-    const Vec2 impulse = SolveScaled(c.k, -Vec2(Speed(c.across, v), Speed(turning, v)));
+    const Vec2 impulse = Solve(c.k, -Vec2(Speed(c.across, v), Speed(turning, v)));
     row.impulse += impulse;
     Apply(c.pair, c.across, impulse.x, v);
     Apply(c.pair, turning, impulse.y, v);
@@ -95,9 +94,9 @@ bool SolvePosition(const PrismaticConstraint& c, const PrismaticRow& row, const 
                        TurnCoupling(c.pair),        Coupling(c.pair, turning, along),  InverseMass(c.pair, along)};
     Three impulse{0.0f, 0.0f, 0.0f};
     if (limitError != 0.0f) {
-        impulse = Solve(k, {-error.x, -error.y, -limitError});
+        impulse = Solve(Scale(k), {-error.x, -error.y, -limitError});
     } else {
-        const Vec2 two = SolveScaled({{k.xx, k.xy}, {k.xy, k.yy}}, -error);
+        const Vec2 two = Solve(Scale(Mat22{{k.xx, k.xy}, {k.xy, k.yy}}), -error);
         impulse = {two.x, two.y, 0.0f};
     }
     Apply(c.pair, across, impulse.x, pose);

@@ -15,7 +15,7 @@ struct PrismaticConstraint {
     JointRow row;  ///< in the joint's table
     JointPair pair;
     AxisRow along, across;
-    Mat22 k;            ///< inverse effective mass of (across, turning)
+    Scaled2 k;          ///< inverse effective mass of (across, turning)
     float alongMass;    ///< effective mass of sliding
     float translation;  ///< at the start of the step, m
     Spring spring;

@@ -11,14 +11,16 @@ namespace scree {
 
 namespace {
 
-Symmetric3 WeldMatrix(const JointPair& p, const Arms& arms, const Mat22& point) {
+Scaled3 WeldMatrix(const JointPair& p, const Arms& arms, const Mat22& point) {
     const float iA = p.massA.invI, iB = p.massB.invI;
-    return {point.ex.x, point.ex.y, -iA * arms.a.y - iB * arms.b.y, point.ey.y, iA * arms.a.x + iB * arms.b.x, iA + iB};
+    const Symmetric3 k{
+        point.ex.x, point.ex.y, -iA * arms.a.y - iB * arms.b.y, point.ey.y, iA * arms.a.x + iB * arms.b.x, iA + iB};
+    return Scale(k);
 }
 
 /// Impulses that remove speeds or errors of the point and the angle; the angle is left out if nothing can turn.
-Three SolveBlock(const Symmetric3& k, const Mat22& point, Vec2 linear, float angular) {
-    if (k.zz > 0.0f) return Solve(k, {-linear.x, -linear.y, -angular});
+Three SolveBlock(const Scaled3& k, const Mat22& point, Vec2 linear, float angular) {
+    if (k.k.zz > 0.0f) return Solve(k, {-linear.x, -linear.y, -angular});
     const Vec2 two = point.Solve(-linear);
     return {two.x, two.y, 0.0f};
 }

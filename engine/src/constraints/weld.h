@@ -15,8 +15,8 @@ struct WeldConstraint {
     JointRow row;  ///< in the joint's table
     JointPair pair;
     Arms arms;
-    Mat22 point;   ///< inverse effective mass of the point
-    Symmetric3 k;  ///< of the point and the angle
+    Mat22 point;  ///< inverse effective mass of the point
+    Scaled3 k;    ///< of the point and the angle
     Spring spring;
     bool soft;  ///< angle by the spring
 };
