@@ -224,7 +224,7 @@ SCREE_INLINE Vec2 SolveBounded(Vec2& accumulated, Vec2 impulse, float most) {
     const float squared = total.LengthSquared();
     if (squared > 0x1p-100f && squared < 0x1p100f) {
         if (squared > most * most) total *= most / std::sqrt(squared);
-    } else {
+    } else {  // squares are out of range
         const float scale = PowerOfTwo(-Min(ExponentOf(Max(Abs(total.x), Abs(total.y))), 126));
         const float scaled = (scale * total).LengthSquared(), bound = scale * most;
         if (scaled > bound * bound) total *= bound / std::sqrt(scaled);
@@ -261,14 +261,15 @@ SCREE_INLINE float SolveSpring(const Spring& spring, float speed, float& accumul
     return change;
 }
 
-/// A symmetric system of two or three rows with units of their own, brought near 1 by powers of two. Determinants of
-/// others leave the range of numbers where masses or lengths are far from 1.
+/// A symmetric matrix; rows and columns x, y, z.
 struct Symmetric3 {
     float xx, xy, xz, yy, yz, zz;
 };
 struct Three {
     float x, y, z;
 };
+/// A symmetric matrix whose rows have units of their own, with a diagonal brought near 1 by powers of two. Determinants
+/// of others leave the range of numbers where masses or lengths are far from 1.
 struct Scaled2 {
     Mat22 k;
     float x, y;  ///< what rows and columns are multiplied by
