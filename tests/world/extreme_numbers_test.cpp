@@ -13,7 +13,7 @@
 #include <string>
 
 #include "tests/world/fixtures.h"
-#include "tests/world/random_joint.h"
+#include "tests/world/random_pair.h"
 
 namespace scree::test {
 namespace {

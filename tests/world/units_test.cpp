@@ -10,7 +10,7 @@
 #include <random>
 #include <string>
 
-#include "tests/world/random_joint.h"
+#include "tests/world/random_pair.h"
 
 namespace scree::test {
 namespace {

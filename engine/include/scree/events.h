@@ -50,8 +50,8 @@ struct MoveEvent {
 /// The reaction of a joint was above one of its thresholds (JointDef::forceThreshold, torqueThreshold).
 struct JointEvent {
     JointId joint;
-    float force;   ///< mean over the step, N
-    float torque;  ///< N·m
+    float force;   ///< mean over the step, N; infinite if no number holds it
+    float torque;  ///< N·m; likewise
     bool broke;    ///< the joint was destroyed (JointDef::breaks)
 };
 

@@ -23,7 +23,6 @@ struct Units {
 inline constexpr int kindsOfPairs = 12, alone = kindsOfPairs - 1;
 
 /// Two boxes in the air. They collide only if they have no joint.
-
 class RandomPair {
 public:
     RandomPair(World& world, Body* ground, Units units, int kind, std::mt19937& random)
