@@ -44,20 +44,30 @@ public:
           m_t(tables),
           m_bodies(tables.bodies),
           m_s(scratch),
-          m_toi(settings.lengthScale, settings.atOutlines, events, m_t, scratch) {}
+          m_toi(settings.lengthScale, settings.atOutlines, events, m_t, scratch),
+          m_round({settings.dt, settings.rest, settings.startVelocities}, events, m_t, scratch.impacts, scratch,
+                  m_toi) {}
 
     ContinuousReport Run() {
         m_toi.Clear();
         ForgetMembers();  // of an event that a callback ended by an exception
+        m_round.Clear();
         if (!m_s.resuming) m_s.ballistic.clear();
         m_toi.FindAll();
-        while (!m_s.events.Empty()) {
+        while (!m_s.events.Empty() || !m_round.IsEmpty()) {
+            const bool isOver = m_s.events.Empty() || m_settings.subStepping;
+            if (m_round.IsFull() || (isOver && !m_round.IsEmpty()) || !m_round.IsApart(m_s.pairs[m_s.events.Top()])) {
+                SolveRound();
+                if (!m_settings.subStepping) continue;
+                m_report.complete = m_s.events.Empty();
+                break;
+            }
             const int pair = m_s.events.Top();
             const float alpha = m_s.events.TopKey();
             m_s.events.Remove(pair);
             if (m_s.pairs[pair].rounds >= maxSubSteps) {
                 Abandon(pair, alpha);
-            } else if (HandleEvent(pair, alpha) && m_settings.subStepping) {
+            } else if (HandleEvent(pair, alpha) && m_settings.subStepping && m_round.IsEmpty()) {
                 m_report.complete = m_s.events.Empty();
                 break;
             }
@@ -76,21 +86,7 @@ private:
                                 m_bodies.IsFar() ? m_bodies.rest[body] : PositionRest{},
                                 m_bodies.transform[body],
                                 m_s.alpha[body]};
-        if (m_bodies.type[body] == staticBody) {
-            m_s.alpha[body] = alpha;
-            return backup;
-        }
-        const Vec2 frame = FrameOf(m_bodies, body, body);
-        Sweep sweep = m_toi.SweepOf(body, frame);
-        sweep.Advance(alpha);
-        m_bodies.position[body] = {sweep.c0, sweep.a0, 0.0f};
-        if (m_bodies.IsFar()) {
-            m_bodies.position[body].c = frame;
-            m_bodies.rest[body].end = sweep.c0;
-        }
-        m_s.alpha[body] = alpha;
-        m_bodies.UpdateTransform(body);
-        m_bodies.NoteStart(body);
+        m_toi.Advance(body, alpha);
         return backup;
     }
 
@@ -141,10 +137,10 @@ private:
         m_bodies.Wake(pair.bodyA);
         m_bodies.Wake(pair.bodyB);
         m_s.islandContacts.assign(1, contact);
-        if (IsJointed(pair)) {
+        if (m_round.IsJointed(pair)) {
             Restore(backupA);
             Restore(backupB);
-            SolveJointed(pair, alpha);
+            m_round.Add(alpha);
             return true;
         }
         for (const BodyIndex body : {pair.bodyA, pair.bodyB}) AddMember(body);
@@ -185,102 +181,9 @@ private:
                 0.0f,     true,         atOutlines,   m_settings.lengthScale};
     }
 
-    [[nodiscard]] bool IsJointed(const ToiPair& pair) const {
-        if (m_settings.solveRest == nullptr) return false;
-        const auto isJointed = [&](BodyIndex b) { return m_toi.IsDynamic(b) && HasSolvedJoint(b); };
-        return isJointed(pair.bodyA) || isJointed(pair.bodyB);
-    }
-
-    /// A joint to a disabled body is not solved, and that body has no proxies.
-    [[nodiscard]] bool IsSolved(const JointInfo& joint) const {
-        return m_bodies.Has(joint.bodyA, BodyFlag::enabled) && m_bodies.Has(joint.bodyB, BodyFlag::enabled);
-    }
-    [[nodiscard]] bool HasSolvedJoint(BodyIndex body) const {
-        for (const JointIndex joint : m_t.joints.OfBody(body)) {
-            if (IsSolved(m_t.joints.info[joint])) return true;
-        }
-        return false;
-    }
-
-    /// The bodies of a pair with all that joints hold to them, and their joints.
-    void GatherJointed(const ToiPair& pair) {
-        m_s.islandJoints.clear();
-        const auto add = [&](BodyIndex body) {
-            if (m_toi.IsDynamic(body) && PlaceOf(body) < 0) AddMember(body);
-        };
-        add(pair.bodyA), add(pair.bodyB);
-        for (size_t next = 0; next < m_s.islandBodies.size(); ++next) {
-            const BodyIndex body = m_s.islandBodies[next];
-            for (const JointIndex joint : m_t.joints.OfBody(body)) {
-                const JointInfo& info = m_t.joints.info[joint];
-                if (!IsSolved(info)) continue;
-                add(info.bodyA), add(info.bodyB);
-                if (IsFirstMember(body, info.bodyA)) m_s.islandJoints.push_back(joint);
-            }
-        }
-    }
-
-    /// Lists what two bodies share once: at body A, or at the other where A is no member.
-    [[nodiscard]] bool IsFirstMember(BodyIndex body, BodyIndex bodyA) const {
-        return body == bodyA || PlaceOf(bodyA) < 0;
-    }
-
-    /// Null for what stands still, or was asleep when the step began.
-    [[nodiscard]] const Velocity* StartVelocityOf(BodyIndex body) const {
-        const Velocity& v = m_bodies.velocity[body];
-        const bool moves = v.v.x != 0.0f || v.v.y != 0.0f || v.w != 0.0f;
-        return moves ? m_settings.startVelocities->Find(body) : nullptr;
-    }
-
-    /// Moves jointed bodies to the event, with the velocities that they have there.
-    void AdvanceJointed(float alpha) {
-        for (const BodyIndex body : m_s.islandBodies) {
-            const float begin = m_s.alpha[body];
-            if (m_s.firstPair[body] < 0) m_s.touched.push_back(body);
-            Advance(body, alpha);
-            const Velocity* const start = StartVelocityOf(body);
-            if (begin >= 1.0f || !HasSolvedJoint(body) || start == nullptr) continue;
-            const Velocity& from = *start;
-            Velocity& v = m_bodies.velocity[body];
-            const float share = (alpha - begin) / (1.0f - begin);
-            v.v = from.v + share * (v.v - from.v);
-            v.w = from.w + share * (v.w - from.w);
-        }
-    }
-
-    /// A list that stays, whatever contacts the listener looks up meanwhile.
-    std::span<const ContactIndex> ContactsOf(BodyIndex body) {
-        const std::span<const ContactIndex> rows = m_t.contacts.OfBody(body);
-        if (m_events.listener == nullptr) return rows;
-        m_s.contactsOfBody.assign(rows.begin(), rows.end());
-        return m_s.contactsOfBody;
-    }
-
-    /// Everything that joints hold to the pair goes on from the event together, with all that touches it.
-    void SolveJointed(const ToiPair& pair, float alpha) {
-        GatherJointed(pair);
-        AdvanceJointed(alpha);
-        m_s.islandContacts.clear();
-        for (const BodyIndex body : m_s.islandBodies) {
-            m_bodies.Wake(body);
-            m_t.contacts.RouseOf(body);
-            for (const ContactIndex contact : ContactsOf(body)) {
-                if (!m_t.contacts.IsAlive(contact) || m_t.contacts.Has(contact, ContactFlag::sensor)) continue;
-                if (!IsFirstMember(body, m_t.contacts.pair[contact].bodyA)) continue;
-                if (!UpdateContact(contact, m_t.fixtures, m_events, m_bodies, m_t.contacts)) continue;
-                if (!m_t.contacts.Has(contact, ContactFlag::enabled)) continue;
-                m_s.islandContacts.push_back(contact);
-                m_bodies.Wake(m_t.contacts.pair[contact].bodyA);
-                m_bodies.Wake(m_t.contacts.pair[contact].bodyB);
-            }
-        }
-        NoteHits();
-        const SolverCounts counts = m_settings.solveRest(
-            {m_s.islandBodies, m_s.islandContacts, m_s.islandJoints, (1.0f - alpha) * m_settings.dt});
+    void SolveRound() {
+        const SolverCounts counts = m_round.Solve();
         m_report.capped += counts.capped, m_report.nonFinite += counts.nonFinite;
-        QuarantineTouched();
-        for (size_t i = 0; i < m_s.islandBodies.size(); ++i) m_toi.Refresh(m_s.islandBodies[i]);
-        ForgetMembers();
     }
 
     /// Adds what else touches the body at the time of the event: a corner stops it from two sides.
@@ -467,24 +370,13 @@ private:
         return true;
     }
 
-    /// Bodies that touch the jointed ones are pushed by them.
-    void QuarantineTouched() {
-        for (const ContactIndex contact : m_s.islandContacts) {
-            const ContactPair& pair = m_t.contacts.pair[contact];
-            for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
-                if (PlaceOf(body) >= 0 || !m_toi.IsDynamic(body)) continue;
-                if (Quarantine(body)) m_bodies.UpdateTransform(body);
-            }
-        }
-    }
-
     /// Holds the dynamic bodies of the pair where they meet, for the rest of the step. They keep the velocities that
     /// contacts and joints left them, or the next step would begin, and end, like this one.
     void Abandon(int index, float alpha) {
         const ToiPair pair = m_s.pairs[index];
         m_s.pairs[index].over = true;
-        if (IsJointed(pair)) {
-            GatherJointed(pair);
+        if (m_round.IsJointed(pair)) {
+            for (const BodyIndex body : m_round.Gathered()) AddMember(body);
         } else {
             for (const BodyIndex body : {pair.bodyA, pair.bodyB}) AddMember(body);
         }
@@ -506,6 +398,7 @@ private:
     ContinuousScratch& m_s;
     ContinuousReport m_report;
     ToiPairs m_toi;
+    ImpactRound m_round;
 };
 
 }  // namespace
@@ -523,7 +416,7 @@ ContinuousSettings MakeContinuousSettings(const SolverSettings& solver, int subs
             .gravity = solver.gravity,
             .ballistic = isExact ? isolated : std::span<const BodyIndex>(),
             .atOutlines = isSoft,
-            .solveRest = {}};
+            .rest = {}};
 }
 
 ContinuousReport SolveContinuous(const ContinuousSettings& settings, const ContactEvents& events,

@@ -19,19 +19,11 @@
 
 #include "constraints/contact_rows.h"
 #include "pipeline/contact_events.h"
+#include "pipeline/parts/impact_round.h"
 #include "pipeline/parts/solver.h"
 #include "pipeline/parts/toi_pairs.h"
-#include "scree/function_ref.h"
 
 namespace scree {
-
-/// Bodies that joints hold together, from an event on: they stand where it found them.
-struct JointedRest {
-    std::span<const BodyIndex> bodies;
-    std::span<const ContactIndex> contacts;
-    std::span<const JointIndex> joints;
-    float dt;  ///< what is left of the step, s
-};
 
 struct ContinuousSettings {
     float dt;  ///< of the whole step, s
@@ -47,8 +39,8 @@ struct ContinuousSettings {
     bool atOutlines = false;
     /// Soft step: solves and moves jointed bodies for the rest of a step. One limb that is stopped alone tears its
     /// joints.
-    FunctionRef<SolverCounts(const JointedRest&)> solveRest{};
-    const StartVelocities* startVelocities = nullptr;
+    JointedRestSolver rest{};
+    StartVelocities* startVelocities = nullptr;
 };
 
 /// After a step that the solver has done, or begun to do, with these settings. `substeps` are those that it took,
@@ -70,17 +62,17 @@ struct ContinuousScratch : ToiScratch {
     ContactRows rows;
     std::vector<Velocity> ahead;  ///< per body of islandBodies: change of velocity by forces in the rest of the step
     std::vector<ContactIndex> islandContacts;
-    std::vector<ContactIndex> contactsOfBody;  ///< of one body, where a listener is called for them
     std::vector<BodyIndex> islandBodies;
-    std::vector<JointIndex> islandJoints;
+    ImpactScratch impacts;
     std::vector<int> pairsInOrder;       ///< of one body
     Column<BodyIndex, int> islandPlace;  ///< per body: its place in islandBodies; −1 if it is not there
     std::vector<BodyIndex> goingOn;      ///< of a step that goes on: what was active before
 
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return ToiScratch::GetMemoryBytes() + BytesOf(rows.velocity, rows.position, ahead, islandContacts,
-                                                      contactsOfBody, islandBodies, islandJoints, pairsInOrder,
-                                                      islandPlace, goingOn);
+        return ToiScratch::GetMemoryBytes() +
+               BytesOf(rows.velocity, rows.position, ahead, islandContacts, islandBodies, pairsInOrder, islandPlace,
+                       goingOn) +
+               impacts.GetMemoryBytes();
     }
 };
 

@@ -83,23 +83,22 @@ constexpr std::array<float, 32> leastBounces = MakeLeastBounces();
 /// All islands together; the methods are the phases in order.
 class SoftSolver {
 public:
-    SoftSolver(const SolverSettings& settings, const IslandTable& islands, SolverTables tables, SolverScratch& scratch,
-               SoftConstraints& constraints)
+    SoftSolver(const SolverSettings& settings, const IslandTable& islands, SolverTables tables, SolverScratch& scratch)
         : m_settings(settings),
           m_h(settings.dt / static_cast<float>(settings.substeps)),
           m_islands(islands),
           m_bodies(tables.bodies),
           m_tables(tables),
           m_s(scratch),
-          m_tree(constraints.tree),
-          m_blocks(constraints.blocks),
-          m_joints(constraints.joints),
+          m_tree(scratch.constraints.tree),
+          m_blocks(scratch.constraints.blocks),
+          m_joints(scratch.constraints.joints),
           m_kernels(GetContactKernels()) {}
 
     void Prepare(const FixtureTable& fixtures, bool report) {
         m_s.delta.resize(ToSize(m_bodies.slots.Size()));
         m_s.jointed.clear();
-        if (HasJoints()) m_s.startVelocities.Reserve(m_bodies.velocity.size());
+        if (HasJoints() && !m_tables.isRest) m_s.startVelocities.Reserve(m_bodies.velocity.size());
         m_blocks.GetSlices().Update(Pool(), m_bodies, m_tables.contacts, m_islands.contacts);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
@@ -247,7 +246,8 @@ private:
                                     SoftBody& soft = m_s.soft[ToSize(i)];
                                     if (m_bodies.info[soft.body].jointCount == 0) continue;
                                     soft.jointed = true;
-                                    m_s.startVelocities.Note(soft.body, m_bodies.velocity[soft.body]);
+                                    if (!m_tables.isRest)
+                                        m_s.startVelocities.Note(soft.body, m_bodies.velocity[soft.body]);
                                     *place++ = i;
                                 }
                                 return std::array{static_cast<size_t>(place - places[0])};
@@ -686,13 +686,12 @@ SolverCounts SolveSoft(const SolverSettings& settings, const FixtureTable& fixtu
         return SolveIsolated<forces, limit>(settings, active, tables.pool, tables.bodies);
     });
     if (active.bodies.empty()) return counts;
-    SoftConstraints& constraints = tables.isRest ? scratch.constraintsOfRest : scratch.constraints;
-    SoftSolver solver(settings, active, tables, scratch, constraints);
+    SoftSolver solver(settings, active, tables, scratch);
     solver.Prepare(fixtures, events.listener != nullptr);
     solver.RunSubsteps();
     counts += solver.Finish();
-    if (tables.noteDemand) constraints.tree.NotePullRates(settings.dt, tables.bodies.demand);
-    ReportBlockImpulses({constraints.blocks, true, active.contacts}, events, tables.contacts, scratch.impulses);
+    if (tables.noteDemand) scratch.constraints.tree.NotePullRates(settings.dt, tables.bodies.demand);
+    ReportBlockImpulses({scratch.constraints.blocks, true, active.contacts}, events, tables.contacts, scratch.impulses);
     return counts;
 }
 

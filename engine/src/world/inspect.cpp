@@ -70,7 +70,7 @@ MemoryUse GetMemoryUse(const World& world) {
     use.solverScratch = s.solverScratch.GetMemoryBytes() + s.islandScratch.GetMemoryBytes() +
                         s.islands.GetMemoryBytes() + s.active.GetMemoryBytes() + s.substepGroups.GetMemoryBytes() +
                         BytesOf(s.narrowPhaseScratch.findings, s.narrowPhaseScratch.old) +
-                        s.continuousScratch.GetMemoryBytes();
+                        s.continuousScratch.GetMemoryBytes() + GetMemoryBytes(s.restScratches);
     return use;
 }
 

@@ -180,6 +180,7 @@ void MoveState(WorldState& from, WorldState& s) {
     s.active = {};
     s.substepGroups = {};
     s.solverScratch.Trim();
+    s.restScratches = RestScratches{};
     s.solverScratch.anglesHaveRests = true;
     s.idleSubsteps = WorldState::notIdle;
     NearStatics& near = from.continuousScratch.nearStatics;

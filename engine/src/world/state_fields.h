@@ -271,9 +271,9 @@ template <Is<WorldState> Self, typename Visit>
 void Fields(Self& s, Visit& visit) {
     auto& [world, def, bodies, fixtures, contacts, joints, broadPhase, broadPhaseKind, pool, pairs, editedPairs,
            isEdited, edited, islands, active, substepGroups, narrowPhaseScratch, islandScratch, solverScratch,
-           continuousScratch, log, destructionListener, listener, heard, filter, mixer, errorHandler, errorContext,
-           draw, recorder, definitions, featureCounts, kernels, locks, autoClearForces, lastInverseDt, idleSubsteps,
-           report, distanceWork, measureErrors, isolatedPath, directJoints] = s;
+           continuousScratch, restScratches, log, destructionListener, listener, heard, filter, mixer, errorHandler,
+           errorContext, draw, recorder, definitions, featureCounts, kernels, locks, autoClearForces, lastInverseDt,
+           idleSubsteps, report, distanceWork, measureErrors, isolatedPath, directJoints] = s;
     visit(isEdited, autoClearForces, lastInverseDt);
     std::conditional_t<std::is_const_v<Self>, const ToiScratch, ToiScratch>& toi = continuousScratch;
     visit(toi);
@@ -282,8 +282,8 @@ void Fields(Self& s, Visit& visit) {
                   draw, recorder, definitions);
     // Made anew from the rest, of the last step only, for measurements, or without a bearing on results.
     visit.LeftOut(broadPhase, broadPhaseKind, pairs, editedPairs, edited, islands, active, substepGroups,
-                  narrowPhaseScratch, islandScratch, solverScratch, featureCounts, kernels, locks, idleSubsteps, report,
-                  distanceWork, measureErrors, isolatedPath, directJoints);
+                  narrowPhaseScratch, islandScratch, solverScratch, restScratches, featureCounts, kernels, locks,
+                  idleSubsteps, report, distanceWork, measureErrors, isolatedPath, directJoints);
 }
 
 /// The shapes of the living fixtures, and the boxes of those in the broad phase.

@@ -5,6 +5,7 @@
 // report.
 
 #include <algorithm>
+#include <optional>
 
 #include "pipeline/measure_errors.h"
 #include "scree/inspect.h"
@@ -81,20 +82,28 @@ ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, co
     ContinuousSettings own = MakeContinuousSettings(settings, substeps, isolated, s.def.subStepping);
     SolverSettings ofRest = settings;
     ofRest.substeps = substeps;
+    std::optional<TaskPool> alone;  // several rests at a time do not share their loops
     const auto solveRest = [&](const JointedRest& jointed) {
+        RestScratch& scratch = *s.restScratches[ToSize(jointed.worker)];
+        scratch.lists.bodies.assign(jointed.bodies.begin(), jointed.bodies.end());
+        scratch.lists.contacts.assign(jointed.contacts.begin(), jointed.contacts.end());
+        scratch.lists.joints.assign(jointed.joints.begin(), jointed.joints.end());
+        return SolveRest(ofRest, jointed.dt, s.fixtures, scratch.lists, events,
+                         {alone ? *alone : *s.pool, s.bodies, s.contacts, s.joints}, scratch.solver);
+    };
+    const auto prepareRests = [&](int workers) {
         PrepareKernels(s);  // listeners of contacts may have changed materials on the way
-        IslandTable& rest = s.solverScratch.rest;
-        rest.bodies.assign(jointed.bodies.begin(), jointed.bodies.end());
-        rest.contacts.assign(jointed.contacts.begin(), jointed.contacts.end());
-        rest.joints.assign(jointed.joints.begin(), jointed.joints.end());
-        return SolveRest(ofRest, jointed.dt, s.fixtures, rest, events, {*s.pool, s.bodies, s.contacts, s.joints},
-                         s.solverScratch);
+        while (s.restScratches.size() < ToSize(workers)) s.restScratches.push_back(std::make_unique<RestScratch>());
+        s.contacts.steady.resize(s.contacts.flags.size());
+        if (settings.kernels.rolling) EnsureRows(s.contacts.rolling, s.contacts.flags.size());
+        alone.reset();
+        if (workers > 1) alone.emplace(1, TaskCallbacks{});
     };
     if (settings.substeps > 0 && s.joints.slots.Count() > 0) {
         // A step that goes on knows no more than the image of a world that it was loaded from.
         if (s.continuousScratch.resuming) s.solverScratch.startVelocities.Forget();
         own.startVelocities = &s.solverScratch.startVelocities;
-        own.solveRest = solveRest;
+        own.rest = {prepareRests, solveRest};
     }
     return SolveContinuous(own, events, {*s.pool, s.bodies, s.fixtures, s.joints, s.contacts, *s.broadPhase},
                            s.continuousScratch);

@@ -288,6 +288,7 @@ ErrorCode World::TrimMemory() {
     Guard guard(s, "World::TrimMemory");
     if (guard.Unlocked("give memory back outside of Step and callbacks").Failed()) return guard.Code();
     s.solverScratch.Trim();
+    s.restScratches = RestScratches{};
     s.islandScratch = {};
     s.narrowPhaseScratch = {};
     s.islands = {};

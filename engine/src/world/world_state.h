@@ -75,6 +75,7 @@ struct WorldState {
     IslandScratch islandScratch;
     SolverScratch solverScratch;
     ContinuousScratch continuousScratch;
+    RestScratches restScratches;  ///< of the same stage
 
     EventLog log{fixtures};
 

@@ -164,7 +164,7 @@ struct SoftConstraints {
 /// Scratch of the solvers, kept between steps.
 struct SolverScratch {
     bool anglesHaveRests = true;  ///< some Position::aRest may not be 0
-    SoftConstraints constraints, constraintsOfRest;
+    SoftConstraints constraints;
     BodyMarks marks;  ///< of the soft step, as the rows that follow
     RollingRows rolling;
     LoadedBodies loaded;
@@ -175,7 +175,6 @@ struct SolverScratch {
     StartVelocities startVelocities;
     std::vector<int> jointed;  ///< rows of `soft`
     std::vector<NettedBody> netted;
-    IslandTable rest;  ///< jointed bodies that go on after a time of impact
     LaneScratch lanes;
     std::vector<SolverJob> jobs;
     std::vector<LoneIsland> lone;
@@ -189,13 +188,12 @@ struct SolverScratch {
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
         return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, impulses) +
-               rest.GetMemoryBytes() + startVelocities.GetMemoryBytes() + constraints.GetMemoryBytes() +
-               constraintsOfRest.GetMemoryBytes() + rolling.GetMemoryBytes() + loaded.GetMemoryBytes() +
-               locked.GetMemoryBytes() + lanes.GetMemoryBytes();
+               startVelocities.GetMemoryBytes() + constraints.GetMemoryBytes() + rolling.GetMemoryBytes() +
+               loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
-        constraints.Trim(), constraintsOfRest.Trim();
+        constraints.Trim();
         marks = {};
         rolling = {};
         loaded = {};
@@ -206,7 +204,6 @@ struct SolverScratch {
         startVelocities = {};
         jointed = {};
         netted = {};
-        rest = {};
         lanes = {};
         jobs = {}, lone = {};
         islandRows = {};

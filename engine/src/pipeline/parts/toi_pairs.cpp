@@ -455,27 +455,36 @@ void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, std::span<co
     }
 }
 
+/// Those on its way in an order that does not hang on the algorithm: static ones, or all.
 void ToiPairs::FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDynamic) {
+    if (!withDynamic) {
+        m_t.broadPhase.PrepareStatic();
+        return FindStatic(body, fixture, m_s.found, m_s.candidates);
+    }
     m_s.found.clear();
     const AABB box = SweptBox(body, fixture);
-    const auto visit = [&](uint32_t proxy) {
+    m_t.broadPhase.PrepareQueries();  // boxes were swept
+    m_t.broadPhase.Query(box, [&](uint32_t proxy) {
         const FixtureIndex other = FixtureOf(proxy);
         const BodyIndex otherBody = m_t.fixtures.body[other];
-        // A mover that is shown all the same looks for its pairs itself, or the order of a pair would hang on the tree.
-        if (!withDynamic && m_bodies.type[otherBody] != staticBody) return true;
-        const bool isSwept = withDynamic && m_bodies.isListed[otherBody] != 0 && m_bodies.IsActive(otherBody);
+        const bool isSwept = m_bodies.isListed[otherBody] != 0 && m_bodies.IsActive(otherBody);
         if (!isSwept || TestOverlap(box, SweptBox(otherBody, other))) m_s.found.push_back(other);
         return true;
-    };
-    if (withDynamic) {
-        m_t.broadPhase.PrepareQueries();  // boxes were swept
-        m_t.broadPhase.Query(box, visit);
-    } else {
-        m_t.broadPhase.PrepareStatic();
-        m_t.broadPhase.QueryStatic(box, visit);
-    }
-    std::sort(m_s.found.begin(), m_s.found.end());  // the order of a query depends on the algorithm
+    });
+    std::sort(m_s.found.begin(), m_s.found.end());
     for (const FixtureIndex other : m_s.found) m_s.candidates.push_back({fixture, other});
+}
+void ToiPairs::FindStatic(BodyIndex body, FixtureIndex fixture, std::vector<FixtureIndex>& found,
+                          std::vector<ToiCandidate>& candidates) const {
+    found.clear();
+    m_t.broadPhase.QueryStatic(SweptBox(body, fixture), [&](uint32_t proxy) {
+        const FixtureIndex other = FixtureOf(proxy);
+        // A mover that is shown all the same looks for its pairs itself, or the order of a pair would hang on the tree.
+        if (m_bodies.type[m_t.fixtures.body[other]] == staticBody) found.push_back(other);
+        return true;
+    });
+    std::sort(found.begin(), found.end());
+    for (const FixtureIndex other : found) candidates.push_back({fixture, other});
 }
 
 void ToiPairs::AddCandidates(BodyIndex body) {
@@ -600,9 +609,9 @@ float ToiPairs::FirstTimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work
 
 /// Computes when the pair meets and puts, moves or takes out its event.
 void ToiPairs::UpdateEvent(int index) {
-    const float alpha = FirstTimeOf(m_s.pairs[index], Bounded::notYet, *m_events.work);
-    alpha < 1.0f ? SetEvent(index, alpha) : m_s.events.Remove(index);
+    PutEvent(index, FirstTimeOf(m_s.pairs[index], Bounded::notYet, *m_events.work));
 }
+void ToiPairs::PutEvent(int index, float alpha) { alpha < 1.0f ? SetEvent(index, alpha) : m_s.events.Remove(index); }
 
 void ToiPairs::SetEvent(int index, float alpha) {
     const ToiPair& pair = m_s.pairs[index];
@@ -650,22 +659,6 @@ float ToiPairs::TimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) con
     // A search that gave up has shown the way up to t to be free: stop there rather than pass through.
     if (output.state != TOIOutput::e_touching && output.state != TOIOutput::e_failed) return 1.0f;
     return Min(alpha0 + (1.0f - alpha0) * output.t, 1.0f);
-}
-
-void ToiPairs::UpdateTimes(BodyIndex body) {
-    for (int p = m_s.firstPair[body]; p >= 0; p = Next(p, body)) UpdateEvent(p);
-}
-
-void ToiPairs::Complete(BodyIndex body) {
-    if (m_s.isPassedOver[body] != 0) Collect(body, false);
-}
-
-void ToiPairs::Refresh(BodyIndex body) {
-    UpdateTimes(body);
-    if (!Moves(body)) return;
-    SweepHitters();
-    if (m_dynamicTargets) SweepBoxesOf(body);
-    Collect(body, m_dynamicTargets);
 }
 
 }  // namespace scree

@@ -94,6 +94,20 @@ struct ScreenedCandidates {
     void MatchRoomOf(const ScreenedCandidates& other) { MatchRoom(ofBody, other.ofBody); }
 };
 
+/// What ToiPairs::Look found for a body: candidates [begin, end) of those of a worker.
+struct ToiLook {
+    bool moves = false;
+    int worker = 0;
+    int begin = 0, end = 0;
+};
+/// What a worker that looks needs, and what it found for all its bodies.
+struct ToiLooker {
+    std::vector<FixtureIndex> found;  ///< of one query
+    std::vector<ToiCandidate> candidates;
+
+    void MatchRoomOf(const ToiLooker& other) { MatchRoom(found, other.found), MatchRoom(candidates, other.candidates); }
+};
+
 /// For tests: searches in full for every pair that was spared it.
 struct ToiAudit {
     int spared = 0;
@@ -158,6 +172,15 @@ public:
     void UpdateEvent(int index);
     /// The same after its motion changed, and pairs with what has come into its way.
     void Refresh(BodyIndex body);
+    /// Whether bodies meet others than static ones: kinematic ones or bullets.
+    [[nodiscard]] bool MeetsMovers() const { return m_dynamicTargets; }
+    // Where they do not, Refresh has two parts. Several threads may look for bodies that no joint or contact joins.
+    void PrepareLooks();
+    [[nodiscard]] ToiLook Look(BodyIndex body, int worker, ToiLooker& looker);
+    /// Takes what was found.
+    void Take(BodyIndex body, const ToiLook& look, std::span<const ToiLooker> lookers);
+    /// Moves the body to the given part of the step, where its motion starts (and for now ends).
+    void Advance(BodyIndex body, float alpha);
 
     [[nodiscard]] bool IsDynamic(BodyIndex body) const { return m_bodies.type[body] == dynamicBody; }
     /// The body's motion in what is left of the step, relative to `frame`.
@@ -221,6 +244,8 @@ private:
     /// Bounds the ways to static ones; true if all candidates are spared.
     bool BoundWays(std::span<ToiCandidate> candidates) const;
     void FindCandidates(BodyIndex body, FixtureIndex fixture, bool withDynamic);
+    void FindStatic(BodyIndex body, FixtureIndex fixture, std::vector<FixtureIndex>& found,
+                    std::vector<ToiCandidate>& candidates) const;
     void AddCandidates(BodyIndex body);
     void MarkKnown(BodyIndex body, FixtureIndex fixture);
     void Add(const ToiCandidate& candidate);
@@ -230,6 +255,7 @@ private:
     [[nodiscard]] Clearance ClearanceOf(const ToiPair& pair) const;
     [[nodiscard]] Bounded BoundsOf(const ToiPair& pair) const;
     void SetEvent(int index, float alpha);
+    void PutEvent(int index, float alpha);
     [[nodiscard]] float FirstTimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) const;
     [[nodiscard]] float TimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) const;
 

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: the Scree authors
+// SPDX-License-Identifier: MIT
+//
+// Impacts of jointed bodies that are solved together: the bits of one after the other, on any number of workers.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "scree/inspect.h"
+#include "tests/world/fixtures.h"
+#include "world/world_state.h"
+
+namespace scree {
+namespace {
+
+using namespace test;
+
+enum class Rounds : uint8_t { asUsual, ofOneImpact };
+
+/// Chains of limbs that fall fast on a floor and on thin slopes, some of them on each other or together with loose
+/// disks.
+class FallingChains {
+public:
+    FallingChains(uint32_t seed, int workers, Rounds rounds) : world(DefOf(workers)), m_random(seed) {
+        if (workers > 1) world.GetState().pool->ShareAlways();
+        world.SetAllowSleeping(m_random() % 2 == 0);
+        AddBox(AddBody(world, staticBody, {0.0f, -0.5f}), 200.0f, 0.5f);
+        for (int i = 0; i < 6; ++i) {
+            AddBox(AddBody(world, staticBody, {Any(-40.0f, 40.0f), Any(1.0f, 6.0f)}, Any(-0.5f, 0.5f)), 3.0f, 0.02f);
+        }
+        const float spacing = Any(0.7f, 3.0f);
+        const int chains = 12 + static_cast<int>(m_random() % 20);
+        for (int i = 0; i < chains; ++i) AddChain({spacing * static_cast<float>(i - chains / 2), Any(2.0f, 6.0f)});
+        for (int i = 0; i < 10; ++i) {
+            Body* disk = AddBody(world, dynamicBody, {Any(-20.0f, 20.0f), Any(1.0f, 8.0f)});
+            AddCircle(disk, Any(0.1f, 0.4f));
+            disk->SetLinearVelocity({0.0f, Any(-60.0f, 0.0f)});
+            m_bodies.push_back(disk);
+        }
+        if (rounds == Rounds::ofOneImpact) world.GetState().continuousScratch.impacts.mostImpacts = 1;
+    }
+
+    [[nodiscard]] std::vector<Vec2> GetStates() const {
+        std::vector<Vec2> states;
+        for (const Body* body : m_bodies) {
+            states.push_back(body->GetPosition());
+            states.push_back(body->GetLinearVelocity());
+            states.push_back({body->GetAngle(), body->GetAngularVelocity()});
+        }
+        return states;
+    }
+    /// Whose they are, in their order.
+    [[nodiscard]] std::vector<std::pair<FixtureIndex, FixtureIndex>> GetContacts() const {
+        std::vector<std::pair<FixtureIndex, FixtureIndex>> rows;
+        const ContactTable& contacts = world.GetState().contacts;
+        for (const ContactIndex row : contacts.flags.Rows()) {
+            if (contacts.IsAlive(row)) rows.emplace_back(contacts.pair[row].fixtureA, contacts.pair[row].fixtureB);
+        }
+        return rows;
+    }
+    [[nodiscard]] size_t GetLargestRound() const { return world.GetState().continuousScratch.impacts.largestRound; }
+
+    World world;
+
+private:
+    static WorldDef DefOf(int workers) {
+        WorldDef def;
+        def.gravity = {0.0f, -10.0f};
+        def.workerCount = workers;
+        return def;
+    }
+    float Any(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
+
+    void AddChain(Vec2 place) {
+        const int links = 2 + static_cast<int>(m_random() % 4);
+        const Vec2 speed{Any(-3.0f, 3.0f), Any(-80.0f, -5.0f)};
+        Body* last = nullptr;
+        for (int i = 0; i < links; ++i) {
+            Body* link = AddBody(world, dynamicBody, place + Vec2(0.5f * static_cast<float>(i), 0.0f));
+            m_random() % 2 == 0 ? AddCircle(link, 0.2f) : AddBox(link, 0.22f, Any(0.05f, 0.2f));
+            link->SetLinearVelocity(speed);
+            m_bodies.push_back(link);
+            if (last != nullptr) {
+                RevoluteJointDef def;
+                def.Initialize(last, link, place + Vec2(0.5f * static_cast<float>(i) - 0.25f, 0.0f));
+                world.CreateJoint(&def);
+            }
+            last = link;
+        }
+    }
+
+    std::mt19937 m_random;
+    std::vector<Body*> m_bodies;
+};
+
+constexpr float dt = 1.0f / 60.0f;
+
+/// But for the order of contacts that impacts make: an impact may follow on one of a round, and come before others of
+/// that round.
+TEST(ImpactRounds, AreTheImpactsOneByOne) {
+    size_t largest = 0;
+    int compared = 0, reordered = 0;
+    for (uint32_t seed = 0; seed < 60; ++seed) {
+        FallingChains together(seed, 1, Rounds::asUsual), oneByOne(seed, 1, Rounds::ofOneImpact);
+        for (int step = 0; step < 40; ++step) {
+            together.world.Step(dt, 4), oneByOne.world.Step(dt, 4);
+            if (together.GetContacts() != oneByOne.GetContacts()) {
+                ++reordered;
+                break;
+            }
+            ASSERT_EQ(together.GetStates(), oneByOne.GetStates()) << "seed " << seed << ", step " << step;
+            ++compared;
+        }
+        EXPECT_LE(oneByOne.GetLargestRound(), 1u);
+        largest = std::max(largest, together.GetLargestRound());
+    }
+    EXPECT_GT(largest, 4u);
+    EXPECT_GT(compared, 1200);
+    EXPECT_LT(reordered, 30);
+}
+
+TEST(ImpactRounds, DoNotHangOnTheNumberOfWorkers) {
+    size_t most = 0;
+    for (uint32_t seed = 100; seed < 130; ++seed) {
+        FallingChains one(seed, 1, Rounds::asUsual), three(seed, 3, Rounds::asUsual);
+        for (int step = 0; step < 40; ++step) {
+            one.world.Step(dt, 4), three.world.Step(dt, 4);
+            ASSERT_EQ(one.GetStates(), three.GetStates()) << "seed " << seed << ", step " << step;
+        }
+        ASSERT_EQ(inspect::GetStateHash(one.world), inspect::GetStateHash(three.world)) << "seed " << seed;
+        most = std::max(most, three.GetLargestRound());
+    }
+    EXPECT_GT(most, 4u);
+}
+
+}  // namespace
+}  // namespace scree
