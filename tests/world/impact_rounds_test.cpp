@@ -36,6 +36,8 @@ public:
         const float spacing = Any(0.7f, 3.0f);
         const int chains = 12 + static_cast<int>(m_random() % 20);
         for (int i = 0; i < chains; ++i) AddChain({spacing * static_cast<float>(i - chains / 2), Any(2.0f, 6.0f)});
+        const int sheaves = static_cast<int>(m_random() % 12);
+        for (int i = 0; i < sheaves; ++i) AddSheaf({6.0f * static_cast<float>(i - sheaves / 2), Any(3.0f, 5.0f)});
         for (int i = 0; i < 10; ++i) {
             Body* disk = AddBody(world, dynamicBody, {Any(-20.0f, 20.0f), Any(1.0f, 8.0f)});
             AddCircle(disk, Any(0.1f, 0.4f));
@@ -76,18 +78,28 @@ private:
     }
     float Any(float low, float high) { return std::uniform_real_distribution<float>(low, high)(m_random); }
 
-    void AddChain(Vec2 place) {
+    void AddChain(Vec2 place) { AddChain(place, {0.5f, 0.0f}, {Any(-3.0f, 3.0f), Any(-80.0f, -5.0f)}); }
+    /// Upright ones that touch, or nearly, and come down at the same time.
+    void AddSheaf(Vec2 place) {
+        const Vec2 speed{0.0f, Any(-80.0f, -20.0f)};
+        const float spacing = Any(0.35f, 0.42f);
+        const int chains = 2 + static_cast<int>(m_random() % 3);
+        for (int i = 0; i < chains; ++i) {
+            AddChain(place + Vec2(spacing * static_cast<float>(i), Any(-0.1f, 0.1f)), {0.0f, 0.5f}, speed);
+        }
+    }
+    void AddChain(Vec2 place, Vec2 way, Vec2 speed) {
         const int links = 2 + static_cast<int>(m_random() % 4);
-        const Vec2 speed{Any(-3.0f, 3.0f), Any(-80.0f, -5.0f)};
         Body* last = nullptr;
         for (int i = 0; i < links; ++i) {
-            Body* link = AddBody(world, dynamicBody, place + Vec2(0.5f * static_cast<float>(i), 0.0f));
-            m_random() % 2 == 0 ? AddCircle(link, 0.2f) : AddBox(link, 0.22f, Any(0.05f, 0.2f));
+            const Vec2 at = place + static_cast<float>(i) * way;
+            Body* link = AddBody(world, dynamicBody, at);
+            m_random() % 2 == 0 ? AddCircle(link, 0.2f) : AddBox(link, Any(0.15f, 0.22f), Any(0.05f, 0.2f));
             link->SetLinearVelocity(speed);
             m_bodies.push_back(link);
             if (last != nullptr) {
                 RevoluteJointDef def;
-                def.Initialize(last, link, place + Vec2(0.5f * static_cast<float>(i) - 0.25f, 0.0f));
+                def.Initialize(last, link, at - 0.5f * way);
                 world.CreateJoint(&def);
             }
             last = link;
