@@ -32,7 +32,8 @@ class Heaps {
 public:
     enum Size { small, mixed, oneLarge };
 
-    Heaps(uint32_t seed, Size size, int workers) : world(DefOf(workers)), m_random(seed) {
+    Heaps(uint32_t seed, Size size, int workers)
+        : world(DefOf(workers)), m_random(seed), m_resistance(seed % 2 == 0 ? 0.0f : 0.1f) {
         world.GetState().pool->ShareAlways();
         const int heaps = 12 + static_cast<int>(m_random() % 20);
         for (int i = 0; i < heaps; ++i) {
@@ -62,7 +63,11 @@ private:
                 const float at =
                     static_cast<float>(i) + 0.5f * static_cast<float>(row) - 0.5f * static_cast<float>(base);
                 Body* body = AddBody(world, dynamicBody, {x + 1.03f * at, 0.5f + 1.01f * static_cast<float>(row)});
-                m_random() % 4 == 0 ? AddCircle(body, 0.5f) : AddBox(body, 0.5f, 0.5f);
+                if (m_random() % 4 != 0) {
+                    AddBox(body, 0.5f, 0.5f);
+                } else {
+                    AddCircle(body, 0.5f)->SetRollingResistance(m_resistance);
+                }
             }
         }
         Body* last = nullptr;
@@ -80,6 +85,7 @@ private:
     }
 
     std::mt19937 m_random;
+    float m_resistance;  ///< of disks that roll; every other world has none
     Body* m_ground = nullptr;
 };
 

@@ -103,6 +103,7 @@ const IslandTable& SolvedOf(const SolverSettings& settings, SolveLists lists) {
 SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, SolveLists lists,
                   const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
     SolveReport report{.substeps = settings.substeps};
+    MakeRollingRows(settings, tables.contacts);
     if (settings.substeps > 0) {
         scratch.anglesHaveRests = true;
         scratch.startVelocities.Forget();

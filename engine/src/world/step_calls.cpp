@@ -95,7 +95,7 @@ ContinuousReport RunContinuous(WorldState& s, const SolverSettings& settings, co
         PrepareKernels(s);  // listeners of contacts may have changed materials on the way
         while (s.restScratches.size() < ToSize(workers)) s.restScratches.push_back(std::make_unique<RestScratch>());
         s.contacts.steady.resize(s.contacts.flags.size());
-        if (settings.kernels.rolling) EnsureRows(s.contacts.rolling, s.contacts.flags.size());
+        MakeRollingRows(settings, s.contacts);
         alone.reset();
         if (workers > 1) alone.emplace(1, TaskCallbacks{});
     };

@@ -280,13 +280,16 @@ struct SolverTables {
     bool noteDemand = false;  ///< the soft step notes pull rates in BodyTable::demand
 };
 
-/// Rolling rows of a list of contacts; none without the feature.
+/// Makes the rows that keep what rolls, before several threads ask for some of them.
+inline void MakeRollingRows(const SolverSettings& settings, ContactTable& contacts) {
+    if (settings.kernels.rolling) EnsureRows(contacts.rolling, contacts.flags.size());
+}
+/// Rolling rows of a list of contacts, after MakeRollingRows; none without the feature.
 inline void PrepareRolling(const SolverSettings& settings, const FixtureTable& fixtures,
                            std::span<const ContactIndex> list, float impulseScale, SolverTables tables,
                            RollingRows& rows) {
     rows.Clear();
     if (!settings.kernels.rolling) return;
-    EnsureRows(tables.contacts.rolling, tables.contacts.flags.size());
     rows.Prepare({tables.bodies, fixtures, tables.contacts, list, impulseScale, settings.lengthScale});
 }
 
