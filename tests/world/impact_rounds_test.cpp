@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <mutex>
 #include <random>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -148,6 +150,51 @@ TEST(ImpactRounds, DoNotHangOnTheNumberOfWorkers) {
         most = std::max(most, three.GetLargestRound());
     }
     EXPECT_GT(most, 4u);
+}
+
+/// Writes down what it hears, and on which threads.
+class Ear : public ContactListener {
+public:
+    void BeginContact(Contact* contact) override { Note(0, contact); }
+    void EndContact(Contact* contact) override { Note(1, contact); }
+    void PreSolve(Contact* contact, const Manifold*) override { Note(2, contact); }
+    void PostSolve(Contact* contact, const ContactImpulse* impulse) override {
+        Note(3, contact);
+        m_heard.push_back(impulse->normalImpulses[0]);
+    }
+
+    [[nodiscard]] const std::vector<float>& GetHeard() const { return m_heard; }
+    [[nodiscard]] bool IsOnOneThread() const { return m_others == 0; }
+
+private:
+    void Note(int call, const Contact* contact) {
+        const std::lock_guard lock(m_mutex);
+        m_others += std::this_thread::get_id() == m_thread ? 0 : 1;
+        m_heard.push_back(static_cast<float>(call));
+        m_heard.push_back(static_cast<float>(contact->GetIndex()));
+    }
+
+    const std::thread::id m_thread = std::this_thread::get_id();
+    std::mutex m_mutex;
+    std::vector<float> m_heard;
+    int m_others = 0;
+};
+
+TEST(ImpactRounds, AreHeardOfOnTheThreadOfTheStep) {
+    size_t largest = 0;
+    for (uint32_t seed = 200; seed < 215; ++seed) {
+        FallingChains one(seed, 1, Rounds::asUsual), three(seed, 3, Rounds::asUsual), deaf(seed, 3, Rounds::asUsual);
+        Ear ofOne, ofThree;
+        one.world.SetContactListener(&ofOne), three.world.SetContactListener(&ofThree);
+        for (int step = 0; step < 30; ++step) {
+            one.world.Step(dt, 4), three.world.Step(dt, 4), deaf.world.Step(dt, 4);
+            ASSERT_EQ(three.GetStates(), deaf.GetStates()) << "seed " << seed << ", step " << step;
+        }
+        ASSERT_TRUE(ofThree.IsOnOneThread()) << "seed " << seed;
+        ASSERT_EQ(ofOne.GetHeard(), ofThree.GetHeard()) << "seed " << seed;
+        largest = std::max(largest, three.GetLargestRound());
+    }
+    EXPECT_GT(largest, 4u);
 }
 
 }  // namespace

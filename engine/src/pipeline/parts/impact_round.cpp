@@ -220,6 +220,20 @@ int ImpactRound::ReturnLost(std::span<const ContactIndex> contacts) {
     return lost;
 }
 
+/// A listener hears of impulses on the thread of the step.
+void ImpactRound::SolveAll() {
+    const int count = static_cast<int>(m_s.impacts.size());
+    const auto solve = [this](int begin, int end, int worker) {
+        for (int i = begin; i < end; ++i) SolveOne(ToSize(i), worker);
+    };
+    if (m_events.listener != nullptr || !m_t.pool.IsOpen() || count < leastImpacts) {
+        m_settings.rest.prepare(1);
+        return solve(0, count, 0);
+    }
+    m_settings.rest.prepare(m_t.pool.GetRowCount());
+    m_t.pool.For(count, leastImpacts, solve);
+}
+
 SolverCounts ImpactRound::Solve() {
     DropGathered();
     m_s.largestRound = std::max(m_s.largestRound, m_s.impacts.size());
@@ -237,12 +251,7 @@ SolverCounts ImpactRound::Solve() {
         EnsureRows(m_s.lookers, ToSize(m_t.pool.GetRowCount()));
         for (ToiLooker& looker : m_s.lookers) looker.candidates.clear();
     }
-    const int count = static_cast<int>(m_s.impacts.size());
-    const bool areShared = m_t.pool.IsOpen() && count >= leastImpacts;
-    m_settings.rest.prepare(areShared ? m_t.pool.GetRowCount() : 1);
-    m_t.pool.For(count, leastImpacts, [&](int begin, int end, int worker) {
-        for (int i = begin; i < end; ++i) SolveOne(ToSize(i), worker);
-    });
+    SolveAll();
     MatchRooms(m_s.lookers);
     SolverCounts counts;
     for (const JointedImpact& impact : m_s.impacts) counts += impact.counts;

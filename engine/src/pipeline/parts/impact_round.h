@@ -4,7 +4,8 @@
 // Part of the continuous stage: impacts of jointed bodies in the soft step. Everything that joints hold to a body that
 // is stopped goes on from the impact together, with all that touches it. Impacts follow each other in the order of
 // their times, but those of bodies that do not touch have nothing to do with each other. They are gathered in a round,
-// and all workers solve it. Which impacts are in a round does not depend on how many workers there are.
+// and all workers solve it, unless a listener is to be told. Which impacts are in a round does not depend on how many
+// workers there are.
 
 #pragma once
 
@@ -130,6 +131,7 @@ private:
     void MoveToImpact(BodyIndex body, float alpha);
     void UpdateContacts();
     void KeepActing();
+    void SolveAll();
     void SolveOne(size_t impact, int worker);
     [[nodiscard]] int ReturnLost(std::span<const ContactIndex> contacts);
 
