@@ -63,5 +63,23 @@ TEST(FrictionLaw, BrakesAtForceOverMassAndTorqueOverInertiaAndStops) {
     EXPECT_NEAR(body->GetAngularVelocity(), 0.0f, 1e-5f);
 }
 
+TEST(FrictionLaw, AnchorsTooFastForAnyNumberDoNothingToWhatNothingMoves) {
+    for (const int substeps : {0, 4}) {
+        World world({0.0f, -10.0f});
+        BodyDef spinning;
+        spinning.type = kinematicBody;
+        spinning.angularVelocity = 30.0f;
+        Body *a = world.CreateBody(&spinning), *b = world.CreateBody(&spinning);
+        FrictionJointDef def;
+        def.bodyA = a, def.bodyB = b;
+        def.localAnchorA = {1e38f, -1e38f}, def.localAnchorB = {0.0f, 0.0f};
+        def.maxForce = def.maxTorque = 1.0f;
+        const Joint* joint = world.CreateJoint(&def);
+        ASSERT_NE(joint, nullptr);
+        for (int i = 0; i < 3; ++i) substeps > 0 ? world.Step(0.1f, substeps) : world.Step(0.1f, 8, 3);
+        EXPECT_TRUE(joint->GetReactionForce(1.0f).IsValid()) << substeps;
+    }
+}
+
 }  // namespace
 }  // namespace scree::test
