@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <span>
+#include <utility>
 
 #include "broad_phase/split_rules.h"
 
@@ -22,7 +24,24 @@ struct KeyBounds {
 
     [[nodiscard]] int Width() const { return highX - lowX; }
     [[nodiscard]] int Height() const { return highY - lowY; }
+    void Join(const KeyBounds& other) {
+        lowX = std::min(lowX, other.lowX), lowY = std::min(lowY, other.lowY);
+        highX = std::max(highX, other.highX), highY = std::max(highY, other.highY);
+    }
 };
+
+/// Where a range of keys is cut: true for items that go to the first child.
+struct KeyMiddle {
+    int axis, limit;
+
+    bool operator()(const KeyItem& item) const { return item.key[axis] <= limit; }
+};
+
+/// In the middle of the longer side.
+KeyMiddle MiddleOf(const KeyBounds& keys) {
+    if (keys.Width() >= keys.Height()) return {0, (keys.lowX + keys.highX) >> 1};
+    return {1, (keys.lowY + keys.highY) >> 1};
+}
 
 KeyBounds MeasureKeys(const KeyItem* items, uint32_t count) {
     // Two items per register; the lanes that hold slots are never read.
@@ -39,12 +58,12 @@ KeyBounds MeasureKeys(const KeyItem* items, uint32_t count) {
     return {lowest[0], lowest[1], highest[0], highest[1]};
 }
 
-/// Copies items with key[axis] <= limit to the front of `out` and the others to its back; returns the number of the
+/// Copies items before the middle to the front of `out` and the others to its back; returns the number of the
 /// former. Every item is written to both ends and the counts decide which copy stays: a branch would be mispredicted
 /// half of the time. Four at a time, all loaded before the first is stored, since the compiler must assume that they
 /// overlap.
-SCREE_NOINLINE uint32_t Partition(const KeyItem* in, uint32_t count, KeyItem* out, int axis, int limit) {
-    const auto goesLeft = [=](const KeyItem& item) { return static_cast<ptrdiff_t>(item.key[axis] <= limit ? 1 : 0); };
+SCREE_NOINLINE uint32_t Partition(const KeyItem* in, uint32_t count, KeyItem* out, KeyMiddle middle) {
+    const auto goesLeft = [=](const KeyItem& item) { return static_cast<ptrdiff_t>(middle(item) ? 1 : 0); };
     const auto put = [](KeyItem* place, uint64_t item) { std::memcpy(place, &item, sizeof item); };
     KeyItem* back = out + count - 1;
     const KeyItem* const end = in + count;
@@ -156,6 +175,41 @@ struct BuildState {
     static BuildState Unpack(uint32_t bits) { return {bits & 1u, bits >> 2, (bits & 2u) != 0}; }
 };
 
+/// Bounds of twice the centres of boxes; lanes: x, y, and both once more.
+struct CentreBounds {
+    float low[4], high[4];
+
+    void Join(const CentreBounds& other) {
+        for (int i = 0; i < 4; ++i) {
+            low[i] = std::min(low[i], other.low[i]);
+            high[i] = std::max(high[i], other.high[i]);
+        }
+    }
+};
+
+/// How centres become keys. One unit for both axes, so that key extents compare like lengths.
+struct KeyScale {
+    float lowX = 0.0f, lowY = 0.0f, factor = 0.0f;
+
+    /// False if the centres are one point or beyond arithmetic.
+    [[nodiscard]] bool Set(const CentreBounds& centres) {
+        const float extent = std::max(centres.high[0] - centres.low[0], centres.high[1] - centres.low[1]);
+        lowX = centres.low[0], lowY = centres.low[1], factor = 65535.0f / extent;
+        return extent > 0.0f && factor > 0.0f && factor < infinity;
+    }
+};
+
+/// More would not make the first split of any tree faster.
+constexpr size_t mostRootParts = 64;
+
+/// What one worker at a time does of the first split.
+struct alignas(64) RootPart {
+    CentreBounds centres;
+    KeyBounds keys;
+    uint32_t left = 0;       ///< items that go to the first child
+    uint32_t firstLeft = 0;  ///< those of the parts before
+};
+
 struct KeysPass {
     const AABB* boxes;
     const ItemId* ids;
@@ -163,34 +217,36 @@ struct KeysPass {
     FlatTree& tree;
     KeyItem* arrays[2];
 
-    /// Gives the items keys from the bounds of their own centres; false if those are one point or beyond arithmetic.
-    bool MakeKeys(KeyItem* items, uint32_t count) const {
-        // Lanes: twice the centre, x and y, two times.
-        const auto centreOf = [this](KeyItem item) {
-            const F4 box = Load4(reinterpret_cast<const float*>(&boxes[item.slot]));
-            return box + SwapHalves4(box);
-        };
-        F4 lowLanes = Splat4(infinity);
-        F4 highLanes = Splat4(-infinity);
+    [[nodiscard]] CentreBounds MeasureCentres(const KeyItem* items, uint32_t count) const {
+        F4 low = Splat4(infinity);
+        F4 high = Splat4(-infinity);
         for (uint32_t i = 0; i < count; ++i) {
-            const F4 centre = centreOf(items[i]);
-            lowLanes = Min4(lowLanes, centre);
-            highLanes = Max4(highLanes, centre);
+            const F4 box = Load4(reinterpret_cast<const float*>(&boxes[items[i].slot]));
+            const F4 centre = box + SwapHalves4(box);
+            low = Min4(low, centre);
+            high = Max4(high, centre);
         }
-        float low[4], high[4];
-        Store4(low, lowLanes);
-        Store4(high, highLanes);
-        // One unit for both axes, so that key extents compare like lengths.
-        const float extent = std::max(high[0] - low[0], high[1] - low[1]);
-        const float scale = 65535.0f / extent;
-        if (!(extent > 0.0f && scale > 0.0f && scale < infinity)) return false;
+        CentreBounds bounds;
+        Store4(bounds.low, low);
+        Store4(bounds.high, high);
+        return bounds;
+    }
+
+    void PutKeys(const KeyScale& scale, KeyItem* items, uint32_t count) const {
         for (uint32_t i = 0; i < count; ++i) {
             const AABB& box = boxes[items[i].slot];
-            const float x = (box.lowerBound.x + box.upperBound.x - low[0]) * scale;
-            const float y = (box.lowerBound.y + box.upperBound.y - low[1]) * scale;
+            const float x = (box.lowerBound.x + box.upperBound.x - scale.lowX) * scale.factor;
+            const float y = (box.lowerBound.y + box.upperBound.y - scale.lowY) * scale.factor;
             items[i].key[0] = static_cast<int16_t>(static_cast<int>(x) - 0x8000);
             items[i].key[1] = static_cast<int16_t>(static_cast<int>(y) - 0x8000);
         }
+    }
+
+    /// Gives the items keys from the bounds of their own centres; false if these give none.
+    bool MakeKeys(KeyItem* items, uint32_t count) const {
+        KeyScale scale;
+        if (!scale.Set(MeasureCentres(items, count))) return false;
+        PutKeys(scale, items, count);
         return true;
     }
 
@@ -220,14 +276,62 @@ struct KeysPass {
         }
         state.halve |= state.depth >= maxRuleDepth;
         if (!state.halve) {
-            const bool alongX = keys.Width() >= keys.Height();
-            const int limit = alongX ? (keys.lowX + keys.highX) >> 1 : (keys.lowY + keys.highY) >> 1;
             state.array = 1 - state.array;
-            left = Partition(in, node.count, arrays[state.array] + node.first, alongX ? 0 : 1, limit);
+            left = Partition(in, node.count, arrays[state.array] + node.first, MiddleOf(keys));
         }
+        MakeChildren(node, left, state);
+    }
+    void MakeChildren(const TreeNode& node, uint32_t left, BuildState state) {
         ++state.depth;
         tree.nodes[node.child] = {emptyBounds, node.first, left, noChild, state.Pack()};
         tree.nodes[node.child + 1] = {emptyBounds, node.first + left, node.count - left, noChild, state.Pack()};
+    }
+
+    /// Makes the items and splits them as Split does, by all workers.
+    void SplitRoot(uint32_t firstSlot, TaskPool& pool, std::span<RootPart> parts) {
+        TreeNode& root = tree.nodes[0];
+        const auto inParts = [&](auto&& work) {
+            pool.For(static_cast<int>(parts.size()), 2, [&](int first, int last, int /*worker*/) {
+                for (auto i = static_cast<size_t>(first); i < static_cast<size_t>(last); ++i) {
+                    const auto begin = static_cast<uint32_t>(uint64_t{root.count} * i / parts.size());
+                    const auto end = static_cast<uint32_t>(uint64_t{root.count} * (i + 1) / parts.size());
+                    work(parts[i], arrays[0] + begin, end - begin);
+                }
+            });
+        };
+        inParts([&](RootPart& part, KeyItem* items, uint32_t count) {
+            const auto slot = firstSlot + static_cast<uint32_t>(items - arrays[0]);
+            for (uint32_t i = 0; i < count; ++i) items[i] = {{0, 0}, slot + i};
+            part.centres = MeasureCentres(items, count);
+        });
+        CentreBounds centres = parts[0].centres;
+        for (const RootPart& part : parts) centres.Join(part.centres);
+        KeyScale scale;
+        if (!scale.Set(centres)) return MakeChildren(root, root.count / 2, {.halve = true});
+
+        inParts([&](RootPart& part, KeyItem* items, uint32_t count) {
+            PutKeys(scale, items, count);
+            part.keys = MeasureKeys(items, count);
+        });
+        KeyBounds keys = parts[0].keys;
+        for (const RootPart& part : parts) keys.Join(part.keys);
+        const KeyMiddle middle = MiddleOf(keys);
+        inParts([&](RootPart& part, const KeyItem* items, uint32_t count) {
+            part.left = static_cast<uint32_t>(std::count_if(items, items + count, middle));
+        });
+        uint32_t left = 0;
+        for (RootPart& part : parts) part.firstLeft = std::exchange(left, left + part.left);
+        inParts([&](const RootPart& part, const KeyItem* items, uint32_t count) {
+            KeyItem* front = arrays[1] + part.firstLeft;
+            KeyItem* back = arrays[1] + root.count - 1 - (static_cast<uint32_t>(items - arrays[0]) - part.firstLeft);
+            for (uint32_t i = 0; i < count; ++i) {
+                const bool goesLeft = middle(items[i]);
+                *(goesLeft ? front : back) = items[i];
+                front += goesLeft ? 1 : 0;
+                back -= goesLeft ? 0 : 1;
+            }
+        });
+        MakeChildren(root, left, {.array = 1});
     }
 
     /// Splits the nodes from `begin` on, and gives their children the places behind them.
@@ -262,15 +366,27 @@ void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafS
         m_items.resize(slots.count + slots.count / 2);
         m_other.resize(m_items.size() + odd);
     }
-    for (uint32_t i = 0; i < slots.count; ++i) m_items[i] = {{0, 0}, slots.first + i};
     KeysPass pass{store.Boxes(), store.Ids(), leafSize, tree, {m_items.data(), m_other.data() + odd}};
     tree.nodes.push_back({emptyBounds, 0, slots.count});
+    constexpr uint32_t leastShared = 2048;  // boxes
+    TaskPool* const shared = pool != nullptr && pool->IsOpen() && slots.count >= leastShared ? pool : nullptr;
+    uint32_t begin = 0;
+    if (shared != nullptr && pass.Splits(tree.nodes[0])) {
+        tree.nodes[0].child = 1;
+        tree.nodes.resize(3);
+        RootPart parts[mostRootParts];
+        constexpr size_t partsPerWorker = 4;
+        const size_t count = std::min(mostRootParts, partsPerWorker * static_cast<size_t>(shared->GetWorkerCount()));
+        pass.SplitRoot(slots.first, *shared, std::span(parts).first(count));
+        begin = 1;
+    } else {
+        for (uint32_t i = 0; i < slots.count; ++i) m_items[i] = {{0, 0}, slots.first + i};
+    }
     // Level by level: a range is read long after it was written. Depth first, the loads of small ranges would meet
     // stores that have not reached the cache yet.
-    constexpr uint32_t leastShared = 2048;  // boxes
-    for (uint32_t begin = 0; begin < tree.nodes.size();) {
+    while (begin < tree.nodes.size()) {
         const auto next = static_cast<uint32_t>(tree.nodes.size());
-        pass.SplitLevel(begin, slots.count >= leastShared ? pool : nullptr);
+        pass.SplitLevel(begin, shared);
         begin = next;
     }
     FillTree(tree, pool, [&](TreeNode& leaf) { pass.FillLeaf(leaf); });

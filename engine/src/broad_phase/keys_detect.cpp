@@ -17,8 +17,10 @@ namespace {
 
 /// Candidates are tested against a leaf in blocks, so that the hits stay in the first-level cache.
 constexpr uint32_t hitBlock = 2048;
-/// Parts of a shared walk per worker, about: more are better balanced, and each copies its candidates once more.
+/// Parts of a shared walk per worker, about: more are better balanced, and each looks for its candidates itself.
 constexpr uint32_t partsPerWorker = 4;
+/// A node of so many boxes is scanned for candidates as a whole.
+constexpr uint32_t scannedWhole = 48;
 /// From so many pairs on the parts' lists are put together by all workers.
 constexpr size_t leastPairsToCopy = 1024;
 /// A store of four lanes writes beyond the last hit.
@@ -154,6 +156,9 @@ SCREE_NOINLINE void EmitPairs(const ItemId* firstIds, const ItemId* secondIds, H
     sink.Commit(kept);
 }
 
+/// Which of two children has fewer boxes.
+uint32_t SmallerOf(const TreeNode* children) { return children[0].count <= children[1].count ? 0 : 1; }
+
 /// Two stacks of candidates side by side: where sets are read from and written to.
 struct CandidateArrays {
     Bounds* boxes;
@@ -187,7 +192,6 @@ struct KeysWalk {
     const FlatTree& tree;
     KeysBuffers& buffers;
     PairSink& sink;
-    KeysCut* cut = nullptr;  ///< where the walk leaves parts to others; null: nowhere
     uint64_t boxTests = 0;
 
     [[nodiscard]] CandidateArrays At(uint32_t index) const {
@@ -213,25 +217,13 @@ struct KeysWalk {
         buffers.hitsSecond.resize(2 * count + 208);
     }
 
-    void LeaveToOthers(const TreeNode& node, uint32_t firstCandidate, uint32_t count) {
-        cut->parts.push_back({&node, cut->boxes.size(), count});
-        const CandidateArrays candidates = At(firstCandidate);
-        cut->boxes.insert(cut->boxes.end(), candidates.boxes, candidates.boxes + count);
-        cut->ids.insert(cut->ids.end(), candidates.ids, candidates.ids + count);
-    }
-
     void Recurse(const TreeNode& node, uint32_t firstCandidate, uint32_t count) {
-        // Every leaf is in a part: what the cut walk wrote itself would stand before all parts.
-        if (cut != nullptr && (node.IsLeaf() || node.count <= cut->largest)) {
-            LeaveToOthers(node, firstCandidate, count);
-            return;
-        }
         if (node.IsLeaf()) {
             FinishLeaf(node, firstCandidate, count);
             return;
         }
         const TreeNode* children = &tree.nodes[node.child];
-        const uint32_t small = children[0].count <= children[1].count ? 0 : 1;
+        const uint32_t small = SmallerOf(children);
         // The set of the smaller child lies below that of the larger one, which is used first and then given up.
         const uint32_t top = firstCandidate + count;
         const uint32_t largeTop = top + count + 1;
@@ -251,12 +243,19 @@ struct KeysWalk {
 
     /// Puts the boxes of `from` that overlap the node `to` on the stack.
     uint32_t HandOver(const TreeNode& from, const TreeNode& to, uint32_t top) {
-        ++boxTests;
-        if (!Overlaps(Load(from.box), ProbeOf(Load(to.box)))) return 0;
+        const uint32_t tests = CountHandOver(from, to);
+        boxTests += tests;
+        return tests > 1 ? TakeOver(from, to.box, top) : 0;
+    }
+    /// Box tests of handing over: the two nodes, and all boxes of one if these overlap.
+    static uint32_t CountHandOver(const TreeNode& from, const TreeNode& to) {
+        return Overlaps(Load(from.box), ProbeOf(Load(to.box))) ? 1 + from.count : 1;
+    }
+    /// Puts the boxes of `from` that overlap `box` on the stack, and returns how many.
+    uint32_t TakeOver(const TreeNode& from, const Bounds& box, uint32_t top) {
         ReserveHits(from.count + hitSlack);
-        boxTests += from.count;
         const Hits hits = HitArrays();
-        const uint32_t found = ScanRange(tree, from, to.box, hits);
+        const uint32_t found = ScanRange(tree, from, box, hits);
         const CandidateArrays out = At(top);
         const ItemId* ids = tree.Ids();
         for (uint32_t i = 0; i < found; ++i) {
@@ -264,6 +263,31 @@ struct KeysWalk {
             out.ids[i] = ids[hits.second[i]];
         }
         return found;
+    }
+
+    /// Puts those of the items on the stack that overlap the box.
+    uint32_t TakeOverlapping(std::span<const BuildItem> items, const Bounds& box, uint32_t top) {
+        const F4 probe = ProbeOf(Load(box));
+        ReserveCandidates(top + items.size());
+        const CandidateArrays out = At(top);
+        uint32_t kept = 0;
+        for (const BuildItem& item : items) {
+            out.boxes[kept] = item.box;
+            out.ids[kept] = item.id;
+            kept += Overlaps(Load(item.box), probe) ? 1 : 0;
+        }
+        return kept;
+    }
+    /// As TakeOver, but passes over what is below nodes that do not overlap.
+    uint32_t Collect(const TreeNode& from, const Bounds& box, uint32_t top) {
+        if (!Overlaps(Load(from.box), ProbeOf(Load(box)))) return 0;
+        if (from.IsLeaf() || from.count <= scannedWhole) {
+            ReserveCandidates(top + from.count);
+            return TakeOver(from, box, top);
+        }
+        const TreeNode* children = &tree.nodes[from.child];
+        const uint32_t found = Collect(children[0], box, top);
+        return found + Collect(children[1], box, top + found);
     }
 
     void FinishLeaf(const TreeNode& leaf, uint32_t firstCandidate, uint32_t count) {
@@ -287,39 +311,61 @@ struct KeysWalk {
 uint64_t KeysDetector::DetectSelf(const FlatTree& tree, std::span<const BuildItem> resting,
                                   std::span<const BuildItem> outside, TaskPool* pool, PairSink& sink) {
     if (tree.Empty()) return 0;
-    const bool isShared = pool != nullptr && pool->IsOpen() && tree.Size() >= leastBoxesToShare;
-    KeysWalk<true> walk{tree, m_whole, sink, isShared ? &m_cut : nullptr};
+    if (pool != nullptr && pool->IsOpen() && tree.Size() >= leastBoxesToShare) {
+        CutWalk(tree, *pool);
+        return WalkParts(tree, resting, outside, *pool, sink);
+    }
+    KeysWalk<true> walk{tree, m_whole, sink};
     const auto count = static_cast<uint32_t>(resting.size() + outside.size());
     walk.ReserveCandidates(count);
     walk.PutCandidates(0, resting);
     walk.PutCandidates(resting.size(), outside);
-    if (!isShared) {
-        walk.Recurse(tree.nodes[0], 0, count);
-        return walk.boxTests;
-    }
-    BeginCut(tree, *pool);
     walk.Recurse(tree.nodes[0], 0, count);
-    return walk.boxTests + FinishParts(tree, *pool, sink);
+    return walk.boxTests;
 }
 
-void KeysDetector::BeginCut(const FlatTree& tree, const TaskPool& pool) {
-    m_cut.largest = tree.Size() / (partsPerWorker * static_cast<uint32_t>(pool.GetWorkerCount()));
+void KeysDetector::CutWalk(const FlatTree& tree, const TaskPool& pool) {
+    const uint32_t largest = tree.Size() / (partsPerWorker * static_cast<uint32_t>(pool.GetWorkerCount()));
     m_cut.parts.clear();
-    m_cut.boxes.clear();
-    m_cut.ids.clear();
+    const auto cut = [&](auto& self, const TreeNode& node, int parent, const TreeNode* sibling) -> void {
+        const auto index = static_cast<int>(m_cut.parts.size());
+        const bool isBelow = node.IsLeaf() || node.count <= largest;
+        m_cut.parts.push_back({.node = &node, .parent = parent, .sibling = sibling, .isBelow = isBelow});
+        if (isBelow) return;
+        const TreeNode* children = &tree.nodes[node.child];
+        const uint32_t small = SmallerOf(children);
+        self(self, children[1 - small], index, &children[small]);
+        self(self, children[small], index, nullptr);
+    };
+    cut(cut, tree.nodes[0], -1, nullptr);
 }
 
-uint64_t KeysDetector::FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink) {
+uint64_t KeysDetector::WalkParts(const FlatTree& tree, std::span<const BuildItem> resting,
+                                 std::span<const BuildItem> outside, TaskPool& pool, PairSink& sink) {
     return ShareParts(pool, sink, [&](KeysBuffers& own, PairSink& found, size_t i) {
         const KeysCut::Part& part = m_cut.parts[i];
         KeysWalk<true> walk{tree, own, found};
-        walk.ReserveCandidates(part.candidateCount);
-        std::copy_n(m_cut.boxes.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
-                    own.boxes.begin());
-        std::copy_n(m_cut.ids.begin() + static_cast<ptrdiff_t>(part.firstCandidate), part.candidateCount,
-                    own.ids.begin());
-        walk.Recurse(*part.node, 0, part.candidateCount);
-        return walk.boxTests;
+        // A box that overlaps a node overlaps all that the node is in, so its way down to here need not be followed.
+        const auto collect = [&](auto& self, const KeysCut::Part& from) -> uint32_t {
+            uint32_t count = 0;
+            if (from.parent >= 0) {
+                count = self(self, m_cut.parts[static_cast<size_t>(from.parent)]);
+            } else {
+                count = walk.TakeOverlapping(resting, part.node->box, 0);
+                count += walk.TakeOverlapping(outside, part.node->box, count);
+            }
+            return from.sibling == nullptr ? count : count + walk.Collect(*from.sibling, part.node->box, count);
+        };
+        const bool isRoot = part.parent < 0;
+        const uint32_t count = isRoot ? static_cast<uint32_t>(resting.size() + outside.size()) : collect(collect, part);
+        if (part.isBelow) {
+            walk.Recurse(*part.node, 0, count);
+            return walk.boxTests;
+        }
+        // Box tests are those of a walk that is not cut: how long splits are kept hangs on them.
+        const TreeNode* children = &tree.nodes[part.node->child];
+        const uint32_t small = SmallerOf(children);
+        return uint64_t{2} * count + KeysWalk<true>::CountHandOver(children[small], children[1 - small]);
     });
 }
 
@@ -408,8 +454,7 @@ size_t KeysBuffers::GetMemoryBytes() const {
 }
 
 size_t KeysDetector::GetMemoryBytes() const {
-    size_t bytes = m_cut.parts.capacity() * sizeof(KeysCut::Part) + m_cut.boxes.capacity() * sizeof(Bounds) +
-                   m_cut.ids.capacity() * sizeof(ItemId) + m_whole.GetMemoryBytes();
+    size_t bytes = m_cut.parts.capacity() * sizeof(KeysCut::Part) + m_whole.GetMemoryBytes();
     for (const KeysBuffers& buffers : m_ofWorkers) bytes += buffers.GetMemoryBytes();
     return bytes;
 }

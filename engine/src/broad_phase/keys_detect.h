@@ -6,8 +6,9 @@
 // boxes of its smaller sibling that do. In a leaf, rows of four boxes are compared at a time and hits are written
 // without a branch.
 //
-// Several workers share one walk. It is cut where subtrees have become small, and the workers finish these. Their pairs
-// are put together in the order of the walk, so that the result is that of one worker.
+// Several workers share one walk. It is cut where subtrees have become small. The worker of such a subtree looks for
+// its candidates itself: below the siblings that would hand over their boxes on the way down. Pairs are put together in
+// the order of the walk, so that the result is that of one worker.
 
 #pragma once
 
@@ -36,20 +37,18 @@ struct KeysBuffers {
 
 /// The parts of a shared walk, in its order.
 struct KeysCut {
-    /// A subtree that waits with its candidates, and then what was found in it.
+    /// A node of the tree, and then what was found there.
     struct Part {
         const TreeNode* node;
-        size_t firstCandidate;
-        uint32_t candidateCount;
+        int parent = -1;                    ///< the part of the node above; negative: none
+        const TreeNode* sibling = nullptr;  ///< hands its boxes over to the node; null: none does
+        bool isBelow = false;               ///< all below the node belongs to the part, too
         int worker = 0;
         size_t firstPair = 0, pairCount = 0;
         size_t place = 0;  ///< of its pairs among those of all parts
         uint64_t boxTests = 0;
     };
-    uint32_t largest = 0;  ///< boxes of a subtree that is a part
     std::vector<Part> parts;
-    std::vector<Bounds> boxes;  ///< of all parts' candidates
-    std::vector<ItemId> ids;    ///< likewise
 };
 
 class KeysDetector {
@@ -64,10 +63,11 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    /// Begins a walk that is cut where subtrees have at most this many boxes; the pool is open.
-    void BeginCut(const FlatTree& tree, const TaskPool& pool);
-    /// Finishes the parts of a walk that was cut. Returns their box tests.
-    uint64_t FinishParts(const FlatTree& tree, TaskPool& pool, PairSink& sink);
+    /// Makes parts of the upper nodes, and of what is below them once that is small; the pool is open.
+    void CutWalk(const FlatTree& tree, const TaskPool& pool);
+    /// DetectSelf by all workers, part by part.
+    uint64_t WalkParts(const FlatTree& tree, std::span<const BuildItem> resting, std::span<const BuildItem> outside,
+                       TaskPool& pool, PairSink& sink);
     /// Calls walk(buffers, sink, part) → box tests for all parts, by all workers, and puts their pairs together in the
     /// order of the parts. Returns all box tests.
     template <typename Walk>
