@@ -51,6 +51,14 @@ inline void StoreShared(int& number, int value) {
 #endif
 }
 
+inline void StoreShared(float& number, float value) {
+#if defined(__cpp_lib_atomic_ref)
+    std::atomic_ref(number).store(value, std::memory_order_relaxed);
+#else
+    __atomic_store(&number, &value, __ATOMIC_RELAXED);
+#endif
+}
+
 /// Makes it another one if it is what is expected; false if not.
 inline bool ReplaceShared(int& number, int expected, int other) {
 #if defined(__cpp_lib_atomic_ref)

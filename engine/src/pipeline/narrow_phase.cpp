@@ -6,7 +6,6 @@
 #include "pipeline/narrow_phase.h"
 
 #include <cstring>
-#include <numeric>
 #include <optional>
 
 #include "base/compiler.h"
@@ -75,34 +74,33 @@ bool PaysToLookAhead(const NarrowPhaseTables& t) {
     return false;
 }
 
-/// Whether a contact that was looked at ahead goes on touching, or not touching, as before.
-bool StaysAsItWas(uint8_t flags, uint8_t finding) {
-    constexpr uint8_t there = ContactFlag::alive | ContactFlag::marked;
-    constexpr uint8_t asked = there | ContactFlag::refilter;
-    const bool touches = (finding & NarrowPhaseScratch::touching) != 0;
-    return (flags & asked) == there && (finding & NarrowPhaseScratch::known) != 0 &&
-           touches == ((flags & ContactFlag::touching) != 0);
-}
+/// What workers that look ahead have noted for good.
+struct PassedContacts {
+    int touching = 0;
+    int regrouped = 0;
+};
 
 /// Computes the manifolds that are sure to be wanted of a range of contacts.
 class AheadOfOrder {
 public:
-    /// `isQuick`: nobody is told, so that contacts that go on as before need no place in the order.
-    AheadOfOrder(const NarrowPhaseTables& tables, bool keepsOld, bool isQuick, TOIStats& work,
+    /// `isQuick`: nobody is told, so that contacts which wake nobody need no place in the order.
+    AheadOfOrder(const NarrowPhaseTables& tables, const ContactEvents& events, bool keepsOld, bool isQuick,
                  NarrowPhaseScratch& scratch)
         : m_t(tables),
           m_isFar(tables.bodies.IsFar()),
           m_keepsOld(keepsOld),
           m_isQuick(isQuick),
-          m_work(work),
+          m_restartsTimers(events.restartsTimers),
+          m_work(*events.work),
           m_scratch(scratch) {}
 
-    /// Returns how many of those that are passed touch.
-    int Compute(int begin, int end) {
+    PassedContacts Compute(int begin, int end) {
         for (ContactIndex contact{end}; ToInt(contact = m_t.contacts.Before(contact)) >= begin;) {
             Fetch(contact, m_t);
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
             const uint8_t flags = m_t.contacts.flags[contact];
+            if (m_isQuick && (flags & ContactFlag::alive) == 0)
+                m_scratch.findings[contact] = NarrowPhaseScratch::passed;
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
             const Manifold& manifold = m_t.contacts.manifold[contact];
             if (m_keepsOld) m_scratch.old[contact] = manifold;
@@ -126,7 +124,7 @@ public:
                 if (lanes && lanes->batch.Size() > 0) ComputeBatch(*lanes);
             }
         }
-        return m_passedTouching;
+        return m_passed;
     }
 
 private:
@@ -203,22 +201,21 @@ private:
     }
 
     SCREE_INLINE void Note(ContactIndex contact, bool touches, bool isRegrouped) {
-        const auto finding =
+        if (m_isQuick && TryNoteTouching(contact, touches, m_restartsTimers, m_t.bodies, m_t.contacts)) {
+            m_passed.touching += touches ? 1 : 0;
+            m_passed.regrouped += isRegrouped ? 1 : 0;
+            m_scratch.findings[contact] = NarrowPhaseScratch::passed;
+            return;
+        }
+        m_scratch.findings[contact] =
             static_cast<uint8_t>(NarrowPhaseScratch::known | (touches ? NarrowPhaseScratch::touching : 0) |
                                  (isRegrouped ? NarrowPhaseScratch::regrouped : 0) |
                                  (m_t.contacts.Has(contact, ContactFlag::sensor) ? NarrowPhaseScratch::asSensor : 0));
-        uint8_t& flags = m_t.contacts.flags[contact];
-        const bool isPassed = m_isQuick && !isRegrouped && StaysAsItWas(flags, finding);
-        if (isPassed) {
-            flags = static_cast<uint8_t>((flags | ContactFlag::enabled) & ~ContactFlag::fresh);
-            m_passedTouching += touches ? 1 : 0;
-        }
-        m_scratch.findings[contact] = isPassed ? uint8_t{NarrowPhaseScratch::passed} : finding;
     }
 
     const NarrowPhaseTables& m_t;
-    const bool m_isFar, m_keepsOld, m_isQuick;
-    int m_passedTouching = 0;
+    const bool m_isFar, m_keepsOld, m_isQuick, m_restartsTimers;
+    PassedContacts m_passed;
     TOIStats& m_work;
     NarrowPhaseScratch& m_scratch;
     Lanes<QuadBatch> m_quads;
@@ -228,15 +225,23 @@ private:
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order. Returns how many contacts that are
 /// passed touch.
-int ComputeAhead(const NarrowPhaseTables& t, bool keepsOld, bool isQuick, TOIStats& work, NarrowPhaseScratch& scratch) {
+int ComputeAhead(const NarrowPhaseTables& t, const ContactEvents& events, bool keepsOld, NarrowPhaseScratch& scratch) {
+    const bool isQuick = events.listener == nullptr && events.log == nullptr;
     const size_t rows = t.contacts.flags.size();
     scratch.findings.assign(rows, NarrowPhaseScratch::nothing);
     if (keepsOld) EnsureRows(scratch.old, rows);
-    int touching[maxWorkers] = {};
+    PassedContacts passed[maxWorkers];
     t.pool.For(t.contacts.Size(), leastContactsToShare, [&](int begin, int end, int worker) {
-        touching[worker] += AheadOfOrder(t, keepsOld, isQuick, work, scratch).Compute(begin, end);
+        const PassedContacts more = AheadOfOrder(t, events, keepsOld, isQuick, scratch).Compute(begin, end);
+        passed[worker].touching += more.touching;
+        passed[worker].regrouped += more.regrouped;
     });
-    return std::accumulate(touching, touching + maxWorkers, 0);
+    int touching = 0;
+    for (const PassedContacts& ofWorker : passed) {
+        touching += ofWorker.touching;
+        t.contacts.grouping += static_cast<uint64_t>(ofWorker.regrouped);
+    }
+    return touching;
 }
 
 /// The lowest row with only passed contacts in the whole eights of rows below `row`.
@@ -263,8 +268,7 @@ bool Holds(uint8_t finding, ContactIndex contact, const NarrowPhaseTables& t) {
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
     const bool ahead = PaysToLookAhead(t);
     const bool keepsOld = events.HearsPreSolve();
-    const bool isQuick = events.listener == nullptr && events.log == nullptr;
-    int touchingCount = ahead ? ComputeAhead(t, keepsOld, isQuick, *events.work, scratch) : 0;
+    int touchingCount = ahead ? ComputeAhead(t, events, keepsOld, scratch) : 0;
     touchingCount += t.contacts.RestingTouchingCount();
     ContactIndex contact = t.contacts.flags.End();
     // Contacts of a body that wakes on the way are looked at, too, if they come later in the order.

@@ -6,6 +6,7 @@
 
 #include "pipeline/parts/contact_update.h"
 
+#include "base/shared_count.h"
 #include "geometry/collide.h"
 #include "pipeline/parts/note_events.h"
 #include "state/frames.h"
@@ -24,6 +25,21 @@ void Collide(Manifold& manifold, const Shape& shapeA, const Transform& xfA, cons
     } else {
         FindCollide(shapeA.GetType(), shapeB.GetType()).function(manifold, shapeA, xfA, shapeB, xfB);
     }
+}
+
+/// Of a contact whose manifold is known.
+uint8_t FlagsOf(uint8_t before, bool isTouching) {
+    constexpr uint8_t noted = ContactFlag::touching | ContactFlag::fresh;
+    return static_cast<uint8_t>((before & ~noted) | ContactFlag::enabled | (isTouching ? ContactFlag::touching : 0));
+}
+
+bool AsksInitialOverlap(uint8_t flags) {
+    return (flags & (ContactFlag::fresh | ContactFlag::sensor)) == ContactFlag::fresh;
+}
+
+/// The body is a static one, or awake already.
+bool NeedsNoWaking(BodyIndex body, const BodyTable& bodies) {
+    return bodies.type[body] == staticBody || (bodies.Has(body, BodyFlag::awake) && bodies.isListed[body] != 0);
 }
 
 }  // namespace
@@ -83,18 +99,33 @@ bool NoteTouching(ContactIndex contact, bool isTouching, bool restartsTimers, Bo
                   ContactTable& contacts) {
     if (contacts.RestingCount() > 0) contacts.Rouse(contact);
     const uint8_t flags = contacts.flags[contact];
-    const bool wasTouching = (flags & ContactFlag::touching) != 0;
-    constexpr uint8_t noted = ContactFlag::touching | ContactFlag::fresh;
-    contacts.flags[contact] =
-        static_cast<uint8_t>((flags & ~noted) | ContactFlag::enabled | (isTouching ? ContactFlag::touching : 0));
-    const bool asks = (flags & (ContactFlag::fresh | ContactFlag::sensor)) == ContactFlag::fresh;
-    if (isTouching && asks) contacts.AskInitialOverlap(contact);
-    if (wasTouching != isTouching && (flags & ContactFlag::sensor) == 0) {
+    const bool hasChanged = ((flags & ContactFlag::touching) != 0) != isTouching;
+    contacts.flags[contact] = FlagsOf(flags, isTouching);
+    if (isTouching && AsksInitialOverlap(flags)) contacts.AskInitialOverlap(contact);
+    if (hasChanged && (flags & ContactFlag::sensor) == 0) {
         for (const BodyIndex body : {contacts.pair[contact].bodyA, contacts.pair[contact].bodyB}) {
             if (restartsTimers || !bodies.Has(body, BodyFlag::awake)) bodies.Wake(body);
         }
     }
-    return wasTouching != isTouching;
+    return hasChanged;
+}
+
+bool TryNoteTouching(ContactIndex contact, bool isTouching, bool restartsTimers, BodyTable& bodies,
+                     ContactTable& contacts) {
+    const uint8_t flags = contacts.flags[contact];
+    const bool asks = isTouching && AsksInitialOverlap(flags);
+    if (asks && contacts.keepsSteady && !contacts.steady.Has(contact)) return false;
+    const bool hasChanged = ((flags & ContactFlag::touching) != 0) != isTouching;
+    if (hasChanged && (flags & ContactFlag::sensor) == 0) {
+        const ContactPair& pair = contacts.pair[contact];
+        if (!NeedsNoWaking(pair.bodyA, bodies) || !NeedsNoWaking(pair.bodyB, bodies)) return false;
+        for (const BodyIndex body : {pair.bodyA, pair.bodyB}) {
+            if (restartsTimers && bodies.type[body] != staticBody) StoreShared(bodies.sleepTime[body], 0.0f);
+        }
+    }
+    if (asks) contacts.AskInitialOverlap(contact);
+    contacts.flags[contact] = FlagsOf(flags, isTouching);
+    return true;
 }
 
 void TellAbout(ContactIndex contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,

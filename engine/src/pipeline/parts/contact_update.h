@@ -56,6 +56,11 @@ bool ComputeManifold(ContactIndex contact, const FixtureTable& fixtures, const B
 bool NoteTouching(ContactIndex contact, bool isTouching, bool restartsTimers, BodyTable& bodies,
                   ContactTable& contacts);
 
+/// The same for a contact that does not rest, where nobody is told; several workers may call it at once. False, and
+/// nothing noted for good, if it has to be done in the order of contacts: somebody would wake, say.
+bool TryNoteTouching(ContactIndex contact, bool isTouching, bool restartsTimers, BodyTable& bodies,
+                     ContactTable& contacts);
+
 /// Tells the listener of a contact that began or ended (`hasChanged`), and of one that is going to be solved. `old` is
 /// its manifold before that was computed, of interest only where somebody hears of pre-solve.
 void TellAbout(ContactIndex contact, bool isTouching, bool hasChanged, const Manifold& old, const ContactEvents& events,
