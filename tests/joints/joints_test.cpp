@@ -7,6 +7,8 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 
 #include "tests/joints/twins.h"
 #include "tests/world/fixtures.h"
@@ -243,6 +245,90 @@ TEST(JointOrder, ChainsOfMixedJointsAgreeWithBox2d) {
     };
     const auto values = [](auto*) { return std::vector<float>{}; };
     ExpectSame(RunTwins({}, build, untouched, values));
+}
+
+/// Joints of a type between bodies that no impulse moves, with anchors and speeds of any size.
+class Unmovable {
+public:
+    explicit Unmovable(unsigned seed) : m_random(seed), m_world({0.0f, -10.0f}) {
+        for (Body*& body : m_bodies) {
+            BodyDef def;
+            def.type = m_random() % 2 == 0 ? kinematicBody : dynamicBody;
+            def.position = {Any(3.0f), Any(3.0f)};
+            def.linearVelocity = {Any(4.0f), Any(4.0f)};
+            def.angularVelocity = Any(2.0f);
+            def.locks = {true, true, true};
+            body = m_world.CreateBody(&def);
+        }
+    }
+
+    template <typename Def, typename... Anchors>
+    void Add(Def def, Anchors Def::*... anchors) {
+        def.bodyA = m_bodies[0], def.bodyB = m_bodies[1];
+        ((def.*anchors = {Any(38.0f), Any(38.0f)}), ...);
+        m_world.CreateJoint(&def);  // it may be refused
+    }
+    void AddAll() {
+        const bool flips = m_random() % 2 == 0;
+        Add(RevoluteJointDef{}, &RevoluteJointDef::localAnchorA, &RevoluteJointDef::localAnchorB);
+        PrismaticJointDef slide;
+        slide.enableLimit = slide.enableMotor = flips;
+        slide.maxMotorForce = 10.0f;
+        Add(slide, &PrismaticJointDef::localAnchorA, &PrismaticJointDef::localAnchorB);
+        WheelJointDef wheel;
+        wheel.stiffness = flips ? 10.0f : 0.0f;
+        wheel.enableLimit = wheel.enableMotor = flips;
+        wheel.maxMotorTorque = 10.0f;
+        Add(wheel, &WheelJointDef::localAnchorA, &WheelJointDef::localAnchorB);
+        DistanceJointDef distance;
+        distance.stiffness = flips ? 10.0f : 0.0f;
+        Add(distance, &DistanceJointDef::localAnchorA, &DistanceJointDef::localAnchorB);
+        WeldJointDef weld;
+        weld.stiffness = flips ? 10.0f : 0.0f;
+        Add(weld, &WeldJointDef::localAnchorA, &WeldJointDef::localAnchorB);
+        PulleyJointDef pulley;
+        pulley.ratio = std::abs(Any(30.0f)) + 0.1f;
+        Add(pulley, &PulleyJointDef::localAnchorA, &PulleyJointDef::localAnchorB);
+        FrictionJointDef friction;
+        friction.maxForce = friction.maxTorque = 10.0f;
+        Add(friction, &FrictionJointDef::localAnchorA, &FrictionJointDef::localAnchorB);
+        MotorJointDef motor;
+        motor.maxForce = motor.maxTorque = 10.0f;
+        Add(motor, &MotorJointDef::linearOffset);
+    }
+    World& GetWorld() { return m_world; }
+
+private:
+    /// Of either sign, and any size up to ten to that power.
+    float Any(float power) {
+        const float exponent = std::uniform_real_distribution<float>(-2.0f, power)(m_random);
+        return (m_random() % 2 == 0 ? 1.0f : -1.0f) * std::pow(10.0f, exponent);
+    }
+
+    std::mt19937 m_random;
+    World m_world;
+    Body* m_bodies[2] = {};
+};
+
+TEST(JointReactions, AreNumbersWhereNoImpulseMovesAnything) {
+    std::mt19937 seeds(std::random_device{}());
+    int joints = 0;
+    for (int round = 0; round < 400; ++round) {
+        const unsigned seed = seeds();
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Unmovable pair(seed);
+        pair.AddAll();
+        World& world = pair.GetWorld();
+        joints += world.GetJointCount();
+        for (int i = 0; i < 4; ++i) round % 2 == 0 ? world.Step(frame, 8, 3) : world.Step(frame, 4);
+        for (const Joint* joint = world.GetJointList(); joint != nullptr; joint = joint->GetNext()) {
+            const bool isNumber =
+                joint->GetReactionForce(1.0f).IsValid() && std::isfinite(joint->GetReactionTorque(1.0f));
+            EXPECT_TRUE(isNumber) << "type " << int{joint->GetType()};
+        }
+        if (HasFailure()) return;
+    }
+    EXPECT_GT(joints, 2000);
 }
 
 }  // namespace

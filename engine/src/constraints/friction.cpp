@@ -9,12 +9,6 @@
 
 namespace scree {
 
-namespace {
-
-bool IsMoved(const MassRow& mass) { return mass.invMass > 0.0f || mass.invI > 0.0f; }
-
-}  // namespace
-
 void Prepare(const JointInput& in, FrictionRow& row, FrictionConstraint& c) {
     c.pair = MakePair(in);
     c.arms = MakeArms(c.pair, PoseOf(c.pair, in.bodies), row.localAnchorA, row.localAnchorB);
@@ -36,9 +30,7 @@ void SolveVelocity(const FrictionConstraint& c, FrictionRow& row, const JointSte
     PairVelocity v = Load(c.pair, velocity);
     const float turn = -c.turnMass * Speed(turning, v);
     Apply(c.pair, turning, SolveBounded(row.turnImpulse, turn, step.dt * row.maxTorque), v);
-    // What no impulse moves may be faster at its anchors than any number tells.
-    const bool isMoved = IsMoved(c.pair.massA) || IsMoved(c.pair.massB);
-    const Vec2 impulse = isMoved ? Mul(c.pointMass, -PointSpeed(c.arms, v)) : vec2Zero;
+    const Vec2 impulse = Mul(c.pointMass, -PointSpeed(c.arms, v));
     ApplyPoint(c.pair, c.arms, SolveBounded(row.impulse, impulse, step.dt * row.maxForce), v);
     Store(c.pair, v, velocity);
 }

@@ -51,6 +51,11 @@ inline JointPair MakePair(const JointInput& in) {
     return {in.info.bodyA, in.info.bodyB, in.bodies.mass[in.info.bodyA], in.bodies.mass[in.info.bodyB]};
 }
 
+/// Whether impulses move any of the two.
+inline bool IsMoved(const JointPair& p) {
+    return p.massA.invMass > 0.0f || p.massA.invI > 0.0f || p.massB.invMass > 0.0f || p.massB.invI > 0.0f;
+}
+
 inline PairPosition PoseOf(const JointPair& p, const BodyTable& bodies) {
     const Vec2 frame = FrameOf(bodies, p.a, p.b);
     return {PositionIn(frame, bodies, p.a), PositionIn(frame, bodies, p.b)};

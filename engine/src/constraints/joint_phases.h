@@ -68,6 +68,19 @@ int AppendConstraint(const JointTask& task, JointIndex joint, Make&& make) {
     return static_cast<int>(constraints.size()) - 1;
 }
 
+/// Whether the constraint may have impulses. Where these move nobody it has no mass, but its speeds may be beyond all
+/// numbers, and 0 times infinity is none. A spring has impulses all the same. Gears and mouse joints have no such pair.
+template <typename Constraint>
+bool MayPush(const Constraint& c) {
+    if constexpr (requires { c.soft; }) {
+        return c.soft || IsMoved(c.pair);
+    } else if constexpr (requires { c.pair; }) {
+        return IsMoved(c.pair);
+    } else {
+        return true;
+    }
+}
+
 template <typename Row>
 constexpr JointPhases MakePhases() {
     using Constraint = ConstraintOf<Row>;
@@ -104,15 +117,17 @@ constexpr JointPhases MakePhases() {
         };
     }
     phases.solveVelocity = [](const JointTask& task, const JointRun& run) {
-        ForEach<Row>(task, run,
-                     [&](const Constraint& c, Row& row) { SolveVelocity(c, row, task.step, task.bodies.velocity); });
+        ForEach<Row>(task, run, [&](const Constraint& c, Row& row) {
+            if (MayPush(c)) SolveVelocity(c, row, task.step, task.bodies.velocity);
+        });
     };
     phases.solveBounds = nullptr;
     if constexpr (requires(const Constraint& c, Row& row, const JointStep& step,
                            Column<BodyIndex, Velocity>& velocity) { SolveBounds(c, row, step, velocity); }) {
         phases.solveBounds = [](const JointTask& task, const JointRun& run) {
-            ForEach<Row>(task, run,
-                         [&](const Constraint& c, Row& row) { SolveBounds(c, row, task.step, task.bodies.velocity); });
+            ForEach<Row>(task, run, [&](const Constraint& c, Row& row) {
+                if (MayPush(c)) SolveBounds(c, row, task.step, task.bodies.velocity);
+            });
         };
     }
     phases.solvePosition = [](const JointTask& task, const JointRun& run) {

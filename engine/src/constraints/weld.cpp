@@ -66,7 +66,7 @@ void SolveVelocity(const WeldConstraint& c, WeldRow& row, const JointStep&, Colu
     PairVelocity v = Load(c.pair, velocity);
     if (c.soft) {
         Apply(c.pair, turning, SolveSpring(c.spring, Speed(turning, v), row.turnImpulse), v);
-        const Vec2 impulse = c.point.Solve(-PointSpeed(c.arms, v));
+        const Vec2 impulse = IsMoved(c.pair) ? c.point.Solve(-PointSpeed(c.arms, v)) : vec2Zero;
         row.impulse += impulse;
         ApplyPoint(c.pair, c.arms, impulse, v);
     } else {
