@@ -45,6 +45,10 @@ TEST(IndexSet, IsAnOrderedSet) {
             ASSERT_EQ(set.Before(end), next == reference.begin() ? -1 : *std::prev(next));
             ASSERT_EQ(set.Has(end), reference.count(end) > 0);
             ASSERT_EQ(set.Count(), static_cast<int>(reference.size()));
+            const int begin = static_cast<int>(random() % static_cast<unsigned>(end + 1));
+            std::vector<int> between;
+            set.ForEachBetween(begin, end, [&](int found) { between.push_back(found); });
+            ASSERT_EQ(between, std::vector<int>(reference.lower_bound(begin), next)) << begin << " to " << end;
         }
         std::vector<int> walked;
         set.ForEach([&](int number) { walked.push_back(number); });
@@ -108,6 +112,43 @@ TEST(Resting, ABlowWakesTheStackItHits) {
         EXPECT_GE(most, 6);
         EXPECT_LE(most, 150);
         EXPECT_LE(inspect::GetListedCount(still.world), 150);
+    }
+}
+
+/// Lists of what is awake are made by several threads where it is many, and part of the world rests.
+TEST(Resting, ManyAwakeBesideSleepersAreListedTheSameByAnyNumberOfWorkers) {
+    for (const int substeps : {0, 4}) {
+        std::mt19937 random(std::random_device{}());
+        const unsigned seed = random();
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const int stacks = 500 + static_cast<int>(seed % 100);
+        Still alone(stacks), together(stacks);
+        together.world.SetWorkers(3);
+        together.world.GetState().pool->ShareAlways();
+        ASSERT_TRUE(alone.Settle(substeps) && together.Settle(substeps));
+        int busy = 0, restedBesideMany = 0;
+        for (int round = 0; round < 2; ++round) {
+            const unsigned pushes = random();
+            for (Still* still : {&alone, &together}) {
+                std::mt19937 push(pushes);
+                for (Body* body = still->world.GetBodyList(); body != nullptr; body = body->GetNext()) {
+                    const unsigned draw = push();
+                    if (draw % 10 < 7) body->SetLinearVelocity({0.1f * static_cast<float>(draw / 16 % 8), 0.0f});
+                }
+            }
+            for (int step = 0; step < 60; ++step) {
+                const ContactTable& contacts = alone.world.GetState().contacts;
+                const int activeBefore = contacts.active.Count(), restingBefore = contacts.RestingCount();
+                alone.Step(substeps);
+                together.Step(substeps);
+                ASSERT_EQ(inspect::GetStateHash(together.world), inspect::GetStateHash(alone.world)) << "step " << step;
+                const bool areMany = activeBefore > 1024;
+                busy += areMany && restingBefore > 0 ? 1 : 0;
+                restedBesideMany += areMany && contacts.RestingCount() > restingBefore ? 1 : 0;
+            }
+        }
+        EXPECT_GT(busy, 10);
+        EXPECT_GT(restedBesideMany, 0);
     }
 }
 

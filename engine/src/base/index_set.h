@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -90,6 +91,20 @@ public:
                 visit(I{static_cast<int>(64 * word) + std::countr_zero(bits)});
             }
         });
+    }
+    /// The same for those in [begin, end). O(end − begin), so it is for parts of a set that is not sparse.
+    template <typename Visit>
+    void ForEachBetween(I begin, I end, Visit&& visit) const {
+        const size_t last = std::min(WordOf(end), m_words.size());
+        const auto visitAll = [&](size_t word, uint64_t bits) {
+            for (; bits != 0; bits &= bits - 1) visit(I{static_cast<int>(64 * word) + std::countr_zero(bits)});
+        };
+        const uint64_t below = (uint64_t{1} << BitOf(end)) - 1;
+        uint64_t mask = ~((uint64_t{1} << BitOf(begin)) - 1);
+        for (size_t word = WordOf(begin); word < last; ++word, mask = ~uint64_t{0})
+            visitAll(word, m_words[word] & mask);
+        if (WordOf(end) >= m_words.size()) return;
+        visitAll(WordOf(end), m_words[WordOf(end)] & below & (WordOf(begin) == WordOf(end) ? mask : ~uint64_t{0}));
     }
     /// Calls visit(64 · k) for each run of 64 numbers from there on that has some of the set.
     template <typename Visit>

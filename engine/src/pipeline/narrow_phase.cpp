@@ -84,7 +84,7 @@ struct PassedContacts {
 class AheadOfOrder {
 public:
     /// `isQuick`: nobody is told, so that contacts which wake nobody need no place in the order.
-    AheadOfOrder(const NarrowPhaseTables& tables, const ContactEvents& events, bool keepsOld, bool isQuick,
+    AheadOfOrder(const NarrowPhaseTables& tables, const ContactEvents& events, bool isQuick, bool keepsOld,
                  NarrowPhaseScratch& scratch)
         : m_t(tables),
           m_isFar(tables.bodies.IsFar()),
@@ -99,8 +99,7 @@ public:
             Fetch(contact, m_t);
             constexpr uint8_t sure = ContactFlag::alive | ContactFlag::marked;
             const uint8_t flags = m_t.contacts.flags[contact];
-            if (m_isQuick && (flags & ContactFlag::alive) == 0)
-                m_scratch.findings[contact] = NarrowPhaseScratch::passed;
+            if ((flags & ContactFlag::alive) != 0) m_scratch.findings[contact] = NarrowPhaseScratch::nothing;
             if ((flags & (sure | ContactFlag::refilter)) != sure || !IsActive(contact, m_t)) continue;
             const Manifold& manifold = m_t.contacts.manifold[contact];
             if (m_keepsOld) m_scratch.old[contact] = manifold;
@@ -225,14 +224,14 @@ private:
 
 /// Bodies that wake on the way may add manifolds to these, which follow in order. Returns how many contacts that are
 /// passed touch.
-int ComputeAhead(const NarrowPhaseTables& t, const ContactEvents& events, bool keepsOld, NarrowPhaseScratch& scratch) {
-    const bool isQuick = events.listener == nullptr && events.log == nullptr;
+int ComputeAhead(const NarrowPhaseTables& t, const ContactEvents& events, bool isQuick, bool keepsOld,
+                 NarrowPhaseScratch& scratch) {
     const size_t rows = t.contacts.flags.size();
-    scratch.findings.assign(rows, NarrowPhaseScratch::nothing);
+    scratch.findings.assign(rows, NarrowPhaseScratch::unseen);
     if (keepsOld) EnsureRows(scratch.old, rows);
     PassedContacts passed[maxWorkers];
     t.pool.For(t.contacts.Size(), leastContactsToShare, [&](int begin, int end, int worker) {
-        const PassedContacts more = AheadOfOrder(t, events, keepsOld, isQuick, scratch).Compute(begin, end);
+        const PassedContacts more = AheadOfOrder(t, events, isQuick, keepsOld, scratch).Compute(begin, end);
         passed[worker].touching += more.touching;
         passed[worker].regrouped += more.regrouped;
     });
@@ -244,16 +243,24 @@ int ComputeAhead(const NarrowPhaseTables& t, const ContactEvents& events, bool k
     return touching;
 }
 
-/// The lowest row with only passed contacts in the whole eights of rows below `row`.
-ContactIndex SkipPassed(const Column<ContactIndex, uint8_t>& findings, ContactIndex row) {
+/// The highest row below `row` that was not passed ahead of order; −1: there is none.
+ContactIndex OpenBelow(const Column<ContactIndex, uint8_t>& findings, ContactIndex row) {
+    constexpr uint8_t closed = NarrowPhaseScratch::passed | NarrowPhaseScratch::unseen;
     constexpr size_t width = sizeof(uint64_t);
-    constexpr uint64_t allPassed = NarrowPhaseScratch::passed * 0x0101010101010101u;
     size_t at = ToSize(row);
-    for (uint64_t eight = 0; at >= width; at -= width) {
-        std::memcpy(&eight, findings.data() + (at - width), width);
-        if (eight != allPassed) break;
+    while (at > 0) {
+        // Eight at a time; the bit for `unseen` comes to where that for `passed` is.
+        static_assert(NarrowPhaseScratch::unseen == 2 * NarrowPhaseScratch::passed);
+        constexpr uint64_t allClosed = NarrowPhaseScratch::passed * 0x0101010101010101u;
+        uint64_t eight = 0;
+        if (at >= width) std::memcpy(&eight, findings.data() + (at - width), width);
+        if (((eight | eight >> 1) & allClosed) == allClosed) {
+            at -= width;
+        } else if ((findings[ContactIndex{static_cast<int>(--at)}] & closed) == 0) {
+            return ContactIndex{static_cast<int>(at)};
+        }
     }
-    return ContactIndex{static_cast<int>(at)};
+    return ContactIndex::none;
 }
 
 /// Whether what was found ahead of a contact still holds: callbacks may have put its bodies to sleep, or made one of
@@ -268,23 +275,26 @@ bool Holds(uint8_t finding, ContactIndex contact, const NarrowPhaseTables& t) {
 int UpdateManifolds(const ContactEvents& events, NarrowPhaseTables t, NarrowPhaseScratch& scratch) {
     const bool ahead = PaysToLookAhead(t);
     const bool keepsOld = events.HearsPreSolve();
-    int touchingCount = ahead ? ComputeAhead(t, events, keepsOld, scratch) : 0;
+    const bool isQuick = ahead && events.listener == nullptr && events.log == nullptr;
+    int touchingCount = ahead ? ComputeAhead(t, events, isQuick, keepsOld, scratch) : 0;
     touchingCount += t.contacts.RestingTouchingCount();
     ContactIndex contact = t.contacts.flags.End();
     // Contacts of a body that wakes on the way are looked at, too, if they come later in the order.
+    bool leapsOn = isQuick;
     const auto goOn = [&] {
-        if (!t.bodies.risen.empty()) touchingCount -= RouseContacts(t.bodies, t.contacts, contact);
-        contact = t.contacts.Before(contact);
+        if (!t.bodies.risen.empty()) {
+            touchingCount -= RouseContacts(t.bodies, t.contacts, contact);
+            leapsOn = false;
+        }
+        contact = leapsOn ? OpenBelow(scratch.findings, contact) : t.contacts.Before(contact);
         return IsSome(contact);
     };
     bool isTold = false;  // the listener has been called, and may have changed what was found ahead
     while (goOn()) {
         const uint8_t flags = t.contacts.flags[contact];
-        const uint8_t known = ahead ? scratch.findings[contact] : uint8_t{NarrowPhaseScratch::nothing};
-        if (known == NarrowPhaseScratch::passed) {
-            if (t.contacts.RestingCount() == 0) contact = SkipPassed(scratch.findings, contact);
-            continue;
-        }
+        uint8_t known = ahead ? scratch.findings[contact] : uint8_t{NarrowPhaseScratch::nothing};
+        if (known == NarrowPhaseScratch::passed) continue;
+        if (known == NarrowPhaseScratch::unseen) known = NarrowPhaseScratch::nothing;  // it was roused since
         if ((known & NarrowPhaseScratch::regrouped) != 0) ++t.contacts.grouping;
         if ((flags & ContactFlag::alive) == 0) continue;
         if (!Stays(contact, events, t)) {

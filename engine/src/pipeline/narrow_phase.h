@@ -24,8 +24,16 @@ struct NarrowPhaseTables {
 
 /// What was found out ahead of each contact, kept between steps to save allocation.
 struct NarrowPhaseScratch {
-    /// `passed`, alone: all that there was to do has been done.
-    enum Finding : uint8_t { nothing = 0, known = 1, touching = 2, asSensor = 4, regrouped = 8, passed = 16 };
+    /// `passed`, alone: all that there was to do has been done. `unseen`, alone: the row rests or is free.
+    enum Finding : uint8_t {
+        nothing = 0,
+        known = 1,
+        touching = 2,
+        asSensor = 4,
+        regrouped = 8,
+        passed = 16,
+        unseen = 32
+    };
     Column<ContactIndex, uint8_t> findings;
     Column<ContactIndex, Manifold> old;  ///< before, for a listener that asks
 };

@@ -296,18 +296,22 @@ void ContactTable::Compact() {
     while (rows > 0 && f[rows - 1] == 0) --rows;
     if (rows < flags.size()) m_adjacency.Set(0);  // it may list rows that are over, but none behind the end
     Resize(rows);
-    m_free.clear();
     f = flags.data();
+    // Every row is written down, and stays if it is free: a branch would be mispredicted. The last write needs a place.
+    const size_t freeCount = rows - ToSize(m_count);
+    m_free.resize(freeCount + 1);
+    ContactIndex* next = m_free.data();
+    const auto look = [&](size_t row) {
+        *next = ToIndex<ContactIndex>(row);
+        next += f[row] == 0 ? 1 : 0;
+    };
     size_t i = rows;
-    for (; i % 8 != 0; --i) {
-        if (f[i - 1] == 0) m_free.push_back(ToIndex<ContactIndex>(i - 1));
-    }
+    for (; i % 8 != 0; --i) look(i - 1);
     for (; i > 0; i -= 8) {
         if ((~LoadFlags(f + i - 8) & InAll(ContactFlag::alive)) == 0) continue;
-        for (size_t k = i; k > i - 8; --k) {
-            if (f[k - 1] == 0) m_free.push_back(ToIndex<ContactIndex>(k - 1));
-        }
+        for (size_t k = i; k > i - 8; --k) look(k - 1);
     }
+    m_free.resize(freeCount);
 }
 
 bool ContactTable::Restore() {

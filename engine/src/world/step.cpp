@@ -48,7 +48,7 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     r.profile.continuous = watch.Lap();
     FindPairsOfMoved(MovedBy(s, goesOn), s.FarDistance(), events, s.ForPairs());
     s.log.NoteMoves(s.bodies);
-    RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
+    RestSleepers(*s.pool, s.bodies, s.fixtures, s.contacts, *s.broadPhase, s.islandScratch.sleepy.rows);
     r.profile.broadPhase += watch.Lap();
     s.lastInverseDt = 1.0f / settings.dt;
     BreakStrainedJoints(s);

@@ -23,7 +23,7 @@ void StandStill(WorldState& s, const StepRequest& request, StepResults& results)
     results.touchingCount = s.contacts.RestingTouchingCount();
     PrepareKernels(s);
     if (s.bodies.fellAsleep > 0 || s.contacts.mayRest || !s.bodies.risen.empty()) {
-        RestSleepers(s.bodies, s.fixtures, s.contacts, *s.broadPhase);
+        RestSleepers(*s.pool, s.bodies, s.fixtures, s.contacts, *s.broadPhase, s.islandScratch.sleepy.rows);
     }
     if (!s.bodies.risenProxies.empty()) {
         std::erase_if(s.bodies.risenProxies, [&](BodyIndex b) { return s.bodies.isListed[b] == 0; });

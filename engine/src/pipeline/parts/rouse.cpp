@@ -5,6 +5,10 @@
 
 #include "pipeline/parts/rouse.h"
 
+#include <atomic>
+
+#include "pipeline/parts/solved_rows.h"
+
 namespace scree {
 
 namespace {
@@ -25,7 +29,8 @@ void RouseProxies(BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& b
     bodies.risenProxies.clear();
 }
 
-void RestSleepers(BodyTable& bodies, const FixtureTable& fixtures, ContactTable& contacts, BroadPhase& broadPhase) {
+void RestSleepers(TaskPool& pool, BodyTable& bodies, const FixtureTable& fixtures, ContactTable& contacts,
+                  BroadPhase& broadPhase, std::vector<ContactIndex>& rows) {
     RouseContacts(bodies, contacts);
     if (bodies.fellAsleep > 0) {
         bodies.fellAsleep = 0;
@@ -37,17 +42,26 @@ void RestSleepers(BodyTable& bodies, const FixtureTable& fixtures, ContactTable&
         }
     }
     if (!contacts.mayRest) return;
-    contacts.mayRest = false;
-    contacts.active.ForEach([&](ContactIndex contact) {
+    std::atomic<bool> isSomeAsked{false};
+    const auto rests = [&](ContactIndex contact) {
+        if (!contacts.IsAlive(contact)) return false;
         constexpr uint8_t asked = ContactFlag::marked | ContactFlag::refilter;
         if ((contacts.flags[contact] & asked) != ContactFlag::marked) {
-            contacts.mayRest = true;
-            return;
+            isSomeAsked.store(true, std::memory_order_relaxed);
+            return false;
         }
         const ContactPair& pair = contacts.pair[contact];
-        if (bodies.isListed[pair.bodyA] != 0) return;
-        if (bodies.isListed[pair.bodyB] == 0) contacts.Rest(contact);
-    });
+        return bodies.isListed[pair.bodyA] == 0 && bodies.isListed[pair.bodyB] == 0;
+    };
+    GatherActiveRows(
+        contacts, pool, rows,
+        [&](ContactIndex contact, ContactIndex*& place) {
+            *place = contact;
+            place += rests(contact) ? 1 : 0;
+        },
+        [](const ContactIndex* begin, const ContactIndex* end) { return static_cast<size_t>(end - begin); });
+    for (const ContactIndex contact : rows) contacts.Rest(contact);
+    contacts.mayRest = isSomeAsked.load(std::memory_order_relaxed);
 }
 
 }  // namespace scree

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include "base/task_pool.h"
 #include "broad_phase/broad_phase.h"
 #include "state/bodies.h"
 #include "state/contacts.h"
@@ -26,7 +27,8 @@ inline int RouseContacts(BodyTable& bodies, ContactTable& contacts, ContactIndex
 void RouseProxies(BodyTable& bodies, const FixtureTable& fixtures, BroadPhase& broadPhase);
 
 /// Unlists the bodies that are asleep, and puts their proxies and the contacts aside that no listed body has. Contacts
-/// that the next narrow phase is to end or to ask the filters about stay.
-void RestSleepers(BodyTable& bodies, const FixtureTable& fixtures, ContactTable& contacts, BroadPhase& broadPhase);
+/// that the next narrow phase is to end or to ask the filters about stay. `rows` is scratch.
+void RestSleepers(TaskPool& pool, BodyTable& bodies, const FixtureTable& fixtures, ContactTable& contacts,
+                  BroadPhase& broadPhase, std::vector<ContactIndex>& rows);
 
 }  // namespace scree

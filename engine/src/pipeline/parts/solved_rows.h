@@ -47,30 +47,46 @@ inline bool AreFewListed(const JointTable& joints, const BodyTable& bodies) {
 /// Fewer rows than this are not worth sharing.
 inline constexpr int leastRowsToShare = 1024;
 
+/// Lists contacts that do not rest, in the order of their rows. take(contact, place) writes one to the place, and moves
+/// this on if it is to be kept. finish(begin, end) may drop more of those of a part, and returns how many are left.
+template <typename Take, typename Finish>
+void GatherActiveRows(const ContactTable& contacts, TaskPool& pool, std::vector<ContactIndex>& rows, Take&& take,
+                      Finish&& finish) {
+    const bool restsSome = contacts.RestingCount() > 0;
+    if (restsSome && (!pool.IsOpen() || contacts.active.Count() < leastRowsToShare)) {
+        rows.resize(ToSize(contacts.active.Count()));
+        ContactIndex* place = rows.data();
+        contacts.active.ForEach([&](ContactIndex contact) { take(contact, place); });
+        rows.resize(finish(rows.data(), place));
+        return;
+    }
+    GatherParts<ContactIndex, 1>(pool, contacts.Size(), leastRowsToShare, {&rows},
+                                 [&](int begin, int end, const std::array<ContactIndex*, 1>& places) {
+                                     ContactIndex* place = places[0];
+                                     if (restsSome) {
+                                         contacts.active.ForEachBetween(
+                                             ContactIndex{begin}, ContactIndex{end},
+                                             [&](ContactIndex contact) { take(contact, place); });
+                                     } else {
+                                         for (int i = begin; i < end; ++i) take(ContactIndex{i}, place);
+                                     }
+                                     return std::array{finish(places[0], place)};
+                                 });
+}
+
 /// The rows of the solved contacts that do not rest, and of which keep(contact) is true.
 template <typename Keep>
 void GatherSolved(const ContactTable& contacts, TaskPool& pool, std::vector<ContactIndex>& rows, Keep&& keep) {
     // Which are solved is no branch, for it follows no pattern. What is kept of them does.
-    const auto keepOf = [&](ContactIndex* begin, ContactIndex* end) {
-        return static_cast<size_t>(std::remove_if(begin, end, std::not_fn(keep)) - begin);
-    };
-    const auto take = [&](ContactIndex contact, ContactIndex*& place) {
-        *place = contact;
-        place += IsSolved(contacts.flags[contact]) ? 1 : 0;
-    };
-    if (contacts.RestingCount() > 0) {
-        rows.resize(ToSize(contacts.active.Count()));
-        ContactIndex* place = rows.data();
-        contacts.active.ForEach([&](ContactIndex contact) { take(contact, place); });
-        rows.resize(keepOf(rows.data(), place));
-        return;
-    }
-    GatherParts<ContactIndex, 1>(pool, static_cast<int>(contacts.flags.size()), leastRowsToShare, {&rows},
-                                 [&](int begin, int end, const std::array<ContactIndex*, 1>& places) {
-                                     ContactIndex* place = places[0];
-                                     for (int i = begin; i < end; ++i) take(ContactIndex{i}, place);
-                                     return std::array{keepOf(places[0], place)};
-                                 });
+    GatherActiveRows(
+        contacts, pool, rows,
+        [&](ContactIndex contact, ContactIndex*& place) {
+            *place = contact;
+            place += IsSolved(contacts.flags[contact]) ? 1 : 0;
+        },
+        [&](ContactIndex* begin, ContactIndex* end) {
+            return static_cast<size_t>(std::remove_if(begin, end, std::not_fn(keep)) - begin);
+        });
 }
 
 }  // namespace scree
