@@ -47,8 +47,9 @@ inline bool AreFewListed(const JointTable& joints, const BodyTable& bodies) {
 /// Fewer rows than this are not worth sharing.
 inline constexpr int leastRowsToShare = 1024;
 
-/// Lists contacts that do not rest, in the order of their rows. take(contact, place) writes one to the place, and moves
-/// this on if it is to be kept. finish(begin, end) may drop more of those of a part, and returns how many are left.
+/// Lists contacts that do not rest, in the order of their rows. Each goes to take(contact, place), which writes it to
+/// the place, and moves this on if it is to be kept. Then finish(begin, end) may drop more of a part; it returns how
+/// many are left.
 template <typename Take, typename Finish>
 void GatherActiveRows(const ContactTable& contacts, TaskPool& pool, std::vector<ContactIndex>& rows, Take&& take,
                       Finish&& finish) {
