@@ -11,6 +11,7 @@
 #include <span>
 #include <utility>
 
+#include "base/gather_parts.h"
 #include "broad_phase/split_rules.h"
 
 namespace scree::broadphase {
@@ -199,9 +200,6 @@ struct KeyScale {
     }
 };
 
-/// More would not make the first split of any tree faster.
-constexpr size_t mostRootParts = 64;
-
 /// What one worker at a time does of the first split.
 struct alignas(64) RootPart {
     CentreBounds centres;
@@ -288,15 +286,14 @@ struct KeysPass {
     }
 
     /// Makes the items and splits them as Split does, by all workers.
-    void SplitRoot(uint32_t firstSlot, TaskPool& pool, std::span<RootPart> parts) {
+    void SplitRoot(uint32_t firstSlot, TaskPool& pool) {
         TreeNode& root = tree.nodes[0];
+        const Parts ranges(pool, static_cast<int>(root.count), 0);
+        RootPart room[Parts::most];
+        const std::span parts = std::span(room).first(static_cast<size_t>(ranges.Count()));
         const auto inParts = [&](auto&& work) {
-            pool.For(static_cast<int>(parts.size()), 2, [&](int first, int last, int /*worker*/) {
-                for (auto i = static_cast<size_t>(first); i < static_cast<size_t>(last); ++i) {
-                    const auto begin = static_cast<uint32_t>(uint64_t{root.count} * i / parts.size());
-                    const auto end = static_cast<uint32_t>(uint64_t{root.count} * (i + 1) / parts.size());
-                    work(parts[i], arrays[0] + begin, end - begin);
-                }
+            ranges.For(pool, [&](int part, int begin, int end) {
+                work(room[part], arrays[0] + begin, static_cast<uint32_t>(end - begin));
             });
         };
         inParts([&](RootPart& part, KeyItem* items, uint32_t count) {
@@ -374,10 +371,7 @@ void KeysBuilder::Build(const ProxyStore& store, SlotRange slots, uint32_t leafS
     if (shared != nullptr && pass.Splits(tree.nodes[0])) {
         tree.nodes[0].child = 1;
         tree.nodes.resize(3);
-        RootPart parts[mostRootParts];
-        constexpr size_t partsPerWorker = 4;
-        const size_t count = std::min(mostRootParts, partsPerWorker * static_cast<size_t>(shared->GetWorkerCount()));
-        pass.SplitRoot(slots.first, *shared, std::span(parts).first(count));
+        pass.SplitRoot(slots.first, *shared);
         begin = 1;
     } else {
         for (uint32_t i = 0; i < slots.count; ++i) m_items[i] = {{0, 0}, slots.first + i};

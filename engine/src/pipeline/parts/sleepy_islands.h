@@ -21,7 +21,7 @@ namespace scree {
 
 /// Scratch, kept between steps.
 struct SleepyScratch {
-    std::vector<ContactIndex> rows;  ///< of contacts of an awake and a sleeping body
+    std::vector<ContactIndex> rows;  ///< of contacts whose sleepers wake, and later of those that come to rest
     std::vector<BodyIndex> woken;
     std::vector<BodyIndex> sleepy;         ///< may fall asleep in this step
     JoinedSets<BodyIndex> sets;            ///< of these
