@@ -3,6 +3,7 @@
 //
 // The gear joint beside Box2D 2.4.1, its ratio, and what happens when a joint under it goes.
 
+#include <cmath>
 #include <memory>
 #include <random>
 #include <tuple>
@@ -203,6 +204,37 @@ TEST(GearLifetime, ADisabledCarrierSuspendsTheGear) {
     half.ground->SetEnabled(false);
     for (int i = 0; i < 30; ++i) half.world.Step(1.0f / 60.0f, 8, 3);
     EXPECT_EQ(gear->GetReactionTorque(60.0f), 0.0f);
+}
+
+/// Gears of different islands may share a disabled carrier, so none of them may write to it. A write of zero turns −0
+/// into 0.
+TEST(GearLifetime, ADisabledCarrierIsNotWrittenTo) {
+    for (const float direction : {-1.0f, 1.0f}) {
+        for (const int substeps : {0, 4}) {
+            World world(vec2Zero);
+            Body* carrier = AddBody(world, dynamicBody, {0.0f, -2.0f});
+            AddCircle(carrier, 0.5f);
+            GearJointDef def;
+            for (int i = 0; i < 2; ++i) {
+                Body* slider = AddBody(world, dynamicBody, {4.0f * static_cast<float>(i), 0.0f});
+                AddCircle(slider, 0.5f);
+                PrismaticJointDef rail;
+                rail.Initialize(carrier, slider, slider->GetPosition(), {0.6f * direction, -0.8f * direction});
+                (i == 0 ? def.joint1 : def.joint2) = world.CreateJoint(&rail);
+                (i == 0 ? def.bodyA : def.bodyB) = slider;
+            }
+            ASSERT_NE(world.CreateJoint(&def), nullptr);
+            StepWith(world, substeps);
+            carrier->SetLinearVelocity({-0.0f, -0.0f});
+            carrier->SetAngularVelocity(-0.0f);
+            carrier->SetEnabled(false);
+            ASSERT_TRUE(std::signbit(carrier->GetLinearVelocity().x));
+            StepWith(world, substeps);
+            EXPECT_TRUE(std::signbit(carrier->GetLinearVelocity().x));
+            EXPECT_TRUE(std::signbit(carrier->GetLinearVelocity().y));
+            EXPECT_TRUE(std::signbit(carrier->GetAngularVelocity()));
+        }
+    }
 }
 
 /// Two wheels on a static or kinematic ground each. Any of them may be the first body of its joint, so that what the

@@ -89,7 +89,7 @@ void Prepare(const JointInput& in, GearRow& row, GearConstraint& c) {
 }
 
 void WarmStart(const GearConstraint& c, const GearRow& row, Column<BodyIndex, Velocity>& velocity) {
-    ApplyGear(c, row.impulse, velocity);
+    if (c.active) ApplyGear(c, row.impulse, velocity);
 }
 
 void SolveVelocity(const GearConstraint& c, GearRow& row, const JointStep&, Column<BodyIndex, Velocity>& velocity) {
