@@ -99,11 +99,13 @@ SCREE_KERNEL void Scatter8(float* rows, const int32_t* index, F8 x, F8 y, F8 z) 
     Scatter8(rows, index, x, y, z, Splat8(0.0f));
 }
 
-/// The numbers of four rows of four doubles, by their indices; rows begin at multiples of 32 bytes.
+/// The numbers of four rows of four doubles, by their indices; rows begin at multiples of 32 bytes. What nobody needs
+/// of them may go to one and the same place.
 SCREE_KERNEL void GatherD4(const double* rows, const int32_t* index, D4& x, D4& y, D4& z, D4& w) {
-    x = LoadD4(rows + 4 * static_cast<int64_t>(index[0])), y = LoadD4(rows + 4 * static_cast<int64_t>(index[1]));
-    z = LoadD4(rows + 4 * static_cast<int64_t>(index[2])), w = LoadD4(rows + 4 * static_cast<int64_t>(index[3]));
-    TransposeD4(x, y, z, w);
+    D4 a = LoadD4(rows + 4 * static_cast<int64_t>(index[0])), b = LoadD4(rows + 4 * static_cast<int64_t>(index[1]));
+    D4 c = LoadD4(rows + 4 * static_cast<int64_t>(index[2])), d = LoadD4(rows + 4 * static_cast<int64_t>(index[3]));
+    TransposeD4(a, b, c, d);
+    x = a, y = b, z = c, w = d;
 }
 /// Writes four rows of four doubles, the last lane last.
 SCREE_KERNEL void ScatterD4(double* rows, const int32_t* index, D4 x, D4 y, D4 z, D4 w) {
