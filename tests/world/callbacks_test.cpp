@@ -9,6 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <random>
+#include <vector>
 
 #include "tests/world/engines.h"
 #include "tests/world/fixtures.h"
@@ -364,6 +367,88 @@ TEST_F(Locked, AnExceptionFromACallbackLeavesTheWorldUsable) {
     EXPECT_FALSE(world.IsLocked());
     StepFor(world, 3);
     EXPECT_EQ(world.DestroyBody(box), ErrorCode::ok);
+}
+
+/// Throws in one of the calls to come.
+class Thrower final : public ContactListener, public ContactFilter {
+public:
+    void BeginContact(Contact*) override { Hear(); }
+    void EndContact(Contact*) override { Hear(); }
+    void PreSolve(Contact*, const Manifold*) override { Hear(); }
+    void PostSolve(Contact*, const ContactImpulse*) override { Hear(); }
+    bool ShouldCollide(Fixture* a, Fixture* b) override {
+        Hear();
+        return ContactFilter::ShouldCollide(a, b);
+    }
+
+    int callsLeft = -1;  ///< below 0: it does not throw
+
+private:
+    void Hear() {
+        if (callsLeft >= 0 && callsLeft-- == 0) throw 1;
+    }
+};
+
+/// Boxes and disks in a pit, some of them fast, some joined.
+std::vector<Body*> FillPit(World& world, std::mt19937& random) {
+    const auto draw = [&](float from, float to) { return std::uniform_real_distribution<float>(from, to)(random); };
+    Body* ground = AddGround(world, 12.0f);
+    for (const float x : {-12.0f, 12.0f}) {
+        EdgeShape wall;
+        wall.SetTwoSided({x, 0.0f}, {x, 20.0f});
+        ground->CreateFixture(&wall, 0.0f);
+    }
+    std::vector<Body*> bodies;
+    for (int i = 0; i < 50; ++i) {
+        Body* body = AddBody(world, dynamicBody, {draw(-10.0f, 10.0f), draw(0.5f, 12.0f)}, draw(-3.0f, 3.0f));
+        i % 2 == 0 ? AddBox(body, draw(0.1f, 0.7f), draw(0.1f, 0.7f)) : AddCircle(body, draw(0.1f, 0.6f));
+        body->SetLinearVelocity({draw(-40.0f, 40.0f), draw(-40.0f, 40.0f)});
+        body->SetBullet(i % 5 == 0);
+        if (i % 8 == 7) {
+            RevoluteJointDef hinge;
+            hinge.Initialize(bodies.back(), body, body->GetPosition());
+            world.CreateJoint(&hinge);
+        }
+        bodies.push_back(body);
+    }
+    return bodies;
+}
+
+TEST(Exceptions, QueriesFindBodiesWhereTheyAreThen) {
+    std::mt19937 random(std::random_device{}());
+    int thrown = 0;
+    for (int round = 0; round < 40; ++round) {
+        const int substeps = solvers[round % 2];
+        WorldDef def;
+        def.workerCount = 1 + round / 2 % 2;
+        const std::unique_ptr<World> world = CreateWorld(def);
+        Thrower thrower;
+        world->SetContactListener(&thrower);
+        if (round % 3 == 0) world->SetContactFilter(&thrower);
+        const std::vector<Body*> bodies = FillPit(*world, random);
+        StepWith(*world, substeps, std::uniform_int_distribution<int>(0, 20)(random));
+        thrower.callsLeft = std::uniform_int_distribution<int>(0, 150)(random);
+        try {
+            StepWith(*world, substeps, 8);
+        } catch (int) {
+            ++thrown;
+        }
+        thrower.callsLeft = -1;
+        for (const Body* body : bodies) {
+            const Fixture* fixture = body->GetFixtureList();
+            AABB box;
+            fixture->GetShape()->ComputeAABB(&box, body->GetTransform());
+            EXPECT_TRUE(fixture->GetAABB().Contains(box)) << "round " << round;
+            bool isFound = false;
+            world->QueryAABB(box, [&](Fixture* found) {
+                isFound = isFound || found == fixture;
+                return true;
+            });
+            EXPECT_TRUE(isFound) << "round " << round;
+        }
+        StepWith(*world, substeps, 3);
+    }
+    EXPECT_GT(thrown, 0);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/compiler.h"
 #include "base/float_mode.h"
+#include "base/undo.h"
 #include "pipeline/parts/rouse.h"
 #include "world/guard.h"
 #include "world/joints/joint_definitions.h"
@@ -55,6 +56,17 @@ void Advance(WorldState& s, const SolverSettings& settings, const ContactEvents&
     if (r.solved.counts.nonFinite + r.continuous.nonFinite > 0) ForgetLost(s.bodies, s.contacts, s.joints);
 }
 
+/// A callback has thrown: the step ends where it is. Queries find what has moved until then where it is.
+void EndEarly(WorldState& s) {
+    SCREE_TRY {
+        ForgetLost(s.bodies, s.contacts, s.joints);
+        RouseProxies(s.bodies, s.fixtures, *s.broadPhase);
+        UpdateMovedBoxes(s.bodies, s.fixtures, MovedBy(s, false), *s.pool, *s.broadPhase);
+        s.broadPhase->PrepareQueries();
+    }
+    SCREE_CATCH(...) {}  // memory has run out: what moved is found where it was, until the next step
+}
+
 /// The stages of a step with something to do. Apart, so that a step without them passes by their code.
 SCREE_NOINLINE void RunStages(WorldState& s, const StepRequest& request, const ContactEvents& events, Stopwatch& watch,
                               StepResults& r) {
@@ -74,6 +86,7 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     StepResults r{.solved = {.substeps = request.substeps}};
     const StandardFloats floats;
     const WorldLock lock(s);
+    Undo unlessDone([&s] { EndEarly(s); });
     const ContactEvents events = s.Events(request.substeps == 0);  // Box2D's rule for Box2D's solver
     s.distanceWork = {};
     s.log.BeginStep();
@@ -86,6 +99,7 @@ StepReport RunStep(WorldState& s, const StepRequest& request) {
     s.log.EndStep();
     s.broadPhase->PrepareQueries();
     if (s.autoClearForces) s.world->ClearForces();
+    unlessDone.Dismiss();
     return s.report = MakeReport(s, request, watch, r);
 }
 
