@@ -15,6 +15,7 @@
 
 #include "tests/world/engines.h"
 #include "tests/world/fixtures.h"
+#include "world/world_state.h"
 
 namespace scree::test {
 namespace {
@@ -422,6 +423,7 @@ TEST(Exceptions, QueriesFindBodiesWhereTheyAreThen) {
         WorldDef def;
         def.workerCount = 1 + round / 2 % 2;
         const std::unique_ptr<World> world = CreateWorld(def);
+        world->GetState().pool->ShareAlways();
         Thrower thrower;
         world->SetContactListener(&thrower);
         if (round % 3 == 0) world->SetContactFilter(&thrower);
