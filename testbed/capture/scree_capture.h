@@ -8,7 +8,9 @@
 //   scree_capture::WriteScene(world, "level.scene.json");  // one moment
 //
 // A scene does not hold what Box2D 2.4.1 does not tell: masses set by hand, restitution thresholds, low-order parts of
-// positions. Shapes with arcs (ellipses, sectors, support functions) become polygons.
+// positions. Nor does it hold locks of motion along x and y, rolling resistance and mixing rules. It leaves out springs
+// of hinges and sliders, thresholds of joints, and categories above the 16th. Disabled bodies are enabled there. Images
+// and recordings hold all of it. Shapes with arcs (ellipses, sectors, support functions) become polygons.
 
 #pragma once
 
@@ -90,6 +92,7 @@ struct Api {
     static const char* Writer() { return "scree_capture.h"; }
     static std::string Engine() { return "scree"; }
     static int TypeOf(const Body& body) { return body.GetType(); }
+    static float TangentSpeedOf(const Fixture& fixture) { return fixture.GetTangentSpeed(); }
 
     static std::uint64_t QuickIdentityOf(std::uint32_t generation, int type, scree::FixtureId newest) {
         const std::uint64_t own = std::uint64_t{generation} << 8 | static_cast<unsigned>(type);

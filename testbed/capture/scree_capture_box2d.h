@@ -131,6 +131,7 @@ struct Api {
         return "Box2D " + std::to_string(b2_version.major) + "." + std::to_string(b2_version.minor);
     }
     static int TypeOf(const Body& body) { return static_cast<int>(body.GetType()); }
+    static float TangentSpeedOf(const b2Fixture&) { return 0.0f; }
 
     static std::uint64_t QuickIdentityOf(const World&, const Body& body) {
         return Mix(static_cast<std::uint64_t>(body.GetType()), body.GetFixtureList());

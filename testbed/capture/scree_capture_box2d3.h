@@ -409,6 +409,7 @@ struct Api {
                std::to_string(version.revision);
     }
     static int TypeOf(const Body& body) { return body.GetType(); }
+    static float TangentSpeedOf(const Fixture&) { return 0.0f; }
 
     static std::uint64_t QuickIdentityOf(const World& world, const Body& body) { return IdentityOf(world, body); }
     static std::uint64_t IdentityOf(const World&, const Body& body) {

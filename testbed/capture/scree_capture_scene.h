@@ -173,10 +173,18 @@ private:
         Number("friction", fixture.GetFriction(), 0.2f);
         Number("restitution", fixture.GetRestitution(), 0.0f);
         Flag("isSensor", fixture.IsSensor(), false);
-        Whole("categoryBits", static_cast<std::uint16_t>(fixture.GetFilterData().categoryBits), 1);
+        Number("tangentSpeed", Api::TangentSpeedOf(fixture), 0.0f);
+        Whole("categoryBits", CategoryOf(fixture.GetFilterData().categoryBits), 1);
         Whole("maskBits", static_cast<std::uint16_t>(fixture.GetFilterData().maskBits), 0xFFFF);
         Whole("groupIndex", fixture.GetFilterData().groupIndex, 0);
         m_out.EndMap();
+    }
+
+    /// Scenes have 16 categories. What has only others gets the last one, or nothing would collide with it.
+    template <typename Bits>
+    static std::uint16_t CategoryOf(Bits bits) {
+        const std::uint16_t known = static_cast<std::uint16_t>(bits);
+        return known == 0 && bits != 0 ? std::uint16_t(0x8000) : known;
     }
 
     Writer& m_out;

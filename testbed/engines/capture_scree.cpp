@@ -97,16 +97,23 @@ scenes::Shape ReadShape(const scree::Shape& shape) {
     throw std::logic_error("a fixture of unknown shape");
 }
 
-/// The outline of a further convex shape, at the directions of scenes::SampleOutline.
+/// The outline of a further convex shape, at the directions of scenes::SampleOutline. Points of one corner, told apart
+/// by rounding alone, count as one.
 std::vector<Vec2> ReadOutline(const scree::ConvexShape& shape) {
-    constexpr int directions = 96;
+    scree::Transform identity;
+    identity.SetIdentity();
+    scree::AABB box;
+    shape.ComputeAABB(&box, identity);
+    const float least = 1e-5f * (box.upperBound - box.lowerBound).Length();
+    const auto isApart = [&](Vec2 a, Vec2 b) { return std::hypot(a.x - b.x, a.y - b.y) > least; };
     std::vector<Vec2> outline;
-    for (int i = 0; i < directions; ++i) {
+    for (int i = 0; i < outlineDirections; ++i) {
         // Half a step aside, so that none is the normal of an upright side, where either end would do.
-        const double angle = 2.0 * scenes::pi * (i + 0.5) / directions;
+        const double angle = 2.0 * scenes::pi * (i + 0.5) / outlineDirections;
         const scree::Vec2 direction{static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
         const Vec2 point = FromScree(shape.GetSupportPoint(direction) + shape.m_solidRadius * direction);
-        if (outline.empty() || (point != outline.back() && point != outline.front())) outline.push_back(point);
+        if (outline.empty() || (isApart(point, outline.back()) && isApart(point, outline.front())))
+            outline.push_back(point);
     }
     return outline;
 }

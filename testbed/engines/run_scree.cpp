@@ -50,9 +50,6 @@ void ThrowError(const scree::Error& error, void*) {
                                 "; " + error.cure);
 }
 
-/// Of outlines in pictures: chords of 3.75 degrees.
-constexpr int outlineDirections = 96;
-
 /// The engine gives user data by a reference only, for writing too.
 int BodyIndexOf(const scree::Body* body) {
     return static_cast<int>(const_cast<scree::Body*>(body)->GetUserData().pointer);

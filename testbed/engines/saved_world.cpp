@@ -10,7 +10,9 @@
 
 #include <cmath>
 #include <span>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "scree/inspect.h"
 #include "scree/recording.h"
@@ -50,9 +52,55 @@ scenes::Scene SceneOf(scree::World& world, const scree::RecordedStep& step, std:
     return scene;
 }
 
+/// What a scene leaves out of a world of our engine.
+class LossCount {
+public:
+    explicit LossCount(const scree::World& world) {
+        for (const scree::Body* b = world.GetBodyList(); b != nullptr; b = b->GetNext()) Count(*b);
+        for (const scree::Joint* j = world.GetJointList(); j != nullptr; j = j->GetNext()) Count(*j);
+    }
+    [[nodiscard]] std::vector<std::string> Describe() const {
+        std::vector<std::string> lines;
+        const auto add = [&](int count, const char* what) {
+            if (count > 0) lines.push_back(fmt::format("a scene leaves out {}: {}", what, count));
+        };
+        add(m_disabled, "that bodies are disabled");
+        add(m_locked, "locks of motion along x and y");
+        add(m_filtered, "categories of filters above the 16th");
+        add(m_rolling, "rolling resistance of fixtures");
+        add(m_ruled, "mixing rules of fixtures");
+        add(m_springs, "springs of hinges and sliders");
+        add(m_breaking, "thresholds at which joints report or break");
+        return lines;
+    }
+
+private:
+    void Count(const scree::Body& body) {
+        const scree::MotionLocks locks = body.GetMotionLocks();
+        m_disabled += !body.IsEnabled();
+        m_locked += locks.x || locks.y;
+        for (const scree::Fixture* f = body.GetFixtureList(); f != nullptr; f = f->GetNext()) {
+            m_filtered += f->GetFilterData().categoryBits > 0xFFFF;
+            m_rolling += f->GetRollingResistance() > 0.0f;
+            m_ruled +=
+                f->GetFrictionRule() != m_plain.frictionRule || f->GetRestitutionRule() != m_plain.restitutionRule;
+        }
+    }
+    void Count(const scree::Joint& joint) {
+        if (joint.GetType() == scree::e_revoluteJoint)
+            m_springs += static_cast<const scree::RevoluteJoint&>(joint).IsSpringEnabled();
+        if (joint.GetType() == scree::e_prismaticJoint)
+            m_springs += static_cast<const scree::PrismaticJoint&>(joint).IsSpringEnabled();
+        m_breaking += std::isfinite(joint.GetForceThreshold()) || std::isfinite(joint.GetTorqueThreshold());
+    }
+
+    scree::FixtureDef m_plain;
+    int m_disabled = 0, m_locked = 0, m_filtered = 0, m_rolling = 0, m_ruled = 0, m_springs = 0, m_breaking = 0;
+};
+
 SavedWorld Describe(scree::World& world, const scree::RecordedStep& step, std::string_view source) {
     return {std::make_shared<const WorldImage>(scree::SaveWorld(world)), SceneOf(world, step, source),
-            SettingsOf(world, step)};
+            SettingsOf(world, step), LossCount(world).Describe()};
 }
 
 /// The motion of a replay, as it is recorded.

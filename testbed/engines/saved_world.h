@@ -26,6 +26,7 @@ struct SavedWorld {
     std::shared_ptr<const WorldImage> image;
     scenes::Scene scene;   ///< the same moment, as far as a scene can say it; bodies and fixtures in the same order
     std::string settings;  ///< with which our engine goes on in it, as PrintSettings writes them
+    std::vector<std::string> losses{};  ///< what `scene` cannot say, a line per kind
 };
 
 /// Versions of both formats that this program writes, and the only ones that it reads.

@@ -57,8 +57,12 @@ struct FixtureState {
     Box tight;  ///< tight AABB at the snapshot's pose, skin included
     /// Around `tight` and the tight box before the last step; equals `tight` unless RunNeeds::sweptBoxes asks for it.
     Box swept{};
-    std::vector<Vec2> outline{};  ///< of the further convex shapes (scenes/outline.h), in body coordinates; else empty
+    /// Of the further convex shapes (scenes/outline.h): the farthest points along outlineDirections, in body
+    /// coordinates. Else empty.
+    std::vector<Vec2> outline{};
 };
+/// Of FixtureState::outline: chords of 3.75 degrees.
+inline constexpr int outlineDirections = 96;
 
 /// A contact (touching or not) with its manifold in world coordinates.
 struct ContactState {

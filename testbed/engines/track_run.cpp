@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "scenes/outline.h"
 #include "scree/math.h"
 #include "testbed/engines/box2d_shape.h"
 #include "testbed/engines/pair_count.h"
@@ -119,8 +120,10 @@ private:
     void AddShape(const scenes::Shape& shape, int child) {
         const scenes::Scene& parts = m_track->GetParts();
         const scenes::Shape one = scenes::ChildOf(parts, shape, child);
+        std::vector<Vec2>& outline = m_outlines.emplace_back();
         if (m_isScree) {
             m_shapes.emplace_back(MakeScreeShape(parts, one));
+            if (scenes::IsFurtherConvex(one.type)) outline = scenes::SampleOutline(parts, one, outlineDirections);
         } else {
             m_shapes.emplace_back(MakeBox2dShape(Box2dShapeOf(parts, one)));
         }
@@ -141,7 +144,8 @@ private:
     int m_step;
     size_t m_next;  ///< index of the step after this one
     std::vector<RecordedShape> m_shapes;
-    std::vector<size_t> m_firstShape;  ///< by fixture of the parts
+    std::vector<std::vector<Vec2>> m_outlines;  ///< of `m_shapes`, where FixtureState has one
+    std::vector<size_t> m_firstShape;           ///< by fixture of the parts
 };
 
 BodyState TrackRun::StateOf(int index, const TrackState& state) const {
@@ -182,6 +186,7 @@ void TrackRun::CaptureFixtures(Snapshot& snapshot, std::vector<int>& firstFixtur
                                    .sensor = fixture.isSensor,
                                    .tight = std::visit(BoxOf{at}, m_shapes[shape])};
                 if (!m_isScree) state.shape = Box2dShapeOf(parts, state.shape);
+                state.outline = m_outlines[shape];
                 state.swept = state.tight;
                 snapshot.fixtures.push_back(std::move(state));
             }

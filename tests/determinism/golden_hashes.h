@@ -21,11 +21,11 @@ struct GoldenHash {
 
 inline constexpr GoldenHash golden[] = {
     {"tiles", 30, 60, 0x09305017abf583e2, 0xbf1e3b62fdc337e0},
-    {"falling-squares", 16, 200, 0x1f5ba929a69a9c91, 0x7af4efd5080a9fcc},
+    {"falling-squares", 16, 200, 0x1f5ba929a69a9c91, 0xd557bf33c504416e},
     {"falling-circles", 16, 200, 0x423f558f6b452cd7, 0x0edd4c7e1f2b92c7},
-    {"tumbler", 100, 150, 0x4e1fbec4f17f4f71, 0xb071afac360f9611},
+    {"tumbler", 100, 150, 0x4e1fbec4f17f4f71, 0x46c04218739f8809},
     {"add-pair-400", 400, 40, 0x391bdaa5253195f7, 0x608feb4e4671bedf},
-    {"mild-n2", 10, 60, 0x04c69be0b734bc53, 0x433c840371e76fb5},
+    {"mild-n2", 10, 60, 0x04c69be0b734bc53, 0x9fcd38d97b203760},
     {"n2", 40, 60, 0x2430de8bc485e9f0, 0xba9c6e61d038f0b8},
     {"multi-fixture", 5, 60, 0x2586c8967129a7a0, 0x5e75a03200641f8b},
     {"mostly-static-single", 20, 60, 0x642b833134143ee0, 0x2a47fae2ab139346},
@@ -35,14 +35,14 @@ inline constexpr GoldenHash golden[] = {
 };
 
 /// Of round_shapes.h: sequential impulses, and a step with a tolerance.
-inline constexpr uint64_t goldenRound[2] = {0x17234de3d334fe00, 0xb2c0ab198194575d};
+inline constexpr uint64_t goldenRound[2] = {0x17234de3d334fe00, 0x4d5af872b8b5d624};
 
 /// Of calls.h, a group each.
 inline constexpr uint64_t goldenCalls[20] = {
-    0x6838bf0f8f73e342, 0xcbea526988ab2529, 0xda19c09cad30348d, 0x9e530a409660dacf, 0x6227b0d4f4145602,
-    0xdc143eb89e9ec84e, 0x0a637d7004a1dcc4, 0x8ad756215d5b3789, 0xa0e5e1e821ada8fc, 0x7ffe9a0b8f42dc91,
-    0xb6773c24e8cc1002, 0xd5910ea1bf121d3f, 0xcd5561d06bb6ad0e, 0x249e3d6ad7371be6, 0x09fc546a48a37155,
-    0x0a84cda8e3a412ef, 0xb000cbb36a254a90, 0x99879ed62e92d12d, 0x00556845171bc7d5, 0x87260f155950e859,
+    0xf8673a419710bccb, 0xf4bba94fd18f66c4, 0x7959b0281fd1f8d4, 0x4a0d7cdc640c1bf4, 0x3ad59b945c84f6bf,
+    0x0d60df0aba21ed97, 0x09ac9352afd01165, 0x8ad756215d5b3789, 0x21278bf630fdeacd, 0xad1f9ab07c512de8,
+    0xd424528a5c8a7eac, 0xd8ba60e09fa68901, 0x311079c20c28ee87, 0xc582c46f926aff47, 0x09fc546a48a37155,
+    0xec1f10e7359507cd, 0x6d5be0bef55373d6, 0xea3df22a935182f2, 0x00556845171bc7d5, 0xd7ea3ddfd7a79bea,
 };
 
 }  // namespace determinism

@@ -195,6 +195,7 @@ TEST(BadWorldDef, MakesNoWorld) {
     expectNone("WorldDef::maxTranslation", [](WorldDef& d) { d.maxTranslation = -1; });
     expectNone("WorldDef::maxRotation", [](WorldDef& d) { d.maxRotation = nan; });
     expectNone("WorldDef::staticShareThreshold", [](WorldDef& d) { d.staticShareThreshold = -1; });
+    expectNone("WorldDef::staticShareThreshold", [](WorldDef& d) { d.staticShareThreshold = 1.5f; });
     expectNone("WorldDef::broadPhase", [](WorldDef& d) { d.broadPhase = static_cast<BroadPhaseKind>(77); });
     expectNone("WorldDef::workerCount", [](WorldDef& d) { d.workerCount = 0; });
     expectNone("WorldDef::tasks", [](WorldDef& d) { d.tasks.finish = [](void*, void*) {}; });

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "tests/world/fixtures.h"
 #include "world/world_state.h"
@@ -195,6 +196,36 @@ TEST(LengthScale, IsChecked) {
         def.lengthScale = bad;
         EXPECT_EQ(CreateWorld(def, [](const Error&, void*) {}), nullptr) << bad;
     }
+}
+
+TEST(LengthScale, ASolidRadiusIsNoSkin) {
+    for (const float scale : {0.01f, 0.5f, 100.0f}) {
+        WorldDef def;
+        def.lengthScale = scale;
+        World world(def);
+        Body* body = AddBody(world, dynamicBody, {0, 0});
+        const ConvexShape capsule = MakeCapsule({-0.02f, 0.0f}, {0.02f, 0.0f}, polygonRadius);
+        Fixture* fixture = body->CreateFixture(&capsule, 1.0f);
+        EXPECT_EQ(std::as_const(*fixture).GetShape()->m_radius, polygonRadius);
+        EXPECT_EQ(fixture->SetShape(ConvexShape(capsule)), ErrorCode::ok);
+        SnapshotError error = SnapshotError::badContent;
+        EXPECT_NE(LoadWorld(SaveWorld(world), &error), nullptr) << GetName(error);
+    }
+}
+
+TEST(LengthScale, SkinsOfShapesThatAreSetScaleAlike) {
+    WorldDef def;
+    def.lengthScale = 1.0f / 64.0f;
+    World world(def);
+    Body* body = AddBody(world, dynamicBody, {0, 0});
+    Fixture* made = AddBox(body, 0.01f, 0.01f);
+    Fixture* set = AddBox(body, 0.02f, 0.02f);
+    PolygonShape box;
+    box.SetAsBox(0.01f, 0.01f);
+    ASSERT_EQ(set->SetShape(box), ErrorCode::ok);
+    EXPECT_EQ(std::as_const(*set).GetShape()->m_radius, std::as_const(*made).GetShape()->m_radius);
+    ASSERT_EQ(set->SetShape(*std::as_const(*made).GetShape()), ErrorCode::ok);
+    EXPECT_EQ(std::as_const(*set).GetShape()->m_radius, std::as_const(*made).GetShape()->m_radius);
 }
 
 }  // namespace

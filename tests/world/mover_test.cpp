@@ -292,5 +292,47 @@ TEST(Mover, FindsTheSameWayInEveryBroadPhaseAndRefusesBadInput) {
     }
 }
 
+TEST(Mover, ComesAsNearAsItsMarginAllows) {
+    const MoverCapsule capsule;
+    for (const float margin : {0.0f, 0.004f, 0.01f, 0.1f}) {
+        for (const bool isDisk : {false, true}) {
+            World world({0.0f, 0.0f});
+            Body* wall = AddBody(world, staticBody, {0.0f, 0.0f});
+            isDisk ? AddCircle(wall, 1.0f) : AddBox(wall, 1.0f, 3.0f);
+            for (const float gap : {0.001f, 0.006f, 0.009f, 0.0101f, 0.012f, 0.05f, 0.5f, 5.0f}) {
+                const Vec2 start{-1.0f - capsule.radius - gap, -capsule.point1.y};  // a disk is met with an end
+                const float way = 10.0f * CastMover(world, capsule, start, {10.0f, 0.0f}, margin, {});
+                const float wanted = Max(gap - margin, 0.0f), most = Max(wanted, 0.5f * gap);
+                EXPECT_LE(way, most + 0.003f) << "margin " << margin << ", gap " << gap;
+                EXPECT_GE(way, wanted - 0.003f) << "margin " << margin << ", gap " << gap;
+                EXPECT_LT(way, gap + 1e-5f) << "margin " << margin << ", gap " << gap;
+            }
+        }
+    }
+}
+
+TEST(Mover, StandsOnTheGroundOfAnyLengthScale) {
+    for (const float scale : {1.0f, 10.0f, 50.0f}) {
+        for (const float speed : {0.0f, 5.0f, 20.0f, 60.0f}) {
+            WorldDef def;
+            def.lengthScale = scale;
+            World world(def);
+            AddGround(world, 100.0f * scale);
+            MoverDef mover;
+            mover.capsule.point1 = scale * mover.capsule.point1, mover.capsule.point2 = scale * mover.capsule.point2;
+            mover.capsule.radius *= scale;
+            MoverState state;
+            state.position = {0.0f, mover.capsule.radius - mover.capsule.point1.y + 0.3f * scale};
+            state.velocity = {0.0f, -speed * scale};
+            for (int i = 0; i < 200; ++i) {
+                if (!state.isGrounded) state.velocity.y -= 10.0f * scale * frame;
+                state = MoveMover(world, mover, state, frame);
+            }
+            EXPECT_TRUE(state.isGrounded) << "scale " << scale << ", " << speed;
+            EXPECT_GT(state.position.y, mover.capsule.radius - mover.capsule.point1.y) << "scale " << scale;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace scree::test

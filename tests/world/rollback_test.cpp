@@ -431,5 +431,34 @@ TEST(Rollback, WarmMomentsAllocateNothing) {
     EXPECT_EQ(AllocationCount(), before);
 }
 
+/// Ends between steps belong to the moment: those after it are forgotten, those before it come.
+TEST(Rollback, EndsBetweenStepsAreThoseOfTheMoment) {
+    World world({0.0f, -10.0f});
+    AddGround(world);
+    Fixture* reporting = AddBox(AddBody(world, dynamicBody, {0.0f, 0.5f}), 0.5f, 0.5f);
+    reporting->SetReports(Report::contacts);
+    Body* other = AddBody(world, dynamicBody, {0.0f, 1.5f});
+    AddBox(other, 0.5f, 0.5f);
+    StepFor(world, 30);
+    Rollback moments(world, 4);
+    const int64_t before = moments.Save();
+    const std::vector<std::byte> image = SaveWorld(world);
+    world.DestroyBody(other);
+    const int64_t after = moments.Save();
+    StepFor(world, 1);
+    ASSERT_EQ(world.GetEvents().contactsEnded.size(), 1u);
+    ASSERT_EQ(moments.Restore(after), SnapshotError::ok);
+    EXPECT_TRUE(world.GetEvents().contactsEnded.empty()) << "of a step that is yet to come";
+    StepFor(world, 1);
+    EXPECT_EQ(world.GetEvents().contactsEnded.size(), 1u);
+    ASSERT_EQ(moments.Restore(before), SnapshotError::ok);
+    StepFor(world, 1);
+    EXPECT_TRUE(world.GetEvents().contactsEnded.empty()) << "both are there and touch";
+    world.DestroyBody(world.GetBodyList());
+    ASSERT_EQ(RestoreWorld(world, image), SnapshotError::ok);
+    StepFor(world, 1);
+    EXPECT_TRUE(world.GetEvents().contactsEnded.empty()) << "both are there and touch";
+}
+
 }  // namespace
 }  // namespace scree::test

@@ -9,7 +9,8 @@
 
 namespace scree {
 
-/// What World::Step(timeStep, accuracy) does. Contacts of the soft step are equally stiff in all; joints are rigid.
+/// What World::Step(timeStep, accuracy) does. Contacts of the soft step are equally stiff in all; its joints are rigid,
+/// but for those of nets.
 enum class Accuracy : uint8_t {
     draft,    ///< 4 velocity and 2 position iterations of sequential impulses
     game,     ///< soft step, 4 sub-steps

@@ -29,8 +29,9 @@ struct BodyUserData {
     uintptr_t pointer = 0;
 };
 
-/// Motions that are locked, whatever acts on a dynamic body: along the world's x or y, or rotation. The velocity of a
-/// locked motion is 0.
+/// Motions that are locked, whatever acts on a dynamic body: along the world's x or y, or rotation. A step makes the
+/// velocity along a locked axis 0. A locked angle is Box2D's fixed rotation: nothing turns the body, but a spin that
+/// you give it goes on.
 struct MotionLocks {
     bool x = false, y = false, angle = false;
     friend bool operator==(const MotionLocks&, const MotionLocks&) = default;
@@ -146,7 +147,7 @@ public:
     [[nodiscard]] bool IsEnabled() const;
     ErrorCode SetFixedRotation(bool flag);
     [[nodiscard]] bool IsFixedRotation() const;
-    /// Locks and unlocks motions; the angle as SetFixedRotation does. A locked motion stops.
+    /// Locks and unlocks motions; the angle as SetFixedRotation does. A motion that is locked now stops.
     ErrorCode SetMotionLocks(const MotionLocks& locks);
     [[nodiscard]] MotionLocks GetMotionLocks() const;
 

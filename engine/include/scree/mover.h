@@ -47,7 +47,8 @@ SCREE_API Vec2 SolvePlanes(Vec2 wish, std::span<MoverPlane> planes);
 SCREE_API Vec2 ClipVelocity(Vec2 velocity, std::span<const MoverPlane> planes);
 
 /// The fraction of `translation` that the capsule can move before it is closer than `margin` to a fixture, 0…1.
-/// Fixtures that it overlaps at the start do not stop it; see CollideMover.
+/// Fixtures that it overlaps at the start do not stop it; see CollideMover. To those that are closer than `margin` then
+/// it may come nearer by half of the gap. Distances are those of outlines, without skins.
 SCREE_API float CastMover(const World& world, const MoverCapsule& capsule, Vec2 position, Vec2 translation,
                           float margin, const QueryFilter& filter);
 

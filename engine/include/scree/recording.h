@@ -7,8 +7,8 @@
 // threads differ.
 //
 // GetRecordedCalls lists the calls that are recorded. Listeners and filters, and what they do inside a Step, are not:
-// give the player's world the same ones. Changes through references and pointers are not recorded either: user data, a
-// shape from GetShape, a manifold.
+// give the player's world the same ones. Changes through references and pointers are not recorded either: user data
+// that is set after an object was made, a shape from GetShape.
 
 #pragma once
 

@@ -204,7 +204,7 @@ SCREE_C_API scree_fixture scree_add_capsule(scree_world* world, scree_body body,
 SCREE_C_API scree_fixture scree_add_edge(scree_world* world, scree_body body, const scree_fixture_def* def,
                                          scree_vec2 from, scree_vec2 to);
 /** A closed chain of one-sided edges through at least 3 points: counter-clockwise ones collide outside. The first edge;
- * the others have the ids that follow in scree_events. */
+ * the ids of the others follow where no fixture was destroyed before. */
 SCREE_C_API scree_fixture scree_add_loop(scree_world* world, scree_body body, const scree_fixture_def* def,
                                          const scree_vec2* points, int32_t count);
 SCREE_C_API scree_error scree_destroy_fixture(scree_world* world, scree_fixture fixture);

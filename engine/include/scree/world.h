@@ -184,7 +184,8 @@ public:
     /// True inside Step, and in callbacks of queries and of destruction.
     [[nodiscard]] bool IsLocked() const;
 
-    /// Bodies that can move come first, then static ones; in each group the newest first. See Body::GetNext.
+    /// Bodies that can move come first, then static ones; in each group the last that came into it first. See
+    /// Body::GetNext.
     [[nodiscard]] Body* GetBodyList();
     [[nodiscard]] const Body* GetBodyList() const;
     [[nodiscard]] Joint* GetJointList();

@@ -97,6 +97,7 @@ void JointTraits<DistanceRow>::Keep(DistanceRow& row, const TreeShape&, const Tr
                                     const float (&impulse)[maxTreeRows]) {
     row.impulse = impulse[0];
     row.axis = AxisOf(rows);
+    ClearLimit(row.limit);
 }
 float JointTraits<DistanceRow>::GetError(const BodyTable& bodies, const JointInfo& info, const DistanceRow& row) {
     const float length = GapOf(bodies, info, row).Length();

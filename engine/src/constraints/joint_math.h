@@ -24,6 +24,20 @@ struct JointStep {
     float dt, inverseDt;
     float impulseScale;  ///< of warm starting: dt / last dt, 0 without
     float slop;          ///< position error that counts as none, m
+    /// Into how many solves the time step falls, and which of them this is. In a soft step each has two parts, before
+    /// and after the move.
+    int substeps = 1, substep = 0;
+    int parts = 1;
+
+    [[nodiscard]] static JointStep Half(float dt, int substeps, int substep, float impulseScale, float slop) {
+        const float h = dt / static_cast<float>(substeps);
+        return {0.5f * h, 1.0f / h, impulseScale, slop, substeps, substep, 2};
+    }
+    /// Of a share of something that is to go in a time step: what goes in this solve of what is left. Exact where it is
+    /// known once in each.
+    [[nodiscard]] float ShareNow(float share) const {
+        return share / (static_cast<float>(substeps) - share * static_cast<float>(substep));
+    }
 };
 
 /// What Prepare reads.

@@ -38,6 +38,14 @@ struct CommonJointTraits {
 // What several types share.
 
 inline bool IsBounded(const LimitState& limit, const MotorState& motor) { return limit.enabled || motor.enabled; }
+/// What is switched off pushes no more.
+inline void ClearIdle(LimitState& limit, MotorState& motor) {
+    if (!limit.enabled) ClearLimit(limit);
+    if (!motor.enabled) motor.impulse = 0.0f;
+}
+inline void ClearIdle(SpringState& spring) {
+    if (!spring.enabled) spring.impulse = 0.0f;
+}
 inline Vec2 ToVec(const float (&impulse)[maxTreeRows]) { return {impulse[0], impulse[1]}; }
 inline Vec2 AxisOf(const TreeRows& rows) { return {static_cast<float>(rows.axisX), static_cast<float>(rows.axisY)}; }
 

@@ -15,7 +15,7 @@ void Prepare(const JointInput& in, MotorRow& row, MotorConstraint& c) {
     c.arms = MakeArms(c.pair, pose, row.linearOffset, vec2Zero);
     c.pointMass = PointMatrix(c.pair, c.arms).GetInverse();
     c.turnMass = InverseOrZero(InverseMass(c.pair, turning));
-    const float rate = in.step.inverseDt * row.correctionFactor;
+    const float rate = in.step.inverseDt * in.step.ShareNow(row.correctionFactor);
     c.drift = rate * c.arms.gap;
     c.turnDrift = rate * (pose.b.a - pose.a.a - row.angularOffset);
     row.impulse = Scaled(row.impulse, in.step.impulseScale);

@@ -18,6 +18,9 @@ void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c) {
     const Vec2 error = pose.c + c.arm - (row.target - frame);
     const Spring spring = MakeSpring({row.stiffness, row.damping, 1.0f, 0.0f}, in.step.dt);
     c.gamma = spring.gamma;
+    // A body that hangs on one point would spin for long: Box2D's 2 % per step keep the mouse handy.
+    constexpr float lost = 0.02f;
+    c.spinLeft = 1.0f - in.step.ShareNow(lost) / static_cast<float>(in.step.parts);
     c.bias = spring.bias * error;
     Mat22 k;
     k.ex = {c.mass.invMass + c.mass.invI * c.arm.y * c.arm.y + c.gamma, -c.mass.invI * c.arm.x * c.arm.y};
@@ -29,8 +32,7 @@ void Prepare(const JointInput& in, MouseRow& row, MouseConstraint& c) {
 void WarmStart(const MouseConstraint& c, const MouseRow& row, Column<BodyIndex, Velocity>& velocity) {
     if (c.mass.invMass == 0.0f) return;
     Velocity& v = velocity[c.body];
-    // A body that hangs on one point would spin for long: Box2D's 2 % per step keep the mouse handy.
-    v.w *= 0.98f;
+    v.w *= c.spinLeft;
     ApplyImpulse(c.mass, row.impulse, Cross(c.arm, row.impulse), v);
 }
 

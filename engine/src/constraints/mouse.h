@@ -19,6 +19,7 @@ struct MouseConstraint {
     Mat22 softMass;  ///< effective mass of the softened point
     Vec2 bias;       ///< m/s
     float gamma;
+    float spinLeft;  ///< share
 };
 
 /// Masses and arms of this step; scales the stored impulses.

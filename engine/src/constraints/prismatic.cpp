@@ -121,6 +121,8 @@ void JointTraits<PrismaticRow>::Keep(PrismaticRow& row, const TreeShape&, const 
                                      const float (&impulse)[maxTreeRows]) {
     row.impulse = ToVec(impulse);
     row.axis = AxisOf(rows);
+    ClearIdle(row.limit, row.motor);
+    ClearIdle(row.spring);
 }
 float JointTraits<PrismaticRow>::GetError(const BodyTable& bodies, const JointInfo& info, const PrismaticRow& row) {
     return SlideError(bodies, info, row);

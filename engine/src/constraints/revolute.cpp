@@ -144,6 +144,8 @@ bool JointTraits<RevoluteRow>::Describe(const RevoluteRow& row, TreeShape& shape
 void JointTraits<RevoluteRow>::Keep(RevoluteRow& row, const TreeShape&, const TreeRows&,
                                     const float (&impulse)[maxTreeRows]) {
     row.impulse = ToVec(impulse);
+    ClearIdle(row.limit, row.motor);
+    ClearIdle(row.spring);
 }
 float JointTraits<RevoluteRow>::GetError(const BodyTable& bodies, const JointInfo& info, const RevoluteRow& row) {
     return GapOf(bodies, info, row).Length();

@@ -168,6 +168,8 @@ void JointTraits<WheelRow>::Keep(WheelRow& row, const TreeShape&, const TreeRows
                                  const float (&impulse)[maxTreeRows]) {
     row.impulse = impulse[0];
     row.axis = AxisOf(rows);
+    ClearIdle(row.limit, row.motor);
+    if (!(row.stiffness > 0.0f)) row.springImpulse = 0.0f;
 }
 float JointTraits<WheelRow>::GetError(const BodyTable& bodies, const JointInfo& info, const WheelRow& row) {
     return SlideError(bodies, info, row);

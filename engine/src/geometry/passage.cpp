@@ -274,6 +274,29 @@ Vec2 MiddleOf(const Shape& shape) {
     return mass.center;
 }
 
+float MiddlePartOf(const Shape& shape) {
+    constexpr float part = 0.25f;
+    const Vec2* vertices = nullptr;
+    int count = 0;
+    if (shape.GetType() == Shape::e_polygon) {
+        const auto& polygon = static_cast<const PolygonShape&>(shape);
+        vertices = polygon.m_vertices, count = polygon.m_count;
+    } else if (shape.GetType() == Shape::e_convex) {
+        const auto& convex = static_cast<const ConvexShape&>(shape);
+        vertices = convex.m_vertices, count = convex.m_count;
+    }
+    if (count < 3) return 0.0f;
+    if (count % 2 != 0) return part;
+    // Opposite vertices have one middle.
+    const int half = count / 2;
+    const Vec2 twice = vertices[0] + vertices[half];
+    const float most = 1e-6f * DistanceSquared(vertices[0], vertices[half]);
+    for (int i = 1; i < half; ++i) {
+        if (DistanceSquared(vertices[i] + vertices[i + half], twice) > most) return part;
+    }
+    return 0.0f;
+}
+
 float DepthOfMiddle(const Shape& shape) {
     const Vec2 middle = MiddleOf(shape);
     const auto least = [&](const Vec2* vertices, const Vec2* normals, int count) {
@@ -368,11 +391,14 @@ Clearance BoundClearance(const Passage& p, Watched watched, float lengthScale) {
 
     const Vec2 middle = MiddleOf(p.mover), atFace = Mul(toFace, middle);
     const FacePoint middleAtEnd{atFace.y, atFace.x}, middleAtStart = back(middleAtEnd);
-    const float middleSag = sagOf(Distance(middle, p.centre));
+    const float part = MiddlePartOf(p.mover), fromCentre = Distance(middle, p.centre);
+    // No vertex of the part is farther from the centre than this.
+    const float middleSag = sagOf(fromCentre + part * (clearance.reach + fromCentre));
+    const auto shrunk = [&](float of, float outer) { return of + part * (outer - of); };
     Gap gap;
-    gap.Try(middleAtEnd.height, middleAtStart.height);
-    if (face.isAll) gap.Try(-middleAtEnd.height, -middleAtStart.height);
-    if (face.isAll && gap.least - middleSag < needed(radius)) {
+    gap.Try(shrunk(middleAtEnd.height, end.lowest), shrunk(middleAtStart.height, start.lowest));
+    if (face.isAll) gap.Try(-shrunk(middleAtEnd.height, end.highest), -shrunk(middleAtStart.height, start.highest));
+    if (face.isAll && part == 0.0f && gap.least - middleSag < needed(radius)) {
         TryFromEnd({std::span(&middleAtStart, 1), std::span(&middleAtEnd, 1)}, face.length, gap);
     }
     const bool passes = clearance.middlePasses = gap.least - middleSag >= needed(radius);

@@ -30,7 +30,7 @@ struct Passage {
 /// What counts as a meeting.
 enum class Watched : uint8_t {
     cores,          ///< cores that come within the target
-    coresOrMiddle,  ///< the same; where they begin within it, the middle of the mover that comes near
+    coresOrMiddle,  ///< the same; where they begin within it, the middle of the mover that comes near (MiddlePartOf)
     middle          ///< the middle of the mover that comes near
 };
 
@@ -48,6 +48,10 @@ Clearance BoundClearance(const Passage& passage, Watched watched, float lengthSc
 
 /// The centroid of a shape, in its own coordinates.
 Vec2 MiddleOf(const Shape& shape);
+/// What must not pass is the middle of a shape in every direction: contacts push to the nearer side. Where opposite
+/// vertices have one middle, that is the centroid, and this is 0. The centroid of other shapes lies at 1/3 to 2/3 of
+/// their width. Of those the core must not pass, shrunk about the centroid to this share.
+float MiddlePartOf(const Shape& shape);
 /// How far that is from the surface of the shape at least, m; of shapes that are not convex 0.
 float DepthOfMiddle(const Shape& shape);
 

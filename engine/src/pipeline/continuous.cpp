@@ -283,7 +283,7 @@ private:
             StopLocked(m_bodies, body, m_bodies.velocity[body]);
             // A body that its contact goes on to hold up is not accelerated.
             if (leaves) AddSpeed(i, 0.5f);
-            Integrate(body, rest);
+            if (!IsAbandoned(body)) Integrate(body, rest);
             if (leaves) AddSpeed(i, 0.5f);
             Quarantine(body);
             m_bodies.UpdateTransform(body);
@@ -370,12 +370,18 @@ private:
         return true;
     }
 
+    /// Such a body stays where it is until the next step, whatever meets it.
+    [[nodiscard]] bool IsAbandoned(BodyIndex body) const {
+        return std::ranges::binary_search(m_abandoned, body);
+    }
+
     /// Holds the dynamic bodies of the pair where they meet, for the rest of the step. They keep the velocities that
     /// contacts and joints left them, or the next step would begin, and end, like this one.
     void Abandon(int index, float alpha) {
         const ToiPair pair = m_s.pairs[index];
         m_s.pairs[index].over = true;
-        if (m_round.IsJointed(pair)) {
+        const bool isJointed = m_round.IsJointed(pair);
+        if (isJointed) {
             for (const BodyIndex body : m_round.Gathered()) AddMember(body);
         } else {
             for (const BodyIndex body : {pair.bodyA, pair.bodyB}) AddMember(body);
@@ -383,7 +389,12 @@ private:
         for (const BodyIndex body : m_s.islandBodies) {
             if (!m_toi.IsDynamic(body)) continue;
             if (m_s.firstPair[body] < 0) m_s.touched.push_back(body);
-            if (m_s.alpha[body] < alpha) Advance(body, alpha);
+            // Where the last event had the same time the body stands behind it, at the end of the step. A figure that
+            // begins in the ground would come out of it never.
+            const bool isBehind = m_s.alpha[body] == alpha && !isJointed;
+            if (m_s.alpha[body] < alpha || isBehind) Advance(body, alpha);
+            const auto place = std::ranges::lower_bound(m_abandoned, body);
+            if (place == m_abandoned.end() || *place != body) m_abandoned.insert(place, body);
             ++m_report.abandoned;
             m_report.lostTime += (1.0f - alpha) * m_settings.dt;
             m_toi.UpdateTimes(body);
@@ -397,6 +408,7 @@ private:
     BodyTable& m_bodies;
     ContinuousScratch& m_s;
     ContinuousReport m_report;
+    std::vector<BodyIndex> m_abandoned;  ///< in order
     ToiPairs m_toi;
     ImpactRound m_round;
 };

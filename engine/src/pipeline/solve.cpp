@@ -120,48 +120,27 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
     return report;
 }
 
-SolverCounts SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
-                       const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
-    SolverSettings own = settings;
-    const float share = dt / settings.dt;
-    own.dt = dt;
-    own.substeps = std::max(1, static_cast<int>(std::lround(share * static_cast<float>(settings.substeps))));
-    own.impulseScale = settings.impulseScale > 0.0f ? share : 0.0f;
-    tables.isRest = true;
-    const SolverCounts counts = SolveSoft(own, fixtures, lists, events, tables, scratch);
-    // Impulses are to be those of a whole step; of a very short rest they are those of a blow.
-    const float whole = Min(1.0f / share, static_cast<float>(2 * settings.substeps) / static_cast<float>(own.substeps));
-    for (const ContactIndex contact : lists.contacts) {
-        for (ManifoldPoint& point : tables.contacts.manifold[contact].points)
-            point.normalImpulse *= whole, point.tangentImpulse *= whole;
-    }
-    return counts;
-}
-
 namespace {
 
-/// Clears the impulses of a row, known by their names: all, or those that are not finite. Other numbers that are none
-/// become 0; bounds may be infinite.
-struct ForgetImpulses {
-    bool all;
+/// Visits the impulses of a row, known by their names, and with `others` what else is a number.
+template <typename OfImpulse, typename OfOther>
+struct VisitImpulses {
+    OfImpulse ofImpulse;
+    OfOther ofOther;
 
-    void Forget(float& impulse) {
-        if (all || !std::isfinite(impulse)) impulse = 0.0f;
-    }
-    void Forget(Vec2& impulse) { Forget(impulse.x), Forget(impulse.y); }
-    void Visit(float& value) {
-        if (std::isnan(value)) value = 0.0f;
-    }
-    void Visit(Vec2& value) { Visit(value.x), Visit(value.y); }
+    void Note(float& impulse) { ofImpulse(impulse); }
+    void Note(Vec2& impulse) { ofImpulse(impulse.x), ofImpulse(impulse.y); }
+    void Visit(float& value) { ofOther(value); }
+    void Visit(Vec2& value) { ofOther(value.x), ofOther(value.y); }
     template <typename T>
     void Visit(T& value) {
         if constexpr (std::is_array_v<T>) {
             for (auto& element : value) Visit(element);
         } else if constexpr (std::is_class_v<T>) {
-            if constexpr (requires { value.impulse; }) Forget(value.impulse);
-            if constexpr (requires { value.turnImpulse; }) Forget(value.turnImpulse);
-            if constexpr (requires { value.springImpulse; }) Forget(value.springImpulse);
-            if constexpr (requires { value.lowerImpulse; }) Forget(value.lowerImpulse), Forget(value.upperImpulse);
+            if constexpr (requires { value.impulse; }) Note(value.impulse);
+            if constexpr (requires { value.turnImpulse; }) Note(value.turnImpulse);
+            if constexpr (requires { value.springImpulse; }) Note(value.springImpulse);
+            if constexpr (requires { value.lowerImpulse; }) Note(value.lowerImpulse), Note(value.upperImpulse);
             T::Fields(value, *this);
         }
     }
@@ -174,6 +153,55 @@ struct ForgetImpulses {
         (Visit(values), ...);
     }
 };
+
+template <typename OfImpulse, typename OfOther>
+void VisitRow(JointTable& joints, JointIndex joint, OfImpulse ofImpulse, OfOther ofOther) {
+    VisitImpulses<OfImpulse, OfOther> visitor{ofImpulse, ofOther};
+    const JointInfo& info = joints.info[joint];
+    JointTable::WithStore(joints, info.type, [&](auto& store) { visitor.Visit(store.rows[info.row]); });
+}
+
+/// Calls visit(impulse) for all of these joints, in order.
+template <typename Visit>
+void ForEachImpulse(JointTable& joints, std::span<const JointIndex> of, Visit&& visit) {
+    for (const JointIndex joint : of)
+        VisitRow(
+            joints, joint, [&](float& impulse) { visit(impulse); }, [](float&) {});
+}
+
+}  // namespace
+
+SolverCounts SolveRest(const SolverSettings& settings, float dt, const FixtureTable& fixtures, const IslandTable& lists,
+                       const ContactEvents& events, SolverTables tables, SolverScratch& scratch) {
+    SolverSettings own = settings;
+    const float share = dt / settings.dt;
+    own.dt = dt;
+    own.substeps = std::max(1, static_cast<int>(std::lround(share * static_cast<float>(settings.substeps))));
+    own.impulseScale = settings.impulseScale > 0.0f ? share : 0.0f;
+    tables.isRest = true;
+    scratch.ofJoints.clear();
+    ForEachImpulse(tables.joints, lists.joints, [&](float impulse) { scratch.ofJoints.push_back(impulse); });
+    const SolverCounts counts = SolveSoft(own, fixtures, lists, events, tables, scratch);
+    // What joints did up to here is part of what they do in the step.
+    size_t next = 0;
+    ForEachImpulse(tables.joints, lists.joints, [&](float& impulse) {
+        const float before = scratch.ofJoints[next++];
+        if (std::isfinite(before)) impulse += (1.0f - share) * before;
+    });
+    // Impulses are to be those of a whole step; of a very short rest they are those of a blow.
+    const float whole = Min(1.0f / share, static_cast<float>(2 * settings.substeps) / static_cast<float>(own.substeps));
+    for (const ContactIndex contact : lists.contacts) {
+        for (ManifoldPoint& point : tables.contacts.manifold[contact].points)
+            point.normalImpulse *= whole, point.tangentImpulse *= whole;
+    }
+    return counts;
+}
+
+namespace {
+
+void Forget(bool always, float& impulse) {
+    if (always || !std::isfinite(impulse)) impulse = 0.0f;
+}
 
 /// A gear pushes the bodies of its joints, too.
 bool IsOfLost(const BodyTable& bodies, const JointTable& joints, const JointInfo& joint) {
@@ -190,16 +218,19 @@ void ForgetLost(BodyTable& bodies, ContactTable& contacts, JointTable& joints) {
     for (const ContactIndex contact : contacts.flags.Rows()) {
         if (!contacts.IsAlive(contact)) continue;
         const ContactPair& pair = contacts.pair[contact];
-        ForgetImpulses forget{bodies.Has(pair.bodyA, BodyFlag::lost) || bodies.Has(pair.bodyB, BodyFlag::lost)};
+        const bool all = bodies.Has(pair.bodyA, BodyFlag::lost) || bodies.Has(pair.bodyB, BodyFlag::lost);
         for (ManifoldPoint& point : contacts.manifold[contact].points)
-            forget.Forget(point.normalImpulse), forget.Forget(point.tangentImpulse);
-        if (contact < contacts.rolling.End()) forget.Forget(contacts.rolling[contact]);
+            Forget(all, point.normalImpulse), Forget(all, point.tangentImpulse);
+        if (contact < contacts.rolling.End()) Forget(all, contacts.rolling[contact]);
     }
     for (const JointIndex joint : joints.info.Rows()) {
         if (!joints.slots.IsAlive(joint)) continue;
-        const JointInfo& info = joints.info[joint];
-        ForgetImpulses forget{IsOfLost(bodies, joints, info)};
-        JointTable::WithStore(joints, info.type, [&](auto& store) { forget.Visit(store.rows[info.row]); });
+        const bool all = IsOfLost(bodies, joints, joints.info[joint]);
+        VisitRow(
+            joints, joint, [&](float& impulse) { Forget(all, impulse); },
+            [](float& value) {
+                if (std::isnan(value)) value = 0.0f;  // bounds may be infinite
+            });
     }
     for (uint16_t& flags : bodies.flags) flags = static_cast<uint16_t>(flags & ~BodyFlag::lost);
 }

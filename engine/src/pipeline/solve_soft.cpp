@@ -104,14 +104,14 @@ public:
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
         const bool isLoaded = HasJoints() && IsLoaded();
         RaiseLoaded(fixtures);
-        m_tree.Build({Pool(), m_bodies, m_tables.joints, m_islands.joints, SubstepScale(), JointCompliance(),
+        m_tree.Build({Pool(), m_bodies, m_tables.joints, m_islands.joints, m_settings.SubstepScale(), JointCompliance(),
                       m_settings.directJoints});
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
-        m_blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, SubstepScale(),
+        m_blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, m_settings.ContactScale(),
                         m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true,
                         AreHeldByContacts()},
                        m_s.marks);
-        PrepareRolling(m_settings, fixtures, m_islands.contacts, SubstepScale(), m_tables, m_s.rolling);
+        PrepareRolling(m_settings, fixtures, m_islands.contacts, m_settings.ContactScale(), m_tables, m_s.rolling);
         m_task = m_blocks.Task(m_bodies.velocity, m_s.delta);
         m_task.soft = MakeConstants();
         m_task.friction = m_settings.kernels.friction;
@@ -121,7 +121,7 @@ public:
             if (!m_tables.isRest) PushInitialApart();
         }
         const bool hasRows = !m_tree.GetOthers().empty() || !m_tree.GetBounded().empty();
-        m_plan = {.warmStarts = m_settings.impulseScale > 0.0f,
+        m_plan = {.warmStarts = m_settings.ContactScale() > 0.0f,
                   .hasContacts = !m_blocks.IsEmpty(),
                   .bounces = m_blocks.Bounces(),
                   .hasRows = hasRows,
@@ -318,10 +318,6 @@ private:
         ForEachOf(Pool(), m_s.soft.size(), [&](size_t i) { visit(m_s.soft[i]); });
     }
 
-    [[nodiscard]] float SubstepScale() const {
-        return m_settings.impulseScale / static_cast<float>(m_settings.substeps);
-    }
-
     /// The same frequency whatever the number of sub-steps, so that bodies rest at the same depth; where sub-steps are
     /// too long for it, the stiffest spring that they carry. What cannot be pushed holds twice as stiffly: piles are
     /// not to sink into the ground. Only where a tolerance asks for less overlap more sub-steps make it stiffer.
@@ -401,11 +397,14 @@ private:
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
     /// Impulses of half a sub-step; what may still close, may do so in a whole one.
     [[nodiscard]] JointTask JointWork(float impulseScale) {
-        return {{0.5f * m_h, 1.0f / m_h, impulseScale, m_settings.Slop()}, m_bodies, m_tables.joints, m_joints, Pool()};
+        const float dt = m_settings.dt, slop = m_settings.Slop();
+        return {JointStep::Half(dt, m_settings.substeps, m_substep, impulseScale, slop), m_bodies, m_tables.joints,
+                m_joints, Pool()};
     }
     [[nodiscard]] JointTree::Poses Poses() const { return {m_bodies, m_s.delta}; }
 
     void Substep(int index) {
+        m_substep = index;
         const bool isFirst = index == 0;
         Bounce();
         ExpectContacts(index);
@@ -448,7 +447,7 @@ private:
     /// Joints are solved twice in a sub-step, with half of its forces each time.
     void PrepareRows(bool isFirst) {
         if (!m_plan.hasRows) return;
-        PrepareJoints(JointWork(isFirst ? 0.5f * SubstepScale() : 1.0f), m_tree.GetOthers());
+        PrepareJoints(JointWork(isFirst ? 0.5f * m_settings.SubstepScale() : 1.0f), m_tree.GetOthers());
         m_rowsAct = m_joints.Act();
     }
     /// Rows and contacts of a tree must see what its joints make of the forces.
@@ -674,6 +673,7 @@ private:
     const ContactKernels& m_kernels;
     KernelTask m_task{};
     Plan m_plan;
+    int m_substep = 0;
     bool m_rowsAct = false;   ///< in this sub-step some joint is solved row by row
     bool m_isKicked = false;  ///< bodies have had the first kick of the next sub-step
 };

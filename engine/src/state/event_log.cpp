@@ -10,10 +10,17 @@
 namespace scree {
 
 void EventLog::Renew() {
-    m_hasEvents = !m_laterEnded.empty() || !m_laterLeft.empty();
+    m_hasEvents = !m_later.ended.empty() || !m_later.left.empty();
     m_begun.clear(), m_entered.clear(), m_hits.clear(), m_joints.clear(), m_moved.clear();
-    m_ended.swap(m_laterEnded), m_laterEnded.clear();
-    m_left.swap(m_laterLeft), m_laterLeft.clear();
+    m_ended.swap(m_later.ended), m_later.ended.clear();
+    m_left.swap(m_later.left), m_later.left.clear();
+}
+
+void EventLog::Restart(const LaterEnds& later) {
+    m_later.ended.clear(), m_later.left.clear();
+    Renew();
+    m_later = later;
+    m_hasEvents = !later.ended.empty() || !later.left.empty();
 }
 
 void EventLog::NoteChange(const ContactPair& pair, bool isSensor, bool begins) {
@@ -21,11 +28,11 @@ void EventLog::NoteChange(const ContactPair& pair, bool isSensor, bool begins) {
     m_hasEvents = true;
     const FixtureId a = IdOf(pair.fixtureA), b = IdOf(pair.fixtureB);
     if (!isSensor) {
-        (begins ? m_begun : m_inStep ? m_ended : m_laterEnded).push_back({a, b});
+        (begins ? m_begun : m_inStep ? m_ended : m_later.ended).push_back({a, b});
         return;
     }
     const bool isA = m_fixtures.isSensor[pair.fixtureA] != 0;
-    (begins ? m_entered : m_inStep ? m_left : m_laterLeft).push_back({isA ? a : b, isA ? b : a});
+    (begins ? m_entered : m_inStep ? m_left : m_later.left).push_back({isA ? a : b, isA ? b : a});
 }
 
 void EventLog::NoteHit(const ContactPair& pair, Vec2 point, Vec2 normal, float speed) {

@@ -16,6 +16,14 @@
 
 namespace scree {
 
+/// Ends between steps, for the next step.
+struct LaterEnds {
+    std::vector<ContactEvent> ended;
+    std::vector<SensorEvent> left;
+
+    [[nodiscard]] size_t GetMemoryBytes() const { return BytesOf(ended, left); }
+};
+
 class EventLog {
 public:
     explicit EventLog(const FixtureTable& fixtures) : m_fixtures(fixtures) {}
@@ -46,9 +54,12 @@ public:
     void NoteMoves(const BodyTable& bodies);
 
     [[nodiscard]] Events Get() const;
+    [[nodiscard]] const LaterEnds& GetLater() const { return m_later; }
+    /// The world is another one now: forgets all events but these.
+    void Restart(const LaterEnds& later);
     [[nodiscard]] size_t GetMemoryBytes() const {
-        return BytesOf(m_begun, m_ended, m_laterEnded, m_entered, m_left, m_laterLeft, m_hits, m_joints, m_moved,
-                       m_asleep);
+        return m_later.GetMemoryBytes() +
+               BytesOf(m_begun, m_ended, m_entered, m_left, m_hits, m_joints, m_moved, m_asleep);
     }
 
 private:
@@ -62,8 +73,9 @@ private:
     const FixtureTable& m_fixtures;
     bool m_inStep = false;
     bool m_hasEvents = false;  ///< some array may not be empty
-    std::vector<ContactEvent> m_begun, m_ended, m_laterEnded;
-    std::vector<SensorEvent> m_entered, m_left, m_laterLeft;
+    std::vector<ContactEvent> m_begun, m_ended;
+    std::vector<SensorEvent> m_entered, m_left;
+    LaterEnds m_later;
     std::vector<HitEvent> m_hits;
     std::vector<JointEvent> m_joints;
     std::vector<MoveEvent> m_moved;

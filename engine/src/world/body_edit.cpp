@@ -22,10 +22,7 @@ namespace {
 FixtureIndex AttachFixture(WorldState& s, BodyIndex body, const FixtureDef& def, int knownShape) {
     const FixtureIndex fixture = s.fixtures.Add(&s, body, def, knownShape);
     Undo undo([&] { s.fixtures.UndoAdd(fixture); });
-    // The default skin is for bodies of the default size; a radius that was chosen stays.
-    const Shape& shape = *s.fixtures.shape[fixture];
-    if (s.def.lengthScale != 1.0f && shape.GetType() != Shape::e_circle && shape.m_radius == polygonRadius)
-        s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
+    ScaleDefaultSkin(s, fixture);
     if (s.bodies.Has(body, BodyFlag::enabled)) AddProxy(s, fixture);
     undo.Dismiss();
     s.fixtures.next[fixture] = std::exchange(s.bodies.fixtureHead[body], fixture);

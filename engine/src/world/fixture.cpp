@@ -114,10 +114,13 @@ ErrorCode Fixture::SetShape(const Shape& shape) {
     guard.Require(shape.GetType() == m_state->fixtures.type[m_index], ErrorCode::badShape, "shape",
                   "give one of the fixture's type, or make a new fixture");
     if (guard.Failed() || guard.Accept(Check(shape)).Failed()) return guard.Code();
+    const float density = m_state->fixtures.info[m_index].density;
+    if (guard.Accept(CheckMass(shape, density, "shape")).Failed()) return guard.Code();
     const Recording recording = guard.Record(m_index, shape);
     WithShapeType(shape.GetType(), [&]<typename T>(std::type_identity<T>) {
         static_cast<T&>(*m_state->fixtures.GetOwnShape(m_index)) = static_cast<const T&>(shape);
     });
+    ScaleDefaultSkin(*m_state, m_index);
     NoteShapeEdit(*m_state, m_index);
     return ErrorCode::ok;
 }
@@ -218,7 +221,8 @@ void Fixture::GetMassData(MassData* massData) const {
 ErrorCode Fixture::SetDensity(float density) {
     Guard guard(*m_state, "Fixture::SetDensity");
     guard.Living(m_state->fixtures.slots, m_index).Amount(density, "density");
-    if (guard.Failed() || guard.Accept(CheckMass(*GetShape(), density, "density")).Failed()) return guard.Code();
+    if (guard.Failed() || guard.Accept(CheckMass(*std::as_const(*this).GetShape(), density, "density")).Failed())
+        return guard.Code();
     const Recording recording = guard.Record(m_index, density);
     m_state->fixtures.info[m_index].density = density;
     return ErrorCode::ok;

@@ -57,6 +57,40 @@ bool MakePlane(Fixture& fixture, const ConvexShape& grown, Vec2 position, float 
     return true;
 }
 
+/// How much of its way a capsule can go until it is `margin` away from the outline of a fixture. 1 where it overlaps it
+/// from the start.
+float ShareTo(const WorldState& s, const Fixture& fixture, const MoverCapsule& capsule, Vec2 position, Vec2 translation,
+              float margin) {
+    const Shape& shape = *fixture.GetShape();
+    const ConvexShape core = ShapeOf(capsule, 0.0f);
+    const BodyPlace place(s.bodies, s.fixtures.body[FixtureIndex{fixture.GetIndex()}]);
+    DistanceInput start;
+    start.proxyA.Set(&shape, 0);
+    start.proxyB.Set(&core, 0);
+    start.transformA = place.xf;
+    start.transformB = place.In(At(position));
+    start.useRadii = false;
+    SimplexCache cache;
+    DistanceOutput nearest;
+    Distance(&nearest, &cache, &start);
+    const float radii = OutlineRadius(shape, s.def.lengthScale) + capsule.radius;
+    const float gap = nearest.distance - radii;
+    if (gap <= 0.0f) return 1.0f;
+    if (gap <= margin + linearSlop) {
+        // Too near for the cast. What is nearer than the margin may come nearer by half of that: along a wall rounding
+        // must not stop the way.
+        const Vec2 normal = (1.0f / nearest.distance) * (nearest.pointB - nearest.pointA);
+        const float closing = -Dot(normal, translation);
+        return closing > 0.0f ? Min(Max(gap - margin, 0.5f * gap) / closing, 1.0f) : 1.0f;
+    }
+    // A cast takes one default skin off both radii.
+    ShapeCastInput input{start.proxyA, start.proxyB, start.transformA, start.transformB, translation};
+    input.proxyA.m_radius = polygonRadius;
+    input.proxyB.m_radius = radii + margin;
+    ShapeCastOutput output;
+    return ShapeCast(&output, &input) ? output.lambda : 1.0f;
+}
+
 /// A capsule on its way through a world: the parts of MoveMover.
 class Walk {
 public:
@@ -257,16 +291,13 @@ float CastMover(const World& world, const MoverCapsule& capsule, Vec2 position, 
     Guard guard(world.GetState(), "CastMover");
     CheckCapsule(guard, capsule).Near(position, "position").Near(translation, "translation").Amount(margin, "margin");
     if (guard.Failed()) return 0.0f;
-    const float length = translation.Length();
-    if (length == 0.0f) return 1.0f;
+    if (translation.Length() == 0.0f) return 1.0f;
     std::vector<ShapeHit> hits;
-    if (world.ShapeCast(ShapeOf(capsule, 0.0f), At(position), translation, hits, filter) != ErrorCode::ok) return 0.0f;
+    const ConvexShape grown = ShapeOf(capsule, margin);
+    if (world.ShapeCast(grown, At(position), translation, hits, filter) != ErrorCode::ok) return 0.0f;
     float share = 1.0f;
     for (const ShapeHit& hit : hits) {
-        const float closing = -Dot(hit.normal, translation);
-        if (hit.normal == vec2Zero || closing <= 0.0f) continue;  // overlaps from the start, or goes away from it
-        // `margin` before the surface, along the way.
-        share = Min(share, Max(hit.fraction - margin / closing, 0.0f));
+        share = Min(share, ShareTo(world.GetState(), *hit.fixture, capsule, position, translation, margin));
     }
     return share;
 }

@@ -75,6 +75,14 @@ void NoteBodyEdit(WorldState& s, BodyIndex body) {
     Stir(s, body);
 }
 
+void ScaleDefaultSkin(WorldState& s, FixtureIndex fixture) {
+    // A radius that was chosen stays: that of a circle, or one that is solid.
+    const Shape& shape = *s.fixtures.shape[fixture];
+    if (s.def.lengthScale == 1.0f || shape.m_radius != polygonRadius || shape.GetType() == Shape::e_circle) return;
+    if (shape.GetType() == Shape::e_convex && static_cast<const ConvexShape&>(shape).m_solidRadius > 0.0f) return;
+    s.fixtures.GetOwnShape(fixture)->m_radius *= s.def.lengthScale;
+}
+
 void NoteShapeEdit(WorldState& s, FixtureIndex fixture) {
     const BodyIndex body = s.fixtures.body[fixture];
     ForgetGeometry(s, body);

@@ -24,6 +24,8 @@ void ForgetGeometry(WorldState& state, BodyIndex body);
 void NoteBodyEdit(WorldState& state, BodyIndex body);
 /// A fixture has got another shape: the coming step finds its pairs again. Its body wakes, and so does what it touches.
 void NoteShapeEdit(WorldState& state, FixtureIndex fixture);
+/// Of a fixture that has been given a shape: the default skin is for bodies of the default size.
+void ScaleDefaultSkin(WorldState& state, FixtureIndex fixture);
 /// The pairs of two bodies may have contacts again.
 void NoteParting(WorldState& state, BodyIndex bodyA, BodyIndex bodyB);
 /// Gives a fixture its proxy, or takes it away (with its contacts).

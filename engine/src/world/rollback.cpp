@@ -164,6 +164,7 @@ struct Rollback::Moment {
     LooseState loose;
     Features allowed;  ///< what the world might use then, and what it used is among that
     DifferenceWriter::Bytes differences;
+    LaterEnds later;
 };
 
 struct Rollback::Kept {
@@ -205,6 +206,7 @@ struct Rollback::Kept {
         });
         PutBoxes(s, boxes);
         FollowMotion(s, moment.loose, before);
+        s.log.Restart(moment.later);
     }
 
     World& world;
@@ -238,6 +240,7 @@ int64_t Rollback::Save() {
         s.isEdited,      s.contacts.mustMatch, s.autoClearForces, s.contacts.keepsSteady, s.continuousScratch.resuming,
         s.lastInverseDt, s.featureCounts};
     moment.allowed = AllowedFeatures(s.def);
+    moment.later = s.log.GetLater();
     m_kept->ForgetOldBase(s, moment);
     return moment.number = m_kept->next++;
 }
@@ -272,7 +275,9 @@ SnapshotError Rollback::Restore(int64_t number) {
 bool Rollback::Has(int64_t moment) const { return moment >= 0 && m_kept->PlaceOf(moment).number == moment; }
 
 size_t Rollback::GetBytes(int64_t moment) const {
-    return Has(moment) ? sizeof(Moment) + m_kept->PlaceOf(moment).differences.size() : 0;
+    if (!Has(moment)) return 0;
+    const Moment& of = m_kept->PlaceOf(moment);
+    return sizeof(Moment) + of.differences.size() + of.later.GetMemoryBytes();
 }
 
 size_t Rollback::GetMemoryBytes() const {
@@ -285,7 +290,7 @@ size_t Rollback::GetMemoryBytes() const {
     };
     add(m_kept->base.get());
     for (const Moment& moment : m_kept->moments) {
-        bytes += BytesOf(moment.differences);
+        bytes += BytesOf(moment.differences) + moment.later.GetMemoryBytes();
         add(moment.base.get());
     }
     return bytes;

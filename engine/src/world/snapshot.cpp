@@ -190,6 +190,7 @@ void MoveState(WorldState& from, WorldState& s) {
     s.featureCounts = from.featureCounts;
     s.autoClearForces = from.autoClearForces;
     s.lastInverseDt = from.lastInverseDt;
+    s.log.Restart({});
 }
 
 }  // namespace

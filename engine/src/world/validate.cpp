@@ -199,7 +199,7 @@ Finding Check(const WorldDef& def) {
     if (static_cast<size_t>(def.broadPhase) >= broadPhaseNames.size()) {
         return {ErrorCode::outOfRange, "WorldDef::broadPhase", "use a BroadPhaseKind"};
     }
-    if (!(def.staticShareThreshold >= 0.0f))
+    if (!(def.staticShareThreshold >= 0.0f && def.staticShareThreshold <= 1.0f))
         return {ErrorCode::outOfRange, "WorldDef::staticShareThreshold", "give a share from 0 to 1"};
     if (!(def.softStep.contactHertz > 0.0f) || !std::isfinite(def.softStep.contactHertz))
         return {ErrorCode::outOfRange, "WorldDef::softStep.contactHertz", "give a frequency above 0"};

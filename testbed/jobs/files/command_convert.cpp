@@ -111,6 +111,9 @@ int RunConvert(const ConvertArguments& arguments) {
             MakeImage(arguments, input);
         } else {
             WriteTextFile(arguments.out, WriteScene(WithWriter(input.Build())));
+            if (input.world != nullptr) {
+                for (const std::string& loss : input.world->losses) PrintError("scree: {}: {}\n", arguments.in, loss);
+            }
         }
     }
     fmt::print("{}\n", arguments.out == "-" ? "a scene on standard output" : arguments.out);

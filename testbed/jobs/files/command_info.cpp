@@ -147,6 +147,7 @@ Facts FactsOfImage(const SavedWorld& world) {
     AddExtent(facts, world.scene);
     facts["steps"] = world.scene.steps;
     facts["settings"] = world.settings;
+    if (!world.losses.empty()) facts["notices"] = world.losses;
     return facts;
 }
 

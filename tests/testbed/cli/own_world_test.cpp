@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+#include "scree/scree.h"
+#include "scree/snapshot.h"
 #include "testbed/base/errors.h"
 #include "tests/testbed/program.h"
 
@@ -143,6 +145,44 @@ TEST(OwnWorld, ARecordedTreeIsTheLiveOneAndNotAFreshOne) {
         EXPECT_NE(refused.output.find("Options::tree"), std::string::npos) << command << "\n" << refused.output;
     }
     EXPECT_EQ(folder.Run("overlap session.track --engines recorded:solver=soft").exitCode, exitUsage);
+}
+
+TEST(OwnWorld, AnImageTellsWhatASceneLeavesOut) {
+    const ScratchFolder folder;
+    scree::World world({0.0f, -10.0f});
+    scree::BodyDef def;
+    scree::Body* ground = world.CreateBody(&def);
+    scree::PolygonShape box;
+    box.SetAsBox(5.0f, 0.5f);
+    scree::FixtureDef belt;
+    belt.shape = &box;
+    belt.tangentSpeed = 2.0f;
+    ground->CreateFixture(&belt);
+    def.type = scree::dynamicBody;
+    def.position = {0.0f, 3.0f};
+    scree::Body* body = world.CreateBody(&def);
+    scree::FixtureDef high;
+    high.shape = &box;
+    high.filter.categoryBits = std::uint64_t{1} << 40;
+    body->CreateFixture(&high);
+    const auto save = [&](const char* name) {
+        const std::vector<std::byte> image = scree::SaveWorld(world);
+        std::ofstream file(folder.GetPath() / name, std::ios::binary);
+        file.write(reinterpret_cast<const char*>(image.data()), static_cast<std::streamsize>(image.size()));
+    };
+    save("one.world");
+    ProgramResult made = folder.Run("convert one.world one.scene.json");
+    ASSERT_EQ(made.exitCode, exitDone) << made.output;
+    EXPECT_NE(made.output.find("one.world: a scene leaves out categories of filters above the 16th: 1"),
+              std::string::npos)
+        << made.output;
+    EXPECT_EQ(made.output.find("disabled"), std::string::npos) << made.output;
+    EXPECT_NE(folder.Read("one.scene.json").find("\"tangentSpeed\": 2"), std::string::npos);
+    EXPECT_NE(folder.Read("one.scene.json").find("\"categoryBits\": 32768"), std::string::npos);
+    body->SetEnabled(false);
+    save("two.world");
+    made = folder.Run("info two.world");
+    EXPECT_NE(made.output.find("a scene leaves out that bodies are disabled: 1"), std::string::npos) << made.output;
 }
 
 TEST(OwnWorld, MarksAreMomentsOfASession) {

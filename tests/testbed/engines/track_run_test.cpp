@@ -7,12 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <random>
 #include <set>
 #include <stdexcept>
 #include <vector>
 
+#include "scenes/outline.h"
 #include "scree/world.h"
 #include "testbed/capture/scree_capture.h"
 #include "testbed/engines/capture_scree.h"
@@ -27,7 +29,8 @@ namespace {
 /// A world that makes and destroys bodies of one to three fixtures at random, recorded; its states, by step.
 class Churn {
 public:
-    Churn(unsigned seed, int stepCount) : m_random(seed), m_world(scree::Vec2{0.0f, -10.0f}) {
+    Churn(unsigned seed, int stepCount, bool isConvex = false)
+        : m_isConvex(isConvex), m_random(seed), m_world(scree::Vec2{0.0f, -10.0f}) {
         MakeGround();
         for (int i = 0; i < 10; ++i) MakeBody();
         const std::string path = m_folder.GetPath() / "churn.track";
@@ -66,9 +69,20 @@ private:
         def.angle = Between(-3.0f, 3.0f);
         scree::Body* body = m_world.CreateBody(&def);
         for (int i = 0, count = 1 + static_cast<int>(m_random() % 3); i < count; ++i) {
+            const scree::Vec2 center{Between(-0.5f, 0.5f), 0.0f};
             scree::PolygonShape box;
-            box.SetAsBox(Between(0.1f, 0.6f), Between(0.1f, 0.6f), {Between(-0.5f, 0.5f), 0.0f}, Between(0.0f, 1.0f));
-            body->CreateFixture(&box, 1.0f);
+            box.SetAsBox(Between(0.1f, 0.6f), Between(0.1f, 0.6f), center, Between(0.0f, 1.0f));
+            if (m_isConvex && Chance(0.3)) {
+                const scree::Vec2 other{center.x + Between(0.1f, 0.5f), 0.1f};
+                const scree::ConvexShape capsule = scree::MakeCapsule(center, other, Between(0.1f, 0.4f));
+                body->CreateFixture(&capsule, 1.0f);
+            } else if (m_isConvex && Chance(0.3)) {
+                const scree::ConvexShape rounded =
+                    scree::MakeRoundedPolygon(box.m_vertices, box.m_count, Between(0.05f, 0.2f));
+                body->CreateFixture(&rounded, 1.0f);
+            } else {
+                body->CreateFixture(&box, 1.0f);
+            }
         }
         m_bodies.push_back(body);
     }
@@ -78,6 +92,7 @@ private:
         m_bodies.erase(m_bodies.begin() + static_cast<std::ptrdiff_t>(chosen));
     }
 
+    bool m_isConvex;  ///< with shapes that Box2D does not know
     std::mt19937 m_random;
     ScratchFolder m_folder;
     scree::World m_world;
@@ -121,6 +136,42 @@ TEST(TrackRun, ShowsWhatTheRecordedWorldShowed) {
         }
         EXPECT_THROW(run->Step(), std::out_of_range);
     }
+}
+
+/// The box of an outline in the world.
+Box BoxOfOutline(const FixtureState& fixture, const BodyState& body) {
+    Box box{{1e9f, 1e9f}, {-1e9f, -1e9f}};
+    for (const Vec2 p : fixture.outline) {
+        const Vec2 at{body.cos * p.x - body.sin * p.y + body.position.x,
+                      body.sin * p.x + body.cos * p.y + body.position.y};
+        box.lower = {std::min(box.lower.x, at.x), std::min(box.lower.y, at.y)};
+        box.upper = {std::max(box.upper.x, at.x), std::max(box.upper.y, at.y)};
+    }
+    return box;
+}
+
+/// Pictures and searches for tunnelling know these shapes by their outlines alone.
+TEST(TrackRun, FurtherConvexShapesHaveOutlines) {
+    const Churn churn(8, 60, true);
+    const auto run = MakeTrackRun(churn.track, 0);
+    int outlines = 0;
+    for (int step = 1; step <= 60; ++step) {
+        run->Step();
+        Snapshot shown;
+        run->Capture(shown);
+        for (const FixtureState& f : shown.fixtures) {
+            ASSERT_EQ(f.outline.empty(), !scenes::IsFurtherConvex(f.shape.type));
+            if (f.outline.empty()) continue;
+            ++outlines;
+            const Box box = BoxOfOutline(f, shown.bodies[static_cast<std::size_t>(f.body)]);
+            constexpr float close = 0.011f;  // a skin, and what chords leave out
+            ASSERT_NEAR(box.lower.x, f.tight.lower.x, close);
+            ASSERT_NEAR(box.lower.y, f.tight.lower.y, close);
+            ASSERT_NEAR(box.upper.x, f.tight.upper.x, close);
+            ASSERT_NEAR(box.upper.y, f.tight.upper.y, close);
+        }
+    }
+    EXPECT_GT(outlines, 100);
 }
 
 /// Boxes and levels of all nodes from the root on, and of leaves the box of what they hold.

@@ -16,7 +16,8 @@ void DestroyContact(ContactIndex contact, bool parted, const ContactEvents& even
     const bool touched = contacts.Has(contact, ContactFlag::touching);
     const bool pushed = contacts.manifold[contact].pointCount > 0 && !contacts.Has(contact, ContactFlag::sensor);
     if (parted) {
-        contacts.flags[contact] = static_cast<uint8_t>(contacts.flags[contact] & ~ContactFlag::touching);
+        const int untouched = contacts.flags[contact] & ~ContactFlag::touching;
+        contacts.flags[contact] = static_cast<uint8_t>(untouched | ContactFlag::enabled);
         contacts.manifold[contact].pointCount = 0;
     }
     if (touched && events.log != nullptr)

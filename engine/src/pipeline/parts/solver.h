@@ -43,6 +43,10 @@ struct SolverSettings {
     const Tolerance* tolerance = nullptr;  ///< soft step: islands may take more than `substeps` to keep it
 
     [[nodiscard]] float Slop() const { return linearSlop * lengthScale; }
+    /// Of warm starting a sub-step.
+    [[nodiscard]] float SubstepScale() const { return impulseScale / static_cast<float>(substeps); }
+    /// The same of contacts. What they did in a much shorter step is more of blows than of weight.
+    [[nodiscard]] float ContactScale() const { return impulseScale <= 3.0f ? SubstepScale() : 0.0f; }
 };
 
 /// Velocity, or a change of it, without the room that a table's row leaves.
@@ -182,12 +186,13 @@ struct SolverScratch {
     std::vector<ContactBlocks> wide;     ///< of the large islands, in their order (sequential impulses)
     std::vector<int> colours;            ///< by place in the list of contacts of islands; set of those that have blocks
     std::vector<ContactImpulse> impulses;
+    std::vector<float> ofJoints;  ///< impulses before the rest of a step
 
     [[nodiscard]] size_t GetMemoryBytes() const {
         size_t ofIslands = BytesOf(islandRows, wide, jobs, lone, colours);
         for (const ContactBlocks& one : wide) ofIslands += one.GetMemoryBytes();
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
-        return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, impulses) +
+        return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, impulses, ofJoints) +
                startVelocities.GetMemoryBytes() + constraints.GetMemoryBytes() + rolling.GetMemoryBytes() +
                loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
     }
@@ -210,6 +215,7 @@ struct SolverScratch {
         wide = {};
         colours = {};
         impulses = {};
+        ofJoints = {};
     }
 };
 

@@ -648,9 +648,16 @@ float ToiPairs::TimeOf(const ToiPair& pair, Bounded bounded, TOIStats& work) con
         const Shape& mover = *m_t.fixtures.shape[isA ? pair.fixtureA : pair.fixtureB];
         const Shape& still = *m_t.fixtures.shape[isA ? pair.fixtureB : pair.fixtureA];
         const Vec2 middle = MiddleOf(mover);
-        (isA ? input.proxyA : input.proxyB).Set(&middle, 1, 0.0f);
+        const float part = MiddlePartOf(mover);
+        DistanceProxy core;
+        core.Set(&mover, 0);
+        Vec2 vertices[maxConvexVertices];
+        const int count = part > 0.0f ? std::min(core.m_count, maxConvexVertices) : 1;
+        for (int i = 0; i < count; ++i) vertices[i] = middle + part * (core.m_vertices[i] - middle);
+        (isA ? input.proxyA : input.proxyB).Set(vertices, count, 0.0f);
         // The middle of a small thing that lies on the surface is nearer to it than some slops: it may come nearer.
-        const float share = middleShare * DepthOfMiddle(mover) / (linearSlop * m_lengthScale);
+        const float depth = (1.0f - part) * DepthOfMiddle(mover);
+        const float share = middleShare * depth / (linearSlop * m_lengthScale);
         input.lengthScale *= Clamp(share, leastMiddleScale, 1.0f);
         const bool hasSkin = still.GetType() == Shape::e_polygon || still.GetType() == Shape::e_edge;
         if (hasSkin) (isA ? input.proxyB : input.proxyA).m_radius = 0.0f;
