@@ -371,9 +371,7 @@ private:
     }
 
     /// Such a body stays where it is until the next step, whatever meets it.
-    [[nodiscard]] bool IsAbandoned(BodyIndex body) const {
-        return std::ranges::binary_search(m_abandoned, body);
-    }
+    [[nodiscard]] bool IsAbandoned(BodyIndex body) const { return std::ranges::binary_search(m_abandoned, body); }
 
     /// Holds the dynamic bodies of the pair where they meet, for the rest of the step. They keep the velocities that
     /// contacts and joints left them, or the next step would begin, and end, like this one.
