@@ -122,7 +122,7 @@ SolveReport Solve(const SolverSettings& settings, const FixtureTable& fixtures, 
 
 namespace {
 
-/// Visits the impulses of a row, known by their names, and with `others` what else is a number.
+/// Visits the impulses of a row, known by their names, and by `ofOther` whatever is a number.
 template <typename OfImpulse, typename OfOther>
 struct VisitImpulses {
     OfImpulse ofImpulse;
