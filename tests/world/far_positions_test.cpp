@@ -160,6 +160,33 @@ TEST(FarPositions, BodiesAreWhereTheyWerePut) {
     ExpectAt({5.0, 7.0}, OriginOf(*body), 1e-6);
 }
 
+TEST(FarPositions, AMassMovesTheCentreAlone) {
+    EXPECT_TRUE(rc::check("the origin stays to the last bit", [] {
+        World world({0, 0});
+        const BodyDef far = DefAt(1e7, 0.0);  // from here on all positions have rests
+        world.CreateBody(&far);
+        const auto place = [] { return double{AnyFloat()} + double{AnyFloat()} / 1024.0; };
+        const BodyDef def = DefAt(place(), place());
+        Body* body = world.CreateBody(&def);
+        for (int i = 0; i < 8; ++i) {
+            const float angle = AnyFloat() / 256.0f;
+            if (i % 2 == 1)
+                RC_ASSERT(body->SetTransform(body->GetPosition(), angle, body->GetPositionRest()) == ErrorCode::ok);
+            const Vec2 origin = body->GetPosition();
+            const Exact exact = OriginOf(*body);
+            const Vec2 center{AnyFloat() / 1024.0f, AnyFloat() / 1024.0f};
+            MassData mass{1.0f, center, 1.0f + center.LengthSquared()};
+            body->SetMassData(&mass);
+            RC_ASSERT(body->GetPosition() == origin);
+            const double digit = 1e-6 * (1.0 + double{center.Length()});
+            RC_ASSERT(std::hypot(OriginOf(*body).x - exact.x, OriginOf(*body).y - exact.y) < digit);
+            const Vec2 arm = Mul(body->GetTransform().q, center);
+            const Exact centre = CentreOf(*body);
+            RC_ASSERT(std::hypot(centre.x - exact.x - double{arm.x}, centre.y - exact.y - double{arm.y}) < digit);
+        }
+    }));
+}
+
 TEST(FarPositions, AreThereOnceABodyIsFar) {
     World world({0, 0});
     world.SetAllowSleeping(false);

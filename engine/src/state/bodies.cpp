@@ -166,9 +166,10 @@ void BodyTable::UpdateFarOrigin(BodyIndex body, Vec2 arm) {
 
 Vec2 BodyTable::GetOriginRest(BodyIndex body) const {
     if (!IsFar()) return vec2Zero;
-    Vec2 origin = position[body].c, below = rest[body].end - Mul(transform[body].q, mass[body].localCenter);
-    Normalize(origin, below);
-    return below;
+    const Vec2 origin = transform[body].p, arm = Mul(transform[body].q, mass[body].localCenter);
+    Vec2 toCentre = position[body].c, lost = -origin;
+    Normalize(toCentre, lost);
+    return (toCentre - arm) + (lost + rest[body].end);
 }
 
 void BodyTable::Place(BodyIndex body, Vec2 p, Vec2 originRest, float a) {
@@ -200,7 +201,7 @@ Vec2 BodyTable::SetLocalCenter(BodyIndex body, Vec2 center) {
     mass[body].localCenter = center;
     if (IsFar()) {
         rest[body].end += way;
-        UpdateOrigin(body);
+        Normalize(position[body].c, rest[body].end);
     } else {
         position[body].c = Mul(xf, center);
     }
