@@ -306,7 +306,7 @@ TEST(JointTree, ManyTreesAreSolvedAsEachAloneByAnyNumberOfWorkers) {
             EXPECT_TRUE(tree.GetOthers().empty());
             const JointTree::Poses poses{s.bodies, delta};
             if (!aims && pool.GetWorkerCount() > 1) {  // both in one, with the same bits
-                tree.FactorizeAndStop(poses, h, false, velocity);
+                tree.FactorizeAndStop(poses, h, velocity);
                 return velocity;
             }
             tree.Factorize(poses, h);
@@ -360,7 +360,7 @@ TEST(JointTree, ChangedListsGiveTheBitsOfANewTree) {
             Column<BodyIndex, Velocity> velocity = before;
             tree.Build({pool, s.bodies, s.joints, list, 1.0f, jointCompliance, direct});
             const JointTree::Poses poses{s.bodies, delta};
-            tree.FactorizeAndStop(poses, h, false, velocity);
+            tree.FactorizeAndStop(poses, h, velocity);
             tree.SolveBeforeMove(poses, h, velocity);
             return velocity;
         };

@@ -131,7 +131,7 @@ void JointBatchScratch::Ensure(size_t bodyCount, size_t pointCount, size_t rowCo
 
 size_t JointBatches::GetMemoryBytes() const {
     return BytesOf(m_bodies, m_places, m_points, m_rows, m_order, m_roots, m_others, m_pose, m_course, m_velocity,
-                   m_mass, m_stiffness, m_tree);
+                   m_mass, m_stiffness, m_tree, m_isLoaded, m_isChosen, m_kept);
 }
 
 int JointBatches::AddRow(BodyIndex body) {
@@ -254,9 +254,19 @@ void JointBatches::SetLine(const Place& place, const TreeShape& s, RowBatch& bat
     batch.localAxis[0].v[lane] = s.axisX, batch.localAxis[1].v[lane] = s.axisY;
 }
 
-void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
-                           double recentScale, double compliance) {
-    m_compliance = compliance;
+void JointBatches::MarkLoaded(const LoadBearers* bearers) {
+    m_isLoaded.clear();
+    if (bearers == nullptr) return;
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (IsNone(m_bodies[row]) || !bearers->Has(m_bodies[row])) continue;
+        m_isLoaded.resize(m_bodies.size(), 0);
+        m_isLoaded[ToSize(m_tree[row])] = 1;
+    }
+}
+
+void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, const TreeInput& input) {
+    m_compliance = input.compliance;
+    MarkLoaded(input.bearers);
     for (size_t row = 0; row < m_bodies.size(); ++row) {
         if (IsNone(m_bodies[row])) continue;
         const BodyIndex body = m_bodies[row];
@@ -268,12 +278,12 @@ void JointBatches::Refresh(const BodyTable& bodies, const JointTable& joints, st
         const Rot& q = bodies.transform[body].q;
         m_course[row] = {{0.0, 0.0, double{q.c}, double{q.s}}};
     }
-    m_shapes = shapes;
+    m_shapes = input.shapes;
     for (const Place& place : m_places) {
-        const TreeShape& s = shapes[ToSize(place.shape)];
+        const TreeShape& s = m_shapes[ToSize(place.shape)];
         const size_t lane = ToSize(place.lane);
         double recent[maxTreeRows];
-        LoadImpulse(place.joint, joints, recentScale, recent);
+        LoadImpulse(place.joint, joints, input.recentScale, recent);
         const auto begin = [&](auto& batch, double sign, int count) {
             for (int i = 0; i < count; ++i) {
                 batch.total[i].v[lane] = 0.0;
@@ -391,16 +401,37 @@ void JointBatches::MeasureRows(const JointBatchTask& task) const {
     }
 }
 
-/// True if a pull makes a body count as more inert.
-bool JointBatches::IsSteadied() const {
+/// Trees that bear a load and have a body that counts as more inert for a pull. False if there are none.
+bool JointBatches::FindLoadedTrees() {
+    if (m_isLoaded.empty()) return false;
+    m_isChosen.assign(m_bodies.size(), 0);
+    bool isAny = false;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
+        const size_t tree = ToSize(m_tree[row]);
         const double stiffness = m_stiffness[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)];
-        if (m_h * stiffness * m_mass[row].v[1] > 1.0) return true;
+        if (m_isLoaded[tree] != 0 && m_h * stiffness * m_mass[row].v[1] > 1.0) m_isChosen[tree] = 1, isAny = true;
     }
-    return false;
+    return isAny;
 }
 
-void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h, bool isLoaded,
+/// In these trees bodies count as inert as they are, and joints hardly give way.
+void JointBatches::FactorizeForVelocities(const JointBatchTask& task) {
+    const auto isChosen = [this](size_t row) { return m_isChosen[ToSize(m_tree[row])] != 0; };
+    m_kept = m_stiffness;
+    for (size_t row = 0; row < m_bodies.size(); ++row) {
+        if (isChosen(row)) m_stiffness[row / ToSize(jointLanes)].v[row % ToSize(jointLanes)] = 0.0;
+    }
+    for (const Place& place : m_places) {
+        if (!isChosen(ToSize(place.child))) continue;
+        LaneRow& give = place.isPoint ? task.pointNotes[place.batch].give : task.rowNotes[place.batch].give;
+        give.v[place.lane] = loadedCompliance - m_compliance;
+    }
+    GetJointBatchKernels().factorize(task);
+    StandFirm(task);
+    m_stiffness = m_kept;
+}
+
+void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
                              JointBatchScratch& scratch) {
     m_h = h;
     for (size_t row = 0; row < m_bodies.size(); ++row) {
@@ -410,15 +441,14 @@ void JointBatches::Factorize(const BodyTable& bodies, const Column<BodyIndex, Ve
         m_course[row].v[0] = from.angle, m_course[row].v[1] = from.turn;
     }
     const JointBatchKernels& kernels = GetJointBatchKernels();
-    JointBatchTask task = Task(scratch);
+    const JointBatchTask task = Task(scratch);
     kernels.turn(task);
     std::fill(m_stiffness.begin(), m_stiffness.end(), LaneRow{});
     kernels.reach(task);
     kernels.align(task);
     MakeJacobians();
-    m_isForVelocities = isLoaded && IsSteadied();
-    if (m_isForVelocities) task.h = 0.0, task.compliance = loadedCompliance;
-    kernels.factorize(task);
+    m_isForVelocities = FindLoadedTrees();
+    m_isForVelocities ? FactorizeForVelocities(task) : kernels.factorize(task);
 }
 
 /// spinOf(spin, last, mass): with which a solve begins, of that of the body and of what the last solve ended with.

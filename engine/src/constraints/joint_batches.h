@@ -16,6 +16,7 @@
 #include "base/bytes.h"
 #include "constraints/joint_batch_kernels.h"
 #include "constraints/joint_tree_rows.h"
+#include "constraints/load_bearers.h"
 
 namespace scree {
 
@@ -37,6 +38,14 @@ struct TreeEdge {
 
 struct TreeCourse;
 
+/// What may change from step to step.
+struct TreeInput {
+    std::span<const TreeShape> shapes;  ///< read until the next call
+    double recentScale;                 ///< makes impulses of a sub-step of the stored ones
+    double compliance;                  ///< jointCompliance
+    const LoadBearers* bearers;         ///< null: none
+};
+
 /// What a solve of some batches needs besides them. Of one solve nothing is left for the next, so a worker has one of
 /// these for all that it solves, and it stays in the cache.
 struct JointBatchScratch {
@@ -57,10 +66,7 @@ public:
     void Plan(std::span<TreeEdge> links);
     /// For links like those that were planned, whose shapes have other indices.
     void Renumber(std::span<const TreeEdge> links);
-    /// What may change from step to step. `shapes` are read until the next call; `recentScale` makes impulses
-    /// of a sub-step of the stored ones.
-    void Refresh(const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
-                 double recentScale, double compliance);
+    void Refresh(const BodyTable& bodies, const JointTable& joints, const TreeInput& input);
     [[nodiscard]] bool IsEmpty() const { return m_order.empty(); }
     /// Makes room in a scratch: later steps are not to allocate because another worker has these batches.
     void EnsureRoom(JointBatchScratch& scratch) const {
@@ -69,7 +75,7 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
     // As of JointTree; the scratch has room.
-    void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h, bool isLoaded,
+    void Factorize(const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
                    JointBatchScratch& scratch);
     void SolveBeforeMove(Column<BodyIndex, Velocity>& velocity, JointBatchScratch& scratch);
     void SolveAfterMove(Column<BodyIndex, Velocity>& velocity, JointBatchScratch& scratch);
@@ -129,7 +135,9 @@ private:
     void LoadVelocities(const Column<BodyIndex, Velocity>& velocity, SpinOf&& spinOf);
     void StoreVelocities(Column<BodyIndex, Velocity>& velocity) const;
     void MakeJacobians();
-    [[nodiscard]] bool IsSteadied() const;
+    void MarkLoaded(const LoadBearers* bearers);
+    [[nodiscard]] bool FindLoadedTrees();
+    void FactorizeForVelocities(const JointBatchTask& task);
     void MeasureRows(const JointBatchTask& task) const;
     /// The most that the solve leaves, as `left` of the task.
     [[nodiscard]] double AimAll(const JointBatchTask& task) const;
@@ -147,7 +155,10 @@ private:
     std::vector<LaneRow> m_stiffness;
     std::vector<int> m_tree;  ///< per row: the tree that it belongs to, by a row of that
     double m_h = 1.0, m_compliance = 0.0;
-    bool m_isForVelocities = false;  ///< factors are not for aiming
+    std::vector<uint8_t> m_isLoaded;  ///< per row that stands for a tree: it bears a load; empty: none does
+    std::vector<uint8_t> m_isChosen;  ///< of these, pulled ones; scratch
+    std::vector<LaneRow> m_kept;      ///< stiffnesses, scratch
+    bool m_isForVelocities = false;   ///< factors of some trees are not for aiming
 };
 
 }  // namespace scree

@@ -151,13 +151,12 @@ void JointGroves::Plan(TaskPool& pool, std::span<TreeEdge> links) {
     });
 }
 
-void JointGroves::Refresh(TaskPool& pool, const BodyTable& bodies, const JointTable& joints,
-                          std::span<const TreeShape> shapes, double recentScale, double compliance) {
+void JointGroves::Refresh(TaskPool& pool, const BodyTable& bodies, const JointTable& joints, const TreeInput& input) {
     EnsureRows(m_scratch, ToSize(pool.GetRowCount()));
     for (JointBatchScratch& scratch : m_scratch) {
         for (const Grove& grove : Groves()) grove.batches.EnsureRoom(scratch);
     }
-    ForEach(pool, [&](JointBatches& grove, auto&) { grove.Refresh(bodies, joints, shapes, recentScale, compliance); });
+    ForEach(pool, [&](JointBatches& grove, auto&) { grove.Refresh(bodies, joints, input); });
 }
 
 bool JointGroves::IsEmpty() const {
@@ -171,11 +170,9 @@ size_t JointGroves::GetMemoryBytes() const {
     return bytes;
 }
 
-void JointGroves::Factorize(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
-                            bool isLoaded) {
-    ForEach(pool, [&](JointBatches& grove, JointBatchScratch& scratch) {
-        grove.Factorize(bodies, delta, h, isLoaded, scratch);
-    });
+void JointGroves::Factorize(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
+                            double h) {
+    ForEach(pool, [&](JointBatches& grove, JointBatchScratch& scratch) { grove.Factorize(bodies, delta, h, scratch); });
 }
 
 void JointGroves::SolveBeforeMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity) {
@@ -187,9 +184,9 @@ void JointGroves::SolveAfterMove(TaskPool& pool, Column<BodyIndex, Velocity>& ve
 }
 
 void JointGroves::FactorizeAndStop(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta,
-                                   double h, bool isLoaded, Column<BodyIndex, Velocity>& velocity) {
+                                   double h, Column<BodyIndex, Velocity>& velocity) {
     ForEach(pool, [&](JointBatches& grove, JointBatchScratch& scratch) {
-        grove.Factorize(bodies, delta, h, isLoaded, scratch);
+        grove.Factorize(bodies, delta, h, scratch);
         grove.SolveAfterMove(velocity, scratch);
     });
 }

@@ -21,18 +21,16 @@ public:
     /// As of JointBatches. The links of one tree are in one grove, in their order. Plans only groves whose links are
     /// others than at the last call.
     void Plan(TaskPool& pool, std::span<TreeEdge> links);
-    void Refresh(TaskPool& pool, const BodyTable& bodies, const JointTable& joints, std::span<const TreeShape> shapes,
-                 double recentScale, double compliance);
+    void Refresh(TaskPool& pool, const BodyTable& bodies, const JointTable& joints, const TreeInput& input);
     [[nodiscard]] bool IsEmpty() const;
     [[nodiscard]] size_t GetMemoryBytes() const;
 
     // As of JointTree, shared by the workers of the pool.
-    void Factorize(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
-                   bool isLoaded);
+    void Factorize(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h);
     void SolveBeforeMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity);
     void SolveAfterMove(TaskPool& pool, Column<BodyIndex, Velocity>& velocity);
     void FactorizeAndStop(TaskPool& pool, const BodyTable& bodies, const Column<BodyIndex, Velocity>& delta, double h,
-                          bool isLoaded, Column<BodyIndex, Velocity>& velocity);
+                          Column<BodyIndex, Velocity>& velocity);
 
     /// Calls visit(const TreeResult&) for each joint.
     template <typename Visit>

@@ -40,7 +40,7 @@ JointTree::~JointTree() = default;
 
 void JointTree::Build(const JointTreeInput& input) {
     m->Build(input.bodies, input.joints, input.list,
-             {double{input.substepScale}, input.compliance, input.direct, input.pool});
+             {double{input.substepScale}, input.compliance, input.direct, input.pool, input.bearers});
 }
 bool JointTree::IsEmpty() const { return m->trees.IsEmpty() && m->joints.empty(); }
 JointNet& JointTree::GetNets() { return m->nets; }
@@ -68,23 +68,42 @@ void SumPulls(JointForest& forest) {
 bool IsSteadied(const TreeBody& b, double h) { return h * b.pull * b.invI > 1.0; }
 
 /// With velocities that lead to a move of `h` seconds.
-void FactorizeFor(JointForest& forest, double h, double compliance) {
+void FactorizeFor(JointForest& forest, double h) {
     for (TreeBody& b : forest.bodies) {
         const double before = b.steadyInvI;
-        b.steadyInvI = IsSteadied(b, h) ? 1.0 / (h * b.pull) : b.invI;
+        b.steadyInvI = !b.isForVelocities && IsSteadied(b, h) ? 1.0 / (h * b.pull) : b.invI;
         b.spinLeft = b.steadyInvI < before ? b.steadyInvI / before : 1.0;
     }
-    FactorizeForest(forest, compliance);
+    FactorizeForest(forest, forest.compliance);
+}
+
+/// Loops that bear a load and are pulled get factors for the solve on velocities. False if there are none.
+bool FindLoadedParts(JointForest& forest, double h) {
+    const auto isPulled = [&](const TreeBody& b) { return b.isLoaded && IsSteadied(b, h); };
+    if (std::ranges::none_of(forest.bodies, isPulled)) return false;
+    const std::vector<uint8_t> areChosen = forest.ChooseParts(isPulled);
+    for (TreeJoint& joint : forest.joints) {
+        if (areChosen[ToSize(joint.part)] == 0) continue;
+        joint.give = loadedCompliance - forest.compliance;
+        for (const int row : {joint.a, joint.b}) forest.bodies[ToSize(row)].isForVelocities = true;
+    }
+    return true;
+}
+/// The next factors are for aiming.
+void EndLoadedParts(JointForest& forest) {
+    if (!forest.isForVelocities) return;
+    for (TreeBody& b : forest.bodies) b.isForVelocities = false;
+    for (TreeJoint& joint : forest.joints) joint.give = 0.0;
 }
 
 }  // namespace
 
-void JointTree::Factorize(const Poses& poses, float h, bool isLoaded) {
-    m->trees.Factorize(*m->pool, poses.bodies, poses.delta, double{h}, isLoaded);
-    FactorizeLoops(poses, h, isLoaded);
+void JointTree::Factorize(const Poses& poses, float h) {
+    m->trees.Factorize(*m->pool, poses.bodies, poses.delta, double{h});
+    FactorizeLoops(poses, h);
 }
 
-void JointTree::FactorizeLoops(const Poses& poses, float h, bool isLoaded) {
+void JointTree::FactorizeLoops(const Poses& poses, float h) {
     if (m->joints.empty()) return;
     for (TreeBody& b : m->bodies) {
         const TreeStart start = StartOf(poses.bodies, poses.delta, b.body);
@@ -95,9 +114,9 @@ void JointTree::FactorizeLoops(const Poses& poses, float h, bool isLoaded) {
         MakeRows<true>(joint.shape, m->bodies[ToSize(joint.a)].pose, m->bodies[ToSize(joint.b)].pose, joint.rows);
     }
     SumPulls(*m);
-    const auto isSteadied = [&](const TreeBody& b) { return IsSteadied(b, double{h}); };
-    m->isForVelocities = isLoaded && std::any_of(m->bodies.begin(), m->bodies.end(), isSteadied);
-    m->isForVelocities ? FactorizeFor(*m, 0.0, loadedCompliance) : FactorizeFor(*m, double{h}, m->compliance);
+    m->isForVelocities = FindLoadedParts(*m, double{h});
+    FactorizeFor(*m, double{h});
+    EndLoadedParts(*m);
 }
 
 namespace {
@@ -190,7 +209,7 @@ bool GiveWay(JointForest& forest, double h, double compliance, const std::vector
 void JointTree::SolveBeforeMove(const Poses&, float h, Column<BodyIndex, Velocity>& velocity) {
     m->trees.SolveBeforeMove(*m->pool, velocity);
     if (m->joints.empty()) return;
-    const auto factorize = [&] { FactorizeFor(*m, double{h}, m->compliance); };
+    const auto factorize = [&] { FactorizeFor(*m, double{h}); };
     if (m->isForVelocities) factorize();
     m->before.assign(m->joints.begin(), m->joints.end());  // as sums
     double left = AimAll(*m, double{h}, velocity);
@@ -210,9 +229,9 @@ void JointTree::SolveAfterMove(Column<BodyIndex, Velocity>& velocity) {
     StopLoops(velocity);
 }
 
-void JointTree::FactorizeAndStop(const Poses& poses, float h, bool isLoaded, Column<BodyIndex, Velocity>& velocity) {
-    m->trees.FactorizeAndStop(*m->pool, poses.bodies, poses.delta, double{h}, isLoaded, velocity);
-    FactorizeLoops(poses, h, isLoaded);
+void JointTree::FactorizeAndStop(const Poses& poses, float h, Column<BodyIndex, Velocity>& velocity) {
+    m->trees.FactorizeAndStop(*m->pool, poses.bodies, poses.delta, double{h}, velocity);
+    FactorizeLoops(poses, h);
     StopLoops(velocity);
 }
 

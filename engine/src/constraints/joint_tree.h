@@ -22,6 +22,7 @@
 #include "constraints/joint_net.h"
 #include "constraints/joint_phases.h"
 #include "constraints/joint_tree_rows.h"
+#include "constraints/load_bearers.h"
 
 namespace scree {
 
@@ -34,7 +35,8 @@ struct JointTreeInput {
     std::span<const JointIndex> list;  ///< joints to hold
     float substepScale;                ///< makes impulses of a sub-step of those that the joints keep
     double compliance = jointCompliance;
-    bool direct = true;  ///< otherwise all are taken for nets
+    bool direct = true;                    ///< otherwise all are taken for nets
+    const LoadBearers* bearers = nullptr;  ///< what they are of, counts as a loaded tree until the next Build
 };
 
 class JointTree {
@@ -58,14 +60,13 @@ public:
         const Column<BodyIndex, Velocity>& delta;  ///< per body: motion since then
     };
     /// At the present poses, from which both solves below take their Jacobians. `h` is the length of a sub-step, s.
-    /// `isLoaded`: something much heavier than its bodies may lie on a tree.
-    void Factorize(const Poses& poses, float h, bool isLoaded = false);
+    void Factorize(const Poses& poses, float h);
     /// Changes velocities so that a move of `h` seconds ends with closed joints, to O(h³).
     void SolveBeforeMove(const Poses& poses, float h, Column<BodyIndex, Velocity>& velocity);
     /// Removes all speed along the joints; after Factorize at the new poses.
     void SolveAfterMove(Column<BodyIndex, Velocity>& velocity);
     /// Factorize and SolveAfterMove: what is read for the one is still in the cache for the other.
-    void FactorizeAndStop(const Poses& poses, float h, bool isLoaded, Column<BodyIndex, Velocity>& velocity);
+    void FactorizeAndStop(const Poses& poses, float h, Column<BodyIndex, Velocity>& velocity);
     /// Joints that are so much coupled that they are solved in turn; of them only Build and Store are here.
     [[nodiscard]] JointNet& GetNets();
     /// Writes the impulses of the last two solves, times `scale`, into the joints.
@@ -77,7 +78,7 @@ public:
     [[nodiscard]] size_t GetMemoryBytes() const;
 
 private:
-    void FactorizeLoops(const Poses& poses, float h, bool isLoaded);
+    void FactorizeLoops(const Poses& poses, float h);
     void StopLoops(Column<BodyIndex, Velocity>& velocity);
 
     std::unique_ptr<JointForest> m;

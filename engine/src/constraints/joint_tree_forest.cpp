@@ -54,6 +54,7 @@ int JointForest::RowOf(const BodyTable& table, BodyIndex body) {
     b.invMass = moves ? double{table.mass[body].invMass} : 0.0;
     b.invI = b.steadyInvI = moves ? double{table.mass[body].invI} : 0.0;
     b.spinLeft = 1.0;
+    b.isLoaded = b.isForVelocities = false;
     const Rot& q = table.transform[body].q;
     b.startCos = double{q.c}, b.startSin = double{q.s};
     return row;
@@ -278,8 +279,11 @@ void JointForest::PlanAll(const BodyTable& bodyTable) {
 }
 
 /// What may change from step to step under the same order.
-void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale) {
-    trees.Refresh(*pool, bodyTable, jointTable, m_shapes, recentScale, compliance);
+void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTable, const How& how) {
+    const double recentScale = how.recentScale;
+    const LoadBearers* bearers = how.bearers != nullptr && !how.bearers->IsEmpty() ? how.bearers : nullptr;
+    trees.Refresh(*pool, bodyTable, jointTable, {m_shapes, recentScale, compliance, bearers});
+    if (bearers != nullptr) MarkLoaded(*bearers);
     const auto shapeOf = [this](int candidate) { return m_shapes[ToSize(m_candidates[ToSize(candidate)].key)]; };
     m_memberShapes.clear();
     for (const int candidate : m_netOrder) m_memberShapes.push_back(shapeOf(candidate));
@@ -289,6 +293,14 @@ void JointForest::Refresh(const BodyTable& bodyTable, const JointTable& jointTab
         joint.shape = shapeOf(m_order[i]);
         for (double& t : joint.total) t = 0.0;
         LoadImpulse(joint.joint, jointTable, recentScale, joint.recent);
+    }
+}
+
+void JointForest::MarkLoaded(const LoadBearers& bearers) {
+    const std::vector<uint8_t> areLoaded = ChooseParts([&](const TreeBody& b) { return bearers.Has(b.body); });
+    for (const TreeJoint& joint : joints) {
+        if (areLoaded[ToSize(joint.part)] == 0) continue;
+        for (const int row : {joint.a, joint.b}) bodies[ToSize(row)].isLoaded = true;
     }
 }
 
@@ -317,7 +329,7 @@ void JointForest::Build(const BodyTable& bodyTable, const JointTable& jointTable
         m_direct = how.direct;
         PlanAll(bodyTable);
     }
-    Refresh(bodyTable, jointTable, how.recentScale);
+    Refresh(bodyTable, jointTable, how);
     ListOthers();
 }
 

@@ -14,6 +14,7 @@
 #include "constraints/joint_groves.h"
 #include "constraints/joint_net.h"
 #include "constraints/joint_tree_rows.h"
+#include "constraints/load_bearers.h"
 
 namespace scree {
 
@@ -24,10 +25,12 @@ struct TreeBody {
     double spinLeft;       ///< share of the spin of the last solve, TakeSpin
     double pull;           ///< sub-step times what recent pulls turn it back with
     double startCos, startSin;
-    TreePose pose, next;  ///< now, and where its velocity leads
-    double v[3];          ///< x, y, turning; of the last solve
-    double coasted[3];    ///< these before the last aim
-    double left;          ///< the most that its turn in the last aim may leave of an error, in shares of an arm
+    TreePose pose, next;   ///< now, and where its velocity leads
+    double v[3];           ///< x, y, turning; of the last solve
+    double coasted[3];     ///< these before the last aim
+    double left;           ///< the most that its turn in the last aim may leave of an error, in shares of an arm
+    bool isLoaded;         ///< a body of its loops bears a load
+    bool isForVelocities;  ///< the factors are not for aiming
 };
 
 /// Coupling of a joint with a later one: first G·M⁻¹·Gᵀ, then the block of L.
@@ -66,18 +69,31 @@ public:
     std::vector<JointIndex> bounded;  ///< joints held here that have limits, motors or springs besides
     TaskPool* pool = nullptr;         ///< shares trees
     double compliance = 0.0;          ///< of `joints`
-    bool isForVelocities = false;     ///< the factors of `joints` are not for aiming
+    bool isForVelocities = false;     ///< some factors of `joints` are not for aiming
 
     struct How {
-        double recentScale;  ///< makes impulses of a sub-step of the stored ones
-        double compliance;   ///< jointCompliance
-        bool direct;         ///< otherwise all joints are taken for nets
-        TaskPool& pool;      ///< until the next call
+        double recentScale;          ///< makes impulses of a sub-step of the stored ones
+        double compliance;           ///< jointCompliance
+        bool direct;                 ///< otherwise all joints are taken for nets
+        TaskPool& pool;              ///< until the next call
+        const LoadBearers* bearers;  ///< may be null
     };
     /// Finds the joints to hold and their order, which stays while the same joints hold the same bodies. O(bodies +
     /// joints) for trees.
     void Build(const BodyTable& bodyTable, const JointTable& jointTable, std::span<const JointIndex> list, How how);
     [[nodiscard]] size_t GetMemoryBytes() const;
+
+    /// By TreeJoint::part: 1 if isChosen(body) of one of its bodies.
+    template <typename IsChosen>
+    [[nodiscard]] std::vector<uint8_t> ChooseParts(IsChosen&& isChosen) const {
+        std::vector<uint8_t> chosen(m_parts.size(), 0);
+        for (const TreeJoint& joint : joints) {
+            for (const int row : {joint.a, joint.b}) {
+                if (isChosen(bodies[ToSize(row)])) chosen[ToSize(joint.part)] = 1;
+            }
+        }
+        return chosen;
+    }
 
     /// Calls visit(const TreeResult&) for each joint; on the workers of the pool.
     template <typename Visit>
@@ -147,7 +163,8 @@ private:
     int TakeLeast();
     void Eliminate(int candidate);
     void MakeLinks();
-    void Refresh(const BodyTable& bodyTable, const JointTable& jointTable, double recentScale);
+    void Refresh(const BodyTable& bodyTable, const JointTable& jointTable, const How& how);
+    void MarkLoaded(const LoadBearers& bearers);
 
     [[nodiscard]] const Key& KeyOf(const Candidate& c) const { return m_keys[ToSize(c.key)]; }
 

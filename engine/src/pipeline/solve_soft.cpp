@@ -102,10 +102,14 @@ public:
         m_blocks.GetSlices().Update(Pool(), m_bodies, m_tables.contacts, m_islands.contacts);
         WithBodyKernel(m_settings.kernels, [&](auto forces, auto) { PrepareBodies<forces>(); });
         m_s.locked.Gather(m_settings.kernels, m_islands.bodies, m_bodies);
-        const bool isLoaded = HasJoints() && IsLoaded();
+        // Before any of them counts as heavier.
+        if (HasJoints() && FollowsLoads()) {
+            m_s.bearers.Find(Pool(), m_bodies, m_tables.contacts, m_islands.contacts);
+        }
         RaiseLoaded(fixtures);
         m_tree.Build({Pool(), m_bodies, m_tables.joints, m_islands.joints, m_settings.SubstepScale(), JointCompliance(),
-                      m_settings.directJoints});
+                      m_settings.directJoints, &m_s.bearers});
+        m_s.bearers.Forget();
         m_tables.contacts.steady.resize(m_tables.contacts.flags.size());
         m_blocks.Build({Pool(), m_bodies, fixtures, m_tables.contacts, m_islands.contacts, m_settings.ContactScale(),
                         m_settings.kernels.restitution, m_settings.lengthScale, true, &m_tables.contacts.steady, true,
@@ -127,8 +131,7 @@ public:
                   .hasRows = hasRows,
                   .placesInDrift = hasRows && m_s.locked.IsEmpty(),
                   .hasTrees = !m_tree.IsEmpty(),
-                  .hasNets = !m_tree.GetNets().IsEmpty(),
-                  .isLoaded = isLoaded};
+                  .hasNets = !m_tree.GetNets().IsEmpty()};
         if (m_plan.hasNets) GatherNetted();
         PlanBounds(JointWork(1.0f), m_tree.GetBounded());
     }
@@ -178,7 +181,6 @@ private:
         bool placesInDrift = false;  ///< bodies with joints are where these see them as soon as they have moved
         bool hasTrees = false;       ///< joints that are solved directly
         bool hasNets = false;        ///< joints of nets
-        bool isLoaded = false;       ///< a tree may bear a load that is far heavier than its bodies
     };
 
     [[nodiscard]] TaskPool& Pool() const { return m_tables.pool; }
@@ -376,24 +378,6 @@ private:
         m_blocks.GetImpulses(true, m_s.impulses);
         m_s.loaded.Lower(m_bodies, m_s.impulses);
     }
-    [[nodiscard]] bool IsLoaded() const {
-        constexpr float heavy = 10.0f;  // masses of the body that bears it
-        constexpr int leastToShare = 1024;
-        if (!FollowsLoads()) return false;
-        const auto bears = [&](BodyIndex body, BodyIndex load) {
-            const float invMass = m_bodies.mass[load].invMass;
-            return m_bodies.info[body].jointCount > 0 && invMass > 0.0f &&
-                   heavy * invMass < m_bodies.mass[body].invMass;
-        };
-        const auto isNoLoad = [&](ContactIndex contact) {
-            const ContactPair& pair = m_tables.contacts.pair[contact];
-            return !bears(pair.bodyA, pair.bodyB) && !bears(pair.bodyB, pair.bodyA);
-        };
-        const std::span<const ContactIndex> contacts = m_islands.contacts;
-        return !AllOf(Pool(), static_cast<int>(contacts.size()), leastToShare, [&](int begin, int end) {
-            return std::ranges::all_of(contacts.subspan(ToSize(begin), ToSize(end - begin)), isNoLoad);
-        });
-    }
     [[nodiscard]] bool HasJoints() const { return !m_islands.joints.empty(); }
     /// Impulses of half a sub-step; what may still close, may do so in a whole one.
     [[nodiscard]] JointTask JointWork(float impulseScale) {
@@ -454,8 +438,8 @@ private:
     void ProjectTrees(bool isFirst) {
         if (!m_plan.hasTrees) return;
         const bool isSeen = m_plan.hasContacts || m_rowsAct;
-        if (isFirst && isSeen) return m_tree.FactorizeAndStop(Poses(), m_h, m_plan.isLoaded, m_bodies.velocity);
-        if (isFirst) m_tree.Factorize(Poses(), m_h, m_plan.isLoaded);
+        if (isFirst && isSeen) return m_tree.FactorizeAndStop(Poses(), m_h, m_bodies.velocity);
+        if (isFirst) m_tree.Factorize(Poses(), m_h);
         if (isSeen) m_tree.SolveAfterMove(m_bodies.velocity);
     }
     void SolveRows() {
@@ -510,7 +494,7 @@ private:
     /// No speed is left along the trees' joints.
     void StopTrees() {
         if (!m_plan.hasTrees) return;
-        m_tree.FactorizeAndStop(Poses(), m_h, m_plan.isLoaded, m_bodies.velocity);
+        m_tree.FactorizeAndStop(Poses(), m_h, m_bodies.velocity);
     }
     void StopRows() {
         if (m_plan.hasNets) {

@@ -13,6 +13,7 @@
 #include "constraints/island_lanes.h"
 #include "constraints/joint_solver.h"
 #include "constraints/joint_tree.h"
+#include "constraints/load_bearers.h"
 #include "constraints/loaded_bodies.h"
 #include "constraints/rolling_rows.h"
 #include "pipeline/parts/locked_bodies.h"
@@ -171,6 +172,7 @@ struct SolverScratch {
     SoftConstraints constraints;
     BodyMarks marks;  ///< of the soft step, as the rows that follow
     RollingRows rolling;
+    LoadBearers bearers;  ///< none between steps
     LoadedBodies loaded;
     LockedBodies locked;
     Column<BodyIndex, Velocity> delta;  ///< per body: motion since the start of the step; zero between steps
@@ -194,13 +196,14 @@ struct SolverScratch {
         for (const IslandRows& rows : islandRows) ofIslands += rows.GetMemoryBytes();
         return ofIslands + marks.GetMemoryBytes() + BytesOf(delta, sliced, soft, jointed, netted, impulses, ofJoints) +
                startVelocities.GetMemoryBytes() + constraints.GetMemoryBytes() + rolling.GetMemoryBytes() +
-               loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
+               bearers.GetMemoryBytes() + loaded.GetMemoryBytes() + locked.GetMemoryBytes() + lanes.GetMemoryBytes();
     }
     /// Gives the room of the last step back; the next one makes it anew.
     void Trim() {
         constraints.Trim();
         marks = {};
         rolling = {};
+        bearers = {};
         loaded = {};
         locked = {};
         delta = {};
