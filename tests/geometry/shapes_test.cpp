@@ -87,6 +87,34 @@ TEST(Shape, RayCastAgreesWithBox2d) {
     EXPECT_LE(differing, static_cast<int>(allowedShare * 3 * trials));
 }
 
+/// Box2D takes rays below a third of a millimetre for none.
+TEST(Shape, ShortRaysMeetCircles) {
+    Source source(44);
+    for (int i = 0; i < trials; ++i) {
+        CircleShape circle;
+        circle.m_radius = source.Size(1e-6f, 1.0f);
+        const float length = Min(circle.m_radius * source.Size(1e-3f, 0.9f), 3e-4f),
+                    outside = source.Between(0.1f, 0.9f);
+        const Vec2 out = source.Direction();
+        RayCastInput input;
+        input.p1 = (circle.m_radius + outside * length) * out;
+        input.p2 = (circle.m_radius - (1.0f - outside) * length) * out;
+        input.maxFraction = 1.0f;
+        const double x = double{input.p1.x}, y = double{input.p1.y};
+        const double rayX = double{input.p2.x} - x, rayY = double{input.p2.y} - y;
+        const double rr = rayX * rayX + rayY * rayY, approach = x * rayX + y * rayY;
+        const double radius = double{circle.m_radius};
+        const double fraction =
+            -(approach + std::sqrt(approach * approach - rr * (x * x + y * y - radius * radius))) / rr;
+        RayCastOutput output{};
+        const bool hit = circle.RayCast(&output, input, Transform(vec2Zero, Rot(0.0f)));
+        if (fraction > 0.01 && fraction < 0.99) ASSERT_TRUE(hit) << circle.m_radius << " " << length;
+        if (!hit) continue;
+        EXPECT_NEAR(double{output.fraction}, fraction, 1e-6) << circle.m_radius << " " << length;
+        EXPECT_NEAR(double{Dot(output.normal, out)}, 1.0, 1e-6);
+    }
+}
+
 struct Point {
     double x, y;
 };

@@ -26,7 +26,7 @@ bool HitDisk(Vec2 toStart, Vec2 ray, float radius, float maxFraction, RayCastOut
     const Real approach = dot(toStart, ray);
     const Real rr = dot(ray, ray);
     const Real discriminant = approach * approach - rr * outside;
-    if (discriminant < Real{0} || rr < Real{FLT_EPSILON}) return false;
+    if (discriminant < Real{0} || !(rr > Real{0})) return false;
 
     const Real scaled = -(approach + std::sqrt(discriminant));
     // Written so that NaN misses; a start inside gives a negative first root.
@@ -43,13 +43,14 @@ bool HitDisk(Vec2 toStart, Vec2 ray, float radius, float maxFraction, RayCastOut
 
 bool CircleShape::RayCast(RayCastOutput* output, const RayCastInput& input, const Transform& xf) const {
     // So many radii away a rounding of the square of the way is a thousandth of that of the radius, and from some
-    // thousand on all of it. What is nearer gets Box2D's bits.
+    // thousand on all of it. Box2D has no short rays. What is left gets its bits.
     constexpr float farRadii = 100.0f;
     const Vec2 toStart = input.p1 - (xf.p + Mul(xf.q, m_p));
     const Vec2 ray = input.p2 - input.p1;
     const float far = farRadii * m_radius;
-    return Dot(toStart, toStart) <= far * far ? HitDisk<float>(toStart, ray, m_radius, input.maxFraction, output)
-                                              : HitDisk<double>(toStart, ray, m_radius, input.maxFraction, output);
+    const bool isPlain = Dot(toStart, toStart) <= far * far && Dot(ray, ray) >= FLT_EPSILON;
+    return isPlain ? HitDisk<float>(toStart, ray, m_radius, input.maxFraction, output)
+                   : HitDisk<double>(toStart, ray, m_radius, input.maxFraction, output);
 }
 
 void CircleShape::ComputeAABB(AABB* aabb, const Transform& xf) const { *aabb = BoxOf(*this, xf); }
