@@ -39,10 +39,10 @@ inline constexpr uint64_t goldenRound[2] = {0x17234de3d334fe00, 0x4d5af872b8b5d6
 
 /// Of calls.h, a group each.
 inline constexpr uint64_t goldenCalls[20] = {
-    0xf8673a419710bccb, 0xf4bba94fd18f66c4, 0x7959b0281fd1f8d4, 0x4a0d7cdc640c1bf4, 0x3ad59b945c84f6bf,
-    0x0d60df0aba21ed97, 0x09ac9352afd01165, 0x8ad756215d5b3789, 0x21278bf630fdeacd, 0xad1f9ab07c512de8,
-    0xd424528a5c8a7eac, 0xd8ba60e09fa68901, 0x311079c20c28ee87, 0xc582c46f926aff47, 0x09fc546a48a37155,
-    0xec1f10e7359507cd, 0x6d5be0bef55373d6, 0xea3df22a935182f2, 0x00556845171bc7d5, 0xd7ea3ddfd7a79bea,
+    0xb14deeb4c79bf44a, 0xd724453616839944, 0xb93d76a09544eaa6, 0x4a7f557e73b5b30f, 0x1f750245cea766bb,
+    0x0c9a6315761520e9, 0x383e12c2b89aca64, 0xdd2deefc1246312b, 0x1c281a7d93d29fb0, 0x6f9800d1bba50d30,
+    0xd424528a5c8a7eac, 0xd8ba60e09fa68901, 0xf0b3730ae4042ab6, 0xa7959b6bfde92c76, 0x09fc546a48a37155,
+    0x1e4f9b5bbc3ff501, 0x947386094e88e28a, 0x781b049f56100d6e, 0x884b4ce2d2fa9cc3, 0xaf963ace72554861,
 };
 
 }  // namespace determinism
