@@ -36,7 +36,7 @@ struct JointTreeInput {
     float substepScale;                ///< makes impulses of a sub-step of those that the joints keep
     double compliance = jointCompliance;
     bool direct = true;                    ///< otherwise all are taken for nets
-    const LoadBearers* bearers = nullptr;  ///< what they are of, counts as a loaded tree until the next Build
+    const LoadBearers* bearers = nullptr;  ///< their trees count as loaded until the next Build; may be null
 };
 
 class JointTree {
