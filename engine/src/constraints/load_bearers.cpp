@@ -11,6 +11,7 @@ namespace scree {
 
 void LoadBearers::Find(TaskPool& pool, const BodyTable& bodies, const ContactTable& contacts,
                        std::span<const ContactIndex> list) {
+    Forget();                       // a step that ran out of memory has left some
     constexpr float heavy = 10.0f;  // masses of the body that bears it
     constexpr int leastToShare = 1024;
     const auto bears = [&](BodyIndex body, BodyIndex load) {

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Scree authors
 // SPDX-License-Identifier: MIT
 //
-// Bodies with joints on which something lies that is far heavier than they are.
+// Bodies with joints on which something lies that is far heavier than they are. Their trees are solved otherwise
+// (joint_tree.h). What such bodies lack to hold the load, loaded_bodies.h lends them.
 
 #pragma once
 
